@@ -18,9 +18,7 @@ const MODULES = [
   'core/name',
   'core/image',
   'core/check-areas',
-  'core/pack',
   'runtime/atlas-cells',
-  'three/material/array-texture',
   'three/three-version',
 ]
 

@@ -10,7 +10,8 @@ import { wrinkledFile } from './wrinkled-file.ts'
 
 /** As on a page that imports the loader alone. */
 describe.each(RENDERERS)('modes that are fetched, on %s', (name) => {
-  const { others } = name === 'webgl' ? WEBGL : WEBGPU
+  const parts = name === 'webgl' ? WEBGL : WEBGPU
+  const { others } = parts
   let harness: Harness
   let file: Uint8Array<ArrayBuffer>
   beforeAll(async () => {
@@ -105,6 +106,24 @@ describe.each(RENDERERS)('modes that are fetched, on %s', (name) => {
     expect(await picture()).toBe(before)
     wrinkles.mode = 'off'
     wrinkles.dispose()
+  })
+
+  it('a face whose shader the GPU refuses is plain at once, and is told of when that was fetched', async () => {
+    const hidden = await load('off')
+    const plain = await hidden.picture()
+    const { wrinkles, picture } = await load('default')
+    expect(await picture()).not.toBe(plain)
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const refused = vi.spyOn(parts, 'faultOf').mockReturnValueOnce('too many samplers')
+    expect(await picture()).toBe(plain)
+    expect(wrinkles.mode).toBe('off')
+    await vi.waitFor(() => expect(warn).toHaveBeenCalledOnce())
+    expect(warn.mock.calls[0][0]).toMatch(
+      /does not compile in the default mode, .*"too many samplers"; use the composed mode/,
+    )
+    refused.mockRestore()
+    warn.mockRestore()
+    for (const own of [hidden.wrinkles, wrinkles]) own.dispose()
   })
 
   it('a mode that cannot be fetched leaves what is shown, with a warning', async () => {

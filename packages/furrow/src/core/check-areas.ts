@@ -21,20 +21,11 @@ export function checkAreas(
   who: string,
 ): void {
   checkCount(areas.length, 'areas', MAX_AREAS, who)
-  checkNames(areas, 'area', who)
   for (const area of areas) checkArea(area, layers, who)
+  checkNames(areas, 'area', who)
 }
 
-/**
- * Checks one area against the layers it may belong to.
- *
- * @throws FurrowError when its name or its image is malformed, or its layer unknown.
- */
-export function checkArea(
-  area: Area<ArraySlice>,
-  layers: readonly { name: string }[],
-  who = 'WrinkleSet',
-): void {
+function checkArea(area: Area<ArraySlice>, layers: readonly { name: string }[], who: string): void {
   if (!isObject(area)) throw wrongArgument(who, 'an area', area, 'an object with a name and weights')
   checkName(area.name, 'area', who)
   if (!isObject(area.weights)) {

@@ -11,6 +11,11 @@ export type WrinkleMode = 'default' | 'auto' | 'paper' | 'composed' | 'off'
 
 const MODES: readonly WrinkleMode[] = ['default', 'auto', 'paper', 'composed', 'off']
 
+/** Whether a mode is an edit of the material's shader that mixes normals, or begins as one. */
+export function isMixed(mode: WrinkleMode): mode is 'default' | 'auto' {
+  return mode === 'default' || mode === 'auto'
+}
+
 /**
  * `on` moves the surface itself by the layers' heights, so that wrinkles change outlines and shadows; `auto` does so where a millimetre
  * is more than a pixel and an area is active; `off` never does.

@@ -1,10 +1,11 @@
 import type { Camera, Material, Mesh, Scene } from 'three'
 import { wrongArgument } from '../core/argument.ts'
-import { checkArea, checkAreas } from '../core/check-areas.ts'
+import { checkAreas } from '../core/check-areas.ts'
 import type { Area, ArraySlice, WrinkleSet } from '../core/types.ts'
 import type { Cell } from '../runtime/atlas-cells.ts'
 import type { FrameEntry } from '../runtime/frame.ts'
 import { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
+import { noteAdded } from './added-to.ts'
 import { exposeAreas } from './animated-areas.ts'
 import { createAreaArray } from './atlas/area-array.ts'
 import type { InfluenceAtlas } from './atlas/influence-atlas.ts'
@@ -29,6 +30,7 @@ import {
   checkMode,
   checkOptions,
   checkReliefMode,
+  isMixed,
   type ReliefMode,
   WRINKLES_DEFAULTS,
   type WrinkleMode,
@@ -37,13 +39,6 @@ import {
 import { canRise } from './relief/raised-layer.ts'
 import type { ReliefControl } from './relief/relief-control.ts'
 import { type AnyRenderer, checkRenderer, isRefused } from './renderer.ts'
-
-const wrinklesByMesh = new WeakMap<Mesh, WrinklesBase>()
-
-/** The wrinkles that were added to a mesh, or undefined; if there are several, the first. */
-export function addedTo(mesh: Mesh): WrinklesBase | undefined {
-  return wrinklesByMesh.get(mesh)
-}
 
 /**
  * Wrinkles on one mesh, or on each instance of an `InstancedMesh` or `BatchedMesh`: the base of both renderers' `Wrinkles`. The
@@ -60,8 +55,6 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   readonly #cells: readonly Cell[]
   readonly #inputs: ShaderInputs
   readonly #material: PatchedMaterial
-  /** How many materials show the current influence, which needs the map in any mode. */
-  #views = 0
   readonly #meshes: Mesh[] = []
   /** Where the mesh was when the wrinkles were added, for relief. */
   readonly #place: MeshPlace
@@ -196,7 +189,6 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    */
   addArea(area: Area): void {
     this.checkInUse('addArea')
-    checkArea(area, this.#inputs.textures.layers, 'Wrinkles.addArea')
     this.#replaceAreas([...this.areas, area], 'Wrinkles.addArea')
     for (const face of this.faces) face.setResting(area.name, area.activation ?? 0)
   }
@@ -226,15 +218,10 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    */
   createInfluenceMaterial(area?: string | readonly string[]): Material {
     this.checkInUse('createInfluenceMaterial')
-    if (area !== undefined) {
-      const names = [area].flat()
-      for (const name of names) this.getActivation(name)
-      return this.#material.influenceMaterial({ areas: this.areas, names })
-    }
-    const material = this.#material.influenceMaterial()
-    this.#views++
-    material.addEventListener('dispose', () => this.#views--)
-    return material
+    if (area === undefined) return this.#material.influenceMaterial()
+    const names = [area].flat()
+    for (const name of names) this.getActivation(name)
+    return this.#material.influenceMaterial({ areas: this.areas, names })
   }
 
   /**
@@ -247,12 +234,9 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.#meshes.push(mesh)
     const prepare = (renderer: AnyRenderer, camera: Camera, { overrideMaterial }: Scene) =>
       this.prepare(renderer, camera, mesh, Boolean(overrideMaterial))
-    this.onDispose(callBeforeRender(mesh, prepare))
-    if (!wrinklesByMesh.has(mesh)) wrinklesByMesh.set(mesh, this)
     if (mesh === this.mesh) exposeAreas(mesh, this)
-    this.onDispose(() => {
-      if (wrinklesByMesh.get(mesh) === this) wrinklesByMesh.delete(mesh)
-    })
+    this.onDispose(callBeforeRender(mesh, prepare))
+    this.onDispose(noteAdded(mesh, this))
   }
 
   /**
@@ -307,29 +291,26 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     else this.#material.auto?.pause()
   }
 
-  /** Phase 4 of a frame, see `Frame`: influence maps, or the paper's table. @internal */
+  /** Phase 4 of a frame, see `Frame`. @internal */
   collectInfluence(renderer: AnyRenderer): boolean {
-    const { fade, areas, textures, paper } = this.#inputs
+    const { fade, areas, textures } = this.#inputs
     areas.upload?.(renderer)
     textures.upload?.(renderer)
-    const { mode, composed } = this.#material
-    if (mode === 'paper') paper!.table.update(areas, this.faces[0].activations)
-    const isMixed = mode === 'default' || mode === 'auto' || composed !== null
-    const isUsed = isMixed || this.#views > 0 || this.#relief?.isShown
+    const { mode, views } = this.#material
+    const isUsed = isMixed(mode) || mode === 'composed' || views > 0 || this.#relief?.isShown
     if (fade.value === 0 || !isUsed) return false
     this.#atlas.collect(this.#cells, renderer)
     return true
   }
 
-  /** Phase 5: the composed normal map, in its mode and now and then in `auto`. @internal */
+  /** Phase 5: the composed normal map, in its mode and now and then in `auto`, and the paper's table. @internal */
   composeNormals(renderer: AnyRenderer): void {
-    const { composed, auto } = this.#material
-    if (!composed && !auto) return
+    const { update, auto, views } = this.#material
+    if (!update && !auto) return
     locateCells(this.#inputs, this.#atlas, this.#cells)
-    const { areas, textures, fade } = this.#inputs
-    const { values } = this.faces[0].activations
-    composed?.update(renderer, areas, values, fade.value, areas.version + textures.version)
-    auto?.step(renderer, values, this.#views === 0 && !this.#relief?.isShown)
+    const { activations } = this.faces[0]
+    update?.(renderer, activations)
+    auto?.step(renderer, activations.values, views === 0 && !this.#relief?.isShown)
   }
 
   /** Restores the material, and frees the textures that no other face uses. */
@@ -348,7 +329,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   #fadeOf(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
     const appeared = this.#appearance?.advance(this.clock) ?? 1
     const { fadeBelow } = this.#options
-    if (fadeBelow === 0 || this.#material.composed || instancesOf(this.mesh)) return appeared
+    if (fadeBelow === 0 || this.#material.mode === 'composed' || instancesOf(this.mesh)) return appeared
     return appeared * (FADE.value?.(mesh, camera, renderer, fadeBelow) ?? 1)
   }
 
@@ -377,11 +358,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     const array = createAreaArray(areas, textures.layers, this.#options.areaSize, who)
     exchangeAreas(this.#inputs, array)
     this.areas = copyAreas(areas)
-    for (const [i, face] of this.faces.entries()) {
-      face.rebind(array, areas)
-      this.#cells[i].stale = true
-    }
-    this.#atlas.prune()
+    this.#atlas.rebind(this.#cells, array, areas)
     exposeAreas(this.mesh, this)
     // The shader graph of the paper's mode holds the array itself.
     if (this.mode === 'paper') this.#material.show('paper')

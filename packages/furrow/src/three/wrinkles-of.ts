@@ -1,6 +1,7 @@
 import type { Mesh } from 'three'
 import { adoptedBy } from './loader/adoption.ts'
-import { addedTo, type WrinklesBase } from './wrinkles-base.ts'
+import { addedTo } from './added-to.ts'
+import type { WrinklesBase } from './wrinkles-base.ts'
 
 /** What `GLTFLoader` returns, three.js's or another's, as far as `wrinklesOf` reads it. */
 export interface LoadedFile {
@@ -15,7 +16,7 @@ export function wrinklesOf(mesh: Mesh): WrinklesBase | undefined
 export function wrinklesOf(file: LoadedFile): readonly WrinklesBase[]
 export function wrinklesOf(source: Mesh | LoadedFile): WrinklesBase | undefined | readonly WrinklesBase[] {
   if ('scene' in source) return source.userData?.wrinkles ?? []
-  return addedTo(source) ?? adoptedBy(source)
+  return (addedTo(source) as WrinklesBase | undefined) ?? adoptedBy(source)
 }
 
 /**

@@ -96,11 +96,20 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   /** Frees cells. */
   remove(cells: readonly Cell[]): void {
     this.cells.remove(cells)
-    this.prune()
+    this.#prune()
+  }
+
+  /** Gives the faces of cells other areas. */
+  rebind(cells: readonly Cell[], array: AreaArray, areas: readonly { name: string }[]): void {
+    for (const cell of cells) {
+      cell.face.rebind(array, areas)
+      cell.stale = true
+    }
+    this.#prune()
   }
 
   /** Frees the resources of arrays of areas that no face uses any more. */
-  prune(): void {
+  #prune(): void {
     const used = this.cells.slots as Set<AreaArray>
     this.#batches = this.#batches.filter(({ areas, quads }) => {
       const isKept = !areas || used.has(areas)

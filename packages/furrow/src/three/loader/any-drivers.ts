@@ -1,5 +1,6 @@
 import type { Mesh } from 'three'
-import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
+import type { GLTF, GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
+import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
 import { driversOf } from '../../drivers/of-type.ts'
 import { planBy } from '../../drivers/plan.ts'
 import { definitionOf, type WrinkleDriver } from '../../drivers/registry.ts'
@@ -27,11 +28,17 @@ export async function planDrivers(
     ...(inputs.joint.length > 0 && { joint: (await import('../sources/joint.ts')).bindJoints }),
     ...(inputs.tension.length > 0 && { tension: await fetchTension() }),
   }
-  return (own, expressions) => {
-    const runtime = bindPlan(own, { drivers, plan, bindings }, () => ({ expressions: expressions?.() }))
+  return (own, file) => {
+    const expressions = () => (vrm && file ? expressionsOf(file) : undefined)
+    const runtime = bindPlan(own, { drivers, plan, bindings }, () => ({ expressions: expressions() }))
     // three-vrm may create a VRM's expressions after this: they are looked up when the face is first drawn.
-    if (!expressions) runtime.bind()
+    if (!vrm || !file) runtime.bind()
   }
+}
+
+/** Where three-vrm's plugins put the expressions. */
+function expressionsOf({ userData }: GLTF): VrmExpressions | undefined {
+  return userData.vrmExpressionManager ?? userData.vrm?.expressionManager
 }
 
 async function targetsOfVrm(mesh: Mesh, { json, associations }: GLTFParser): Promise<BindInputs<'target'>> {

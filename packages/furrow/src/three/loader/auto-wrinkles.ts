@@ -1,4 +1,5 @@
 import type { Mesh } from 'three'
+import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import type { CharacterWrinkles } from '../../auto/make-wrinkles.ts'
 import { type AutoRunOptions, runWorker } from '../../auto/run-worker.ts'
 import { FurrowError } from '../../core/error.ts'
@@ -30,20 +31,20 @@ let previous: Promise<unknown> = Promise.resolve()
 /**
  * Makes wrinkles for the skin of a file, and adds them.
  *
- * @param added takes them.
+ * @param file its `userData.wrinkles` takes them.
  * @throws FurrowError as `makeAutoWrinkles` does.
  */
 export async function addAutoWrinkles(
+  file: GLTF,
   faces: readonly Meshes[],
   options: AutoRunOptions,
   addFace: AddFace,
-  added: WrinklesBase[],
 ): Promise<void> {
   const made = await makeAutoWrinkles(faces, options)
   for (const meshes of made?.faces ?? []) {
     const own = await addFace(meshes, made!)
     own.appear(new Appearance(FADE_IN, own.clock))
-    added.push(own)
+    file.userData.wrinkles.push(own)
   }
 }
 

@@ -9,8 +9,12 @@ import type { WrinklesBase } from '../wrinkles-base.ts'
 
 type Parser = GLTF['parser']
 
-/** The faces of each material, by its index in the file. */
-export type FacesByMaterial = ReadonlyMap<number, readonly WrinklesBase[]>
+/** A face of a file. */
+export interface LoadedFace {
+  /** Index of its material in the file. */
+  material: number
+  wrinkles: WrinklesBase
+}
 
 /** Most key frames of an area. */
 const MAX_KEY_FRAMES = 1_000_000
@@ -31,14 +35,15 @@ export function dropBrokenChannels(parser: Parser, warnings: Warnings): void {
 export async function addActivationTracks(
   gltf: GLTF,
   parser: Parser,
-  faces: FacesByMaterial,
+  faces: readonly LoadedFace[],
   warnings: Warnings,
 ): Promise<void> {
   for (const [i, { channels, samplers }] of (parser.json.animations as AnimationJson[]).entries()) {
     for (const channel of channels) {
       const pointer = pointerOf(channel)
       if (!pointer) continue
-      for (const wrinkles of faces.get(pointer.material) ?? []) {
+      for (const { material, wrinkles } of faces) {
+        if (material !== pointer.material) continue
         const area = wrinkles.areaNames[pointer.area]
         const clip = gltf.animations[i]
         if (area === undefined || !clip) continue

@@ -4,7 +4,6 @@ import type { AutoRunOptions } from '../../auto/run-worker.ts'
 import { isObject, wrongArgument } from '../../core/argument.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
-import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
 import { extensionOf, type FileWrinkles } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
 import { VALUE_KINDS } from '../../runtime/layer-maps.ts'
@@ -17,6 +16,7 @@ import { surfaceOf } from '../material/surface.ts'
 import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
 import {
   checkOptions,
+  isMixed,
   WRINKLES_DEFAULTS,
   type WrinkleLoaderOptions,
   type WrinklesOptions,
@@ -26,6 +26,7 @@ import { targetNames, weightReader } from '../sources/morph.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { Adoption, type WatchDraws } from './adoption.ts'
 import type { AddFace } from './auto-wrinkles.ts'
+import type { LoadedFace } from './key-frames.ts'
 import { type FileFace, facesOf, materialReader, wrinkledFaces } from './read-wrinkle-maps.ts'
 
 /** The `Wrinkles` class of a renderer. */
@@ -62,7 +63,6 @@ export class WrinkleLoader {
   readonly #auto: AutoRunOptions | undefined
   readonly #warnings = new Warnings('WrinkleLoaderPlugin')
   #reader: ReturnType<typeof materialReader> | undefined
-  #autoModule: Promise<typeof import('./auto-wrinkles.ts')> | undefined
 
   constructor(parser: GLTFParser, parts: LoaderParts, { auto, ...options }: WrinkleLoaderOptions) {
     if (auto !== undefined && !isObject(auto)) {
@@ -78,11 +78,8 @@ export class WrinkleLoader {
   /** Called by the loader before it loads anything. */
   async beforeRoot(): Promise<void> {
     this.#begin()
-    if (this.#auto) {
-      // Arrives while the rest is loaded.
-      this.#autoModule = import('./auto-wrinkles.ts')
-      this.#autoModule.catch(() => {})
-    }
+    // Arrives while the rest is loaded.
+    if (this.#auto) import('./auto-wrinkles.ts').catch(() => {})
     if (!hasPointers(this.#parser)) return
     const { dropBrokenChannels } = await import('./key-frames.ts')
     dropBrokenChannels(this.#parser, this.#warnings)
@@ -117,54 +114,43 @@ export class WrinkleLoader {
   async afterRoot(gltf: GLTF): Promise<void> {
     const wrinkles: WrinklesBase[] = []
     gltf.userData.wrinkles = wrinkles
-    const faces = new Map<number, WrinklesBase[]>()
-    const added: AddedFaces = { bySet: new Map(), byMaterial: new Map() }
-    const expressions = this.#isVrm() ? () => vrmOf(gltf) : undefined
+    const faces: LoadedFace[] = []
+    const added: AddedFaces = { file: gltf, bySet: new Map(), byMaterial: new Map() }
+    const addFace: AddFace = (meshes, read) => this.#addFace(meshes, read, added)
     const plain = new Set<number>()
     const wrinkled = wrinkledFaces(gltf, this.#parser)
-    if (this.#auto && wrinkled.length === 0) await this.#beginAuto(gltf, wrinkles, expressions)
-    for (const face of wrinkled) {
+    if (this.#auto && wrinkled.length === 0) await this.#beginAuto(gltf, this.#auto, addFace)
+    for (const { meshes, material } of wrinkled) {
       try {
-        const own = await this.#addFace(face.meshes, await this.#read(face.material), added, expressions)
+        const own = await addFace(meshes, await this.#read(material))
         wrinkles.push(own)
-        faces.set(face.material, [...(faces.get(face.material) ?? []), own])
+        faces.push({ material, wrinkles: own })
       } catch (error) {
-        if (plain.has(face.material)) continue
-        plain.add(face.material)
-        const { name } = this.#parser.json.materials[face.material]
-        this.#warnings.add(error, `material ${JSON.stringify(name ?? face.material)} stays plain`)
+        if (plain.has(material)) continue
+        plain.add(material)
+        const { name } = this.#parser.json.materials[material]
+        this.#warnings.add(error, `material ${JSON.stringify(name ?? material)} stays plain`)
       }
     }
-    if (faces.size === 0 || !hasPointers(this.#parser)) return
+    if (faces.length === 0 || !hasPointers(this.#parser)) return
     const { addActivationTracks } = await import('./key-frames.ts')
     await addActivationTracks(gltf, this.#parser, faces, this.#warnings)
   }
 
   /** Begins to make wrinkles from the blendshapes of a file, while it is at rest. They are added when they are done. */
-  async #beginAuto(
-    gltf: GLTF,
-    wrinkles: WrinklesBase[],
-    expressions: (() => VrmExpressions | undefined) | undefined,
-  ): Promise<void> {
+  async #beginAuto(gltf: GLTF, auto: AutoRunOptions, addFace: AddFace): Promise<void> {
     const warn = (error: unknown) => this.#warnings.add(error, 'the file stays plain')
-    const added: AddedFaces = { bySet: new Map(), byMaterial: new Map() }
-    const addFace: AddFace = (meshes, made) => this.#addFace(meshes, made, added, expressions)
+    const options = { areaSize: this.#options.areaSize, ...auto }
+    const faces = facesOf(gltf, this.#parser)
     try {
-      const { addAutoWrinkles } = await this.#autoModule!
-      const { areaSize } = this.#options
-      const options = { areaSize, ...this.#auto }
-      gltf.userData.wrinklesReady = addAutoWrinkles(
-        facesOf(gltf, this.#parser),
-        options,
-        addFace,
-        wrinkles,
-      ).catch(warn)
+      const { addAutoWrinkles } = await import('./auto-wrinkles.ts')
+      gltf.userData.wrinklesReady = addAutoWrinkles(gltf, faces, options, addFace).catch(warn)
     } catch (error) {
       warn(error)
     }
   }
 
-  #isVrm(): boolean {
+  get #isVrm(): boolean {
     const used: unknown[] = this.#parser.json.extensionsUsed ?? []
     return used.includes('VRMC_vrm') || used.includes('VRM')
   }
@@ -172,33 +158,27 @@ export class WrinkleLoader {
   async #addFace(
     meshes: FileFace['meshes'],
     { set, drivers }: FileWrinkles,
-    { bySet, byMaterial }: AddedFaces,
-    expressions: (() => VrmExpressions | undefined) | undefined,
+    { file, bySet, byMaterial }: AddedFaces,
   ): Promise<WrinklesBase> {
     const material = surfaceOf(meshes[0])
     const copy = byMaterial.get(material)?.cloneMaterial()
     // Another face with the same material has its own activations, and so needs its own material.
     if (copy) for (const mesh of meshes) mesh.material = copy
-    const drive = await this.#prepareDrivers(meshes[0], drivers, expressions !== undefined)
+    const drive = await this.#prepareDrivers(meshes[0], drivers)
     // What comes after it packs all maps: a task of its own, after that of the last image.
-    await Promise.all([
-      this.#fetchMode(material),
-      this.#fetchChannels(set, material),
-      this.#fetchFade(),
-      nextTask(),
-    ])
-    const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, drive, { expressions })
+    await Promise.all([this.#fetchParts(set, material as WrinkleMaterial), nextTask()])
+    const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, drive, { file })
     if (!bySet.has(set)) bySet.set(set, own)
     if (!copy) byMaterial.set(material, own)
     return own
   }
 
-  async #prepareDrivers(mesh: Mesh, drivers: FileWrinkles['drivers'], isVrm: boolean): Promise<Drive> {
+  async #prepareDrivers(mesh: Mesh, drivers: FileWrinkles['drivers']): Promise<Drive> {
     const fetchAny = async () => {
       const { planDrivers } = await import('./any-drivers.ts')
-      return planDrivers(mesh, drivers, this.#parts.fetchTension, isVrm ? this.#parser : undefined)
+      return planDrivers(mesh, drivers, this.#parts.fetchTension, this.#isVrm ? this.#parser : undefined)
     }
-    if (isVrm) return fetchAny()
+    if (this.#isVrm) return fetchAny()
     return prepareDrivers<WrinklesBase>(targetNames(mesh), drivers, {
       targetNames: (own) => targetNames(own.mesh),
       weightReader: (own, names) => weightReader(own.mesh, names),
@@ -206,22 +186,17 @@ export class WrinkleLoader {
     })
   }
 
-  /** Fetches the mode that a material will show, so that it does from the first frame on. */
-  async #fetchMode(material: Material): Promise<void> {
-    const { others, canPatch } = this.#parts.renderer
-    const { mode } = this.#options
-    const isPatched = mode === 'default' || mode === 'auto'
-    if (isPatched ? !canPatch(material as WrinkleMaterial) : mode !== 'off') await others.load()
-  }
-
-  /** Fetches what mixes other maps than normals, where there are any. */
-  async #fetchChannels({ layers }: FileWrinkles['set'], material: Material): Promise<void> {
-    if (needChannels(layers, material as WrinkleMaterial)) await this.#parts.renderer.channels.load()
-  }
-
-  /** Fetches what fades wrinkles of small faces, if the page wants that. They are shown without it too. */
-  async #fetchFade(): Promise<void> {
-    if (this.#options.fadeBelow > 0) await FADE.load().catch(() => {})
+  /** Fetches what shows a face as it should be, where the default mode of normals alone does not, so that it does from the first frame on. */
+  async #fetchParts({ layers }: FileWrinkles['set'], material: WrinkleMaterial): Promise<void> {
+    const { others, channels, canPatch } = this.#parts.renderer
+    const { mode, fadeBelow } = this.#options
+    const needOthers = isMixed(mode) ? !canPatch(material) : mode !== 'off'
+    await Promise.all([
+      needOthers && others.load(),
+      needChannels(layers, material) && channels.load(),
+      // They are shown without it too.
+      fadeBelow > 0 && FADE.load().catch(() => {}),
+    ])
   }
 
   /** Adds wrinkles to the meshes of one face, to every copy of them, and to what is drawn with their material. */
@@ -229,7 +204,7 @@ export class WrinkleLoader {
     meshes: readonly Mesh[],
     source: WrinkleSet<ArraySlice> | WrinklesBase,
     drive: Drive,
-    { expressions, copyOf }: FaceOrigin = {},
+    { file, copyOf }: FaceOrigin = {},
   ): WrinklesBase {
     const { Wrinkles, watchDraws: watch } = this.#parts
     const [mesh, ...others] = meshes
@@ -240,7 +215,7 @@ export class WrinkleLoader {
       own = new Wrinkles(mesh, source, this.#options)
       adoption.begin(own)
       for (const other of others) own.addMesh(other)
-      drive(own, expressions)
+      drive(own, file)
     } catch (error) {
       adoption.end()
       own?.dispose()
@@ -275,13 +250,14 @@ export class WrinkleLoader {
 
 /** Where a face comes from. */
 interface FaceOrigin {
-  /** Those of the file, where it is a VRM and the face is loaded from it. */
-  expressions?: (() => VrmExpressions | undefined) | undefined
+  /** That it is loaded from. */
+  file?: GLTF
   copyOf?: WrinklesBase
 }
 
 /** The wrinkles of a file as they are added. */
 interface AddedFaces {
+  file: GLTF
   /** The first of each set, whose textures all others use. */
   bySet: Map<FileWrinkles['set'], WrinklesBase>
   /** The first of each material. */
@@ -299,11 +275,6 @@ function materialsOfMeshes({ meshes, materials }: GLTFParser['json']): Set<numbe
     .flat()
     .flatMap((mesh) => [mesh?.primitives].flat().map((part) => part?.material))
   return new Set(used.filter((material): material is number => Boolean(materials?.[material as number])))
-}
-
-/** Where three-vrm's plugins put the expressions. */
-function vrmOf({ userData }: GLTF): VrmExpressions | undefined {
-  return userData.vrmExpressionManager ?? userData.vrm?.expressionManager
 }
 
 /** Whether an animation moves what only a pointer reaches, such as an area. */

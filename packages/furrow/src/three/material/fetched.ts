@@ -12,4 +12,13 @@ export class Fetched<T> {
     this.value ??= await this.#fetch()
     return this.value
   }
+
+  /** Uses it at once if it is there, else when it was fetched; a warning says that this was not possible. */
+  use(run: (value: T) => void = () => {}): void {
+    if (this.value) run(this.value)
+    else
+      this.load()
+        .then(run)
+        .catch(({ message }) => console.warn(message))
+  }
 }

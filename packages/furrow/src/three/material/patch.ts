@@ -1,6 +1,26 @@
-/** An edit of a material's shader. Whoever changes it has the material built anew. */
-export interface Patch {
+import type { Texture } from 'three'
+import type { Activations } from '../../runtime/activations.ts'
+import type { AnyRenderer } from '../renderer.ts'
+
+/** What a patched material is called and asked when its shader is compiled. */
+export interface PatchEvents {
+  /** The shader cannot be edited after all; it then stays as it was. */
+  refuse(): void
+  /** On `WebGLRenderer`, which in `compile` does nothing else that is done before a mesh is drawn. */
+  onCompile(renderer: AnyRenderer): void
+}
+
+/** What makes a material show wrinkles. Whoever changes it has the material built anew. */
+export interface ShownMode {
+  /** The material's own normal map, where another one is in its place. */
+  base?: Texture
+  /** Phase 5 of a frame: takes the activations of the face, when its influence map is up to date. */
+  update?: (renderer: AnyRenderer, activations: Activations) => void
+  undo(): void
+}
+
+/** An edit of a material's shader. */
+export interface Patch extends ShownMode {
   /** Whether it is in effect, as it is at first; else the material's own program is built, as if it had never been edited. */
   setShown(isShown: boolean): void
-  undo(): void
 }

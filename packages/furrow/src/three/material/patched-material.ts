@@ -2,22 +2,18 @@ import { type Material, type Mesh, ObjectSpaceNormalMap, type Texture } from 'th
 import { FurrowError } from '../../core/error.ts'
 import { checkNotInstanced } from '../mesh/check-mesh.ts'
 import { instancesOf } from '../mesh/instances.ts'
-import type { WrinkleMode } from '../options.ts'
+import { isMixed, type WrinkleMode } from '../options.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import type { AutoMode } from './auto/auto-mode.ts'
-import type { ComposedMap } from './composed-map.ts'
-import { Fetched } from './fetched.ts'
 import type { InfluenceView } from './other-modes.ts'
-import type { Patch } from './patch.ts'
-import type { PatchEvents, RendererParts } from './renderer-parts.ts'
+import type { Patch, PatchEvents, ShownMode } from './patch.ts'
+import type { RendererParts } from './renderer-parts.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import { readsNormalMap, surfaceOf, withSurface } from './surface.ts'
 import { flatNormalTexture } from './textures.ts'
 import { cloneByClass, isToon, type WrinkleMaterial } from './wrinkle-material.ts'
 
 const patchedMaterials = new WeakSet<Material>()
-
-const autoMode = new Fetched(async () => (await import('./auto/auto-mode.ts')).AutoMode)
 
 /**
  * The material of a mesh that shows its wrinkles.
@@ -40,24 +36,24 @@ interface PatchedMaterialOptions extends Pick<PatchEvents, 'onCompile'> {
 export class PatchedMaterial {
   /** What is shown. */
   mode: WrinkleMode = 'off'
-  /** Replaces the material's own normal map in the composed mode. */
-  composed: ComposedMap | null = null
   readonly #mesh: Mesh
   readonly #material: WrinkleMaterial
   readonly #inputs: ShaderInputs
   readonly #renderer: RendererParts
   /** The normal map of a material that has none, while it shows wrinkles. */
   readonly #flat: Texture | null
-  #unpatch: () => void = () => {}
   /** Makes the material draw relief too; null while there is none. */
   #patchRelief: ((material: Material) => () => void) | null = null
+  #undoRelief: (() => void) | undefined
+  /** How many materials show the current influence, which needs the map in any mode. */
+  views = 0
   /** Whether the shader turned out to be one that cannot be patched. */
   #isRefused = false
   /** The mode that is shown as soon as what it takes was fetched. */
   #pending: WrinkleMode | null = null
   #auto: AutoMode | null = null
-  /** What makes the default mode of it, which `auto` leaves out now and then. */
-  #patched: Patch | null = null
+  /** What makes it show the mode; null while it is plain. */
+  #shown: ShownMode | null = null
   /** Found before the material is patched. */
   #isComposable = false
   readonly #options: PatchedMaterialOptions
@@ -80,6 +76,11 @@ export class PatchedMaterial {
     patchedMaterials.add(material)
   }
 
+  /** Phase 5 of a frame, in modes that take activations then. */
+  get update(): ShownMode['update'] {
+    return this.#shown?.update
+  }
+
   /** The mode that is shown, or is about to be. */
   get wanted(): WrinkleMode {
     return this.#pending ?? this.mode
@@ -87,17 +88,16 @@ export class PatchedMaterial {
 
   /** What draws the composed map now and then in the mode `auto`; null where that never happens, or not yet. */
   get auto(): AutoMode | null {
-    const others = this.#renderer.others.value
-    if (this.mode !== 'auto' || !others || !autoMode.value || !this.#isComposable || !this.#patched)
-      return null
-    this.#auto ??= new autoMode.value({
+    const { others, quads } = this.#renderer
+    const create = others.value?.auto.value
+    if (this.mode !== 'auto' || !create || !this.#isComposable) return null
+    this.#auto ??= create({
       material: this.#material,
       inputs: this.#inputs,
-      patch: this.#patched,
+      patch: this.#shown as Patch,
       // Relief edits it too.
       hasOwnProgram: this.#patchRelief === null,
-      hasContents: this.#renderer.quads.hasContents,
-      composeMaterial: others.composeMaterial,
+      hasContents: quads.hasContents,
       budget: this.#options.textureBudget,
     })
     return this.#auto
@@ -111,8 +111,7 @@ export class PatchedMaterial {
    */
   show(wanted: WrinkleMode): void {
     const { others } = this.#renderer
-    const isPatched = wanted === 'default' || wanted === 'auto'
-    const mode = isPatched && !this.#isPatchable ? 'composed' : wanted
+    const mode = isMixed(wanted) && !this.#isPatchable ? 'composed' : wanted
     if (mode === 'paper' && !this.#isPatchable) {
       throw new FurrowError({
         code: 'unsupported',
@@ -123,7 +122,7 @@ export class PatchedMaterial {
         remedy: 'use the composed mode',
       })
     }
-    if (mode === 'paper' || mode === 'composed') {
+    if (!isMixed(mode) && mode !== 'off') {
       checkNotInstanced(this.#mesh, mode)
       if (!others.value) {
         this.#showFetched(mode)
@@ -134,8 +133,7 @@ export class PatchedMaterial {
     this.#pending = null
     this.#apply(mode)
     // Until then it is the default mode.
-    if (mode !== 'auto' || !this.#isComposable) return
-    Promise.all([others.load(), autoMode.load()]).catch(({ message }) => console.warn(message))
+    if (mode === 'auto' && this.#isComposable) others.use(({ auto }) => auto.use())
   }
 
   /**
@@ -164,7 +162,7 @@ export class PatchedMaterial {
   clone(): Material {
     this.#unpatch()
     const copy = cloneByClass(this.#material)
-    this.#unpatch = this.#patch(this.mode)
+    this.#patch(this.mode)
     return copy
   }
 
@@ -179,10 +177,10 @@ export class PatchedMaterial {
     const material = unlitMaterial()
     const wrinkled = this.#flat ? { normalMap: this.#flat } : this.#material
     const view = { wrinkled, inputs: this.#inputs, instances: instancesOf(this.#mesh), weights }
-    if (others.value) others.value.showInfluence(material, view)
-    else {
-      const showFetched = async () => (await others.load()).showInfluence(material, view)
-      showFetched().catch(({ message }) => console.warn(message))
+    others.use((modes) => modes.showInfluence(material, view))
+    if (!weights) {
+      this.views++
+      material.addEventListener('dispose', () => this.views--)
     }
     return material
   }
@@ -215,7 +213,7 @@ export class PatchedMaterial {
 
   #apply(mode: WrinkleMode): void {
     this.#unpatch()
-    this.#unpatch = this.#patch(mode)
+    this.#patch(mode)
     this.#renderer.renew(this.#material)
     this.mode = mode
   }
@@ -236,72 +234,44 @@ export class PatchedMaterial {
   }
 
   #packPaper(): void {
-    const smooth = this.#flat ? null : (this.composed?.base ?? this.#material.normalMap)
+    const smooth = this.#flat ? null : (this.#shown?.base ?? this.#material.normalMap)
     this.#renderer.others.value!.updatePaper(this.#inputs, this.#material, smooth)
   }
 
-  #patch(mode: WrinkleMode): () => void {
+  #patch(mode: WrinkleMode): void {
     this.#isComposable = this.#canCompose
-    if (mode === 'off') return () => {}
+    if (mode === 'off') return
     const material = this.#material
     if (this.#flat) material.normalMap ??= this.#flat
     const refuse = () => {
       this.#isRefused = true
     }
-    const { others, patch } = this.#renderer
+    const { others, patch, quads } = this.#renderer
     const { onCompile } = this.#options
-    const patchDefault = () => {
-      this.#patched = patch(material, this.#inputs, this.#mesh, { refuse, onCompile })
-      return this.#patched.undo
-    }
-    const undo = {
-      composed: () => this.#compose(),
-      paper: () => others.value!.patchPaper(material, this.#inputs, refuse).undo,
-      default: patchDefault,
-      auto: patchDefault,
-    }[mode]()
-    const undoRelief = this.#patchRelief?.(material)
-    return () => {
-      this.#auto?.dispose()
-      this.#auto = null
-      undoRelief?.()
-      undo()
-      if (material.normalMap === this.#flat) material.normalMap = null
-    }
+    this.#shown = isMixed(mode)
+      ? patch(material, this.#inputs, this.#mesh, { refuse, onCompile })
+      : others.value![mode](material, this.#inputs, { refuse, hasContents: quads.hasContents })
+    this.#undoRelief = this.#patchRelief?.(material)
   }
 
-  /** @throws FurrowError when the GPU refuses the shader. */
+  #unpatch(): void {
+    if (!this.#shown) return
+    this.#auto?.dispose()
+    this.#auto = null
+    this.#undoRelief?.()
+    this.#shown.undo()
+    this.#shown = null
+    if (this.#material.normalMap === this.#flat) this.#material.normalMap = null
+  }
+
+  /** Makes a material plain whose shader the GPU refuses. */
   #checkShader(renderer: AnyRenderer): void {
-    const fault = this.#renderer.faultOf(this.#material, renderer)
+    const { others, faultOf } = this.#renderer
+    const fault = faultOf(this.#material, renderer)
     if (fault === null) return
-    throw new FurrowError({
-      code: 'unsupported',
-      who: 'Wrinkles',
-      what: `the shader of mesh "${this.#mesh.name}" does not compile in the ${this.mode} mode, so it is shown without wrinkles`,
-      value: fault,
-      remedy:
-        this.mode === 'composed'
-          ? 'give it another material, such as MeshStandardMaterial'
-          : 'use the composed mode, or another material',
-    })
-  }
-
-  /** Replaces the material's own normal map by the composed one. */
-  #compose(): () => void {
-    const { others, quads } = this.#renderer
-    const { ComposedMap, composeMaterial, composedFormat, drawsLevels } = others.value!
-    const base = this.#material.normalMap!
-    const { texture } = this.#inputs.textures.normals
-    const format = composedFormat(base, texture, drawsLevels)
-    const material = composeMaterial(base, this.#inputs, format.level)
-    const composed = new ComposedMap(base, format, material, quads.hasContents)
-    this.composed = composed
-    this.#material.normalMap = composed.target.texture
-    return () => {
-      this.#material.normalMap = composed.base
-      this.composed = null
-      composed.dispose()
-    }
+    const { mode } = this
+    this.show('off')
+    others.use((modes) => modes.tellFault(this.#mesh, mode, fault))
   }
 }
 

@@ -5,17 +5,9 @@ import type { AnyRenderer, Entry } from '../renderer.ts'
 import type { Channels } from './channels.ts'
 import type { Fetched } from './fetched.ts'
 import type { OtherModes } from './other-modes.ts'
-import type { Patch } from './patch.ts'
+import type { Patch, PatchEvents } from './patch.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
-
-/** What a patched material is called and asked when its shader is compiled. */
-export interface PatchEvents {
-  /** The shader cannot be edited after all; it then stays as it was. */
-  refuse(): void
-  /** On `WebGLRenderer`, which in `compile` does nothing else that is done before a mesh is drawn. */
-  onCompile(renderer: AnyRenderer): void
-}
 
 /** What depends on the renderer. */
 export interface RendererParts {

@@ -1,3 +1,4 @@
+import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import type { InputOf } from '../../drivers/activation.ts'
 import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
 import type { InputReader, MeasuredKind } from '../../runtime/driver-runtime.ts'
@@ -26,6 +27,6 @@ export type FetchTension = () => Promise<BindInputs<'tension'>>
 /**
  * Lets the drivers of a file activate the areas of a face.
  *
- * @param expressions those of a VRM, which may not exist before its first frame.
+ * @param file that the face was loaded from; none for copies. If it is a VRM, its expressions may not exist before its first frame.
  */
-export type Drive = (own: WrinklesBase, expressions?: () => VrmExpressions | undefined) => void
+export type Drive = (own: WrinklesBase, file?: GLTF) => void

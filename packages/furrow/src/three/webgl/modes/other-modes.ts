@@ -1,16 +1,13 @@
-import { ComposedMap, composedFormat } from '../../material/composed-map.ts'
-import type { OtherModes } from '../../material/other-modes.ts'
-import { showInfluenceBy } from '../../material/show-influence.ts'
-import { updatePaper } from '../../material/update-paper.ts'
+import { type ModeShaders, OtherModes } from '../../material/other-modes.ts'
 import { areaUniforms } from '../influence/influence-from-areas.ts'
 import { patchShader } from '../patch/patch-shader.ts'
 import { composeMaterial } from './compose-material.ts'
 import { showInfluence } from './influence-material.ts'
 import { paperFragment } from './paper-shader.ts'
 
-const patchPaper: OtherModes['patchPaper'] = (material, inputs, refuse) => {
-  const { areas, paper } = inputs
-  const { diffuseIsSrgb, table, texture } = paper!
+const paper: ModeShaders['paper'] = (material, inputs, { refuse }) => {
+  const { areas } = inputs
+  const { diffuseIsSrgb, table, texture } = inputs.paper!
   return patchShader(material, {
     key: `paper ${areas.channels} ${diffuseIsSrgb}`,
     uniforms: { ...areaUniforms(inputs, table), furrowColours: { value: texture } },
@@ -22,12 +19,9 @@ const patchPaper: OtherModes['patchPaper'] = (material, inputs, refuse) => {
 }
 
 /** What all modes but the default one take, and what shows influence, on `WebGLRenderer`. */
-export const OTHER_MODES: OtherModes = {
-  updatePaper,
-  patchPaper,
-  ComposedMap,
-  composedFormat,
-  drawsLevels: true,
+export const OTHER_MODES = new OtherModes({
+  paper,
   composeMaterial,
-  showInfluence: showInfluenceBy(showInfluence),
-}
+  drawsLevels: true,
+  showInfluence,
+})

@@ -1,7 +1,4 @@
-import { ComposedMap, composedFormat } from '../../material/composed-map.ts'
-import type { OtherModes } from '../../material/other-modes.ts'
-import { showInfluenceBy } from '../../material/show-influence.ts'
-import { updatePaper } from '../../material/update-paper.ts'
+import { type ModeShaders, OtherModes } from '../../material/other-modes.ts'
 import { influenceFromAreas } from '../influence/influence-from-areas.ts'
 import { patchNodes } from '../patch/patch-nodes.ts'
 import { mapUv } from '../texture-sampling.ts'
@@ -9,19 +6,16 @@ import { composeMaterial } from './compose-material.ts'
 import { showInfluence } from './influence-material.ts'
 import { paperNodes } from './paper-nodes.ts'
 
-const patchPaper: OtherModes['patchPaper'] = (material, inputs) => {
-  const paper = inputs.paper!
+const paper: ModeShaders['paper'] = (material, inputs) => {
+  const array = inputs.paper!
   const uv = mapUv(material)
-  return patchNodes(material, paperNodes(material, paper, uv, influenceFromAreas(inputs, paper.table, uv)))
+  return patchNodes(material, paperNodes(material, array, uv, influenceFromAreas(inputs, array.table, uv)))
 }
 
 /** What all modes but the default one take, and what shows influence, on `WebGPURenderer`. */
-export const OTHER_MODES: OtherModes = {
-  updatePaper,
-  patchPaper,
-  ComposedMap,
-  composedFormat,
-  drawsLevels: false,
+export const OTHER_MODES = new OtherModes({
+  paper,
   composeMaterial,
-  showInfluence: showInfluenceBy(showInfluence),
-}
+  drawsLevels: false,
+  showInfluence,
+})
