@@ -31,8 +31,8 @@ export function renderPreservingState(
   if (gl.shadowMap) gl.shadowMap.autoUpdate = false
   gl.setRenderTarget(target as never, 0, targetLevel)
   if (isCleared) clear(gl)
-  if ('isWebGLRenderer' in renderer) renderer.render(scene, camera)
-  else renderAll(renderer as WebGPURenderer, scene, camera)
+  if ('setMRT' in renderer) renderAll(renderer, scene, camera)
+  else renderer.render(scene, camera)
   gl.setRenderTarget(before, face, level)
   if (gl.shadowMap) gl.shadowMap.autoUpdate = shadows
   renderer.xr.enabled = xr
@@ -40,7 +40,10 @@ export function renderPreservingState(
   renderer.autoClear = autoClear
 }
 
-/** Draws all of a scene, whatever is being drawn: shadows are without the meshes that cast none, and passes have several outputs, or leave out what is transparent. */
+/**
+ * Draws all of a scene, whatever is being drawn: shadows are without the meshes that cast none, and passes have several outputs, or leave out
+ * what is transparent.
+ */
 function renderAll(renderer: WebGPURenderer, scene: Scene, camera: Camera): void {
   const { opaque, transparent } = renderer
   const drawObject = renderer.getRenderObjectFunction()
