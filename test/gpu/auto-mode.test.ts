@@ -33,6 +33,9 @@ import { loseContext } from './lose-context.ts'
 /** Sides of the maps and pictures. */
 const MAP = 64
 
+/** Of a composed map of that size with its mipmaps. */
+const BYTES = (MAP * MAP * 4 * 4) / 3
+
 /** More frames than a face must be still for. */
 const FRAMES = 40
 
@@ -234,11 +237,38 @@ describe.each(RENDERERS)('the mode auto on %s', (name) => {
     expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
   })
 
+  it('highlights of a glossy face do not show the steps of a map of bytes', async () => {
+    const { shown, picture, composed, wanted, material } = face({ textureBudget: 2.1 * BYTES })
+    for (const roughness of [0.35, 0.6, 0.2]) {
+      material.roughness = roughness
+      expect(largestDifference(await picture(), await wanted())).toBe(0)
+      expect(shown.isComposed).toBe(false)
+      await composed()
+      expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
+    }
+  })
+
+  it('maps of glossy faces take twice the memory', async () => {
+    const glossy = new MeshPhysicalMaterial({ normalMap: normalMap(2), roughness: 0.35 })
+    const { shown, frames, composed } = face({ textureBudget: 1.5 * BYTES }, glossy)
+    await frames()
+    expect(shown.isComposed).toBe(false)
+    glossy.roughness = 0.6
+    await composed()
+    glossy.normalScale.set(1, -3)
+    await frames()
+    expect(shown.isComposed).toBe(false)
+    glossy.normalScale.set(1, 1)
+    await composed()
+    glossy.roughnessMap = normalMap(3)
+    await frames()
+    expect(shown.isComposed).toBe(false)
+  })
+
   it('faces share the memory that they may take', async () => {
-    const bytes = (MAP * MAP * 4 * 4) / 3
-    const first = face({ textureBudget: 1.5 * bytes })
+    const first = face({ textureBudget: 1.5 * BYTES })
     await first.composed()
-    const second = face({ textureBudget: 1.5 * bytes })
+    const second = face({ textureBudget: 1.5 * BYTES })
     await second.frames()
     expect(second.shown.isComposed).toBe(false)
     first.wrinkles.dispose()

@@ -198,8 +198,14 @@ describe('pack refuses', () => {
       /blood map of layer "up" differs in size from its occlusion/,
     ],
     [
-      'blood without an amplitude',
+      'blood without an amplitude, whose file lies there',
       async (at: string) => shop.json(`${at}/wrinkles.json`, { layers: [{ name: 'up' }] }),
+      /layers\/up\/blood\.png needs the bloodAmplitude of its layer, .*, allowed: 0 to 2; write it into "layers" there, such as \{"name":"up","bloodAmplitude":0\.3\}, or move the file elsewhere$/,
+    ],
+    [
+      'blood without an amplitude, which the document names',
+      async (at: string) =>
+        shop.json(`${at}/wrinkles.json`, { layers: [{ name: 'up', blood: 'layers/down/blood.png' }] }),
       /layers\[0\]\.bloodAmplitude must be a number/,
     ],
     [

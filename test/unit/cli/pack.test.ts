@@ -234,8 +234,13 @@ describe('furrow pack with bad input', () => {
     ],
     [
       'no amplitude',
-      async (at) => shop.write(`${at}/layers/age/height.png`, await noise(1, 3)),
+      document({ layers: [{ name: 'age', height: 'layers/age/normal.png' }] }),
       'layers[0].heightAmplitude must be a number',
+    ],
+    [
+      'heights that no layer has an amplitude for',
+      async (at) => shop.write(`${at}/layers/age/height.png`, await noise(1, 3)),
+      'layers/age/height.png needs the heightAmplitude of its layer, which is not in wrinkles.json, allowed: metres from black to white',
     ],
     [
       'an image cut off',

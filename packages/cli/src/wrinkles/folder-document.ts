@@ -1,4 +1,10 @@
-import { type AreaConvention, FurrowError, parseWrinkleSetDocument, type WrinkleSetDocument } from 'furrow'
+import {
+  type AreaConvention,
+  FurrowError,
+  MAX_BLOOD_AMPLITUDE,
+  parseWrinkleSetDocument,
+  type WrinkleSetDocument,
+} from 'furrow'
 import { MAP_SLOTS } from './map-slots.ts'
 
 type Json = Record<string, unknown>
@@ -10,6 +16,12 @@ export const WRINKLES_FILE = 'wrinkles.json'
 export const STROKES_FILE = 'strokes.json'
 
 const OPTIONAL_MAPS = MAP_SLOTS.filter(([map]) => map !== 'normal')
+
+/** The maps that mean nothing without an amplitude: what that may be, and a usual one. */
+const AMPLITUDES = [
+  { map: 'height', limit: 'metres from black to white', usual: 0.002 },
+  { map: 'blood', limit: `0 to ${MAX_BLOOD_AMPLITUDE}`, usual: 0.3 },
+] as const
 
 /**
  * The wrinkle set of a folder: its `wrinkles.json`, completed by `strokes.json` and the files in `layers/` and `areas/`.
@@ -33,7 +45,7 @@ export function folderDocument(
     document.layers ??= foundLayers(sorted)
     document.areas ??= foundAreas(sorted)
     if (document.strokes === undefined && files.includes(STROKES_FILE)) document.strokes = STROKES_FILE
-    if (Array.isArray(document.layers)) completeLayers(document.layers, sorted)
+    if (Array.isArray(document.layers)) completeLayers(document.layers, sorted, who)
     for (const [list, kind] of [
       [document.layers, 'layers'],
       [document.areas, 'areas'],
@@ -62,13 +74,30 @@ function foundAreas(files: readonly string[]): Json[] {
 }
 
 /** Adds the optional maps in a layer's folder that the document does not name: a reader of it alone has no default for them. */
-function completeLayers(layers: unknown[], files: readonly string[]): void {
+function completeLayers(layers: unknown[], files: readonly string[], who: string): void {
   for (const layer of layers) {
     if (!isObject(layer) || typeof layer.name !== 'string') continue
     for (const [map] of OPTIONAL_MAPS) {
       const file = `layers/${layer.name}/${map}.png`
       if (layer[map] === undefined && files.includes(file)) layer[map] = addressOf(file)
     }
+    checkAmplitudes(layer, files, who)
+  }
+}
+
+/** Whoever has only put a file there has not read of an amplitude. */
+function checkAmplitudes(layer: Json, files: readonly string[], who: string): void {
+  for (const { map, limit, usual } of AMPLITUDES) {
+    const file = `layers/${layer.name}/${map}.png`
+    const amplitude = `${map}Amplitude`
+    if (!files.includes(file) || layer[map] !== addressOf(file) || layer[amplitude] !== undefined) continue
+    const entry = JSON.stringify({ name: layer.name, [amplitude]: usual })
+    throw new FurrowError({
+      who,
+      what: `${file} needs the ${amplitude} of its layer, which is not in ${WRINKLES_FILE}`,
+      limit,
+      remedy: `write it into "layers" there, such as ${entry}, or move the file elsewhere`,
+    })
   }
 }
 

@@ -1,13 +1,4 @@
-import {
-  type Camera,
-  HalfFloatType,
-  type Mesh,
-  type RenderTarget,
-  type Scene,
-  type Texture,
-  UnsignedByteType,
-  Vector4,
-} from 'three'
+import { type Camera, type Mesh, type RenderTarget, type Scene, type Texture, Vector4 } from 'three'
 import { hasMoved } from '../../../runtime/atlas-cells.ts'
 import { nextTask } from '../../../runtime/next-task.ts'
 import { reachNothing } from '../../../runtime/reach.ts'
@@ -26,6 +17,7 @@ import type { Patch } from '../patch.ts'
 import type { ShaderInputs } from '../shader-inputs.ts'
 import type { WrinkleMaterial } from '../wrinkle-material.ts'
 import { ComposePolicy } from './compose-policy.ts'
+import { bytesOfTexel, composedType } from './composed-type.ts'
 import { type DrawnMesh, OwnProgram } from './own-program.ts'
 import { isRepeated, isReplaceable } from './replaceable-map.ts'
 import { halvingsOf, pixelsOnScreen, sideOnScreen } from './screen-need.ts'
@@ -119,7 +111,7 @@ export class AutoMode {
     const size = isUsable ? composedSize(base, inputs.textures.normals.texture) : NO_SIZE
     const made = this.#made
     const isLost = made?.state === 'drawn' && !hasContents(renderer, made.map.target)
-    const isFit = isUsable && (!made || isKept(made, renderer, base, halvingsOf(size, this.#seen.side)))
+    const isFit = isUsable && (!made || this.#isKept(made, renderer, base, halvingsOf(size, this.#seen.side)))
     if (!isFit || isLost) this.#drop()
     const hasChanged = this.#follow(values) || !isFit || isLost
     const isWanted = this.#policy.step(hasChanged, this.#seen.pixels)
@@ -203,24 +195,19 @@ export class AutoMode {
 
   /** Makes a map as fine as the screen needs; null if there is not the memory for it. */
   #make(renderer: AnyRenderer, base: Texture, { width, height }: Size): Made | null {
-    const { inputs, hasContents, composeMaterial, budget } = this.#host
+    const { material: shown, patch, hasOwnProgram, inputs, hasContents, composeMaterial, budget } = this.#host
     const halvings = halvingsOf({ width, height }, RESERVE * this.#seen.side)
-    const isFloat = base.type === HalfFloatType
     const halved = { width: width >> halvings, height: height >> halvings }
-    const format: ComposedFormat = {
-      ...halved,
-      type: isFloat ? HalfFloatType : UnsignedByteType,
-      levels: levelsOf(halved),
-    }
+    const type = composedType(base, shown)
+    const format: ComposedFormat = { ...halved, type, levels: levelsOf(halved) }
     // With mipmaps, which take a third.
-    const bytes = Math.ceil((format.width * format.height * (isFloat ? 8 : 4) * 4) / 3)
+    const bytes = Math.ceil((format.width * format.height * bytesOfTexel(type) * 4) / 3)
     if (allocated + bytes > budget) return null
     allocated += bytes
     // The face's own fade is 0 while the map is drawn in its place.
     const material = composeMaterial(base, { ...inputs, fade: { value: 1 } })
     const map = new ComposedMap(base, format, material, hasContents)
     map.target.texture.matrixAutoUpdate = false
-    const { material: shown, patch, hasOwnProgram } = this.#host
     const program = hasOwnProgram ? new OwnProgram(shown, patch, map.target.texture) : null
     return { map, renderer, base, baseVersion: base.version, halvings, bytes, program, state: 'new' }
   }
@@ -260,6 +247,13 @@ export class AutoMode {
     return hasChanged
   }
 
+  /** Whether a map still serves. */
+  #isKept(made: Made, renderer: AnyRenderer, base: Texture, halvings: number): boolean {
+    if (made.renderer !== renderer || made.base !== base || made.baseVersion !== base.version) return false
+    if (made.map.target.texture.type !== composedType(base, this.#host.material)) return false
+    return halvings === made.halvings || halvings === made.halvings + 1
+  }
+
   #takeView(): void {
     if (this.#view.pixels === 0) return
     ;[this.#seen, this.#view] = [this.#view, this.#seen]
@@ -286,10 +280,4 @@ function targetOf(renderer: AnyRenderer): RenderTarget | null {
   const target = renderer.getRenderTarget() as RenderTarget & { isPostProcessingRenderTarget?: boolean }
   // `WebGPURenderer` maps tones from one of its own to the canvas.
   return target?.isPostProcessingRenderTarget ? null : target
-}
-
-/** Whether a map still serves. */
-function isKept(made: Made, renderer: AnyRenderer, base: Texture, halvings: number): boolean {
-  if (made.renderer !== renderer || made.base !== base || made.baseVersion !== base.version) return false
-  return halvings === made.halvings || halvings === made.halvings + 1
 }
