@@ -7,7 +7,7 @@ declare module 'vitest' {
   }
 }
 
-/** Tests of what breaks first on an older three.js: array textures, blending, the paper's lighting, changed geometries, batches, KTX2Loader, ranges to draw, copies into textures. */
+/** Tests of what breaks first on an older three.js: array textures, blending, the paper's lighting, changed geometries, batches, KTX2Loader, ranges to draw, copies into textures, compiling ahead. */
 export const FILES_FOR_OLDEST = [
   'three-version',
   'layers',
@@ -18,6 +18,7 @@ export const FILES_FOR_OLDEST = [
   'loader',
   'mtoon',
   'update',
+  'compile',
   'relief/relief',
 ].map((name) => `test/gpu/${name}.test.ts`)
 

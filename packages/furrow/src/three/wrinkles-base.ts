@@ -272,7 +272,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    * @internal
    */
   prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh, isOverridden = false): void {
-    if (this.isDisposed) return
+    if (this.isDisposed || this.#renderer.isCompiling?.(renderer)) return
     if (isRefused(renderer, this.#renderer.entry, 'Wrinkles')) {
       if (this.mode !== 'off') this.mode = 'off'
       return

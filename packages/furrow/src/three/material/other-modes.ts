@@ -73,15 +73,17 @@ export class OtherModes {
     const base = material.normalMap!
     const format = composedFormat(base, inputs.textures.normals.texture, drawsLevels)
     const composed = new ComposedMap(base, format, composeMaterial(base, inputs, format.level), hasContents)
-    material.normalMap = composed.target.texture
+    const { texture } = composed.target
+    material.normalMap = texture
     return {
       base,
+      composed: texture,
       update(renderer, { values }) {
         const { areas, textures, fade } = inputs
         composed.update(renderer, areas, values, fade.value, areas.version + textures.version)
       },
       undo() {
-        material.normalMap = base
+        if (material.normalMap === texture) material.normalMap = base
         composed.dispose()
       },
     }

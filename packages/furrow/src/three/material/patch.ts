@@ -14,6 +14,8 @@ export interface PatchEvents {
 export interface ShownMode {
   /** The material's own normal map, where another one is in its place. */
   base?: Texture
+  /** That one. */
+  composed?: Texture
   /** Phase 5 of a frame: takes the activations of the face, when its influence map is up to date. */
   update?: (renderer: AnyRenderer, activations: Activations) => void
   undo(): void

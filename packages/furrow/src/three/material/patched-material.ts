@@ -40,8 +40,8 @@ export class PatchedMaterial {
   readonly #material: WrinkleMaterial
   readonly #inputs: ShaderInputs
   readonly #renderer: RendererParts
-  /** The normal map of a material that has none, while it shows wrinkles. */
-  readonly #flat: Texture | null
+  /** The normal map while it shows wrinkles and has none of its own, as from the start or since the page took it away. */
+  readonly #flat: Texture
   /** Makes the material draw relief too; null while there is none. */
   #patchRelief: ((material: Material) => () => void) | null = null
   #undoRelief: (() => void) | undefined
@@ -70,7 +70,7 @@ export class PatchedMaterial {
     this.#material = material
     this.#inputs = inputs
     this.#renderer = renderer
-    this.#flat = material.normalMap ? null : flatNormalTexture()
+    this.#flat = flatNormalTexture(material.normalMap)
     // three.js writes the name into a line of the shader, which another line end, or a backslash before its own, would break.
     material.name &&= material.name.replace(/[\r\n\\]/g, ' ')
     patchedMaterials.add(material)
@@ -143,6 +143,9 @@ export class PatchedMaterial {
   settle(renderer: AnyRenderer): void {
     if (this.mode === 'off') return
     try {
+      // The page may take its map away, or put another one where the composed map was.
+      const { normalMap } = this.#material
+      if (!normalMap || (this.#shown?.composed ?? normalMap) !== normalMap) this.#apply(this.mode)
       if (this.#isRefused && this.mode !== 'composed') this.show('default')
       if (this.mode === 'paper') this.#packPaper()
       this.#checkShader(renderer)
@@ -175,7 +178,7 @@ export class PatchedMaterial {
   influenceMaterial(weights?: InfluenceView['weights']): Material {
     const { others, unlitMaterial } = this.#renderer
     const material = unlitMaterial()
-    const wrinkled = this.#flat ? { normalMap: this.#flat } : this.#material
+    const wrinkled = { normalMap: this.#material.normalMap ?? this.#flat }
     const view = { wrinkled, inputs: this.#inputs, instances: instancesOf(this.#mesh), weights }
     others.use((modes) => modes.showInfluence(material, view))
     if (!weights) {
@@ -188,7 +191,7 @@ export class PatchedMaterial {
   /** Restores the material. */
   dispose(): void {
     this.show('off')
-    this.#flat?.dispose()
+    this.#flat.dispose()
     patchedMaterials.delete(this.#material)
     // Renderers cache uniforms with the material; wrinkles added later need their own.
     this.#material.dispose()
@@ -234,15 +237,15 @@ export class PatchedMaterial {
   }
 
   #packPaper(): void {
-    const smooth = this.#flat ? null : (this.#shown?.base ?? this.#material.normalMap)
-    this.#renderer.others.value!.updatePaper(this.#inputs, this.#material, smooth)
+    const map = this.#shown?.base ?? this.#material.normalMap
+    this.#renderer.others.value!.updatePaper(this.#inputs, this.#material, map === this.#flat ? null : map)
   }
 
   #patch(mode: WrinkleMode): void {
     this.#isComposable = this.#canCompose
     if (mode === 'off') return
     const material = this.#material
-    if (this.#flat) material.normalMap ??= this.#flat
+    material.normalMap ??= this.#flat
     const refuse = () => {
       this.#isRefused = true
     }

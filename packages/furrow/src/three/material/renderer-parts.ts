@@ -28,6 +28,8 @@ export interface RendererParts {
    * material is drawn, in every frame.
    */
   faultOf(material: Material, renderer: AnyRenderer): string | null
+  /** Whether nothing must be drawn now, in the midst of a compilation; what draws influence is then compiled with the first frame. */
+  isCompiling?(renderer: AnyRenderer): boolean
   /** The other modes, and what shows influence: fetched, since most pages show the default mode only. */
   others: Fetched<OtherModes>
   /** What mixes other maps than normals: fetched for layers that have any. */

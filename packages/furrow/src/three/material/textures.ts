@@ -12,6 +12,7 @@ import {
   RepeatWrapping,
   RGBAFormat,
   RGFormat,
+  type Texture,
 } from 'three'
 import type { ImageArray } from '../../core/image-array.ts'
 
@@ -51,12 +52,19 @@ export function mapTexture(
 /**
  * A normal map of one flat texel, for a material that has none. In half floats, since no byte is exactly 0.5: skin without wrinkles
  * must look as it did before.
+ *
+ * @param map whose place it takes, with its texture coordinates, which are those of the wrinkles; null for none.
  */
-export function flatNormalTexture(): DataTexture {
+export function flatNormalTexture(map: Texture | null): DataTexture {
   const [half, one] = [0.5, 1].map(DataUtils.toHalfFloat)
   const texture = new DataTexture(Uint16Array.of(half, half, one, one), 1, 1, RGBAFormat, HalfFloatType)
   // A composed map inherits this, and must repeat as the layers do.
   texture.wrapS = texture.wrapT = RepeatWrapping
+  if (map) {
+    texture.channel = map.channel
+    texture.rotation = map.rotation
+    for (const key of ['offset', 'repeat', 'center'] as const) texture[key].copy(map[key])
+  }
   texture.needsUpdate = true
   return texture
 }

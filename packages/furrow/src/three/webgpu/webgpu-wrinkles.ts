@@ -12,6 +12,7 @@ import { checkThree } from '../three-version.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import { checkBatch, influenceFromMap } from './influence/influence.ts'
 import { quadMaterials } from './influence/influence-quads.ts'
+import { isCompiling } from './is-compiling.ts'
 import type { NodeChannels } from './mixing/channels.ts'
 import { type LayerInfluence, mixNormals } from './mixing/mix-normals.ts'
 import { materialProperty, normalScale, typed } from './node.ts'
@@ -55,6 +56,7 @@ export const PARTS: RendererParts & { channels: Fetched<NodeChannels> } = {
     material.needsUpdate = true
   },
   faultOf,
+  isCompiling,
   others: new Fetched(async () => (await import('./modes/other-modes.ts')).OTHER_MODES),
   channels: new Fetched(async () => (await import('./mixing/channels.ts')).CHANNELS),
   unlitMaterial: () => new MeshBasicNodeMaterial({ color: 0, toneMapped: false }),

@@ -1,0 +1,116 @@
+import { DataTexture, DirectionalLight, type Mesh, MeshStandardMaterial, RepeatWrapping, Scene } from 'three'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { randomNormals, randomSet } from '../cases.ts'
+import { seeded } from '../random.ts'
+import { largestDifference } from './difference.ts'
+import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { quietConsole } from './quiet-console.ts'
+
+const MODES = ['default', 'auto', 'composed'] as const
+
+describe.each(RENDERERS)('a normal map that the page takes away or exchanges, on %s', (name) => {
+  const console = quietConsole()
+  let harness: Harness
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterAll(() => harness.dispose())
+
+  const picture = (mesh: Mesh) => {
+    const light = new DirectionalLight(0xffffff, 2)
+    light.position.set(1, 1, 1)
+    return harness.renderBytes(new Scene().add(mesh, light), squareCamera(), 32)
+  }
+  const wrinkled = (normalMap: DataTexture | null, mode: (typeof MODES)[number] | 'paper') => {
+    const material = new MeshStandardMaterial({ color: 0xd0a080, normalMap })
+    const mesh = square(material)
+    const wrinkles = new harness.Wrinkles(mesh, randomSet(seeded(3), 4, 8, 16), { mode, areaSize: 8 })
+    wrinkles.setActivation('area1', 0.6)
+    return { material, mesh, wrinkles }
+  }
+  const exchange = (material: MeshStandardMaterial, map: DataTexture | null) => {
+    material.normalMap = map
+    material.needsUpdate = true
+  }
+  const nothingSaid = () => expect([console.warn.mock.calls, console.error.mock.calls]).toEqual([[], []])
+
+  describe.each(MODES)('in the mode %s', (mode) => {
+    it('shows wrinkles on smooth skin, and on another map', async () => {
+      const [first, other] = [map(1), map(2)]
+      const smooth = await picture(wrinkled(null, mode).mesh)
+      const onOther = await picture(wrinkled(other, mode).mesh)
+      const { material, mesh, wrinkles } = wrinkled(first, mode)
+      const onFirst = await picture(mesh)
+      expect(largestDifference(onFirst, smooth)).toBeGreaterThan(10)
+      exchange(material, null)
+      expect(largestDifference(await picture(mesh), smooth)).toBeLessThanOrEqual(1)
+      expect(wrinkles.mode).toBe(mode)
+      expect(largestDifference(onOther, onFirst)).toBeGreaterThan(10)
+      exchange(material, other)
+      expect(largestDifference(await picture(mesh), onOther)).toBeLessThanOrEqual(1)
+      nothingSaid()
+    })
+
+    it('is left as the page has it', async () => {
+      const { material, mesh, wrinkles } = wrinkled(map(1), mode)
+      await picture(mesh)
+      exchange(material, null)
+      expect((wrinkles.cloneMaterial() as MeshStandardMaterial).normalMap).toBeNull()
+      await picture(mesh)
+      wrinkles.mode = 'off'
+      expect(material.normalMap).toBeNull()
+      wrinkles.mode = mode
+      await picture(mesh)
+      wrinkles.dispose()
+      expect(material.normalMap).toBeNull()
+      const plain = square(new MeshStandardMaterial({ color: 0xd0a080 }))
+      expect(await picture(mesh)).toEqual(await picture(plain))
+      nothingSaid()
+    })
+  })
+
+  it('leaves wrinkles in their place', async () => {
+    const place = (texture: DataTexture) => {
+      texture.repeat.set(0.5, 0.5)
+      texture.offset.set(0.25, 0.5)
+      return texture
+    }
+    const flat = place(new DataTexture(new Uint8Array([128, 128, 255, 255]), 1, 1))
+    flat.needsUpdate = true
+    const expected = await picture(wrinkled(flat, 'default').mesh)
+    const { material, mesh } = wrinkled(place(map(1)), 'default')
+    exchange(material, null)
+    expect(largestDifference(await picture(mesh), expected)).toBeLessThanOrEqual(3)
+    nothingSaid()
+  })
+
+  it("is still drawn in the paper's mode", async () => {
+    const { material, mesh, wrinkles } = wrinkled(map(1), 'paper')
+    const before = await picture(mesh)
+    exchange(material, null)
+    expect(await picture(mesh)).toEqual(before)
+    wrinkles.dispose()
+    expect(material.normalMap).toBeNull()
+    nothingSaid()
+  })
+
+  it('is shown as influence by its place', async () => {
+    const { material, mesh, wrinkles } = wrinkled(map(1), 'default')
+    const influence = wrinkles.createInfluenceMaterial()
+    mesh.material = influence as MeshStandardMaterial
+    const expected = await picture(mesh)
+    exchange(material, null)
+    expect(await picture(mesh)).toEqual(expected)
+    influence.dispose()
+    mesh.material = wrinkles.createInfluenceMaterial() as MeshStandardMaterial
+    expect(await picture(mesh)).toEqual(expected)
+    nothingSaid()
+  })
+})
+
+function map(seed: number): DataTexture {
+  const texture = new DataTexture(randomNormals(seeded(seed), 16).data, 16, 16)
+  texture.wrapS = texture.wrapT = RepeatWrapping
+  texture.needsUpdate = true
+  return texture
+}
