@@ -1,6 +1,6 @@
 import type { Mesh } from 'three'
-import { adoptedBy } from './loader/adoption.ts'
 import { addedTo } from './added-to.ts'
+import { adoptedBy } from './loader/adoption.ts'
 import type { WrinklesBase } from './wrinkles-base.ts'
 
 /** What `GLTFLoader` returns, three.js's or another's, as far as `wrinklesOf` reads it. */
