@@ -7,6 +7,7 @@ import {
   RGBAFormat,
   RGFormat,
   Scene,
+  type WebGLRenderer,
 } from 'three'
 import type { AreaSlot } from '../../runtime/area-slots.ts'
 import { AtlasCells, type Cell } from '../../runtime/atlas-cells.ts'
@@ -16,7 +17,7 @@ import { type AnyRenderer, filtersFloats } from '../renderer.ts'
 import type { AreaArray } from './area-array.ts'
 import { QUAD_RULES, type QuadMaterials, type QuadRule } from './quad-materials.ts'
 import { Quads } from './quads.ts'
-import { compileFor, renderPreservingState } from './render-preserving-state.ts'
+import { renderPreservingState } from './render-preserving-state.ts'
 
 const FORMATS = [RedFormat, RGFormat, RGBAFormat, RGBAFormat] as const
 
@@ -146,15 +147,18 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     this.cells.changes = 0
   }
 
-  /** Compiles what draws areas, unless some were drawn already. */
-  compile(renderer: AnyRenderer): void {
+  /** Compiles what draws areas, unless some were drawn already. Between frames only. */
+  compile(renderer: WebGLRenderer): void {
     if (renderer === this.#compiled) return
     this.#compiled = renderer
     this.#quadsOf('clear', null)
     for (const areas of this.cells.slots as Set<AreaArray>)
       for (const { combine } of areas.slots) this.#quadsOf(combine, areas)
-    // Whatever is wrong, the first frame tells.
-    compileFor(renderer, this.target, this.#scene, this.#camera).catch(() => {})
+    const before = renderer.getRenderTarget()
+    renderer.setRenderTarget(this.target as never)
+    // Nobody waits for it, as `compileAsync` would, which warns of drivers that do not compile beside the page.
+    renderer.compile(this.#scene, this.#camera)
+    renderer.setRenderTarget(before)
   }
 
   dispose(): void {

@@ -1,4 +1,4 @@
-import { type Camera, Color, type Object3D, type RenderTarget, type Scene, type WebGLRenderer } from 'three'
+import { type Camera, Color, type RenderTarget, type Scene, type WebGLRenderer } from 'three'
 import type { WebGPURenderer } from 'three/webgpu'
 import type { AnyRenderer } from '../renderer.ts'
 
@@ -67,23 +67,4 @@ function clear(gl: WebGLRenderer): void {
   gl.setClearColor(0, 0)
   gl.clear(true, false, false)
   gl.setClearColor(colour, alpha)
-}
-
-/**
- * Compiles what a scene, or a part of one, is drawn into a target with, and allocates the target; fulfilled when it is compiled. Outside of
- * frames only.
- */
-export async function compileFor(
-  renderer: AnyRenderer,
-  target: RenderTarget | null,
-  scene: Object3D,
-  camera: Camera,
-  whole: Object3D = scene,
-): Promise<void> {
-  const gl = renderer as WebGLRenderer
-  const before = gl.getRenderTarget()
-  gl.setRenderTarget(target as never)
-  const compiled = gl.compileAsync(scene, camera, whole as Scene)
-  gl.setRenderTarget(before)
-  await compiled
 }

@@ -16,8 +16,9 @@ import { hasMoved } from '../../runtime/atlas-cells.ts'
 import type { AreaArray } from '../atlas/area-array.ts'
 import type { QuadMaterials } from '../atlas/quad-materials.ts'
 import { Quads } from '../atlas/quads.ts'
-import { compileFor, renderPreservingState } from '../atlas/render-preserving-state.ts'
+import { renderPreservingState } from '../atlas/render-preserving-state.ts'
 import type { AnyRenderer } from '../renderer.ts'
+import { compileFor } from './compile-for.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 
 const WHOLE: AreaSlot = {

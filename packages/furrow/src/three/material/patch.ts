@@ -1,4 +1,4 @@
-import type { Texture } from 'three'
+import type { Texture, WebGLRenderer } from 'three'
 import type { Activations } from '../../runtime/activations.ts'
 import type { AnyRenderer } from '../renderer.ts'
 
@@ -7,7 +7,7 @@ export interface PatchEvents {
   /** The shader cannot be edited after all; it then stays as it was. */
   refuse(): void
   /** On `WebGLRenderer`, which in `compile` does nothing else that is done before a mesh is drawn. */
-  onCompile(renderer: AnyRenderer): void
+  onCompile(renderer: WebGLRenderer): void
 }
 
 /** What makes a material show wrinkles. Whoever changes it has the material built anew. */
