@@ -73,6 +73,20 @@ describe.each(RENDERERS)('%s', (name) => {
     expect(differing(await picture(scene), plain)).toBe(0)
   })
 
+  it('relief is back in the frame in which wrinkles are shown again, however long they were off', async () => {
+    const mesh = ball()
+    const scene = sceneOf(mesh)
+    const wrinkles = await raised(mesh)
+    const shown = await picture(scene)
+    wrinkles.mode = 'off'
+    for (let i = 0; i < 60; i++) harness.renderer.render(scene, sideCamera(SIDE))
+    await Promise.resolve()
+    expect(mesh.children).toEqual([])
+    wrinkles.mode = 'default'
+    expect(differing(await picture(scene), shown)).toBe(0)
+    wrinkles.dispose()
+  })
+
   it('blendshapes and activations move the relief in the frame in which they change', async () => {
     const mesh = ball()
     const wrinkles = await raised(mesh)

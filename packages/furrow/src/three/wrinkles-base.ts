@@ -134,7 +134,9 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   set mode(mode: WrinkleMode) {
     this.checkInUse('mode')
     checkMode(mode)
-    if (mode !== this.mode) this.#material.show(mode)
+    if (mode === this.mode) return
+    this.#material.show(mode)
+    this.#relief?.resume()
   }
 
   /** Whether the layers' heights move the surface. */

@@ -90,6 +90,11 @@ export class ReliefControl {
     if (this.mode === 'on') this.#show(true)
   }
 
+  /** Called when the material shows another mode, so that the first frame has its relief already. */
+  resume(): void {
+    if (this.#relief && !this.#isOutdated && this.#amountAt(this.#relief.pixelsPerMetre) > 0) this.#show(true)
+  }
+
   /** Called before a mesh is drawn. */
   prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
     if (!this.#isPossible || (this.mode === 'off' && !this.#relief)) return
