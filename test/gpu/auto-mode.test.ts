@@ -1,11 +1,8 @@
 import type { WrinkleSet } from 'furrow'
 import { updateLayer, type WrinklesOptions } from 'furrow/three'
 import {
-  DataTexture,
   DirectionalLight,
   InstancedMesh,
-  LinearFilter,
-  LinearMipmapLinearFilter,
   type Material,
   Mesh,
   MeshPhysicalMaterial,
@@ -13,7 +10,6 @@ import {
   MeshToonMaterial,
   PerspectiveCamera,
   PlaneGeometry,
-  RepeatWrapping,
   Scene,
   type WebGLRenderer,
 } from 'three'
@@ -29,6 +25,7 @@ import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
 import { loseContext } from './lose-context.ts'
+import { normalMap } from './normal-map.ts'
 
 /** Sides of the maps and pictures. */
 const MAP = 64
@@ -54,22 +51,11 @@ interface RenderObject {
   getNodeBuilderState(): { fragmentShader: string }
 }
 
-/** A normal map as those of glTF are. */
-function normalMap(seed: number): DataTexture {
-  const map = new DataTexture(randomNormals(seeded(seed), MAP).data, MAP, MAP)
-  map.wrapS = map.wrapT = RepeatWrapping
-  map.magFilter = LinearFilter
-  map.minFilter = LinearMipmapLinearFilter
-  map.generateMipmaps = true
-  map.needsUpdate = true
-  return map
-}
-
 /** A square with wrinkles, and whether its last draw showed another map than its own, and sampled the influence map. */
 function faceOf(
   harness: Harness,
   options: WrinklesOptions = {},
-  material: Material = new MeshPhysicalMaterial({ normalMap: normalMap(2), roughness: 0.6 }),
+  material: Material = new MeshPhysicalMaterial({ normalMap: normalMap(2, MAP), roughness: 0.6 }),
   set: WrinkleSet = randomSet(seeded(4), 6, 16, MAP),
 ) {
   const mesh = square(material)
@@ -217,7 +203,7 @@ describe.each(RENDERERS)('the mode auto on %s', (name) => {
       expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
     }
     await composed()
-    material.normalMap = normalMap(9)
+    material.normalMap = normalMap(9, MAP)
     await expectFresh()
     const image = material.normalMap.image as { data: Uint8Array }
     image.data.set(randomNormals(seeded(12), MAP).data)
@@ -249,7 +235,7 @@ describe.each(RENDERERS)('the mode auto on %s', (name) => {
   })
 
   it('maps of glossy faces take twice the memory', async () => {
-    const glossy = new MeshPhysicalMaterial({ normalMap: normalMap(2), roughness: 0.35 })
+    const glossy = new MeshPhysicalMaterial({ normalMap: normalMap(2, MAP), roughness: 0.35 })
     const { shown, frames, composed } = face({ textureBudget: 1.5 * BYTES }, glossy)
     await frames()
     expect(shown.isComposed).toBe(false)
@@ -260,7 +246,7 @@ describe.each(RENDERERS)('the mode auto on %s', (name) => {
     expect(shown.isComposed).toBe(false)
     glossy.normalScale.set(1, 1)
     await composed()
-    glossy.roughnessMap = normalMap(3)
+    glossy.roughnessMap = normalMap(3, MAP)
     await frames()
     expect(shown.isComposed).toBe(false)
   })
@@ -302,8 +288,8 @@ describe.each(RENDERERS)('the mode auto on %s', (name) => {
     const shaded = { ...set, layers: [{ ...set.layers[0], occlusion }] }
     const load = vi.spyOn(others, 'load')
     const cases = [
-      face({}, new MeshPhysicalMaterial({ normalMap: normalMap(2) }), shaded),
-      face({}, new MeshToonMaterial({ normalMap: normalMap(2) })),
+      face({}, new MeshPhysicalMaterial({ normalMap: normalMap(2, MAP) }), shaded),
+      face({}, new MeshToonMaterial({ normalMap: normalMap(2, MAP) })),
     ]
     if (name !== 'webgl') {
       const material = new MeshStandardNodeMaterial()
@@ -398,7 +384,7 @@ it.each(RENDERERS)(
     const pages: Promise<unknown>[] = []
     while (pages.length < 5 * FRAMES && !face.isComposed) {
       renderer.render(scene, squareCamera())
-      const material = new MeshPhysicalMaterial({ normalMap: normalMap(3) })
+      const material = new MeshPhysicalMaterial({ normalMap: normalMap(3, MAP) })
       const key = `page ${pages.length}`
       material.customProgramCacheKey = () => key
       pages.push(renderer.compileAsync(square(material), squareCamera(), scene))

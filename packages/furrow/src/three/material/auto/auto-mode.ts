@@ -25,6 +25,9 @@ import { halvingsOf, pixelsOnScreen, sideOnScreen } from './screen-need.ts'
 /** How much finer than the screen needs a map is made, so that a camera that comes a little nearer keeps it. */
 const RESERVE = 1.2
 
+/** Frames in a row of other renderers after which the one that a map was made for no longer draws the face. */
+const ABSENCE = 60
+
 const NO_SIZE: Size = { width: 0, height: 0 }
 
 /** Bytes on the GPU of the maps of all faces. */
@@ -47,7 +50,6 @@ export interface AutoModeHost {
 /** A composed map, and what it was made from. */
 interface Made {
   map: ComposedMap
-  renderer: AnyRenderer
   base: Texture
   baseVersion: number
   /** How often the sides of the full size were halved. */
@@ -68,11 +70,15 @@ interface View {
 
 /**
  * Draws a face with a composed map in place of its normal map while that is cheaper: in the material's own program where that can be compiled
- * beforehand, else in the default mode's. Any draw may be either way. The map is the material's only during the draw.
+ * beforehand, else in the default mode's. Any draw may be either way. The map is the material's only during the draw. Of several renderers that draw
+ * the face in turns one has a map, and the others the default mode: each could have a map, but nothing tells when one is no longer used.
  */
 export class AutoMode {
   readonly #host: AutoModeHost
   readonly #policy = new ComposePolicy()
+  /** That has the map, and frames of others since its last one. */
+  #renderer: AnyRenderer | null = null
+  #others = 0
   /** The activations of the frame before, and the version of what else wrinkles are drawn from. */
   #values = new Float32Array(0)
   #version = -1
@@ -104,6 +110,10 @@ export class AutoMode {
 
   /** Called once in a frame, when the influence map is up to date. */
   step(renderer: AnyRenderer, values: Float32Array, isPossible: boolean): void {
+    const isOther = renderer !== this.#renderer
+    if (isOther && this.#renderer && this.#others++ < ABSENCE) return
+    this.#renderer = renderer
+    this.#others = 0
     this.#takeView()
     const { material, inputs, hasContents } = this.#host
     const base = material.normalMap
@@ -111,18 +121,23 @@ export class AutoMode {
     const size = isUsable ? composedSize(base, inputs.textures.normals.texture) : NO_SIZE
     const made = this.#made
     const isLost = made?.state === 'drawn' && !hasContents(renderer, made.map.target)
-    const isFit = isUsable && (!made || this.#isKept(made, renderer, base, halvingsOf(size, this.#seen.side)))
+    const isFit =
+      isUsable && !isOther && (!made || this.#isKept(made, base, halvingsOf(size, this.#seen.side)))
     if (!isFit || isLost) this.#drop()
     const hasChanged = this.#follow(values) || !isFit || isLost
     const isWanted = this.#policy.step(hasChanged, this.#seen.pixels)
     if (!isWanted && this.#made) this.#made.state = 'new'
     if (!isWanted || !isUsable) return
-    this.#made ??= this.#make(renderer, base, size)
-    if (this.#made?.state === 'new') this.#draw(this.#made, values)
+    this.#made ??= this.#make(base, size)
+    if (this.#made?.state === 'new') this.#draw(this.#made, renderer, values)
   }
 
   /** Called before a mesh is drawn, after everything else is up to date. */
   begin(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
+    if (renderer !== this.#renderer) {
+      this.pause()
+      return
+    }
     this.#note(renderer, camera, mesh)
     const isReplaced = this.#replaceMap(renderer, camera, mesh)
     this.#showProgram(isReplaced && this.#made?.program?.isReady === true)
@@ -159,7 +174,7 @@ export class AutoMode {
     const side = sideOnScreen(mesh, camera, renderer, base.channel)
     this.#addView(side, pixelsOnScreen(mesh, camera, renderer))
     const made = this.#made
-    if (made?.state !== 'drawn' || made.renderer !== renderer || made.base !== base) return false
+    if (made?.state !== 'drawn' || made.base !== base) return false
     // Another view of this frame may be nearer than those of the last.
     if (halvingsOf(composedSize(base, inputs.textures.normals.texture), side) < made.halvings) return false
     if (!this.#watched.has(mesh)) this.#watched.set(mesh, callAfterRender(mesh, this.#end))
@@ -194,7 +209,7 @@ export class AutoMode {
   }
 
   /** Makes a map as fine as the screen needs; null if there is not the memory for it. */
-  #make(renderer: AnyRenderer, base: Texture, { width, height }: Size): Made | null {
+  #make(base: Texture, { width, height }: Size): Made | null {
     const { material: shown, patch, hasOwnProgram, inputs, hasContents, composeMaterial, budget } = this.#host
     const halvings = halvingsOf({ width, height }, RESERVE * this.#seen.side)
     const halved = { width: width >> halvings, height: height >> halvings }
@@ -209,23 +224,23 @@ export class AutoMode {
     const map = new ComposedMap(base, format, material, hasContents)
     map.target.texture.matrixAutoUpdate = false
     const program = hasOwnProgram ? new OwnProgram(shown, patch, map.target.texture) : null
-    return { map, renderer, base, baseVersion: base.version, halvings, bytes, program, state: 'new' }
+    return { map, base, baseVersion: base.version, halvings, bytes, program, state: 'new' }
   }
 
   /** After this frame, so that it does not wait for it; what cannot be drawn is not shown. */
-  #draw(made: Made, values: Float32Array): void {
+  #draw(made: Made, renderer: AnyRenderer, values: Float32Array): void {
     made.state = 'drawing'
     const { areas, textures } = this.#host.inputs
     const isCurrent = () => this.#made === made && made.state === 'drawing'
     const draw = () => {
       if (!isCurrent()) return
-      made.map.update(made.renderer, areas, values, 1, areas.version + textures.version)
+      made.map.update(renderer, areas, values, 1, areas.version + textures.version)
       made.state = 'drawn'
     }
     const compile = async () => {
       await nextTask()
       if (!isCurrent()) return
-      const { map, program, renderer } = made
+      const { map, program } = made
       await map.compile(renderer)
       if (isCurrent()) await program?.prepare(renderer, this.#drawn)
     }
@@ -248,8 +263,8 @@ export class AutoMode {
   }
 
   /** Whether a map still serves. */
-  #isKept(made: Made, renderer: AnyRenderer, base: Texture, halvings: number): boolean {
-    if (made.renderer !== renderer || made.base !== base || made.baseVersion !== base.version) return false
+  #isKept(made: Made, base: Texture, halvings: number): boolean {
+    if (made.base !== base || made.baseVersion !== base.version) return false
     if (made.map.target.texture.type !== composedType(base, this.#host.material)) return false
     return halvings === made.halvings || halvings === made.halvings + 1
   }

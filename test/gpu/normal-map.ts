@@ -1,0 +1,14 @@
+import { DataTexture, LinearFilter, LinearMipmapLinearFilter, RepeatWrapping } from 'three'
+import { randomNormals } from '../cases.ts'
+import { seeded } from '../random.ts'
+
+/** A square normal map as those of glTF are. */
+export function normalMap(seed: number, side: number): DataTexture {
+  const map = new DataTexture(randomNormals(seeded(seed), side).data, side, side)
+  map.wrapS = map.wrapT = RepeatWrapping
+  map.magFilter = LinearFilter
+  map.minFilter = LinearMipmapLinearFilter
+  map.generateMipmaps = true
+  map.needsUpdate = true
+  return map
+}
