@@ -11,6 +11,7 @@ import {
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { randomImage, randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
+import { largestDifference } from './difference.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
 
 const MAP = 16
@@ -49,6 +50,29 @@ describe.each(RENDERERS)('skin in another UV tile on %s', (name) => {
     }
   })
 })
+
+it.each(RENDERERS)(
+  'a mesh that crosses tiles has no seam on %s where another of the face does not',
+  async (name) => {
+    const harness = await createHarness(name)
+    const pictures = []
+    for (const scale of [2, 0.5]) {
+      const material = new MeshLambertMaterial()
+      const [first, second] = [square(material, scale, [0.1, 0.1]), square(material, 1, [0.3, 0.31])]
+      second.position.z = 1
+      const light = new DirectionalLight()
+      light.position.set(1, 1, 1)
+      const wrinkles = new harness.Wrinkles(first, randomSet(seeded(4), 6, MAP, PIXELS), { areaSize: MAP })
+      for (const area of wrinkles.areaNames) wrinkles.setActivation(area, 0.7)
+      wrinkles.addMesh(second)
+      pictures.push(await harness.renderBytes(new Scene().add(first, second, light), squareCamera(), 65))
+      wrinkles.dispose()
+    }
+    expect(new Set(pictures[0]).size).toBeGreaterThan(50)
+    expect(largestDifference(pictures[0], pictures[1])).toBe(0)
+    harness.dispose()
+  },
+)
 
 it('coordinates in 0..1, both ends included, do not repeat', () => {
   const array = { width: 4, height: 1, depth: 1, channels: 1, data: Uint8Array.of(10, 90, 170, 250) } as const

@@ -101,7 +101,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.#cells = this.#atlas.add(this.faces)
     this.#entry = this.#frame.add(this)
     this.#inputs = createShaderInputs(textures, areas, this.#atlas)
-    this.#material = new PatchedMaterial(mesh, material, this.#inputs, renderer, {
+    this.#material = new PatchedMaterial(this.#meshes, material, this.#inputs, renderer, {
       textureBudget: allOptions.textureBudget,
       // Also after a first frame without wrinkles, so that the first one with them waits for no program. Not within `compile`, whose lights
       // another call of it would take.
@@ -234,6 +234,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.checkInUse('addMesh')
     checkIsMesh(mesh, 'Wrinkles.addMesh')
     this.#meshes.push(mesh)
+    this.#material.follow(mesh)
     const prepare = (renderer: AnyRenderer, camera: Camera, { overrideMaterial }: Scene) =>
       this.prepare(renderer, camera, mesh, Boolean(overrideMaterial))
     if (mesh === this.mesh) exposeAreas(mesh, this)

@@ -1,4 +1,4 @@
-import type { Texture, WebGLRenderer } from 'three'
+import type { Mesh, Texture, WebGLRenderer } from 'three'
 import type { Activations } from '../../runtime/activations.ts'
 import type { AnyRenderer } from '../renderer.ts'
 
@@ -18,6 +18,8 @@ export interface ShownMode {
   composed?: Texture
   /** Phase 5 of a frame: takes the activations of the face, when its influence map is up to date. */
   update?: (renderer: AnyRenderer, activations: Activations) => void
+  /** Whether its shader is right for another mesh of the face; for any where it is left out. */
+  isFor?(mesh: Mesh): boolean
   undo(): void
 }
 

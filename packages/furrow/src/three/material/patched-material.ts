@@ -36,7 +36,7 @@ interface PatchedMaterialOptions extends Pick<PatchEvents, 'onCompile'> {
 export class PatchedMaterial {
   /** What is shown. */
   mode: WrinkleMode = 'off'
-  readonly #mesh: Mesh
+  readonly #meshes: readonly Mesh[]
   readonly #material: WrinkleMaterial
   readonly #inputs: ShaderInputs
   readonly #renderer: RendererParts
@@ -58,15 +58,16 @@ export class PatchedMaterial {
   #isComposable = false
   readonly #options: PatchedMaterialOptions
 
+  /** @param meshes of the face: a list that may grow, see `follow`. */
   constructor(
-    mesh: Mesh,
+    meshes: readonly Mesh[],
     material: WrinkleMaterial,
     inputs: ShaderInputs,
     renderer: RendererParts,
     options: PatchedMaterialOptions,
   ) {
     this.#options = options
-    this.#mesh = mesh
+    this.#meshes = meshes
     this.#material = material
     this.#inputs = inputs
     this.#renderer = renderer
@@ -161,6 +162,11 @@ export class PatchedMaterial {
     if (this.mode !== 'off') this.#apply(this.mode)
   }
 
+  /** Called when the face has another mesh. */
+  follow(mesh: Mesh): void {
+    if (this.#shown?.isFor?.(mesh) === false) this.#apply(this.mode)
+  }
+
   /** Copies the material without wrinkles. */
   clone(): Material {
     this.#unpatch()
@@ -200,6 +206,11 @@ export class PatchedMaterial {
   /** The user's own. */
   get material(): Material {
     return this.#material
+  }
+
+  /** The one that the wrinkles were added to. */
+  get #mesh(): Mesh {
+    return this.#meshes[0]
   }
 
   get #isPatchable(): boolean {
@@ -252,7 +263,7 @@ export class PatchedMaterial {
     const { others, patch, quads } = this.#renderer
     const { onCompile } = this.#options
     this.#shown = isMixed(mode)
-      ? patch(material, this.#inputs, this.#mesh, { refuse, onCompile })
+      ? patch(material, this.#inputs, this.#meshes, { refuse, onCompile })
       : others.value![mode](material, this.#inputs, { refuse, hasContents: quads.hasContents })
     this.#undoRelief = this.#patchRelief?.(material)
   }

@@ -18,9 +18,10 @@ export interface RendererParts {
   /**
    * Makes a material show wrinkles in the default mode; the caller calls `renew` then, and when that is undone.
    *
+   * @param meshes of the face.
    * @param events what is known only when the shader is compiled.
    */
-  patch(material: WrinkleMaterial, inputs: ShaderInputs, mesh: Mesh, events: PatchEvents): Patch
+  patch(material: WrinkleMaterial, inputs: ShaderInputs, meshes: readonly Mesh[], events: PatchEvents): Patch
   /** Makes the renderer build the material's shader anew, with the uniforms that it has now. */
   renew(material: Material): void
   /**

@@ -22,9 +22,9 @@ export class WebGLWrinkles extends WrinklesBase {
 }
 
 /** The default mode. */
-const patch: RendererParts['patch'] = (material, inputs, mesh, events) => {
+const patch: RendererParts['patch'] = (material, inputs, meshes, events) => {
   const { textures } = inputs
-  const instances = instancesOf(mesh)
+  const instances = instancesOf(meshes[0])
   const variant: ShaderVariant = {
     kinds: textures.kinds,
     normals: textures.normals.slices,

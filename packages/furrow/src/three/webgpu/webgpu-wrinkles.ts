@@ -35,17 +35,16 @@ export function checkThreeFor(mesh: Mesh): Mesh {
 }
 
 /** The default mode. */
-const patch: RendererParts['patch'] = (material, inputs, mesh) => {
+const patch: RendererParts['patch'] = (material, inputs, meshes) => {
+  const hasTiles = meshes.some((mesh) => isTiled(mesh, material))
   const uv = varying(mapUv(material))
   // One variable for all samples.
   const wrapped = repeat(uv).toVar()
-  return patchNodes(
-    material,
-    layerNodes(material, inputs, {
-      influence: influenceFromMap(inputs, wrapped, instancesOf(mesh)),
-      ...(isTiled(mesh, material) ? { uv, sampler: byGradients } : { uv: wrapped, sampler: bySampler }),
-    }),
-  )
+  const nodes = layerNodes(material, inputs, {
+    influence: influenceFromMap(inputs, wrapped, instancesOf(meshes[0])),
+    ...(hasTiles ? { uv, sampler: byGradients } : { uv: wrapped, sampler: bySampler }),
+  })
+  return { ...patchNodes(material, nodes), isFor: (mesh) => hasTiles || !isTiled(mesh, material) }
 }
 
 export const PARTS: RendererParts & { channels: Fetched<NodeChannels> } = {
