@@ -1,6 +1,7 @@
 import type { WrinkleSet } from 'furrow'
 import { updateLayer, type WrinklesOptions } from 'furrow/three'
 import {
+  DataTexture,
   DirectionalLight,
   InstancedMesh,
   type Material,
@@ -49,6 +50,13 @@ interface RenderObject {
   object: Mesh
   material: Material
   getNodeBuilderState(): { fragmentShader: string }
+}
+
+/** Unfiltered, as textures of data are by default. */
+function oneTexel(): DataTexture {
+  const map = new DataTexture(Uint8Array.of(128, 128, 255, 255), 1, 1)
+  map.needsUpdate = true
+  return map
 }
 
 /** A square with wrinkles, and whether its last draw showed another map than its own, and sampled the influence map. */
@@ -221,6 +229,17 @@ describe.each(RENDERERS)('the mode auto on %s', (name) => {
     await composed()
     expect(material.normalMap).toBe(own)
     expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
+  })
+
+  it.each([
+    ['without a normal map', null],
+    ['with one of one texel that is not filtered', oneTexel()],
+  ])('a face %s is as smooth as in the default mode where it is smaller than its maps', async (_, map) => {
+    const material = new MeshPhysicalMaterial({ normalMap: map })
+    const { frames, wanted } = face({}, material, randomSet(seeded(4), 6, 16, 4 * MAP))
+    await frames()
+    await new Promise((resolve) => setTimeout(resolve, 50))
+    expect(largestDifference(await frames(), await wanted())).toBeLessThanOrEqual(UNSEEN)
   })
 
   it('highlights of a glossy face do not show the steps of a map of bytes', async () => {

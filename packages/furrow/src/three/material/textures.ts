@@ -60,6 +60,9 @@ export function flatNormalTexture(map: Texture | null): DataTexture {
   const texture = new DataTexture(Uint16Array.of(half, half, one, one), 1, 1, RGBAFormat, HalfFloatType)
   // A composed map inherits this, and must repeat as the layers do.
   texture.wrapS = texture.wrapT = RepeatWrapping
+  // And it is drawn by a shader that was built for this one: on WebGPU that of an unfiltered texture loads texels of level 0.
+  texture.magFilter = LinearFilter
+  texture.minFilter = LinearMipmapLinearFilter
   if (map) {
     texture.channel = map.channel
     texture.rotation = map.rotation

@@ -20,10 +20,9 @@ export function isRepeated(
   return isPlaced && wrapS === wrapT && uvLayoutOf(mesh.geometry, channel).isInside
 }
 
-/** Whether a composed map can replace a normal map unseen: it is filtered as those of glTF are by default, or is one texel, and does not change by itself. */
+/** Whether a composed map can replace a normal map unseen: it is filtered as those of glTF are by default, and does not change by itself. */
 export function isReplaceable(map: Texture): boolean {
   const { width, height } = (map.image ?? {}) as Partial<Size>
-  if (width === 1 && height === 1) return true
   return (
     width! * height! > 0 &&
     map.minFilter === LinearMipmapLinearFilter &&
