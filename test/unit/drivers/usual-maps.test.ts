@@ -5,6 +5,10 @@ import { readUsualMaps } from '../../../packages/furrow/src/drivers/usual-maps.t
 import { mutate, mutation } from '../gltf/mutations.ts'
 
 const TEXTURES = 6
+const FILE = {
+  extensionsUsed: ['FURROW_wrinkle_maps'],
+  textures: Array.from({ length: TEXTURES }, () => ({})),
+}
 const morph = { type: 'morph', area: 'brow', targets: [{ name: 'browInnerUp' }] }
 
 /** Every field that is usual. */
@@ -61,9 +65,9 @@ function parse(json: unknown): WrinkleMaps | undefined {
 
 describe('readUsualMaps', () => {
   it('reads what is usual as parseWrinkleMaps does', () => {
-    expect(readUsualMaps(usual, TEXTURES)).toEqual(parseWrinkleMaps(usual, TEXTURES))
+    expect(readUsualMaps(usual, FILE)).toEqual(parseWrinkleMaps(usual, TEXTURES))
     const { drivers: _, ...still } = usual
-    expect(readUsualMaps(still, TEXTURES)).toEqual(parseWrinkleMaps(still, TEXTURES))
+    expect(readUsualMaps(still, FILE)).toEqual(parseWrinkleMaps(still, TEXTURES))
   })
 
   it('reads all 100,000 mutated documents as that does, or not at all', () => {
@@ -72,7 +76,7 @@ describe('readUsualMaps', () => {
     fc.assert(
       fc.property(fc.array(mutation, { minLength: 1, maxLength: 3 }), (mutations) => {
         const document = mutations.reduce(mutate, JSON.parse(text))
-        const [maps, parsed] = [readUsualMaps(document, TEXTURES), parse(document)]
+        const [maps, parsed] = [readUsualMaps(document, FILE), parse(document)]
         if (!parsed) refused++
         else if (maps) read++
         else left++
@@ -92,6 +96,6 @@ describe('readUsualMaps', () => {
     ['a malformed driver', { drivers: [morph, { ...morph, area: 'chin' }] }],
     ['drivers that are null', { drivers: null }],
   ])('leaves %s to that', (_, changes) => {
-    expect(readUsualMaps({ ...usual, ...changes }, TEXTURES)).toBeUndefined()
+    expect(readUsualMaps({ ...usual, ...changes }, FILE)).toBeUndefined()
   })
 })

@@ -42,7 +42,7 @@ export async function prepareDrivers<Own extends WrinkleFaces<never>>(
   }
 }
 
-function areMorphs(drivers: readonly WrinkleDriver[]): drivers is readonly MorphDriver[] {
+export function areMorphs(drivers: readonly WrinkleDriver[]): drivers is readonly MorphDriver[] {
   return drivers.every(({ type }) => type === 'morph')
 }
 

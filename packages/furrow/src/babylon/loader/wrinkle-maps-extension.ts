@@ -8,11 +8,11 @@ import { driversOf } from '../../drivers/of-type.ts'
 import {
   extensionOf,
   type FileWrinkles,
-  prefetchParser,
-  type WrinkledFile,
+  prefetchUnusual,
   wrinkleReader,
 } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
+import type { WrinkledFile } from '../../runtime/file/wrinkled-file.ts'
 import { prepareDrivers } from '../../runtime/prepare-drivers.ts'
 import type { LoaderOptions, WrinklesOptions } from '../options.ts'
 import { readWeights, targetNames } from '../sources/morph.ts'
@@ -45,7 +45,7 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
   }
 
   onLoading(): void {
-    prefetchParser({ json: this.#loader.gltf })
+    prefetchUnusual({ json: this.#loader.gltf })
   }
 
   /** Called by the loader when everything else is loaded. */
@@ -140,13 +140,17 @@ function fileOf(loader: GLTFLoader, transcoderPath: string | undefined): Wrinkle
     json: { ...gltf, materials: asWritten(gltf.materials), extensions: asWritten(gltf.extensions) },
     readBytes,
     prefersArrays: false,
-    async loadArray(index, _use, check) {
-      const { loadKtx2 } = await import('./ktx2.ts')
-      const who = `${WRINKLE_MAPS} texture ${index}`
-      const source = gltf.textures?.[index].extensions?.KHR_texture_basisu?.source
-      return loadKtx2(await readBytes(source, who), who, check, transcoderPath)
+    fetchArrays: async () => {
+      const { loadKtx2, withImages } = await import('./ktx2.ts')
+      return {
+        async load(index, _use, check) {
+          const who = `${WRINKLE_MAPS} texture ${index}`
+          const source = gltf.textures?.[index].extensions?.KHR_texture_basisu?.source
+          return loadKtx2(await readBytes(source, who), who, check, transcoderPath)
+        },
+        join: withImages,
+      }
     },
-    joinArrays: async (set) => (await import('./ktx2.ts')).withImages(set),
   }
 }
 

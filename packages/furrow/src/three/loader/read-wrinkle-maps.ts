@@ -1,12 +1,12 @@
-import { type Material, type Mesh, NoColorSpace, type Object3D, SRGBColorSpace } from 'three'
+import type { Material, Mesh, Object3D } from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import {
   extensionOf,
   type FileWrinkles,
   type ReadOptions,
-  type WrinkledFile,
   wrinkleReader,
 } from '../../runtime/file/read-wrinkles.ts'
+import type { WrinkledFile } from '../../runtime/file/wrinkled-file.ts'
 import { surfaceOf } from '../material/surface.ts'
 import { readImageBytes } from './image-bytes.ts'
 
@@ -68,14 +68,7 @@ function fileOf(parser: Parser): WrinkledFile {
     json: parser.json,
     readBytes: (image, who) => readImageBytes(parser, image, who),
     prefersArrays: Boolean((parser.options as { ktx2Loader?: unknown }).ktx2Loader),
-    async loadArray(index, use, check) {
-      const { loadAreaArray, loadMapArray } = await import('./ktx2.ts')
-      const loaded = await (use === 'areas' ? loadAreaArray : loadMapArray)(parser, index, check)
-      // In glTF the use of a texture decides, not the colour space in its file.
-      loaded.array.colorSpace = use === 'colours' ? SRGBColorSpace : NoColorSpace
-      return loaded
-    },
-    joinArrays: async (set) => (await import('./ktx2.ts')).joinArrays(set),
+    fetchArrays: async () => (await import('./ktx2.ts')).arraysOf(parser),
   }
 }
 

@@ -4,11 +4,12 @@ import type { AutoRunOptions } from '../../auto/run-worker.ts'
 import { isObject, wrongArgument } from '../../core/argument.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
+import type { WrinkleMaps } from '../../drivers/parse.ts'
 import { extensionOf, type FileWrinkles } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
 import { VALUE_KINDS } from '../../runtime/layer-maps.ts'
 import { nextTask } from '../../runtime/next-task.ts'
-import { prepareDrivers } from '../../runtime/prepare-drivers.ts'
+import { areMorphs, prepareDrivers } from '../../runtime/prepare-drivers.ts'
 import { FADE } from '../fading/fade.ts'
 import { needChannels } from '../material/channels.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
@@ -85,20 +86,11 @@ export class WrinkleLoader {
     dropBrokenChannels(this.#parser, this.#warnings)
   }
 
-  /** Begins to read the wrinkles of the meshes' materials, and to fetch what these take, while the rest is loaded. */
+  /** Begins to read the wrinkles of the meshes' materials while the rest is loaded. */
   #begin(): void {
     for (const material of materialsOfMeshes(this.#parser.json)) {
-      const maps = extensionOf(material, this.#parser) as WrittenMaps | null | undefined
-      if (maps === undefined) continue
       // Whatever is wrong is told when the wrinkles are added.
-      this.#read(material).catch(() => {})
-      const [layers, drivers] = [maps?.layers, maps?.drivers].map((items) =>
-        Array.isArray(items) ? items : [],
-      )
-      if (layers.some((layer) => VALUE_SLOTS.some((slot) => layer?.[slot]))) {
-        this.#parts.renderer.channels.load().catch(() => {})
-      }
-      if (drivers.some((driver) => driver?.type !== 'morph')) import('./any-drivers.ts').catch(() => {})
+      if (extensionOf(material, this.#parser) !== undefined) this.#read(material).catch(() => {})
     }
   }
 
@@ -106,8 +98,16 @@ export class WrinkleLoader {
   #read(material: number): Promise<FileWrinkles> {
     this.#reader ??= materialReader(this.#parser, {
       onFault: (fault) => this.#warnings.add(fault, 'the other drivers work'),
+      onMaps: (maps) => this.#prefetch(maps),
     })
     return this.#reader(material)
+  }
+
+  /** Begins to fetch what the wrinkles of a material take. */
+  #prefetch({ layers, drivers }: WrinkleMaps): void {
+    const hasValues = layers.some((layer) => VALUE_KINDS.some((kind) => layer[`${kind}Texture`]))
+    if (hasValues) this.#parts.renderer.channels.load().catch(() => {})
+    if (!areMorphs(drivers)) import('./any-drivers.ts').catch(() => {})
   }
 
   /** Called by the loader when everything else is loaded. */
@@ -263,11 +263,6 @@ interface AddedFaces {
   /** The first of each material. */
   byMaterial: Map<Material, WrinklesBase>
 }
-
-/** What is in a file, which may be anything. */
-type WrittenMaps = Record<'layers' | 'drivers', Record<string, unknown>[] | undefined>
-
-const VALUE_SLOTS = VALUE_KINDS.map((kind) => `${kind}Texture`)
 
 /** The materials that a file's meshes have, as far as it is sound. */
 function materialsOfMeshes({ meshes, materials }: GLTFParser['json']): Set<number> {
