@@ -2,9 +2,9 @@ import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { GLTFLoader } from '@babylonjs/loaders/glTF/2.0/glTFLoader.js'
 import type { IGLTFLoaderExtension } from '@babylonjs/loaders/glTF/2.0/glTFLoaderExtension.js'
 import type { INode } from '@babylonjs/loaders/glTF/2.0/glTFLoaderInterfaces.js'
-import { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import { driversOf } from '../../drivers/of-type.ts'
+import { faults } from '../../runtime/file/decode-image.ts'
 import {
   extensionOf,
   type FileWrinkles,
@@ -127,13 +127,7 @@ function fileOf(loader: GLTFLoader, transcoderPath: string | undefined): Wrinkle
       const bytes = await loader.loadImageAsync(`/images/${index}`, image)
       return new Uint8Array(bytes.buffer as ArrayBuffer, bytes.byteOffset, bytes.byteLength)
     } catch {
-      throw new FurrowError({
-        code: 'unreadable',
-        who,
-        what: 'an image that cannot be fetched',
-        value: image.uri ?? `image ${index}`,
-        remedy: 'check that the server serves it at this address',
-      })
+      throw (await faults()).notFetched(image.uri ?? `image ${index}`, who)
     }
   }
   return {

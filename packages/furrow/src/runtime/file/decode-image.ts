@@ -1,7 +1,7 @@
 import { FurrowError } from '../../core/error.ts'
 import { MAX_IMAGE_SIDE } from '../../core/limits.ts'
-import { imageDamage, imageTypeOf } from '../../core/maps/image-file.ts'
-import { type PngHeader, pngChunks, pngHeader } from '../../core/maps/png.ts'
+import { imageTypeOf } from '../../core/maps/image-type.ts'
+import { type PngChunk, type PngHeader, pngChunks, pngDamage, pngHeader } from '../../core/maps/png.ts'
 import type { GrayImage, RgbaImage } from '../../core/types.ts'
 
 /**
@@ -25,14 +25,17 @@ export async function decodeImage(file: Blob, who: string): Promise<RgbaImage> {
 /** As `decodeImage`, with alpha as stored. */
 export async function decodeBytes(bytes: Uint8Array<ArrayBuffer>, who: string): Promise<RgbaImage> {
   const type = imageTypeOf(bytes)
-  const damage = imageDamage(bytes)
+  const chunks = type === 'image/png' ? pngChunks(bytes) : null
+  const isJpeg = type === 'image/jpeg'
+  // As `imageDamage` does.
+  const damage = chunks ? pngDamage(chunks) : isJpeg ? (await importJpeg()).jpegDamage(bytes) : undefined
   if (damage || !type || type === 'image/ktx2') throw (await faults()).unreadable(bytes, who, damage)
-  const png = pngHeader(bytes)
+  const png = chunks && pngHeader(bytes)
   // To refuse huge images before they are decoded.
   if (png) await checkSize(png, who)
   try {
-    if (png && hasPlainAlpha(png)) return await (await import('./inflate-png.ts')).inflatePng(bytes, png)
-    const isOpaque = type === 'image/jpeg' || (png && hasNoAlpha(png, bytes))
+    if (png && hasPlainAlpha(png)) return await (await import('./inflate-png.ts')).inflatePng(chunks, png)
+    const isOpaque = isJpeg || (png && hasNoAlpha(png, chunks))
     const bitmap = await createImageBitmap(new Blob([bytes], { type }), {
       colorSpaceConversion: 'none',
       // The same where there is no alpha, and what canvases hold: nothing is converted, which would take a third of the time.
@@ -57,7 +60,9 @@ export function toGray({ width, height, data }: RgbaImage): GrayImage {
 }
 
 /** What says what is wrong with a file: fetched, since most are sound. */
-const faults = () => import('./image-faults.ts')
+export const faults = () => import('./image-faults.ts')
+
+const importJpeg = () => import('../../core/maps/jpeg.ts')
 
 async function checkSize(size: { width: number; height: number }, who: string): Promise<void> {
   if (Math.max(size.width, size.height) > MAX_IMAGE_SIDE) throw (await faults()).tooLarge(size, who)
@@ -69,8 +74,8 @@ function hasPlainAlpha({ depth, colour, isInterlaced }: PngHeader): boolean {
 }
 
 /** Whether a file is gray or RGB, with no colour that stands for transparency. */
-function hasNoAlpha({ colour }: PngHeader, bytes: Uint8Array<ArrayBuffer>): boolean {
-  return (colour === 0 || colour === 2) && pngChunks(bytes, 'tRNS').length === 0
+function hasNoAlpha({ colour }: PngHeader, chunks: readonly PngChunk[]): boolean {
+  return (colour === 0 || colour === 2) && chunks.every(({ type }) => type !== 'tRNS')
 }
 
 /** The pixels of an image without alpha, which a 2D canvas keeps as they are. */
