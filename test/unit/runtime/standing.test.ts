@@ -137,7 +137,7 @@ describe('cells of faces that stand', () => {
       cells.collect(added)
       if (cells.changes === 0) return false
       added[0].drawn.set(face.activations.values)
-      Object.assign(added[0], { version: face.slots.version, stale: false })
+      Object.assign(added[0], { version: face.slots.version })
       return true
     }
     expect([draw(), draw(), draw()]).toEqual([true, false, false])
