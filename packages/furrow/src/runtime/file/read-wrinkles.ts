@@ -3,7 +3,7 @@ import type { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import { DecodedBytes } from '../../core/maps/decoded-bytes.ts'
 import type { WrinkleMapsLayer } from '../../core/maps/wrinkle-maps.ts'
-import type { Area, ArraySlice, Layer, WrinkleSet } from '../../core/types.ts'
+import type { Area, ArraySlice, GrayImage, Layer, WrinkleSet } from '../../core/types.ts'
 import type { WrinkleMaps } from '../../drivers/parse.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 import { readUsualMaps } from '../../drivers/usual-maps.ts'
@@ -27,12 +27,10 @@ export interface ReadOptions {
   onFault?: (fault: FurrowError) => void
   /** Is told what a material has, before its images are decoded. */
   onMaps?: (maps: WrinkleMaps) => void
-  /** Whether the layers' heights are read now; by default their layers have `readHeight`, see `RaisedLayer`. */
-  withHeights?: boolean
 }
 
 /**
- * Reads the wrinkles of materials, of each once.
+ * Reads the wrinkles of materials, of each once; layers with heights have `readHeight`, see `RaisedLayer`.
  *
  * @returns a function of a material's index, which throws FurrowError when the extension is malformed or an image cannot be read.
  */
@@ -53,7 +51,7 @@ export function wrinkleReader(
         const images = new MapSource(file, decoded)
         return unusual ? new unusual.ArraySource(images, file, decoded) : images
       }
-      return { set: await readSet(maps, createSource, options), drivers: maps.drivers }
+      return { set: await readSet(maps, createSource), drivers: maps.drivers }
     } catch (error) {
       throw fileError(error, WRINKLE_MAPS, UNREADABLE)
     }
@@ -79,11 +77,7 @@ export function extensionOf(material: number, { json }: Pick<WrinkledFile, 'json
 
 type Source = MapSource | ArraySource
 
-async function readSet(
-  maps: WrinkleMaps,
-  createSource: () => Source,
-  { withHeights }: ReadOptions,
-): Promise<WrinkleSet<ArraySlice>> {
+async function readSet(maps: WrinkleMaps, createSource: () => Source): Promise<WrinkleSet<ArraySlice>> {
   const source = createSource()
   // Everything at once: what decodes images has several threads.
   const [layers, areas] = await Promise.all([
@@ -101,16 +95,13 @@ async function readSet(
     ),
   ])
   const set = await source.finish({ layers, areas }, maps)
-  let heights: ReturnType<typeof readHeights> | undefined
   for (const [i, { heightTexture }] of maps.layers.entries()) {
     if (!heightTexture) continue
-    // A source of its own: nothing else that was decoded stays in memory until heights are wanted.
-    const readHeight = async () => {
-      heights ??= readHeights(maps.layers, createSource())
-      return (await heights)[i]!
-    }
-    Object.assign(set.layers[i], { heightAmplitude: heightTexture.amplitude })
-    Object.assign(set.layers[i], withHeights ? { height: await readHeight() } : { readHeight })
+    let height: Promise<GrayImage | ArraySlice> | undefined
+    // By a source of its own: nothing else that was decoded stays in memory until heights are wanted. As precise as areas are: a surface
+    // shows steps sooner than a colour does.
+    const readHeight = () => (height ??= createSource().gray(heightTexture, CHANNEL.height, 'areas'))
+    Object.assign(set.layers[i], { heightAmplitude: heightTexture.amplitude, readHeight })
   }
   return set
 }
@@ -130,15 +121,4 @@ async function readLayer(maps: WrinkleMapsLayer, source: Source): Promise<Layer<
   if (occlusionTexture) layer.occlusionStrength = occlusionTexture.strength
   if (bloodTexture) layer.bloodAmplitude = bloodTexture.amplitude
   return layer
-}
-
-/** The heights of layers, if any. As precise as areas are: a surface shows steps sooner than a colour does. */
-async function readHeights(layers: readonly WrinkleMapsLayer[], source: Source) {
-  try {
-    return await Promise.all(
-      layers.map(({ heightTexture }) => heightTexture && source.gray(heightTexture, CHANNEL.height, 'areas')),
-    )
-  } catch (error) {
-    throw fileError(error, WRINKLE_MAPS, UNREADABLE)
-  }
 }

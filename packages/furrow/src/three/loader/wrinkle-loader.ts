@@ -63,7 +63,8 @@ export class WrinkleLoader {
   readonly #options: Required<WrinklesOptions>
   readonly #auto: AutoRunOptions | undefined
   readonly #warnings = new Warnings('WrinkleLoaderPlugin')
-  #reader: ReturnType<typeof materialReader> | undefined
+  /** Reads the wrinkles of a material, once. */
+  readonly #read: ReturnType<typeof materialReader>
 
   constructor(parser: GLTFParser, parts: LoaderParts, { auto, ...options }: WrinkleLoaderOptions) {
     if (auto !== undefined && !isObject(auto)) {
@@ -74,6 +75,10 @@ export class WrinkleLoader {
     checkOptions(this.#options, 'WrinkleLoaderPlugin')
     this.#parser = parser
     this.#parts = parts
+    this.#read = materialReader(parser, {
+      onFault: (fault) => this.#warnings.add(fault, 'the other drivers work'),
+      onMaps: (maps) => this.#prefetch(maps),
+    })
   }
 
   /** Called by the loader before it loads anything. */
@@ -94,15 +99,6 @@ export class WrinkleLoader {
     }
   }
 
-  /** Reads the wrinkles of a material, once. */
-  #read(material: number): Promise<FileWrinkles> {
-    this.#reader ??= materialReader(this.#parser, {
-      onFault: (fault) => this.#warnings.add(fault, 'the other drivers work'),
-      onMaps: (maps) => this.#prefetch(maps),
-    })
-    return this.#reader(material)
-  }
-
   /** Begins to fetch what the wrinkles of a material take. */
   #prefetch({ layers, drivers }: WrinkleMaps): void {
     const hasValues = layers.some((layer) => VALUE_KINDS.some((kind) => layer[`${kind}Texture`]))
@@ -119,7 +115,15 @@ export class WrinkleLoader {
     const addFace: AddFace = (meshes, read) => this.#addFace(meshes, read, added)
     const plain = new Set<number>()
     const wrinkled = wrinkledFaces(gltf, this.#parser)
-    if (this.#auto && wrinkled.length === 0) await this.#beginAuto(gltf, this.#auto, addFace)
+    if (this.#auto && wrinkled.length === 0) {
+      const options = { areaSize: this.#options.areaSize, ...this.#auto }
+      try {
+        const { beginAuto } = await import('./auto-wrinkles.ts')
+        beginAuto(gltf, facesOf(gltf, this.#parser), options, addFace, this.#warnings)
+      } catch (error) {
+        this.#warnings.add(error, 'the file stays plain')
+      }
+    }
     for (const { meshes, material } of wrinkled) {
       try {
         const own = await addFace(meshes, await this.#read(material))
@@ -135,19 +139,6 @@ export class WrinkleLoader {
     if (faces.length === 0 || !hasPointers(this.#parser)) return
     const { addActivationTracks } = await import('./key-frames.ts')
     await addActivationTracks(gltf, this.#parser, faces, this.#warnings)
-  }
-
-  /** Begins to make wrinkles from the blendshapes of a file, while it is at rest. They are added when they are done. */
-  async #beginAuto(gltf: GLTF, auto: AutoRunOptions, addFace: AddFace): Promise<void> {
-    const warn = (error: unknown) => this.#warnings.add(error, 'the file stays plain')
-    const options = { areaSize: this.#options.areaSize, ...auto }
-    const faces = facesOf(gltf, this.#parser)
-    try {
-      const { addAutoWrinkles } = await import('./auto-wrinkles.ts')
-      gltf.userData.wrinklesReady = addAutoWrinkles(gltf, faces, options, addFace).catch(warn)
-    } catch (error) {
-      warn(error)
-    }
   }
 
   get #isVrm(): boolean {
