@@ -63,6 +63,10 @@ export class WrinkleLoader {
   readonly #options: Required<WrinklesOptions>
   readonly #auto: AutoRunOptions | undefined
   readonly #warnings = new Warnings('WrinkleLoaderPlugin')
+  /** The first of each set, whose textures all others use. */
+  readonly #bySet = new Map<FileWrinkles['set'], WrinklesBase>()
+  /** The first of each material. */
+  readonly #byMaterial = new Map<Material, WrinklesBase>()
   /** Reads the wrinkles of a material, once. */
   readonly #read: ReturnType<typeof materialReader>
 
@@ -111,9 +115,7 @@ export class WrinkleLoader {
     const wrinkles: WrinklesBase[] = []
     gltf.userData.wrinkles = wrinkles
     const faces: LoadedFace[] = []
-    const added: AddedFaces = { file: gltf, bySet: new Map(), byMaterial: new Map() }
-    const addFace: AddFace = (meshes, read) => this.#addFace(meshes, read, added)
-    const plain = new Set<number>()
+    const addFace: AddFace = (meshes, read) => this.#addFace(meshes, read, gltf)
     const wrinkled = wrinkledFaces(gltf, this.#parser)
     if (this.#auto && wrinkled.length === 0) {
       const options = { areaSize: this.#options.areaSize, ...this.#auto }
@@ -130,8 +132,6 @@ export class WrinkleLoader {
         wrinkles.push(own)
         faces.push({ material, wrinkles: own })
       } catch (error) {
-        if (plain.has(material)) continue
-        plain.add(material)
         const { name } = this.#parser.json.materials[material]
         this.#warnings.add(error, `material ${JSON.stringify(name ?? material)} stays plain`)
       }
@@ -149,18 +149,18 @@ export class WrinkleLoader {
   async #addFace(
     meshes: FileFace['meshes'],
     { set, drivers }: FileWrinkles,
-    { file, bySet, byMaterial }: AddedFaces,
+    file: GLTF,
   ): Promise<WrinklesBase> {
     const material = surfaceOf(meshes[0])
-    const copy = byMaterial.get(material)?.cloneMaterial()
+    const copy = this.#byMaterial.get(material)?.cloneMaterial()
     // Another face with the same material has its own activations, and so needs its own material.
     if (copy) for (const mesh of meshes) mesh.material = copy
     const drive = await this.#prepareDrivers(meshes[0], drivers)
     // What comes after it packs all maps: a task of its own, after that of the last image.
     await Promise.all([this.#fetchParts(set, material as WrinkleMaterial), nextTask()])
-    const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, drive, { file })
-    if (!bySet.has(set)) bySet.set(set, own)
-    if (!copy) byMaterial.set(material, own)
+    const own = this.#addWrinkles(meshes, this.#bySet.get(set) ?? set, drive, { file })
+    if (!this.#bySet.has(set)) this.#bySet.set(set, own)
+    if (!copy) this.#byMaterial.set(material, own)
     return own
   }
 
@@ -244,15 +244,6 @@ interface FaceOrigin {
   /** That it is loaded from. */
   file?: GLTF
   copyOf?: WrinklesBase
-}
-
-/** The wrinkles of a file as they are added. */
-interface AddedFaces {
-  file: GLTF
-  /** The first of each set, whose textures all others use. */
-  bySet: Map<FileWrinkles['set'], WrinklesBase>
-  /** The first of each material. */
-  byMaterial: Map<Material, WrinklesBase>
 }
 
 /** The materials that a file's meshes have, as far as it is sound. */
