@@ -41,9 +41,8 @@ const FETCHED = {
     'three/material/auto/auto-mode',
   ],
   'other maps than normals': ['three/webgl/mixing/channels', 'three/webgpu/mixing/channels'],
-  'four areas in one image': ['runtime/file/inflate-png'],
-  JPEG: ['core/maps/jpeg'],
-  'WebP and AVIF': ['runtime/file/read-image'],
+  'JPEG, and four areas in one image': ['runtime/file/other-image'],
+  'WebP and AVIF': ['runtime/file/other-image', 'runtime/file/read-image'],
   'KTX 2': [
     'runtime/file/unusual-file',
     'runtime/file/check-maps',
@@ -51,7 +50,7 @@ const FETCHED = {
     'babylon/loader/ktx2',
   ],
   'maps of several sizes': ['runtime/file/check-maps'],
-  'a damaged file': ['runtime/file/unusual-file', 'runtime/file/check-maps', 'runtime/file/image-faults'],
+  'a damaged file': ['runtime/file/unusual-file', 'runtime/file/check-maps', 'runtime/file/other-image'],
   'key frames of areas': ['three/loader/key-frames'],
   'the option fadeBelow': ['three/camera/size-on-screen'],
   relief: [

@@ -57,11 +57,11 @@ export function pngChunks(bytes: Uint8Array): PngChunk[] {
   return chunks
 }
 
-/** Why a PNG file with these chunks is not whole; undefined where it is. */
-export function pngDamage(chunks: readonly PngChunk[]): string | undefined {
-  if (chunks.some(({ isSound }) => !isSound)) return 'a checksum is wrong'
-  if (chunks.at(-1)?.type !== 'IEND') return 'it is cut off'
-  return chunks[0].type === 'IHDR' ? undefined : 'it has no header'
+/** Whether a PNG file with these chunks is whole. */
+export function isWholePng(chunks: readonly PngChunk[]): boolean {
+  return (
+    chunks[0]?.type === 'IHDR' && chunks.at(-1)!.type === 'IEND' && chunks.every(({ isSound }) => isSound)
+  )
 }
 
 let table: Uint32Array | undefined

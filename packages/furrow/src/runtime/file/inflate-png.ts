@@ -1,18 +1,18 @@
-import type { PngChunk, PngHeader } from '../../core/maps/png.ts'
+import { type PngHeader, pngChunks } from '../../core/maps/png.ts'
 import type { RgbaImage } from '../../core/types.ts'
 
 /**
  * Reads the pixels of a PNG file with alpha, 8 bits per channel and rows in order, exactly as stored: four areas in one image. A 2D canvas multiplies colours by alpha, and loses them where that is small;
  * WebGL keeps them, but takes tens of milliseconds to begin, in which the page stands still.
  *
- * @param chunks of a whole file.
+ * @param bytes a whole file.
  * @throws whatever is wrong with its data.
  */
 export async function inflatePng(
-  chunks: readonly PngChunk[],
+  bytes: Uint8Array,
   { width, height, colour }: PngHeader,
 ): Promise<RgbaImage> {
-  const parts = chunks
+  const parts = pngChunks(bytes)
     .filter(({ type }) => type === 'IDAT')
     .map(({ data }) => data as Uint8Array<ArrayBuffer>)
   const packed = new Blob(parts).stream().pipeThrough(new DecompressionStream('deflate'))
