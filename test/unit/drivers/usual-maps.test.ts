@@ -1,13 +1,14 @@
 import fc from 'fast-check'
 import { parseWrinkleMaps, type WrinkleMaps } from 'furrow'
 import { describe, expect, it } from 'vitest'
+import { IDENTITY } from '../../../packages/furrow/src/drivers/curve.ts'
 import { readUsualMaps } from '../../../packages/furrow/src/drivers/usual-maps.ts'
 import { mutate, mutation } from '../gltf/mutations.ts'
 
 const TEXTURES = 6
 const FILE = {
   extensionsUsed: ['FURROW_wrinkle_maps'],
-  textures: Array.from({ length: TEXTURES }, () => ({})),
+  textures: [...Array(TEXTURES).fill({}), { extensions: { KHR_texture_basisu: { source: 0 } } }],
 }
 const morph = { type: 'morph', area: 'brow', targets: [{ name: 'browInnerUp' }] }
 
@@ -33,18 +34,8 @@ const usual = {
   drivers: [
     {
       ...morph,
-      targets: [
-        {
-          name: 'browInnerUp',
-          weight: 0.5,
-          curve: [
-            [-1, -2],
-            [0.5, 3],
-          ],
-        },
-        { name: 'jawOpen' },
-      ],
-      rule: 'product',
+      targets: [{ name: 'browInnerUp', weight: 0.5 }, { name: 'jawOpen' }],
+      rule: 'sum',
       curve: [
         [0, 0],
         [0.5, 0.2],
@@ -93,6 +84,9 @@ describe('readUsualMaps', () => {
   it.each<[string, object]>([
     ['slices', { layers: [{ name: 'up', normalTexture: { index: 0, slice: 0 } }] }],
     ['drivers of another type', { drivers: [morph, { type: 'age', area: 'brow' }] }],
+    ['a driver of another rule', { drivers: [{ ...morph, rule: 'max' }] }],
+    ['a link with a curve', { drivers: [{ ...morph, targets: [{ name: 'jawOpen', curve: IDENTITY }] }] }],
+    ['a KTX 2 image', { areas: [{ name: 'brow', texture: { index: TEXTURES } }] }],
     ['a malformed driver', { drivers: [morph, { ...morph, area: 'chin' }] }],
     ['drivers that are null', { drivers: null }],
   ])('leaves %s to that', (_, changes) => {

@@ -11,7 +11,6 @@ import {
 import { WRINKLE_MAPS } from '../core/maps/declared.ts'
 import type { TextureReference, WrinkleMapsArea, WrinkleMapsLayer } from '../core/maps/wrinkle-maps.ts'
 import { isName } from '../core/name.ts'
-import type { Rule } from './activation.ts'
 import { type Curve, IDENTITY } from './curve.ts'
 import type { MorphDriver } from './morph/definition.ts'
 import type { WrinkleMaps } from './parse.ts'
@@ -22,7 +21,7 @@ type Json = any
 
 /**
  * Reads the JSON of the glTF extension as most files have it: declared, sound, its maps images of their own that are not KTX 2, its drivers
- * blendshapes. Undefined for any other, which `parseWrinkleMaps` reads, or refuses with the reason: a page need not fetch that for most
+ * sums of blendshapes. Undefined for any other, which `parseWrinkleMaps` reads, or refuses with the reason: a page need not fetch that for most
  * files. What is returned is what that returns.
  *
  * @param file JSON of the whole file.
@@ -88,20 +87,20 @@ function readMorph(json: Json, areas: ReadonlySet<string>): MorphDriver {
     type,
     area,
     targets: list(targets, 1, MAX_LINKS).map(({ name, weight = 1, curve }) => {
+      require(curve === undefined)
       require(typeof name === 'string' && name !== '' && name.length <= LONGEST_NAME)
-      const link = { name, weight: number(weight, -LARGEST, LARGEST) }
-      return curve === undefined ? link : { ...link, curve: readCurve(curve, -LARGEST, LARGEST) }
+      return { name, weight: number(weight, -LARGEST, LARGEST) }
     }),
-    rule: choice<Rule>(rule, ['sum', 'max', 'min', 'product']),
-    curve: readCurve(curve, 0, 1),
+    rule: choice(rule, ['sum']),
+    curve: readCurve(curve),
   }
 }
 
-function readCurve(json: Json, low: number, high: number): Curve {
+function readCurve(json: Json): Curve {
   return list(json, 2, MAX_CURVE_POINTS).map((point, i) => {
     const [input, output] = list(point, 2, 2)
     require(i === 0 || input > json[i - 1][0])
-    return [number(input, -LARGEST, LARGEST), number(output, low, high)]
+    return [number(input, -LARGEST, LARGEST), number(output, 0, 1)]
   })
 }
 

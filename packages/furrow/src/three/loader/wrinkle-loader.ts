@@ -8,8 +8,9 @@ import type { WrinkleMaps } from '../../drivers/parse.ts'
 import { extensionOf, type FileWrinkles } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
 import { VALUE_KINDS } from '../../runtime/layer-maps.ts'
+import { areSums } from '../../runtime/morph-drivers.ts'
 import { nextTask } from '../../runtime/next-task.ts'
-import { areMorphs, prepareDrivers } from '../../runtime/prepare-drivers.ts'
+import { prepareDrivers } from '../../runtime/prepare-drivers.ts'
 import { FADE } from '../fading/fade.ts'
 import { needChannels } from '../material/channels.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
@@ -107,7 +108,7 @@ export class WrinkleLoader {
   #prefetch({ layers, drivers }: WrinkleMaps): void {
     const hasValues = layers.some((layer) => VALUE_KINDS.some((kind) => layer[`${kind}Texture`]))
     if (hasValues) this.#parts.renderer.channels.load().catch(() => {})
-    if (!areMorphs(drivers)) import('./any-drivers.ts').catch(() => {})
+    if (!areSums(drivers)) import('./any-drivers.ts').catch(() => {})
   }
 
   /** Called by the loader when everything else is loaded. */
