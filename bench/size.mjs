@@ -24,7 +24,7 @@ const PAGES = {
 /** Fetched by pages with the loader alone: the modules that are imported on demand. */
 const FETCHED = {
   'drivers beyond blendshapes': [
-    'drivers/parse',
+    'runtime/file/unusual-file',
     'drivers/registry',
     'three/loader/any-drivers',
     'babylon/loader/any-drivers',
@@ -41,11 +41,16 @@ const FETCHED = {
     'three/material/auto/auto-mode',
   ],
   'other maps than normals': ['three/webgl/mixing/channels', 'three/webgpu/mixing/channels'],
-  'four areas in one image': ['runtime/file/inflate-png'],
-  'WebP and AVIF': ['runtime/file/read-image'],
-  'KTX 2': ['drivers/parse', 'runtime/file/check-maps', 'three/loader/ktx2', 'babylon/loader/ktx2'],
+  'JPEG, and four areas in one image': ['runtime/file/other-image'],
+  'WebP and AVIF': ['runtime/file/other-image', 'runtime/file/read-image'],
+  'KTX 2': [
+    'runtime/file/unusual-file',
+    'runtime/file/check-maps',
+    'three/loader/ktx2',
+    'babylon/loader/ktx2',
+  ],
   'maps of several sizes': ['runtime/file/check-maps'],
-  'a damaged file': ['drivers/parse', 'runtime/file/check-maps', 'runtime/file/image-faults'],
+  'a damaged file': ['runtime/file/unusual-file', 'runtime/file/check-maps', 'runtime/file/other-image'],
   'key frames of areas': ['three/loader/key-frames'],
   'the option fadeBelow': ['three/camera/size-on-screen'],
   relief: [

@@ -20,7 +20,8 @@ export {
 } from './core/limits.ts'
 export { checkDeclared, WRINKLE_MAPS } from './core/maps/declared.ts'
 export { DecodedBytes } from './core/maps/decoded-bytes.ts'
-export { type ImageFileType, imageDamage, imageTypeOf } from './core/maps/image-file.ts'
+export { imageDamage } from './core/maps/image-file.ts'
+export { type ImageFileType, imageTypeOf } from './core/maps/image-type.ts'
 export {
   type Ktx2Fault,
   type Ktx2Header,

@@ -1,10 +1,15 @@
 import fc from 'fast-check'
 import { parseWrinkleMaps, type WrinkleMaps } from 'furrow'
 import { describe, expect, it } from 'vitest'
+import { IDENTITY } from '../../../packages/furrow/src/drivers/curve.ts'
 import { readUsualMaps } from '../../../packages/furrow/src/drivers/usual-maps.ts'
 import { mutate, mutation } from '../gltf/mutations.ts'
 
 const TEXTURES = 6
+const FILE = {
+  extensionsUsed: ['FURROW_wrinkle_maps'],
+  textures: [...Array(TEXTURES).fill({}), { extensions: { KHR_texture_basisu: { source: 0 } } }],
+}
 const morph = { type: 'morph', area: 'brow', targets: [{ name: 'browInnerUp' }] }
 
 /** Every field that is usual. */
@@ -29,18 +34,8 @@ const usual = {
   drivers: [
     {
       ...morph,
-      targets: [
-        {
-          name: 'browInnerUp',
-          weight: 0.5,
-          curve: [
-            [-1, -2],
-            [0.5, 3],
-          ],
-        },
-        { name: 'jawOpen' },
-      ],
-      rule: 'product',
+      targets: [{ name: 'browInnerUp', weight: 0.5 }, { name: 'jawOpen' }],
+      rule: 'sum',
       curve: [
         [0, 0],
         [0.5, 0.2],
@@ -61,9 +56,9 @@ function parse(json: unknown): WrinkleMaps | undefined {
 
 describe('readUsualMaps', () => {
   it('reads what is usual as parseWrinkleMaps does', () => {
-    expect(readUsualMaps(usual, TEXTURES)).toEqual(parseWrinkleMaps(usual, TEXTURES))
+    expect(readUsualMaps(usual, FILE)).toEqual(parseWrinkleMaps(usual, TEXTURES))
     const { drivers: _, ...still } = usual
-    expect(readUsualMaps(still, TEXTURES)).toEqual(parseWrinkleMaps(still, TEXTURES))
+    expect(readUsualMaps(still, FILE)).toEqual(parseWrinkleMaps(still, TEXTURES))
   })
 
   it('reads all 100,000 mutated documents as that does, or not at all', () => {
@@ -72,7 +67,7 @@ describe('readUsualMaps', () => {
     fc.assert(
       fc.property(fc.array(mutation, { minLength: 1, maxLength: 3 }), (mutations) => {
         const document = mutations.reduce(mutate, JSON.parse(text))
-        const [maps, parsed] = [readUsualMaps(document, TEXTURES), parse(document)]
+        const [maps, parsed] = [readUsualMaps(document, FILE), parse(document)]
         if (!parsed) refused++
         else if (maps) read++
         else left++
@@ -89,9 +84,12 @@ describe('readUsualMaps', () => {
   it.each<[string, object]>([
     ['slices', { layers: [{ name: 'up', normalTexture: { index: 0, slice: 0 } }] }],
     ['drivers of another type', { drivers: [morph, { type: 'age', area: 'brow' }] }],
+    ['a driver of another rule', { drivers: [{ ...morph, rule: 'max' }] }],
+    ['a link with a curve', { drivers: [{ ...morph, targets: [{ name: 'jawOpen', curve: IDENTITY }] }] }],
+    ['a KTX 2 image', { areas: [{ name: 'brow', texture: { index: TEXTURES } }] }],
     ['a malformed driver', { drivers: [morph, { ...morph, area: 'chin' }] }],
     ['drivers that are null', { drivers: null }],
   ])('leaves %s to that', (_, changes) => {
-    expect(readUsualMaps({ ...usual, ...changes }, TEXTURES)).toBeUndefined()
+    expect(readUsualMaps({ ...usual, ...changes }, FILE)).toBeUndefined()
   })
 })

@@ -1,12 +1,12 @@
 import type { MorphDriver, WrinkleDriver } from 'furrow'
 import { afterEach, beforeEach, describe, expect, it, type MockInstance, vi } from 'vitest'
-import { ActivationSum } from '../../../packages/furrow/src/drivers/activation-sum.ts'
 import { planDrivers } from '../../../packages/furrow/src/drivers/plan-drivers.ts'
 import { targetSource } from '../../../packages/furrow/src/drivers/sources.ts'
 import { AtlasCells } from '../../../packages/furrow/src/runtime/atlas-cells.ts'
 import { DriverRuntime } from '../../../packages/furrow/src/runtime/driver-runtime.ts'
 import { Face } from '../../../packages/furrow/src/runtime/face.ts'
 import type { FaceDrivers } from '../../../packages/furrow/src/runtime/face-drivers.ts'
+import { LastInputs } from '../../../packages/furrow/src/runtime/last-inputs.ts'
 import { MorphDrivers } from '../../../packages/furrow/src/runtime/morph-drivers.ts'
 import { NamedInputs } from '../../../packages/furrow/src/runtime/named-inputs.ts'
 
@@ -33,7 +33,7 @@ let weights: number[][]
 let evaluated: MockInstance
 beforeEach(() => {
   weights = Array.from({ length: FACES }, (_, i) => [0.25 * i, 0.5])
-  evaluated = vi.spyOn(ActivationSum.prototype, 'addTo')
+  evaluated = vi.spyOn(LastInputs.prototype, 'settle')
 })
 afterEach(() => vi.restoreAllMocks())
 
@@ -137,7 +137,7 @@ describe('cells of faces that stand', () => {
       cells.collect(added)
       if (cells.changes === 0) return false
       added[0].drawn.set(face.activations.values)
-      Object.assign(added[0], { version: face.slots.version, stale: false })
+      Object.assign(added[0], { version: face.slots.version })
       return true
     }
     expect([draw(), draw(), draw()]).toEqual([true, false, false])

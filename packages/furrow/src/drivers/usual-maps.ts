@@ -8,9 +8,9 @@ import {
   MAX_LAYERS,
   MAX_LINKS,
 } from '../core/limits.ts'
+import { WRINKLE_MAPS } from '../core/maps/declared.ts'
 import type { TextureReference, WrinkleMapsArea, WrinkleMapsLayer } from '../core/maps/wrinkle-maps.ts'
 import { isName } from '../core/name.ts'
-import type { Rule } from './activation.ts'
 import { type Curve, IDENTITY } from './curve.ts'
 import type { MorphDriver } from './morph/definition.ts'
 import type { WrinkleMaps } from './parse.ts'
@@ -20,17 +20,19 @@ import type { WrinkleMaps } from './parse.ts'
 type Json = any
 
 /**
- * Reads the JSON of the glTF extension as most files have it: sound, its maps images of their own, its drivers blendshapes. Undefined for
- * any other, which `parseWrinkleMaps` reads, or refuses with the reason: a page need not fetch that for most files. What is returned is
- * what that returns.
+ * Reads the JSON of the glTF extension as most files have it: declared, sound, its maps images of their own that are not KTX 2, its drivers
+ * sums of blendshapes. Undefined for any other, which `parseWrinkleMaps` reads, or refuses with the reason: a page need not fetch that for most
+ * files. What is returned is what that returns.
  *
- * @param textureCount number of textures in the file.
+ * @param file JSON of the whole file.
  */
-export function readUsualMaps(json: Json, textureCount: number): WrinkleMaps | undefined {
+export function readUsualMaps(json: Json, { extensionsUsed, textures }: Json): WrinkleMaps | undefined {
   try {
     const { drivers = [] } = json
-    const layers = list(json.layers, 1, MAX_LAYERS).map((layer) => readLayer(layer, textureCount))
-    const areas = list(json.areas, 1, MAX_AREAS).map((area) => readArea(area, textureCount, layers.length))
+    require(list(extensionsUsed).includes(WRINKLE_MAPS))
+    const images = list(textures)
+    const layers = list(json.layers, 1, MAX_LAYERS).map((layer) => readLayer(layer, images))
+    const areas = list(json.areas, 1, MAX_AREAS).map((area) => readArea(area, images, layers.length))
     namesOf(layers)
     const names = namesOf(areas)
     return { layers, areas, drivers: list(drivers, 0, MAX_DRIVERS).map((driver) => readMorph(driver, names)) }
@@ -49,7 +51,7 @@ const MAPS: Record<string, readonly [field: string, low: number, high: number, b
   bloodTexture: ['amplitude', 0, MAX_BLOOD_AMPLITUDE],
 }
 
-function readLayer(json: Json, textures: number): WrinkleMapsLayer {
+function readLayer(json: Json, textures: Json[]): WrinkleMapsLayer {
   const layer: Json = { name: nameOf(json), kind: choice(json.kind, ['replace', 'detail']) }
   for (const [slot, scale] of Object.entries(MAPS)) {
     const map = json[slot]
@@ -66,7 +68,7 @@ function readLayer(json: Json, textures: number): WrinkleMapsLayer {
   return layer
 }
 
-function readArea(json: Json, textures: number, layers: number): WrinkleMapsArea {
+function readArea(json: Json, textures: Json[], layers: number): WrinkleMapsArea {
   const { layer = 0, channel = 0, activation = 0 } = json
   return {
     name: nameOf(json),
@@ -85,33 +87,34 @@ function readMorph(json: Json, areas: ReadonlySet<string>): MorphDriver {
     type,
     area,
     targets: list(targets, 1, MAX_LINKS).map(({ name, weight = 1, curve }) => {
+      require(curve === undefined)
       require(typeof name === 'string' && name !== '' && name.length <= LONGEST_NAME)
-      const link = { name, weight: number(weight, -LARGEST, LARGEST) }
-      return curve === undefined ? link : { ...link, curve: readCurve(curve, -LARGEST, LARGEST) }
+      return { name, weight: number(weight, -LARGEST, LARGEST) }
     }),
-    rule: choice<Rule>(rule, ['sum', 'max', 'min', 'product']),
-    curve: readCurve(curve, 0, 1),
+    rule: choice(rule, ['sum']),
+    curve: readCurve(curve),
   }
 }
 
-function readCurve(json: Json, low: number, high: number): Curve {
+function readCurve(json: Json): Curve {
   return list(json, 2, MAX_CURVE_POINTS).map((point, i) => {
     const [input, output] = list(point, 2, 2)
     require(i === 0 || input > json[i - 1][0])
-    return [number(input, -LARGEST, LARGEST), number(output, low, high)]
+    return [number(input, -LARGEST, LARGEST), number(output, 0, 1)]
   })
 }
 
-function readTexture(json: Json, textures: number): TextureReference {
-  require(json.slice === undefined)
-  return { ...json, index: index(json.index, textures) }
+function readTexture(json: Json, textures: Json[]): TextureReference {
+  const { extensions } = textures[index(json.index, textures.length)]
+  require(json.slice === undefined && !extensions?.KHR_texture_basisu)
+  return { ...json }
 }
 
 function require(isUsual: unknown): void {
   if (!isUsual) throw new Error()
 }
 
-function list(json: Json, low: number, high: number): Json[] {
+function list(json: Json, low = 0, high = Infinity): Json[] {
   require(Array.isArray(json) && json.length >= low && json.length <= high)
   return json
 }

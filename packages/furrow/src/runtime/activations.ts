@@ -3,15 +3,20 @@ import { listNames } from '../core/check-areas.ts'
 import { FurrowError, sentence } from '../core/error.ts'
 import { MAX_AREAS } from '../core/limits.ts'
 
+/** Of one activation, since a number that is passed may be boxed. */
+const given = new Float32Array(1)
+
 /** The activation vector: one number, 0..1, per area, bound by name. */
 export class Activations {
   /** Incremented by every change. */
   version = 0
 
-  #areas: readonly { name: string }[] = []
+  /** In the order of the areas, 0 beyond them; always the same array. Read only. */
+  readonly values = new Float32Array(MAX_AREAS)
+
+  /** By name, in their order. */
   #indices = new Map<string, number>()
   #warned = false
-  readonly #values = new Float32Array(MAX_AREAS)
   readonly #who: string
 
   /**
@@ -23,23 +28,17 @@ export class Activations {
     this.rebind(areas)
   }
 
-  /** In the order of the areas, 0 beyond them; always the same array. Read only. */
-  get values(): Float32Array {
-    return this.#values
-  }
-
   /** Names of the areas, in order. */
   get names(): string[] {
-    return this.#areas.map(({ name }) => name)
+    return [...this.#indices.keys()]
   }
 
   /** Changes the list of areas. Those whose names stay keep their activations; others are 0. */
   rebind(areas: readonly { name: string }[]): void {
-    const kept = areas.map(({ name }) => this.#values[this.#indices.get(name) ?? MAX_AREAS] ?? 0)
-    this.#areas = areas.map(({ name }) => ({ name }))
+    const kept = areas.map(({ name }) => (this.has(name) ? this.get(name) : 0))
     this.#indices = new Map(areas.map(({ name }, index) => [name, index]))
-    this.#values.fill(0)
-    this.#values.set(kept)
+    this.values.fill(0)
+    this.values.set(kept)
     this.version++
   }
 
@@ -49,7 +48,7 @@ export class Activations {
    * @throws FurrowError when no area has that name.
    */
   get(name: string): number {
-    return this.#values[this.#indexOf(name)]
+    return this.values[this.#indexOf(name)]
   }
 
   /**
@@ -61,10 +60,9 @@ export class Activations {
   set(name: string, value: number): void {
     const index = this.#indexOf(name)
     if (typeof value !== 'number') throw wrongArgument(this.#who, `activation of "${name}"`, value, '0 to 1')
-    const clamped = value >= 0 && value <= 1 ? value : this.#clamp(name, value)
-    if (this.#values[index] === Math.fround(clamped)) return
-    this.#values[index] = clamped
-    this.version++
+    if (!(value >= 0 && value <= 1)) this.#warn(name, value)
+    given[0] = value
+    this.setAt(index, given, 0)
   }
 
   /**
@@ -76,8 +74,8 @@ export class Activations {
   setAt(index: number, values: Float32Array, source: number): void {
     let value = values[source]
     if (!(value >= 0 && value <= 1)) value = value > 1 ? 1 : 0
-    if (this.#values[index] === value) return
-    this.#values[index] = value
+    if (this.values[index] === value) return
+    this.values[index] = value
     this.version++
   }
 
@@ -108,25 +106,22 @@ export class Activations {
       who: this.#who,
       what: 'unknown area',
       value: name,
-      limit: listNames(this.#areas),
+      limit: listNames(this.names.map((name) => ({ name }))),
       remedy: 'use the name of an area of this set, or add the area first',
     })
   }
 
-  #clamp(name: string, value: number): number {
-    const clamped = value > 1 ? 1 : 0
-    if (!this.#warned) {
-      this.#warned = true
-      console.warn(
-        sentence({
-          who: this.#who,
-          what: `activation of "${name}" out of range`,
-          value,
-          limit: '0 to 1',
-          remedy: `clamped to ${clamped}; this warning is not repeated`,
-        }),
-      )
-    }
-    return clamped
+  #warn(name: string, value: number): void {
+    if (this.#warned) return
+    this.#warned = true
+    console.warn(
+      sentence({
+        who: this.#who,
+        what: `activation of "${name}" out of range`,
+        value,
+        limit: '0 to 1',
+        remedy: `clamped to ${value > 1 ? 1 : 0}; this warning is not repeated`,
+      }),
+    )
   }
 }

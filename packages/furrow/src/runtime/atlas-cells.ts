@@ -8,13 +8,14 @@ export interface Cell {
   readonly index: number
   /** The activations that were drawn last, by area; NaN if none were. */
   readonly drawn: Float32Array
-  /** Version of the areas that were drawn last. */
+  /** Version of the areas that were drawn last; `STALE` if it must be drawn: the face has other areas, or the texture is new. */
   version: number
   /** Version of the activations that were last found to be as drawn. */
   unchanged: number
-  /** Whether it must be drawn even if nothing has changed: the face has other areas, or the texture is new. */
-  stale: boolean
 }
+
+/** No version that areas have. */
+export const STALE = -1
 
 /** Half a step of 8 bits: a smaller change of an activation is invisible. */
 const SMALLEST_CHANGE = 1 / 510
@@ -65,7 +66,7 @@ export class AtlasCells {
     this.#used += faces.length
     return faces.map((face, i) => {
       const drawn = new Float32Array(face.activations.values.length).fill(Number.NaN)
-      const cell: Cell = { face, index: first + i, drawn, version: 0, unchanged: -1, stale: true }
+      const cell: Cell = { face, index: first + i, drawn, version: STALE, unchanged: -1 }
       this.#cells[first + i] = cell
       return cell
     })
@@ -87,7 +88,7 @@ export class AtlasCells {
 
   /** Marks all cells stale: what was drawn is lost. */
   invalidate(): void {
-    for (const cell of this.#cells) if (cell) cell.stale = true
+    for (const cell of this.#cells) if (cell) cell.version = STALE
   }
 
   /** Index of the first of `count` consecutive free cells. */
@@ -123,8 +124,8 @@ export class AtlasCells {
 }
 
 function hasChanged(cell: Cell): boolean {
-  const { face, drawn, version, stale } = cell
-  if (stale || version !== face.slots.version) return true
+  const { face, drawn, version } = cell
+  if (version !== face.slots.version) return true
   const { activations } = face
   if (cell.unchanged === activations.version) return false
   const { values } = activations

@@ -1,6 +1,6 @@
 import type { MorphDriver } from '../drivers/morph/definition.ts'
 import type { WrinkleDriver } from '../drivers/registry.ts'
-import { MorphDrivers, type ReadWeights } from './morph-drivers.ts'
+import { areSums, MorphDrivers, type ReadWeights } from './morph-drivers.ts'
 import type { WrinkleFaces } from './wrinkle-faces.ts'
 
 /** How an engine drives the areas of its faces. */
@@ -13,7 +13,7 @@ export interface DriverParts<Own> {
 }
 
 /**
- * Prepares the drivers of a file. Most files have blendshapes alone, named as their mesh names them; what any others take is fetched.
+ * Prepares the drivers of a file. Most files add up blendshapes, named as their mesh names them; what any others take is fetched.
  *
  * @param names of the blendshapes of the face in the file. Copies may have others: what they take is fetched when they are driven.
  * @returns what lets them activate the areas of a face.
@@ -24,7 +24,7 @@ export async function prepareDrivers<Own extends WrinkleFaces<never>>(
   { targetNames, weightReader, fetchAny }: DriverParts<Own>,
 ): Promise<(own: Own) => void> {
   let any: Promise<(own: Own) => void> | undefined
-  if (!areMorphs(drivers) || !hasTargets(names, drivers)) return fetchAny()
+  if (!areSums(drivers) || !hasTargets(names, drivers)) return fetchAny()
   const driveAny = async (own: Own) => {
     try {
       any ??= fetchAny()
@@ -40,10 +40,6 @@ export async function prepareDrivers<Own extends WrinkleFaces<never>>(
       own.setDrivers(new MorphDrivers(drivers, names, weightReader(own, names), () => driveAny(own)))
     } else driveAny(own)
   }
-}
-
-function areMorphs(drivers: readonly WrinkleDriver[]): drivers is readonly MorphDriver[] {
-  return drivers.every(({ type }) => type === 'morph')
 }
 
 function hasTargets(names: readonly string[], drivers: readonly MorphDriver[]): boolean {

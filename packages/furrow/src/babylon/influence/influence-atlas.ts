@@ -135,7 +135,6 @@ export class InfluenceAtlas implements InfluenceTarget<Scene> {
     }
     this.#rows[row] = count
     cell.version = version
-    cell.stale = false
   }
 
   #resize(): void {

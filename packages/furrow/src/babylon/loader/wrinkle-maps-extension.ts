@@ -2,17 +2,17 @@ import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { GLTFLoader } from '@babylonjs/loaders/glTF/2.0/glTFLoader.js'
 import type { IGLTFLoaderExtension } from '@babylonjs/loaders/glTF/2.0/glTFLoaderExtension.js'
 import type { INode } from '@babylonjs/loaders/glTF/2.0/glTFLoaderInterfaces.js'
-import { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import { driversOf } from '../../drivers/of-type.ts'
+import { faults } from '../../runtime/file/decode-image.ts'
 import {
   extensionOf,
   type FileWrinkles,
-  prefetchParser,
-  type WrinkledFile,
+  prefetchUnusual,
   wrinkleReader,
 } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
+import type { WrinkledFile } from '../../runtime/file/wrinkled-file.ts'
 import { prepareDrivers } from '../../runtime/prepare-drivers.ts'
 import type { LoaderOptions, WrinklesOptions } from '../options.ts'
 import { readWeights, targetNames } from '../sources/morph.ts'
@@ -45,7 +45,7 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
   }
 
   onLoading(): void {
-    prefetchParser({ json: this.#loader.gltf })
+    prefetchUnusual({ json: this.#loader.gltf })
   }
 
   /** Called by the loader when everything else is loaded. */
@@ -127,26 +127,24 @@ function fileOf(loader: GLTFLoader, transcoderPath: string | undefined): Wrinkle
       const bytes = await loader.loadImageAsync(`/images/${index}`, image)
       return new Uint8Array(bytes.buffer as ArrayBuffer, bytes.byteOffset, bytes.byteLength)
     } catch {
-      throw new FurrowError({
-        code: 'unreadable',
-        who,
-        what: 'an image that cannot be fetched',
-        value: image.uri ?? `image ${index}`,
-        remedy: 'check that the server serves it at this address',
-      })
+      throw (await faults()).notFetched(image.uri ?? `image ${index}`, who)
     }
   }
   return {
     json: { ...gltf, materials: asWritten(gltf.materials), extensions: asWritten(gltf.extensions) },
     readBytes,
     prefersArrays: false,
-    async loadArray(index, _use, check) {
-      const { loadKtx2 } = await import('./ktx2.ts')
-      const who = `${WRINKLE_MAPS} texture ${index}`
-      const source = gltf.textures?.[index].extensions?.KHR_texture_basisu?.source
-      return loadKtx2(await readBytes(source, who), who, check, transcoderPath)
+    fetchArrays: async () => {
+      const { loadKtx2, withImages } = await import('./ktx2.ts')
+      return {
+        async load(index, _use, check) {
+          const who = `${WRINKLE_MAPS} texture ${index}`
+          const source = gltf.textures?.[index].extensions?.KHR_texture_basisu?.source
+          return loadKtx2(await readBytes(source, who), who, check, transcoderPath)
+        },
+        join: withImages,
+      }
     },
-    joinArrays: async (set) => (await import('./ktx2.ts')).withImages(set),
   }
 }
 

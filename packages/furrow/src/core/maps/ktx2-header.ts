@@ -1,6 +1,6 @@
 import { FurrowError } from '../error.ts'
 import { MAX_IMAGE_BYTES, MAX_IMAGE_SIDE, MAX_SLICES } from '../limits.ts'
-import { imageTypeOf } from './image-file.ts'
+import { imageTypeOf } from './image-type.ts'
 import type { TextureShape } from './rules.ts'
 
 // Khronos, KTX File Format Specification 2.0, sections 3 and 5; offsets in bytes.

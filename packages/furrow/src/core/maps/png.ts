@@ -10,8 +10,16 @@ export interface PngHeader {
   isInterlaced: boolean
 }
 
+/** A chunk that is whole. */
+export interface PngChunk {
+  type: string
+  data: Uint8Array
+  /** Whether its checksum is that of its type and data. */
+  isSound: boolean
+}
+
 /** Bytes before the first chunk. */
-export const PNG_SIGNATURE_BYTES = 8
+const PNG_SIGNATURE_BYTES = 8
 
 /** The first bytes of the signature. */
 const SIGNATURE = 0x89504e47
@@ -30,16 +38,41 @@ export function pngHeader(bytes: Uint8Array): PngHeader | undefined {
   }
 }
 
-/** The data of all chunks of a type, in order, of a PNG file that is whole. */
-export function pngChunks(bytes: Uint8Array<ArrayBuffer>, type: string): Uint8Array<ArrayBuffer>[] {
-  const view = new DataView(bytes.buffer, bytes.byteOffset)
-  const found: Uint8Array<ArrayBuffer>[] = []
+/** The chunks of a PNG file up to its last one, or as far as they are whole: a length, a type, data and a checksum. */
+export function pngChunks(bytes: Uint8Array): PngChunk[] {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength)
+  const chunks: PngChunk[] = []
   let at = PNG_SIGNATURE_BYTES
-  while (at + 12 <= bytes.length) {
+  while (at + 12 <= bytes.length && chunks.at(-1)?.type !== 'IEND') {
     const start = at + 8
     const end = start + view.getUint32(at)
-    if (String.fromCharCode(...bytes.subarray(at + 4, start)) === type) found.push(bytes.subarray(start, end))
+    if (end + 4 > bytes.length) break
+    chunks.push({
+      type: String.fromCharCode(...bytes.subarray(at + 4, start)),
+      data: bytes.subarray(start, end),
+      isSound: crc32(bytes.subarray(at + 4, end)) === view.getUint32(end),
+    })
     at = end + 4
   }
-  return found
+  return chunks
+}
+
+/** Whether a PNG file with these chunks is whole. */
+export function isWholePng(chunks: readonly PngChunk[]): boolean {
+  return (
+    chunks[0]?.type === 'IHDR' && chunks.at(-1)!.type === 'IEND' && chunks.every(({ isSound }) => isSound)
+  )
+}
+
+let table: Uint32Array | undefined
+
+/** PNG, annex D. */
+function crc32(bytes: Uint8Array): number {
+  table ??= Uint32Array.from({ length: 256 }, (_, byte) => {
+    for (let bit = 0; bit < 8; bit++) byte = byte & 1 ? (byte >>> 1) ^ 0xedb88320 : byte >>> 1
+    return byte
+  })
+  let crc = 0xffffffff
+  for (let i = 0; i < bytes.length; i++) crc = (crc >>> 8) ^ table[(crc ^ bytes[i]) & 0xff]
+  return ~crc >>> 0
 }

@@ -1,8 +1,7 @@
-import { FurrowError } from '../../core/error.ts'
 import { MAX_IMAGE_SIDE } from '../../core/limits.ts'
-import { imageDamage, imageTypeOf } from '../../core/maps/image-file.ts'
-import { type PngHeader, pngChunks, pngHeader } from '../../core/maps/png.ts'
+import { isWholePng, type PngHeader, pngChunks, pngHeader } from '../../core/maps/png.ts'
 import type { GrayImage, RgbaImage } from '../../core/types.ts'
+import { readOpaque } from './opaque-image.ts'
 
 /**
  * Decodes an image file in the browser, without colour management, to 8 bits per channel.
@@ -24,26 +23,17 @@ export async function decodeImage(file: Blob, who: string): Promise<RgbaImage> {
 
 /** As `decodeImage`, with alpha as stored. */
 export async function decodeBytes(bytes: Uint8Array<ArrayBuffer>, who: string): Promise<RgbaImage> {
-  const type = imageTypeOf(bytes)
-  const damage = imageDamage(bytes)
-  if (damage || !type || type === 'image/ktx2') throw (await faults()).unreadable(bytes, who, damage)
   const png = pngHeader(bytes)
-  // To refuse huge images before they are decoded.
-  if (png) await checkSize(png, who)
+  if (!png || !isUsual(png, bytes)) return (await import('./other-image.ts')).decodeOther(bytes, who)
   try {
-    if (png && hasPlainAlpha(png)) return await (await import('./inflate-png.ts')).inflatePng(bytes, png)
-    const isOpaque = type === 'image/jpeg' || (png && hasNoAlpha(png, bytes))
-    const bitmap = await createImageBitmap(new Blob([bytes], { type }), {
+    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }), {
       colorSpaceConversion: 'none',
       // The same where there is no alpha, and what canvases hold: nothing is converted, which would take a third of the time.
-      premultiplyAlpha: isOpaque ? 'premultiply' : 'none',
+      premultiplyAlpha: 'premultiply',
     })
-    await checkSize(bitmap, who)
-    const image = isOpaque ? readOpaque(bitmap) : (await import('./read-image.ts')).readImage(bitmap)
-    bitmap.close()
-    return image
-  } catch (error) {
-    throw error instanceof FurrowError ? error : (await faults()).unreadable(bytes, who)
+    return readOpaque(bitmap)
+  } catch {
+    throw (await faults()).unreadable(bytes, who)
   }
 }
 
@@ -57,29 +47,14 @@ export function toGray({ width, height, data }: RgbaImage): GrayImage {
 }
 
 /** What says what is wrong with a file: fetched, since most are sound. */
-const faults = () => import('./image-faults.ts')
+export const faults = () => import('./image-faults.ts')
 
-async function checkSize(size: { width: number; height: number }, who: string): Promise<void> {
-  if (Math.max(size.width, size.height) > MAX_IMAGE_SIDE) throw (await faults()).tooLarge(size, who)
-}
-
-/** Whether `inflatePng` reads a file. */
-function hasPlainAlpha({ depth, colour, isInterlaced }: PngHeader): boolean {
-  return depth === 8 && (colour === 4 || colour === 6) && !isInterlaced
-}
-
-/** Whether a file is gray or RGB, with no colour that stands for transparency. */
-function hasNoAlpha({ colour }: PngHeader, bytes: Uint8Array<ArrayBuffer>): boolean {
-  return (colour === 0 || colour === 2) && pngChunks(bytes, 'tRNS').length === 0
-}
-
-/** The pixels of an image without alpha, which a 2D canvas keeps as they are. */
-function readOpaque(bitmap: ImageBitmap): RgbaImage {
-  // Outside of browsers, a decoder that stands in for the browser's has the pixels.
-  if ('data' in bitmap) return bitmap as RgbaImage
-  const { width, height } = bitmap
-  const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })!
-  context.drawImage(bitmap, 0, 0)
-  const { data } = context.getImageData(0, 0, width, height)
-  return { width, height, data: new Uint8Array(data.buffer) }
+/**
+ * Whether a PNG is as most maps are: whole, of a size that is allowed, gray or RGB, with no colour that stands for transparency. All else
+ * is left to what is fetched for it.
+ */
+function isUsual({ width, height, colour }: PngHeader, bytes: Uint8Array): boolean {
+  if (Math.max(width, height) > MAX_IMAGE_SIDE || (colour !== 0 && colour !== 2)) return false
+  const chunks = pngChunks(bytes)
+  return isWholePng(chunks) && chunks.every(({ type }) => type !== 'tRNS')
 }

@@ -26,6 +26,21 @@ export function unreadable(bytes: Uint8Array, who: string, value = `${bytes.leng
   })
 }
 
+/**
+ * The error for an image that is not there.
+ *
+ * @param address of it.
+ */
+export function notFetched(address: string, who: string): FurrowError {
+  return new FurrowError({
+    code: 'unreadable',
+    who,
+    what: 'an image that cannot be fetched',
+    value: address,
+    remedy: 'check that the server serves it at this address',
+  })
+}
+
 /** The error for an image that is larger than `MAX_IMAGE_SIDE`. */
 export function tooLarge({ width, height }: { width: number; height: number }, who: string): FurrowError {
   return new FurrowError({

@@ -9,10 +9,13 @@ import type { RgbaImage } from '../../core/types.ts'
  * @throws whatever is wrong with its data.
  */
 export async function inflatePng(
-  bytes: Uint8Array<ArrayBuffer>,
+  bytes: Uint8Array,
   { width, height, colour }: PngHeader,
 ): Promise<RgbaImage> {
-  const packed = new Blob(pngChunks(bytes, 'IDAT')).stream().pipeThrough(new DecompressionStream('deflate'))
+  const parts = pngChunks(bytes)
+    .filter(({ type }) => type === 'IDAT')
+    .map(({ data }) => data as Uint8Array<ArrayBuffer>)
+  const packed = new Blob(parts).stream().pipeThrough(new DecompressionStream('deflate'))
   const filtered = new Uint8Array(await new Response(packed).arrayBuffer())
   const channels = colour === 4 ? 2 : 4
   const rows = unfilter(filtered, width * channels, height, channels)

@@ -10,7 +10,7 @@ import {
   type WebGLRenderer,
 } from 'three'
 import type { AreaSlot } from '../../runtime/area-slots.ts'
-import { AtlasCells, type Cell } from '../../runtime/atlas-cells.ts'
+import { AtlasCells, type Cell, STALE } from '../../runtime/atlas-cells.ts'
 import type { Face } from '../../runtime/face.ts'
 import type { InfluenceTarget } from '../../runtime/frame.ts'
 import { type AnyRenderer, filtersFloats } from '../renderer.ts'
@@ -104,7 +104,7 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   rebind(cells: readonly Cell[], array: AreaArray, areas: readonly { name: string }[]): void {
     for (const cell of cells) {
       cell.face.rebind(array, areas)
-      cell.stale = true
+      cell.version = STALE
     }
     this.#prune()
   }
@@ -127,7 +127,7 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     this.#checkContents(renderer)
     if (this.#drawnBy.get(cells) !== renderer) {
       this.#drawnBy.set(cells, renderer)
-      for (const cell of cells) cell.stale = true
+      for (const cell of cells) cell.version = STALE
     }
     this.cells.collect(cells)
   }
@@ -201,7 +201,6 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
       quads.put(column, row, slot, value)
     }
     cell.version = areas.version
-    cell.stale = false
   }
 
   #quadsOf(rule: QuadRule, areas: AreaArray | null): Quads {

@@ -1,4 +1,4 @@
-import type { Camera, Material, Mesh, SkinnedMesh } from 'three'
+import type { Camera, Material, Mesh } from 'three'
 import { surfaceOf, withSurface } from '../material/surface.ts'
 import { instancesOf } from '../mesh/instances.ts'
 import { isReliefMesh } from '../relief/is-relief-mesh.ts'
@@ -37,7 +37,6 @@ export function adoptedBy(mesh: Mesh): WrinklesBase | undefined {
 export class Adoption {
   readonly #material: Material
   readonly #meshes: readonly Mesh[]
-  readonly #known: WeakSet<Mesh>
   readonly #parts: AdoptionParts
   /** Of adopted meshes that are faces of their own. React may set the shared material again. */
   readonly #copies = new WeakMap<Mesh, Material>()
@@ -63,7 +62,6 @@ export class Adoption {
   ) {
     this.#material = material
     this.#meshes = meshes
-    this.#known = new WeakSet(meshes)
     this.#parts = parts
     this.#copyOf = copyOf
     this.#unwatch = parts.watch(material, (mesh, renderer, camera) => this.#onDraw(mesh, renderer, camera))
@@ -97,7 +95,7 @@ export class Adoption {
 
   #onDraw(mesh: Mesh, renderer: AnyRenderer, camera: Camera): void {
     if (isReliefMesh(mesh)) return
-    if (this.#known.has(mesh)) {
+    if (this.#meshes.includes(mesh)) {
       this.#isShown = true
       return
     }
@@ -117,15 +115,12 @@ export class Adoption {
    */
   #host(mesh: Mesh, face: WrinklesBase, source: WrinklesBase): void {
     this.#guests.add(mesh)
-    const remove = () => {
-      mesh.removeEventListener('removed', remove)
+    whenRemoved(mesh, face, () => {
       this.#guests.delete(mesh)
       if (this.#isShown || this.#guests.size > 0) return
       face.dispose()
       adoptCopy(this.#material, source, this.#parts)
-    }
-    mesh.addEventListener('removed', remove)
-    face.onDispose(() => mesh.removeEventListener('removed', remove))
+    })
   }
 
   /** Gives a mesh wrinkles of its own. */
@@ -166,20 +161,26 @@ function addUntilRemoved(
   onRemoved: () => void,
 ): void {
   const face = parts.add(mesh, source)
-  const remove = () => {
+  whenRemoved(mesh, face, () => {
     face?.dispose()
     onRemoved()
+  })
+}
+
+/** Calls a function once when a mesh is removed from its parent, unless its face was disposed of. */
+function whenRemoved(mesh: Mesh, face: WrinklesBase | undefined, run: () => void): void {
+  const remove = () => {
+    mesh.removeEventListener('removed', remove)
+    run()
   }
   mesh.addEventListener('removed', remove)
   face?.onDispose(() => mesh.removeEventListener('removed', remove))
 }
 
-function movesAs(own: Mesh, mesh: Mesh): boolean {
-  const [a, b] = [own, mesh] as SkinnedMesh[]
-  return (
-    a.morphTargetInfluences === b.morphTargetInfluences &&
-    a.skeleton === b.skeleton &&
-    !instancesOf(a) &&
-    !instancesOf(b)
-  )
+type Skinned = Mesh & { skeleton?: object }
+
+/** Whether two meshes move as one. */
+function movesAs(a: Skinned, b: Skinned): boolean {
+  if (instancesOf(a) || instancesOf(b)) return false
+  return a.morphTargetInfluences === b.morphTargetInfluences && a.skeleton === b.skeleton
 }

@@ -5,6 +5,7 @@ import { type AutoRunOptions, runWorker } from '../../auto/run-worker.ts'
 import { FurrowError } from '../../core/error.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { FileWrinkles } from '../../runtime/file/read-wrinkles.ts'
+import type { Warnings } from '../../runtime/file/warnings.ts'
 import { Appearance } from '../fading/appearance.ts'
 import { surfaceOf } from '../material/surface.ts'
 import { mapTexture } from '../material/textures.ts'
@@ -29,12 +30,24 @@ interface MadeWrinkles extends FileWrinkles {
 let previous: Promise<unknown> = Promise.resolve()
 
 /**
- * Makes wrinkles for the skin of a file, and adds them.
+ * Begins to make wrinkles from the blendshapes of a file, while it is at rest. They are added when they are done.
  *
- * @param file its `userData.wrinkles` takes them.
- * @throws FurrowError as `makeAutoWrinkles` does.
+ * @param file its `userData.wrinkles` takes them, and `userData.wrinklesReady` says when.
  */
-export async function addAutoWrinkles(
+export function beginAuto(
+  file: GLTF,
+  faces: readonly Meshes[],
+  options: AutoRunOptions,
+  addFace: AddFace,
+  warnings: Warnings,
+): void {
+  file.userData.wrinklesReady = addAutoWrinkles(file, faces, options, addFace).catch((error) =>
+    warnings.add(error, 'the file stays plain'),
+  )
+}
+
+/** @throws FurrowError as `makeAutoWrinkles` does. */
+async function addAutoWrinkles(
   file: GLTF,
   faces: readonly Meshes[],
   options: AutoRunOptions,

@@ -1,6 +1,6 @@
 import { LoaderUtils } from 'three'
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
-import { FurrowError } from '../../core/error.ts'
+import { faults } from '../../runtime/file/decode-image.ts'
 
 /**
  * Reads the bytes of an image of a file, in the file or beside it.
@@ -22,12 +22,6 @@ export async function readImageBytes(
   try {
     return new Uint8Array((await parser.fileLoader.loadAsync(address)) as ArrayBuffer)
   } catch {
-    throw new FurrowError({
-      code: 'unreadable',
-      who,
-      what: 'an image that cannot be fetched',
-      value: address,
-      remedy: 'check that the server serves it at this address',
-    })
+    throw (await faults()).notFetched(address, who)
   }
 }

@@ -3,7 +3,9 @@ import {
   CompressedArrayTexture,
   type CompressedTexture,
   LinearFilter,
+  NoColorSpace,
   REVISION,
+  SRGBColorSpace,
 } from 'three'
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
@@ -12,12 +14,11 @@ import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import { type Ktx2Header, readKtx2Header } from '../../core/maps/ktx2-header.ts'
 import type { TextureShape } from '../../core/maps/rules.ts'
 import { fileError } from '../../runtime/file/file-error.ts'
+import type { FileArrays } from '../../runtime/file/wrinkled-file.ts'
 import type { ArrayTexture } from '../material/array-texture.ts'
 import { requireInternal } from '../three-version.ts'
 import { readImageBytes } from './image-bytes.ts'
-
-/** Only files with such images need it. */
-export { joinArrays } from './join-arrays.ts'
+import { joinArrays } from './join-arrays.ts'
 
 interface LoaderOptions {
   ktx2Loader?: KTX2Loader | null
@@ -35,24 +36,33 @@ type Transcoder = KTX2Loader & {
 }
 
 /** A KTX 2 image or array of a file. A plain image is an array of one slice on the GPU. */
-export interface Ktx2Texture {
+interface Ktx2Texture {
   array: ArrayTexture
   header: Ktx2Header
 }
 
 /** Throws where an image may not be decoded. */
-export type ShapeCheck = (shape: TextureShape) => void
+type ShapeCheck = (shape: TextureShape) => void
+
+/** Reads the KTX 2 images and arrays of a file that `GLTFLoader` loads. */
+export function arraysOf(parser: GLTFParser): FileArrays {
+  return {
+    async load(index, use, check) {
+      const loaded = await (use === 'areas' ? loadAreaArray : loadMapArray)(parser, index, check)
+      // In glTF the use of a texture decides, not the colour space in its file.
+      loaded.array.colorSpace = use === 'colours' ? SRGBColorSpace : NoColorSpace
+      return loaded
+    },
+    join: joinArrays,
+  }
+}
 
 /**
  * Loads the areas of a file, a KTX 2 image or array, in the best format that the GPU supports.
  *
  * @throws FurrowError when the loader has no KTX2Loader, or the image is not one that KHR_texture_basisu allows.
  */
-export async function loadAreaArray(
-  parser: GLTFParser,
-  index: number,
-  check: ShapeCheck,
-): Promise<Ktx2Texture> {
+async function loadAreaArray(parser: GLTFParser, index: number, check: ShapeCheck): Promise<Ktx2Texture> {
   const file = await readFile(parser, index, check)
   const array = await transcode(file, ktx2LoaderOf(parser))
   // Areas are smooth already, and mipmaps would bleed across UV islands.

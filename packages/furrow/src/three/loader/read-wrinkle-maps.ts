@@ -1,13 +1,14 @@
-import { type Material, type Mesh, NoColorSpace, type Object3D, SRGBColorSpace } from 'three'
+import type { Mesh, Object3D } from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import {
   extensionOf,
   type FileWrinkles,
   type ReadOptions,
-  type WrinkledFile,
   wrinkleReader,
 } from '../../runtime/file/read-wrinkles.ts'
+import type { WrinkledFile } from '../../runtime/file/wrinkled-file.ts'
 import { surfaceOf } from '../material/surface.ts'
+import type { RaisedLayer } from '../relief/raised-layer.ts'
 import { readImageBytes } from './image-bytes.ts'
 
 /** A face of a file: meshes that have one material with the extension. */
@@ -36,12 +37,20 @@ type Parser = GLTF['parser']
  * @throws FurrowError when the extension is malformed or an image cannot be read.
  */
 export async function readWrinkleMaps(gltf: GLTF, parser: Parser = gltf.parser): Promise<LoadedWrinkles[]> {
-  const wrinklesOf = materialReader(parser, { withHeights: true })
+  const wrinklesOf = materialReader(parser)
   const found: LoadedWrinkles[] = []
   for (const { meshes, material } of wrinkledFaces(gltf, parser)) {
-    found.push({ meshes, ...(await wrinklesOf(material)) })
+    const read = await wrinklesOf(material)
+    await Promise.all(read.set.layers.map(decodeHeight))
+    found.push({ meshes, ...read })
   }
   return found
+}
+
+async function decodeHeight(layer: RaisedLayer): Promise<void> {
+  if (!layer.readHeight) return
+  layer.height = await layer.readHeight()
+  delete layer.readHeight
 }
 
 /** The faces whose materials have the extension, malformed or not. */
@@ -67,35 +76,32 @@ function fileOf(parser: Parser): WrinkledFile {
   return {
     json: parser.json,
     readBytes: (image, who) => readImageBytes(parser, image, who),
-    prefersArrays: Boolean((parser.options as { ktx2Loader?: unknown }).ktx2Loader),
-    async loadArray(index, use, check) {
-      const { loadAreaArray, loadMapArray } = await import('./ktx2.ts')
-      const loaded = await (use === 'areas' ? loadAreaArray : loadMapArray)(parser, index, check)
-      // In glTF the use of a texture decides, not the colour space in its file.
-      loaded.array.colorSpace = use === 'colours' ? SRGBColorSpace : NoColorSpace
-      return loaded
+    get prefersArrays() {
+      return Boolean((parser.options as { ktx2Loader?: unknown }).ktx2Loader)
     },
-    joinArrays: async (set) => (await import('./ktx2.ts')).joinArrays(set),
+    fetchArrays: async () => (await import('./ktx2.ts')).arraysOf(parser),
   }
 }
 
 /** Groups meshes by face: the primitives of a glTF mesh that have one material are one face. */
 export function facesOf(gltf: GLTF, parser: Parser): [Mesh, ...Mesh[]][] {
-  const faces = new Map<Object3D, Map<Material, [Mesh, ...Mesh[]]>>()
+  const faces: [Mesh, ...Mesh[]][] = []
+  const seen = new Set<Object3D>()
   for (const scene of gltf.scenes) {
     scene.traverse((object) => {
       const mesh = object as Mesh
-      if (!mesh.isMesh) return
-      const whole = isPart(mesh, parser) ? mesh.parent! : mesh
-      const parts = faces.get(whole) ?? new Map<Material, [Mesh, ...Mesh[]]>()
-      faces.set(whole, parts)
-      const material = surfaceOf(mesh)
-      const meshes = parts.get(material)
-      if (!meshes) parts.set(material, [mesh])
-      else if (!meshes.includes(mesh)) meshes.push(mesh)
+      if (!mesh.isMesh || seen.has(mesh)) return
+      seen.add(mesh)
+      const face = isPart(mesh, parser) && faces.find(([first]) => isSibling(first, mesh))
+      if (face) face.push(mesh)
+      else faces.push([mesh])
     })
   }
-  return [...faces.values()].flatMap((parts) => [...parts.values()])
+  return faces
+}
+
+function isSibling(first: Mesh, mesh: Mesh): boolean {
+  return first.parent === mesh.parent && surfaceOf(first) === surfaceOf(mesh)
 }
 
 /** Whether a mesh is one of several primitives of a glTF mesh, which the loader turns into a group. */

@@ -4,9 +4,11 @@ import type { AutoRunOptions } from '../../auto/run-worker.ts'
 import { isObject, wrongArgument } from '../../core/argument.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
+import type { WrinkleMaps } from '../../drivers/parse.ts'
 import { extensionOf, type FileWrinkles } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
 import { VALUE_KINDS } from '../../runtime/layer-maps.ts'
+import { areSums } from '../../runtime/morph-drivers.ts'
 import { nextTask } from '../../runtime/next-task.ts'
 import { prepareDrivers } from '../../runtime/prepare-drivers.ts'
 import { FADE } from '../fading/fade.ts'
@@ -62,7 +64,12 @@ export class WrinkleLoader {
   readonly #options: Required<WrinklesOptions>
   readonly #auto: AutoRunOptions | undefined
   readonly #warnings = new Warnings('WrinkleLoaderPlugin')
-  #reader: ReturnType<typeof materialReader> | undefined
+  /** The first of each set, whose textures all others use. */
+  readonly #bySet = new Map<FileWrinkles['set'], WrinklesBase>()
+  /** The first of each material. */
+  readonly #byMaterial = new Map<Material, WrinklesBase>()
+  /** Reads the wrinkles of a material, once. */
+  readonly #read: ReturnType<typeof materialReader>
 
   constructor(parser: GLTFParser, parts: LoaderParts, { auto, ...options }: WrinkleLoaderOptions) {
     if (auto !== undefined && !isObject(auto)) {
@@ -73,6 +80,10 @@ export class WrinkleLoader {
     checkOptions(this.#options, 'WrinkleLoaderPlugin')
     this.#parser = parser
     this.#parts = parts
+    this.#read = materialReader(parser, {
+      onFault: (fault) => this.#warnings.add(fault, 'the other drivers work'),
+      onMaps: (maps) => this.#prefetch(maps),
+    })
   }
 
   /** Called by the loader before it loads anything. */
@@ -85,29 +96,19 @@ export class WrinkleLoader {
     dropBrokenChannels(this.#parser, this.#warnings)
   }
 
-  /** Begins to read the wrinkles of the meshes' materials, and to fetch what these take, while the rest is loaded. */
+  /** Begins to read the wrinkles of the meshes' materials while the rest is loaded. */
   #begin(): void {
     for (const material of materialsOfMeshes(this.#parser.json)) {
-      const maps = extensionOf(material, this.#parser) as WrittenMaps | null | undefined
-      if (maps === undefined) continue
       // Whatever is wrong is told when the wrinkles are added.
-      this.#read(material).catch(() => {})
-      const [layers, drivers] = [maps?.layers, maps?.drivers].map((items) =>
-        Array.isArray(items) ? items : [],
-      )
-      if (layers.some((layer) => VALUE_SLOTS.some((slot) => layer?.[slot]))) {
-        this.#parts.renderer.channels.load().catch(() => {})
-      }
-      if (drivers.some((driver) => driver?.type !== 'morph')) import('./any-drivers.ts').catch(() => {})
+      if (extensionOf(material, this.#parser) !== undefined) this.#read(material).catch(() => {})
     }
   }
 
-  /** Reads the wrinkles of a material, once. */
-  #read(material: number): Promise<FileWrinkles> {
-    this.#reader ??= materialReader(this.#parser, {
-      onFault: (fault) => this.#warnings.add(fault, 'the other drivers work'),
-    })
-    return this.#reader(material)
+  /** Begins to fetch what the wrinkles of a material take. */
+  #prefetch({ layers, drivers }: WrinkleMaps): void {
+    const hasValues = layers.some((layer) => VALUE_KINDS.some((kind) => layer[`${kind}Texture`]))
+    if (hasValues) this.#parts.renderer.channels.load().catch(() => {})
+    if (!areSums(drivers)) import('./any-drivers.ts').catch(() => {})
   }
 
   /** Called by the loader when everything else is loaded. */
@@ -115,19 +116,23 @@ export class WrinkleLoader {
     const wrinkles: WrinklesBase[] = []
     gltf.userData.wrinkles = wrinkles
     const faces: LoadedFace[] = []
-    const added: AddedFaces = { file: gltf, bySet: new Map(), byMaterial: new Map() }
-    const addFace: AddFace = (meshes, read) => this.#addFace(meshes, read, added)
-    const plain = new Set<number>()
+    const addFace: AddFace = (meshes, read) => this.#addFace(meshes, read, gltf)
     const wrinkled = wrinkledFaces(gltf, this.#parser)
-    if (this.#auto && wrinkled.length === 0) await this.#beginAuto(gltf, this.#auto, addFace)
+    if (this.#auto && wrinkled.length === 0) {
+      const options = { areaSize: this.#options.areaSize, ...this.#auto }
+      try {
+        const { beginAuto } = await import('./auto-wrinkles.ts')
+        beginAuto(gltf, facesOf(gltf, this.#parser), options, addFace, this.#warnings)
+      } catch (error) {
+        this.#warnings.add(error, 'the file stays plain')
+      }
+    }
     for (const { meshes, material } of wrinkled) {
       try {
         const own = await addFace(meshes, await this.#read(material))
         wrinkles.push(own)
         faces.push({ material, wrinkles: own })
       } catch (error) {
-        if (plain.has(material)) continue
-        plain.add(material)
         const { name } = this.#parser.json.materials[material]
         this.#warnings.add(error, `material ${JSON.stringify(name ?? material)} stays plain`)
       }
@@ -135,19 +140,6 @@ export class WrinkleLoader {
     if (faces.length === 0 || !hasPointers(this.#parser)) return
     const { addActivationTracks } = await import('./key-frames.ts')
     await addActivationTracks(gltf, this.#parser, faces, this.#warnings)
-  }
-
-  /** Begins to make wrinkles from the blendshapes of a file, while it is at rest. They are added when they are done. */
-  async #beginAuto(gltf: GLTF, auto: AutoRunOptions, addFace: AddFace): Promise<void> {
-    const warn = (error: unknown) => this.#warnings.add(error, 'the file stays plain')
-    const options = { areaSize: this.#options.areaSize, ...auto }
-    const faces = facesOf(gltf, this.#parser)
-    try {
-      const { addAutoWrinkles } = await import('./auto-wrinkles.ts')
-      gltf.userData.wrinklesReady = addAutoWrinkles(gltf, faces, options, addFace).catch(warn)
-    } catch (error) {
-      warn(error)
-    }
   }
 
   get #isVrm(): boolean {
@@ -158,18 +150,18 @@ export class WrinkleLoader {
   async #addFace(
     meshes: FileFace['meshes'],
     { set, drivers }: FileWrinkles,
-    { file, bySet, byMaterial }: AddedFaces,
+    file: GLTF,
   ): Promise<WrinklesBase> {
     const material = surfaceOf(meshes[0])
-    const copy = byMaterial.get(material)?.cloneMaterial()
+    const copy = this.#byMaterial.get(material)?.cloneMaterial()
     // Another face with the same material has its own activations, and so needs its own material.
     if (copy) for (const mesh of meshes) mesh.material = copy
     const drive = await this.#prepareDrivers(meshes[0], drivers)
     // What comes after it packs all maps: a task of its own, after that of the last image.
     await Promise.all([this.#fetchParts(set, material as WrinkleMaterial), nextTask()])
-    const own = this.#addWrinkles(meshes, bySet.get(set) ?? set, drive, { file })
-    if (!bySet.has(set)) bySet.set(set, own)
-    if (!copy) byMaterial.set(material, own)
+    const own = this.#addWrinkles(meshes, this.#bySet.get(set) ?? set, drive, { file })
+    if (!this.#bySet.has(set)) this.#bySet.set(set, own)
+    if (!copy) this.#byMaterial.set(material, own)
     return own
   }
 
@@ -254,20 +246,6 @@ interface FaceOrigin {
   file?: GLTF
   copyOf?: WrinklesBase
 }
-
-/** The wrinkles of a file as they are added. */
-interface AddedFaces {
-  file: GLTF
-  /** The first of each set, whose textures all others use. */
-  bySet: Map<FileWrinkles['set'], WrinklesBase>
-  /** The first of each material. */
-  byMaterial: Map<Material, WrinklesBase>
-}
-
-/** What is in a file, which may be anything. */
-type WrittenMaps = Record<'layers' | 'drivers', Record<string, unknown>[] | undefined>
-
-const VALUE_SLOTS = VALUE_KINDS.map((kind) => `${kind}Texture`)
 
 /** The materials that a file's meshes have, as far as it is sound. */
 function materialsOfMeshes({ meshes, materials }: GLTFParser['json']): Set<number> {

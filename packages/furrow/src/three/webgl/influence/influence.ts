@@ -4,7 +4,8 @@
  * inside branches, where neighbouring pixels may diverge.
  */
 export function influenceFromMap(layers: number, isInstanced: boolean): string {
-  const channels = Array.from({ length: 4 }, (_, i) => (i < layers ? `influence[${i}]` : '0.0'))
+  // What the texture lacks is 0 in a sample, but alpha is 1.
+  const alpha = layers < 4 ? '0.0' : 'influence.a'
   return /* glsl */ `${INFLUENCE_LOOKUP}
 ${isInstanced ? 'flat in highp vec2 vFurrowCorner;' : ''}
 vec4 furrowInfluence = vec4(0.0);
@@ -18,7 +19,7 @@ void furrowSampleInfluence(vec2 unwrapped) {
   furrowDx = dFdx(unwrapped);
   furrowDy = dFdy(unwrapped);
   vec4 influence = furrowLookUp(furrowUv, ${isInstanced ? 'vFurrowCorner' : 'furrowCell.xy'});
-  furrowInfluence = vec4(${channels.join(', ')});
+  furrowInfluence = vec4(influence.rgb, ${alpha});
   furrowHasInfluence = any(greaterThan(furrowInfluence, vec4(0.0)));
 }
 `
