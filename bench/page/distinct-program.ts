@@ -26,7 +26,7 @@ export function giveDistinctProgram(material: Material, renderer: RendererKind):
   patchShader(material, {
     key,
     uniforms: {},
-    edit(shader) {
+    apply(shader) {
       const add = (chunk: string) => `${chunk}\ngl_FragColor.r += ${constant};`
       shader.fragmentShader = replaceChunk(shader.fragmentShader, 'dithering_fragment', add)
     },

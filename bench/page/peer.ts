@@ -63,7 +63,7 @@ function patchGlsl(material: MeshPhysicalMaterial, { textures, weights, glsl }: 
       ...Object.fromEntries(Object.entries(textures).map(([name, value]) => [name, { value }])),
       peerWeights: { value: weights },
     },
-    edit(shader) {
+    apply(shader) {
       shader.fragmentShader = shader.fragmentShader
         .replace('void main() {', `${declarations}void main() {`)
         .replace('#include <normal_fragment_maps>', maps)

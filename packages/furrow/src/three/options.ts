@@ -4,7 +4,7 @@ import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE, MIN_AREA_SIZE } from '../core/limits
 
 /**
  * `default` mixes normals and lights once; `paper` lights twice and mixes colours; `composed` draws the mixed normals into a texture
- * that replaces the material's normal map; `auto` is the default mode, and the composed one while that is cheaper and looks the same; `off`
+ * that replaces the material's normal map; `auto` begins as the default mode, and then draws the face in cheaper ways that look the same; `off`
  * shows no wrinkles.
  */
 export type WrinkleMode = 'default' | 'auto' | 'paper' | 'composed' | 'off'
@@ -38,8 +38,8 @@ export interface WrinklesOptions {
   /** Whether the layers' heights move the surface, `auto` by default. Heights are decoded, and triangles split, when that is first wanted. */
   relief?: ReliefMode
   /**
-   * Bytes of texture memory that the maps of all faces in the mode `auto` may take together, 64 MiB by default; a face whose map does not
-   * fit stays in the default mode. A map of 1024 x 1024 takes 5.6 MB.
+   * Bytes of texture memory that the maps of all faces in the mode `auto` may take together, 64 MiB by default; a face whose maps do not
+   * fit stays in the default mode. A map of 1024 x 1024 takes 5.6 MB: one that faces with the same maps share, and one of each still face.
    */
   textureBudget?: number
 }

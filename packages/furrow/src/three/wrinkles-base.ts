@@ -280,7 +280,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
       if (this.mode !== 'off') this.mode = 'off'
       return
     }
-    if (isOverridden && this.#material.auto?.isComposed) return
+    if (isOverridden && this.#material.auto?.isReplaced) return
     this.#material.auto?.end()
     this.#material.settle(renderer)
     if (!isOverridden) this.#inputs.fade.value = this.#fadeOf(mesh, camera, renderer)

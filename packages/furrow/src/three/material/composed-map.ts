@@ -4,7 +4,9 @@ import {
   type Material,
   NearestFilter,
   OrthographicCamera,
+  type RedFormat,
   RenderTarget,
+  RGBAFormat,
   Scene,
   type Texture,
   type TextureDataType,
@@ -18,6 +20,7 @@ import type { QuadMaterials } from '../atlas/quad-materials.ts'
 import { Quads } from '../atlas/quads.ts'
 import { renderPreservingState } from '../atlas/render-preserving-state.ts'
 import type { AnyRenderer } from '../renderer.ts'
+import type { Channels } from './channels.ts'
 import { compileFor } from './compile-for.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 
@@ -40,8 +43,14 @@ export interface Size {
  *
  * @param level which level of the target is drawn, where each of its texels is one of `base` and one of the layers' maps, which then need no
  *   filter; none where sizes differ.
+ * @param channels where the map has the layers' visibility and blood too, in blue and alpha, and of normals x and y alone.
  */
-export type ComposeMaterial = (base: Texture, inputs: ShaderInputs, level?: Level) => Material
+export type ComposeMaterial = (
+  base: Texture,
+  inputs: ShaderInputs,
+  level?: Level,
+  channels?: Channels | null,
+) => Material
 
 /** Set before a level is drawn: 0 is the finest. */
 export interface Level {
@@ -51,6 +60,8 @@ export interface Level {
 export interface ComposedFormat extends Size {
   /** Bytes by default. */
   type?: TextureDataType
+  /** Four channels by default. */
+  format?: typeof RGBAFormat | typeof RedFormat
   /** What the material reads. */
   level?: Level | undefined
   /**
@@ -122,7 +133,7 @@ export class ComposedMap {
    */
   constructor(
     base: Texture,
-    { width, height, type = UnsignedByteType, levels = 1, level }: ComposedFormat,
+    { width, height, type = UnsignedByteType, format = RGBAFormat, levels = 1, level }: ComposedFormat,
     material: Material,
     hasContents: QuadMaterials['hasContents'],
   ) {
@@ -131,6 +142,7 @@ export class ComposedMap {
     this.#level = level
     this.target = new RenderTarget(width, height, {
       type,
+      format,
       depthBuffer: false,
       generateMipmaps: levels === 1,
       magFilter: LinearFilter,

@@ -23,8 +23,13 @@ export interface ShownMode {
   undo(): void
 }
 
-/** An edit of a material's shader. */
+/** What is changed of a shader: GLSL or nodes, known to the renderer's own rooms only. */
+export type Edit = object
+
+/** An edited material. */
 export interface Patch extends ShownMode {
-  /** Whether it is in effect, as it is at first; else the material's own program is built, as if it had never been edited. */
-  setShown(isShown: boolean): void
+  /** The edit that shows the mode, in effect at first. */
+  readonly edit: Edit
+  /** Puts another edit into effect; null for the material's own program, as if it had never been edited. */
+  setEdit(edit: Edit | null): void
 }

@@ -55,7 +55,7 @@ export class PatchedMaterial {
   /** What makes it show the mode; null while it is plain. */
   #shown: ShownMode | null = null
   /** Found before the material is patched. */
-  #isComposable = false
+  #isReplaceable = false
   readonly #options: PatchedMaterialOptions
 
   /** @param meshes of the face: a list that may grow, see `follow`. */
@@ -87,17 +87,20 @@ export class PatchedMaterial {
     return this.#pending ?? this.mode
   }
 
-  /** What draws the composed map now and then in the mode `auto`; null where that never happens, or not yet. */
+  /** What draws the face in cheaper ways in the mode `auto`; null where that never happens, or not yet. */
   get auto(): AutoMode | null {
-    const { others, quads } = this.#renderer
+    const { others, quads, channels } = this.#renderer
     const create = others.value?.auto.value
-    if (this.mode !== 'auto' || !create || !this.#isComposable) return null
+    if (this.mode !== 'auto' || !create || !this.#isReplaceable) return null
     this.#auto ??= create({
       material: this.#material,
       inputs: this.#inputs,
+      meshes: this.#meshes,
       patch: this.#shown as Patch,
       // Relief edits it too.
       hasOwnProgram: this.#patchRelief === null,
+      hasValues: Object.keys(this.#inputs.textures.values).length > 0,
+      channels: channels.value,
       hasContents: quads.hasContents,
       budget: this.#options.textureBudget,
     })
@@ -134,7 +137,7 @@ export class PatchedMaterial {
     this.#pending = null
     this.#apply(mode)
     // Until then it is the default mode.
-    if (mode === 'auto' && this.#isComposable) others.use(({ auto }) => auto.use())
+    if (mode === 'auto' && this.#isReplaceable) others.use(({ auto }) => auto.use())
   }
 
   /**
@@ -217,12 +220,10 @@ export class PatchedMaterial {
     return !this.#isRefused && this.#renderer.canPatch(this.#material)
   }
 
-  /** Whether a composed map would look as the default mode does: it has normals only, of one face, which the material's own program reads. */
-  get #canCompose(): boolean {
+  /** Whether other maps can take the place of the normal map: of one face, and read as three.js reads it. */
+  get #canReplaceMap(): boolean {
     const { fragmentShader, normalNode } = this.#material as WrinkleMaterial & { normalNode?: unknown }
-    const hasNormalsOnly = Object.keys(this.#inputs.textures.values).length === 0
-    const isRead = fragmentShader === undefined && !normalNode
-    return hasNormalsOnly && isRead && !isToon(this.#material) && !instancesOf(this.#mesh)
+    return fragmentShader === undefined && !normalNode && !isToon(this.#material) && !instancesOf(this.#mesh)
   }
 
   #apply(mode: WrinkleMode): void {
@@ -253,7 +254,7 @@ export class PatchedMaterial {
   }
 
   #patch(mode: WrinkleMode): void {
-    this.#isComposable = this.#canCompose
+    this.#isReplaceable = this.#canReplaceMap
     if (mode === 'off') return
     const material = this.#material
     material.normalMap ??= this.#flat

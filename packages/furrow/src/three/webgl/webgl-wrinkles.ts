@@ -3,14 +3,13 @@ import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { Fetched } from '../material/fetched.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import { isToon } from '../material/wrinkle-material.ts'
-import type { ValueKind, WrinkleTextures } from '../material/wrinkle-textures.ts'
 import { instancesOf } from '../mesh/instances.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import { quadMaterials } from './influence/influence-quads.ts'
 import { defaultFragment, instancedVertex, isPatchable, type ShaderVariant } from './mixing/default-shader.ts'
-import type { ShaderChannels } from './mixing/value-layers.ts'
-import { patchShader } from './patch/patch-shader.ts'
+import { type ShaderChannels, valueLayers } from './mixing/value-layers.ts'
+import { patchShader, type ShaderEdit } from './patch/patch-shader.ts'
 import { faultOf } from './patch/program-fault.ts'
 import { layerUniforms, mapUniforms } from './uniforms.ts'
 
@@ -22,7 +21,7 @@ export class WebGLWrinkles extends WrinklesBase {
 }
 
 /** The default mode. */
-const patch: RendererParts['patch'] = (material, inputs, meshes, events) => {
+const patch: RendererParts['patch'] = (material, inputs, meshes, { refuse, onCompile }) => {
   const { textures } = inputs
   const instances = instancesOf(meshes[0])
   const variant: ShaderVariant = {
@@ -33,15 +32,16 @@ const patch: RendererParts['patch'] = (material, inputs, meshes, events) => {
     anisotropic: textures.normals.texture.anisotropy > 1,
     isToon: isToon(material),
   }
-  return patchShader(material, {
+  const edit: ShaderEdit = {
     key: JSON.stringify(variant),
     uniforms: { ...mapUniforms(inputs), ...layerUniforms(inputs) },
-    edit(shader) {
+    apply(shader) {
       shader.fragmentShader = defaultFragment(shader.fragmentShader, variant, PARTS.channels.value)
       if (instances) shader.vertexShader = instancedVertex(shader.vertexShader, instances)
     },
-    ...events,
-  })
+    refuse,
+  }
+  return patchShader(material, edit, onCompile)
 }
 
 /**
@@ -65,14 +65,4 @@ export const PARTS: RendererParts & { channels: Fetched<ShaderChannels> } = {
   unlitMaterial: () => new MeshBasicMaterial({ color: 0, toneMapped: false }),
   quads: quadMaterials,
   loadRelief: async () => (await import('./relief/relief.ts')).RELIEF_PARTS,
-}
-
-function valueLayers(values: WrinkleTextures['values']): ShaderVariant['values'] {
-  const kinds = Object.keys(values) as ValueKind[]
-  return Object.fromEntries(
-    Object.entries(values).map(([kind, { texture, slices, channel }]) => {
-      const sampler = kinds.find((other) => values[other]!.texture === texture)!
-      return [kind, { slices, channel, sampler }]
-    }),
-  )
 }

@@ -21,4 +21,9 @@ export class ComposePolicy {
     this.#still = hasMoved || pixels < LEAST_PIXELS ? 0 : this.#still + 1
     return this.#still > PATIENCE
   }
+
+  /** Counts from the beginning. */
+  reset(): void {
+    this.#still = 0
+  }
 }

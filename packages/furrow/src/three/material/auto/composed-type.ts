@@ -6,6 +6,7 @@ import {
   UnsignedByteType,
 } from 'three'
 import type { WrinkleMaterial } from '../wrinkle-material.ts'
+import type { WrinkleTextures } from '../wrinkle-textures.ts'
 
 /**
  * The least roughness at which steps of 8 bits in a normal map change a picture by two steps of 8 bits at most: measured on a face with maps of
@@ -16,9 +17,22 @@ const ROUGH = 0.5
 /** The same of the factor of a roughness map, by which skin is smoother than its factor: there 0.6 changes it by four. */
 const ROUGH_WITH_MAP = 0.7
 
-/** The numbers of a composed map: half floats where the base map has them, and where steps of bytes would be seen in highlights. */
-export function composedType(base: Texture, material: WrinkleMaterial): TextureDataType {
-  return base.type === HalfFloatType || isGlossy(material) ? HalfFloatType : UnsignedByteType
+/** The largest amplitude of blood of which steps of 8 bits change a picture by two steps at most: 1.5 changes it by three. */
+const FLUSHED = 1
+
+/** The numbers of a composed map: half floats where the base map has them, and where steps of bytes would be seen. */
+export function composedType(
+  base: Texture,
+  material: WrinkleMaterial,
+  { layers }: WrinkleTextures,
+): TextureDataType {
+  const isFlushed = layers.some(({ blood, bloodAmplitude = 0 }) => blood && bloodAmplitude > FLUSHED)
+  return isOfBytes(base, material) && !isFlushed ? UnsignedByteType : HalfFloatType
+}
+
+/** Whether bytes do for normals. */
+export function isOfBytes(base: Texture, material: WrinkleMaterial): boolean {
+  return base.type !== HalfFloatType && !isGlossy(material)
 }
 
 /** Other models of light have no roughness. */

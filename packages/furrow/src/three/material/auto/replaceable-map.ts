@@ -20,6 +20,12 @@ export function isRepeated(
   return isPlaced && wrapS === wrapT && uvLayoutOf(mesh.geometry, channel).isInside
 }
 
+/** Whether two maps are shown at the same texture coordinates, and repeat alike. */
+export function isSamePlace(a: Texture, b: Texture): boolean {
+  for (const map of [a, b]) if (map.matrixAutoUpdate) map.updateMatrix()
+  return a.channel === b.channel && a.matrix.equals(b.matrix) && a.wrapS === b.wrapS && a.wrapT === b.wrapT
+}
+
 /** Whether a composed map can replace a normal map unseen: it is filtered as those of glTF are by default, and does not change by itself. */
 export function isReplaceable(map: Texture): boolean {
   const { width, height } = (map.image ?? {}) as Partial<Size>

@@ -1,5 +1,5 @@
 import type { Channels } from '../../material/channels.ts'
-import type { ValueKind } from '../../material/wrinkle-textures.ts'
+import type { ValueKind, WrinkleTextures } from '../../material/wrinkle-textures.ts'
 
 /** One kind of the layers' other maps, as a program depends on it. */
 export interface ValueLayers {
@@ -28,4 +28,15 @@ export interface AddedChannels {
   tint: string
   /** Mixes into the material's own maps where it reads them; without a map its own value is 1. */
   mixOthers(fragment: string): string
+}
+
+/** The layers' other maps, as a program depends on them. */
+export function valueLayers(values: WrinkleTextures['values']): Values {
+  const kinds = Object.keys(values) as ValueKind[]
+  return Object.fromEntries(
+    Object.entries(values).map(([kind, { texture, slices, channel }]) => {
+      const sampler = kinds.find((other) => values[other]!.texture === texture)!
+      return [kind, { slices, channel, sampler }]
+    }),
+  )
 }

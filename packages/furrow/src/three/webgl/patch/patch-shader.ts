@@ -1,44 +1,51 @@
 import type { IUniform, Material, WebGLProgramParametersWithUniforms, WebGLRenderer } from 'three'
-import type { Patch } from '../../material/patch.ts'
+import type { Edit, Patch } from '../../material/patch.ts'
 
-/** How a material's GLSL is edited. */
-interface ShaderPatch {
+/** An edit of a material's GLSL. */
+export interface ShaderEdit extends Edit {
   /** The same for edits that give the same program. */
   key: string
   uniforms: Record<string, IUniform>
   /** Throws where the shader cannot be edited. */
-  edit(shader: WebGLProgramParametersWithUniforms): void
+  apply(shader: WebGLProgramParametersWithUniforms): void
   /** Called where it cannot; the shader then stays as it was. */
   refuse(): void
-  /** Called after it was edited, before it is compiled. */
-  onCompile?(renderer: WebGLRenderer): void
 }
 
-/** Edits a material's own GLSL, after the user's `onBeforeCompile`, if any. */
+/**
+ * Edits a material's own GLSL, after the user's `onBeforeCompile`, if any.
+ *
+ * @param onCompile called after the shader was edited, before it is compiled.
+ */
 export function patchShader(
   material: Material,
-  { key, uniforms, edit, refuse, onCompile }: ShaderPatch,
+  edit: ShaderEdit,
+  onCompile?: (renderer: WebGLRenderer) => void,
 ): Patch {
-  let isShown = true
+  let current: ShaderEdit | null = edit
+  /** Those of all edits so far. */
+  const uniforms = { ...edit.uniforms }
   const { onBeforeCompile, customProgramCacheKey } = material
   const original = { onBeforeCompile, customProgramCacheKey }
   material.onBeforeCompile = (shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer) => {
     onBeforeCompile.call(material, shader, renderer)
     try {
-      if (isShown) edit(shader)
+      current?.apply(shader)
     } catch {
-      return refuse()
+      return current!.refuse()
     }
-    // Not into the object itself: a ShaderMaterial's is its own, which its copies copy. Into that of the material's own program too: three.js
-    // gives a program that it takes up again the uniforms of the one that it built last.
+    // Not into the object itself: a ShaderMaterial's is its own, which its copies copy. Those of all edits, into the material's own program too:
+    // three.js gives a program that it takes up again the uniforms of the one that it built last.
     shader.uniforms = { ...shader.uniforms, ...uniforms }
-    if (isShown) onCompile?.(renderer)
+    if (current) onCompile?.(renderer)
   }
   material.customProgramCacheKey = () =>
-    `${customProgramCacheKey.call(material)} furrow ${isShown ? key : ''}`
+    `${customProgramCacheKey.call(material)} furrow ${current?.key ?? ''}`
   return {
-    setShown(value) {
-      isShown = value
+    edit,
+    setEdit(other) {
+      current = other as ShaderEdit | null
+      Object.assign(uniforms, current?.uniforms)
     },
     undo: () => Object.assign(material, original),
   }

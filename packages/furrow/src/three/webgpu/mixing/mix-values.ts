@@ -63,7 +63,7 @@ function decode(kind: ValueKind, stored: Node<'vec3'>, scale: Node<'float'>): No
 }
 
 /** See `bloodOf` in the reference. */
-function bloodOf(stored: Node<'float'>): Node<'float'> {
+export function bloodOf(stored: Node<'float'>): Node<'float'> {
   const steps = stored.mul(255).sub(BLOOD_AT_REST).toVar()
   return select(steps.abs().lessThan(BLOOD_THRESHOLD), 0, max(steps.div(255 - BLOOD_AT_REST), -1))
 }

@@ -23,7 +23,7 @@ const watches = new WeakMap<Material, Watch>()
  * only, and draws nothing.
  */
 export function watched(material: Material, node: Node<'vec3'>): Node<'vec3'> {
-  const watch: Watch = { builds: [], fault: null }
+  const watch: Watch = watches.get(material) ?? { builds: [], fault: null }
   watches.set(material, watch)
   return Fn((_: [], nodeBuilder: NodeBuilder) => {
     const builder = nodeBuilder as Builder

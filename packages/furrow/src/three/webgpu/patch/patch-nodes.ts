@@ -1,5 +1,5 @@
 import type { MeshStandardNodeMaterial, Node } from 'three/webgpu'
-import type { Patch } from '../../material/patch.ts'
+import type { Edit, Patch } from '../../material/patch.ts'
 import type { WrinkleMaterial } from '../../material/wrinkle-material.ts'
 import { unwatch, watched } from './build-fault.ts'
 
@@ -27,27 +27,33 @@ export function patchNodes(material: Patched, added: Added): Patch {
   const original = Object.fromEntries(
     PATCHED.filter((key) => Object.hasOwn(material, key)).map((key) => [key, material[key]]),
   )
-  // The renderer shares one built program among plain materials with equal properties, and nodes are not
-  // among those it compares; these read textures of their own.
-  const variant = `furrow ${patchCount++}`
-  const cacheKey = material.customProgramCacheKey
-  const patched = {
-    ...added,
-    normalNode: watched(material, added.normalNode),
-    customProgramCacheKey: () => `${cacheKey.call(material)} ${variant}`,
+  const { customProgramCacheKey } = material
+  const known = new Map<Edit, object>()
+  const patchedBy = (edit: Added) => {
+    // The renderer shares one built program among plain materials with equal properties, and nodes are not
+    // among those it compares; these read textures of their own.
+    const variant = `furrow ${patchCount++}`
+    return {
+      ...original,
+      ...edit,
+      normalNode: watched(material, edit.normalNode),
+      customProgramCacheKey: () => `${customProgramCacheKey.call(material)} ${variant}`,
+    }
   }
   // In place: the order of a material's properties is part of what three.js knows a program by.
-  const setShown = (isShown: boolean) => {
-    Object.assign(material, isShown ? patched : original)
-    if (isShown) return
-    for (const key of Object.keys(patched)) if (!(key in original)) Reflect.deleteProperty(material, key)
+  const setEdit = (edit: Edit | null) => {
+    if (edit && !known.has(edit)) known.set(edit, patchedBy(edit as Added))
+    const patched = (edit && known.get(edit)) ?? original
+    Object.assign(material, patched)
+    for (const key of PATCHED) if (!(key in patched)) Reflect.deleteProperty(material, key)
   }
-  setShown(true)
+  setEdit(added)
   return {
-    setShown,
+    edit: added,
+    setEdit,
     undo() {
       unwatch(material)
-      setShown(false)
+      setEdit(null)
     },
   }
 }

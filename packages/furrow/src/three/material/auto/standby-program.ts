@@ -3,9 +3,11 @@ import { nextTask } from '../../../runtime/next-task.ts'
 import { rootOf } from '../../mesh/root-of.ts'
 import type { AnyRenderer } from '../../renderer.ts'
 import { compileFor } from '../compile-for.ts'
-import type { Patch } from '../patch.ts'
+import type { Edit } from '../patch.ts'
 import { withSurface } from '../surface.ts'
 import { cloneByClass, type WrinkleMaterial } from '../wrinkle-material.ts'
+import type { FaceHost } from './face-host.ts'
+import type { ShownEdit } from './shown-edit.ts'
 
 /** How a mesh of the face was drawn last. */
 export interface DrawnMesh {
@@ -18,25 +20,29 @@ export interface DrawnMesh {
 export type DrawnMeshes = ReadonlyMap<Mesh, DrawnMesh>
 
 /**
- * Compiles the material's own program while the default mode's is drawn, so that the two can change within a frame. `WebGLRenderer` shares a
- * program among materials that are alike, and keeps those that a material has had. `WebGPURenderer` shares them too, and keeps one as long as
- * a mesh with one of the materials: so copies of the material hold both.
+ * Compiles another program of a material than the default mode's while that is drawn, so that the two can change within a frame.
+ * `WebGLRenderer` shares a program among materials that are alike, and keeps those that a material has had. `WebGPURenderer` shares them too,
+ * and keeps one as long as a mesh with one of the materials: so copies of the material hold both.
  */
-export class OwnProgram {
+export class StandbyProgram {
+  /** What the material is edited by; null for its own program. */
+  readonly edit: Edit | null
   readonly #material: WrinkleMaterial
-  readonly #patch: Patch
+  readonly #defaultEdit: Edit
+  readonly #shown: ShownEdit
   readonly #map: Texture
   #copies: WrinkleMaterial[] = []
   #isReady = false
   #isDisposed = false
 
   /**
-   * @param patch what makes the default mode of the material.
-   * @param map the material's normal map while its own program is drawn.
+   * @param map the material's normal map while this program is drawn.
    */
-  constructor(material: WrinkleMaterial, patch: Patch, map: Texture) {
+  constructor({ material, patch, shown }: FaceHost, edit: Edit | null, map: Texture) {
+    this.edit = edit
     this.#material = material
-    this.#patch = patch
+    this.#defaultEdit = patch.edit
+    this.#shown = shown
     this.#map = map
   }
 
@@ -71,18 +77,16 @@ export class OwnProgram {
   }
 
   async #compile(renderer: AnyRenderer, meshes: DrawnMeshes): Promise<void> {
-    for (const isShown of 'isWebGLRenderer' in renderer ? [false] : [false, true]) {
+    const edits = 'isWebGLRenderer' in renderer ? [this.edit] : [this.edit, this.#defaultEdit]
+    for (const edit of edits) {
       for (const [mesh, drawn] of meshes) {
         // `WebGPURenderer` fails when a second compilation begins in the task of a first.
         await nextTask()
         if (this.#isDisposed) return
-        this.#patch.setShown(isShown)
-        const copy = copyOf(this.#material)
-        if (!isShown) copy.normalMap = this.#map
+        const copy = this.#shown.during(edit, () => copyOf(this.#material))
+        if (edit === this.edit) copy.normalMap = this.#map
         this.#copies.push(copy)
-        const compiled = this.#compileOn(renderer, mesh, copy, drawn)
-        this.#patch.setShown(true)
-        await compiled
+        await this.#shown.during(edit, () => this.#compileOn(renderer, mesh, copy, drawn))
         // `WebGPURenderer` may have made its data for the copy since.
         if (this.#isDisposed) return copy.dispose()
       }

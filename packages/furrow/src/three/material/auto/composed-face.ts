@@ -1,0 +1,194 @@
+import { type MeshStandardMaterial, RedFormat, type Texture } from 'three'
+import { nextTask } from '../../../runtime/next-task.ts'
+import type { AnyRenderer } from '../../renderer.ts'
+import { ComposedMap, composedSize, levelsOf, type Size } from '../composed-map.ts'
+import type { Edit } from '../patch.ts'
+import { ComposePolicy } from './compose-policy.ts'
+import { bytesOfTexel, composedType } from './composed-type.ts'
+import type { FaceHost } from './face-host.ts'
+import { isReplaceable, isSamePlace } from './replaceable-map.ts'
+import { halvingsOf } from './screen-need.ts'
+import { type DrawnMeshes, StandbyProgram } from './standby-program.ts'
+import { allocate, bytesOfMap, free } from './texture-budget.ts'
+
+/** How much finer than the screen needs a map is made, so that a camera that comes a little nearer keeps it. */
+const RESERVE = 1.2
+
+const NO_SIZE: Size = { width: 0, height: 0 }
+
+/** Composed maps, and what they were made from. */
+interface Made {
+  normals: ComposedMap
+  /** The material's own occlusion with that of the layers; null where one of them has none. */
+  occlusion: ComposedMap | null
+  base: Texture
+  baseVersion: number
+  aoMap: Texture | null
+  /** How often the sides of the full size were halved. */
+  halvings: number
+  bytes: number
+  /** What draws the face meanwhile; null where that is always the default mode's. */
+  program: StandbyProgram | null
+  state: 'new' | 'drawing' | 'drawn'
+}
+
+/** What the views of a frame need. */
+export interface View {
+  /** That the face covers, at most. */
+  pixels: number
+  /** Texels of the finest level that is seen, if the whole map were as fine. */
+  side: number
+}
+
+/**
+ * What a face is drawn with while it holds still: a map of normals that are mixed already, and the material's own program. Where layers have
+ * occlusion and blood, the map has these too, in blue and alpha, and a program is compiled that reads them.
+ */
+export class ComposedFace {
+  readonly #host: FaceHost
+  readonly #policy = new ComposePolicy()
+  readonly #edit: Edit | null
+  /** Whether the edit turned out not to be possible. */
+  #isRefused = false
+  #made: Made | null = null
+
+  constructor(host: FaceHost) {
+    this.#host = host
+    const { hasValues, shaders, material, inputs, patch, channels } = host
+    const refuse = () => {
+      this.#isRefused = true
+    }
+    this.#edit = hasValues ? shaders.composedEdit(material, inputs, { patch, channels, refuse }) : null
+  }
+
+  /** Called once in a frame, after `hasMoved` was found. */
+  step(
+    renderer: AnyRenderer,
+    base: Texture | null,
+    { pixels, side }: View,
+    values: Float32Array,
+    hasMoved: boolean,
+    meshes: DrawnMeshes,
+  ): void {
+    const isUsable = base !== null && this.#canCompose(base)
+    const size = isUsable ? this.#sizeFor(base) : NO_SIZE
+    const made = this.#made
+    const isLost = made?.state === 'drawn' && !this.#host.hasContents(renderer, made.normals.target)
+    const isFit = isUsable && (!made || this.#isKept(made, base, halvingsOf(size, side)))
+    if (!isFit || isLost) this.drop()
+    const isWanted = this.#policy.step(hasMoved || !isFit || isLost, pixels)
+    if (!isWanted && this.#made) this.#made.state = 'new'
+    if (!isWanted || !isUsable) return
+    this.#made ??= this.#make(base, size, side)
+    if (this.#made?.state === 'new') this.#draw(this.#made, renderer, values, meshes)
+  }
+
+  /** The maps to draw with, if they are fine enough for a view; null else. */
+  mapsFor(base: Texture, side: number): Made | null {
+    const made = this.#made
+    if (made?.state !== 'drawn' || made.base !== base || this.#isRefused) return null
+    if (this.#host.hasValues && !made.program?.isReady) return null
+    // Another view of this frame may be nearer than those of the last.
+    return halvingsOf(this.#sizeFor(base), side) < made.halvings ? null : made
+  }
+
+  drop(): void {
+    if (!this.#made) return
+    const { normals, occlusion, program, bytes } = this.#made
+    this.#made = null
+    free(bytes)
+    normals.dispose()
+    occlusion?.dispose()
+    program?.dispose()
+  }
+
+  #sizeFor(base: Texture): Size {
+    return composedSize(base, this.#host.inputs.textures.normals.texture)
+  }
+
+  /** Whether a map of its own can have all that the layers change. */
+  #canCompose(base: Texture): boolean {
+    const { material, inputs, hasValues, hasOwnProgram } = this.#host
+    if (!hasValues) return true
+    const { baseColor, roughness, occlusion } = inputs.textures.values
+    const { aoMap } = material as Partial<MeshStandardMaterial>
+    const isOccluded = !occlusion || !aoMap || (isReplaceable(aoMap) && isSamePlace(aoMap, base))
+    return hasOwnProgram && !this.#isRefused && !baseColor && !roughness && isOccluded
+  }
+
+  /** Makes maps as fine as the screen needs; null if there is not the memory for them. */
+  #make(base: Texture, { width, height }: Size, side: number): Made | null {
+    const { material, hasOwnProgram, hasValues, inputs, hasContents, shaders, channels, budget } = this.#host
+    const halvings = halvingsOf({ width, height }, RESERVE * side)
+    const size = { width: width >> halvings, height: height >> halvings }
+    const type = composedType(base, material, inputs.textures)
+    const format = { ...size, levels: levelsOf(size) }
+    const own = (material as Partial<MeshStandardMaterial>).aoMap
+    const aoMap = (inputs.textures.values.occlusion && own) || null
+    const bytes = bytesOfMap(size, bytesOfTexel(type) + (aoMap ? 1 : 0))
+    if (!allocate(bytes, budget)) return null
+    // The face's own fade is 0 while the map is drawn in its place.
+    const whole = { ...inputs, fade: { value: 1 } }
+    const added = hasValues ? channels : null
+    const normals = new ComposedMap(
+      base,
+      { ...format, type },
+      shaders.composeMaterial(base, whole, undefined, added),
+      hasContents,
+    )
+    const occlusion =
+      aoMap &&
+      new ComposedMap(
+        aoMap,
+        { ...format, format: RedFormat },
+        shaders.occlusionMaterial(aoMap, whole, channels!),
+        hasContents,
+      )
+    for (const map of [normals, occlusion]) if (map) map.target.texture.matrixAutoUpdate = false
+    const program = hasOwnProgram ? new StandbyProgram(this.#host, this.#edit, normals.target.texture) : null
+    return {
+      normals,
+      occlusion,
+      base,
+      baseVersion: base.version,
+      aoMap,
+      halvings,
+      bytes,
+      program,
+      state: 'new',
+    }
+  }
+
+  /** After this frame, so that it does not wait for it; what cannot be drawn is not shown. */
+  #draw(made: Made, renderer: AnyRenderer, values: Float32Array, meshes: DrawnMeshes): void {
+    made.state = 'drawing'
+    const { areas, textures } = this.#host.inputs
+    const { normals, occlusion, program } = made
+    const isCurrent = () => this.#made === made && made.state === 'drawing'
+    const draw = () => {
+      if (!isCurrent()) return
+      const version = areas.version + textures.version
+      normals.update(renderer, areas, values, 1, version)
+      occlusion?.update(renderer, areas, values, 1, version)
+      made.state = 'drawn'
+    }
+    const compile = async () => {
+      await nextTask()
+      if (!isCurrent()) return
+      await normals.compile(renderer)
+      await occlusion?.compile(renderer)
+      if (isCurrent()) await program?.prepare(renderer, meshes)
+    }
+    compile().then(draw, () => {})
+  }
+
+  /** Whether maps still serve. */
+  #isKept(made: Made, base: Texture, halvings: number): boolean {
+    const { material, inputs } = this.#host
+    const { aoMap = null } = material as Partial<MeshStandardMaterial>
+    if (made.base !== base || made.baseVersion !== base.version) return false
+    if (inputs.textures.values.occlusion && made.aoMap !== aoMap) return false
+    if (made.normals.target.texture.type !== composedType(base, material, inputs.textures)) return false
+    return halvings === made.halvings || halvings === made.halvings + 1
+  }
+}

@@ -1,0 +1,204 @@
+import type { Layer, WrinkleSet } from 'furrow'
+import { scaleLayer, updateLayer } from 'furrow/three'
+import { ClampToEdgeWrapping, type Material, Mesh, MeshPhysicalMaterial } from 'three'
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest'
+import { layer, randomNormals, randomSet } from '../cases.ts'
+import { seeded } from '../random.ts'
+import { FRAMES, faceOf, MAP, UNSEEN } from './auto-face.ts'
+import { largestDifference } from './difference.ts'
+import { createHarness, type Harness, RENDERERS, squareCamera } from './harness.ts'
+import { loseContext } from './lose-context.ts'
+import { normalMap } from './normal-map.ts'
+
+/** Of a dual map of that size with its mipmaps. */
+const BYTES = (MAP * MAP * 4 * 4) / 3
+
+function material(options: ConstructorParameters<typeof MeshPhysicalMaterial>[0] = {}) {
+  return new MeshPhysicalMaterial({ normalMap: normalMap(2, MAP), roughness: 0.6, ...options })
+}
+
+function setWith(...layers: Layer[]): WrinkleSet {
+  const set = randomSet(seeded(4), 6, 16, MAP)
+  const areas = set.areas.map((area, i) => ({ ...area, layer: layers[i % layers.length].name }))
+  return { ...set, areas, layers }
+}
+
+function gray(seed: number) {
+  const random = seeded(seed)
+  return { width: MAP, height: MAP, data: Uint8Array.from({ length: MAP * MAP }, () => 256 * random()) }
+}
+
+const normals = (seed: number) => randomNormals(seeded(seed), MAP)
+
+/** Every kind of map and layer that there is. */
+const SETS: [string, WrinkleSet][] = [
+  ['a layer that replaces', setWith(layer('skin', 'replace', normals(5)))],
+  ['a layer of details', setWith(layer('skin', 'detail', normals(5)))],
+  [
+    'three layers',
+    setWith(
+      layer('up', 'detail', normals(5)),
+      layer('down', 'replace', normals(6)),
+      layer('in', 'detail', normals(7)),
+    ),
+  ],
+  ['occlusion', setWith({ ...layer('skin', 'detail', normals(5)), occlusion: gray(8) })],
+  [
+    'occlusion and blood of two layers',
+    setWith(
+      { ...layer('up', 'detail', normals(5)), occlusion: gray(8), occlusionStrength: 0.7 },
+      {
+        ...layer('down', 'replace', normals(6)),
+        occlusion: gray(9),
+        blood: gray(10),
+        bloodAmplitude: 0.8,
+      },
+    ),
+  ],
+  ['blood', setWith({ ...layer('skin', 'replace', normals(5)), blood: gray(10), bloodAmplitude: 1.5 })],
+]
+
+describe.each(RENDERERS)('maps of the mode auto on %s', (name) => {
+  let harness: Harness
+  const disposers: (() => void)[] = []
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterEach(() => {
+    for (const dispose of disposers.splice(0)) dispose()
+  })
+  afterAll(() => harness.dispose())
+
+  function face(...own: Parameters<typeof faceOf> extends [Harness, ...infer Rest] ? Rest : never) {
+    const made = faceOf(harness, ...own)
+    disposers.push(() => made.wrinkles.dispose())
+    return made
+  }
+
+  it.each(SETS)('a face with %s looks the same while it moves and while it is still', async (_, set) => {
+    const aoMap = normalMap(11, MAP)
+    for (const own of [material(), material({ aoMap, aoMapIntensity: 0.8 })]) {
+      const { picture, moved, composed, wanted } = face({}, own, set)
+      await moved()
+      expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
+      await composed()
+      expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
+      expect(own.aoMap === null || own.aoMap === aoMap).toBe(true)
+    }
+  })
+
+  it('occlusion at other texture coordinates, base colours and roughness are mixed in while a face is still, too', async () => {
+    const aoMap = normalMap(11, MAP)
+    aoMap.repeat.set(2, 2)
+    const occluded = setWith({ ...layer('skin', 'detail', normals(5)), occlusion: gray(8) })
+    const rough = setWith({ ...layer('skin', 'detail', normals(5)), roughness: gray(8) })
+    for (const [own, set] of [
+      [material({ aoMap }), occluded],
+      [material(), rough],
+    ] as const) {
+      const { wrinkles, shown, moved, picture, wanted, frames } = face({}, own, set)
+      await moved()
+      expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
+      wrinkles.mode = 'auto'
+      await moved()
+      await frames()
+      expect(shown).toMatchObject({ isComposed: false, isDual: true })
+    }
+  })
+
+  it('follows the scale of a layer, and is made anew for maps that change', async () => {
+    const { wrinkles, shown, moved, picture, wanted, material } = face()
+    await moved()
+    material.normalScale.set(0.6, 1.2)
+    expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
+    scaleLayer(wrinkles, 'skin', { normalScale: 0.5 })
+    await moved()
+    expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
+    await moved()
+    updateLayer(wrinkles, 'skin', { normal: normals(12) })
+    expect(largestDifference(await picture(), await wanted())).toBe(0)
+    expect(shown.isDual).toBe(false)
+    await moved()
+    expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
+  })
+
+  it('faces with the same maps share one', async () => {
+    const set = randomSet(seeded(4), 6, 16, MAP)
+    const own = material()
+    const budget = { textureBudget: 1.5 * BYTES }
+    const first = face(budget, own, set)
+    await first.moved()
+    const clone = own.clone() as MeshPhysicalMaterial
+    const second = faceOf(harness, budget, clone, first.wrinkles)
+    disposers.push(() => second.wrinkles.dispose())
+    await second.moved()
+    const third = face(budget, material({ normalMap: normalMap(3, MAP) }), set)
+    await third.frames()
+    expect(third.shown.isDual).toBe(false)
+  })
+
+  it.each(SETS.slice(0, 2))(
+    'a mesh that the wrinkles are not told of shares them, or has none, with %s',
+    async (_, set) => {
+      const { mesh, wrinkles, scene, moved, picture } = face({}, material(), set)
+      await moved()
+      const wrinkled = await picture()
+      // Drawn after the face, and unknown to it.
+      const other = new Mesh(mesh.geometry, mesh.material as Material)
+      other.renderOrder = 1
+      scene.add(other)
+      const shared = await picture()
+      wrinkles.mode = 'off'
+      const differences = [wrinkled, await picture()].map((known) => largestDifference(shared, known))
+      expect(Math.min(...differences)).toBeLessThanOrEqual(UNSEEN)
+      other.removeFromParent()
+    },
+  )
+
+  it('normal maps that do not repeat, of faces that wrap, are left alone', async () => {
+    const clamped = normalMap(2, MAP)
+    clamped.wrapS = ClampToEdgeWrapping
+    const { shown, frames, mesh } = face({}, material({ normalMap: clamped }))
+    const uv = mesh.geometry.getAttribute('uv')
+    for (let i = 0; i < uv.count; i++) uv.setXY(i, 1.5 * uv.getX(i), uv.getY(i))
+    await frames()
+    expect(shown.isDual).toBe(false)
+  })
+
+  if (name === 'webgl') {
+    it('a page that reads the normal map in its own way keeps the default mode', async () => {
+      const own = material()
+      own.onBeforeCompile = (shader) => {
+        const read = 'gl_FragColor.b *= texture2D( normalMap, vNormalMapUv ).b;'
+        shader.fragmentShader = shader.fragmentShader.replace('#include <dithering_fragment>', read)
+      }
+      const set = setWith({ ...layer('skin', 'detail', normals(5)), occlusion: gray(8) })
+      const { shown, frames, wanted } = face({}, own, set)
+      expect(largestDifference(await frames(3 * FRAMES), await wanted())).toBe(0)
+      expect(shown).toMatchObject({ isComposed: false, isDual: false })
+    })
+
+    it('is drawn again when a context is restored', async () => {
+      const lost = await createHarness('webgl')
+      const { moved, picture, wanted, wrinkles } = faceOf(lost)
+      await moved()
+      await loseContext(lost, () => {})
+      expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
+      await moved()
+      expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
+      wrinkles.dispose()
+      lost.dispose()
+    })
+  }
+
+  it('a face that is disposed of while its map is made leaves nothing behind', async () => {
+    const before = harness.renderer.info.memory.textures
+    const { wrinkles, scene, mesh } = face()
+    const { material } = mesh
+    for (let i = 0; i < FRAMES; i++) harness.renderer.render(scene, squareCamera())
+    wrinkles.dispose()
+    await new Promise((resolve) => setTimeout(resolve, 100))
+    ;(material as MeshPhysicalMaterial).normalMap!.dispose()
+    expect(harness.renderer.info.memory.textures).toBeLessThanOrEqual(before + 1)
+  })
+})
