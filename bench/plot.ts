@@ -21,7 +21,8 @@ const COLOURS: Record<string, string> = {
  */
 export function toPlot(results: readonly Result[]): string {
   const shown = results.filter(
-    ({ layers, still, areas, active }) => layers === 1 && !still && areas === active,
+    ({ layers, maps, still, areas, active }) =>
+      layers === 1 && maps === 'normals' && !still && areas === active,
   )
   const counts = [...new Set(shown.map(({ areas }) => areas))].sort((a, b) => a - b)
   const highest = Math.max(1.2, ...shown.map(({ ratioToPlain }) => ratioToPlain)) * 1.05

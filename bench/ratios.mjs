@@ -26,7 +26,8 @@ export async function measureRatios() {
       const setup = { ...SIZE, renderer, ...(await page.open(renderer, SIZE.width, SIZE.height, face)) }
       for (const benchCase of listCases(true)) {
         for (const result of toResults(benchCase, setup, await page.measure(benchCase, PLAN))) {
-          const name = `${renderer}, ${result.variant}, ${benchCase.still ? 'still' : 'moving'}`
+          const maps = benchCase.maps === 'all' ? ', all maps' : ''
+          const name = `${renderer}, ${result.variant}, ${benchCase.still ? 'still' : 'moving'}${maps}`
           if (result.variant !== 'plain') ratios[name] = Number(result.ratioToPlain.toFixed(3))
         }
       }

@@ -52,6 +52,7 @@ export function toResults(benchCase: Case, setup: Setup, measured: readonly Meas
 const COLUMNS = [
   'renderer',
   'layers',
+  'maps',
   'areas',
   'active',
   'moving',
@@ -67,6 +68,7 @@ export function toTable(results: readonly Result[]): string {
   const rows = results.map((result) => [
     result.renderer,
     `${result.layers}`,
+    result.maps,
     `${result.areas}`,
     `${result.active}`,
     result.still ? 'no' : 'yes',

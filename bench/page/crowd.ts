@@ -82,7 +82,7 @@ async function createCrowd(
   await MeshoptSimplifier.ready
   const geometry = simplified(skin.geometry, TRIANGLE_DENSITY * pixels ** 2)
   const places = placesOf(geometry, faces, pixels)
-  const set = createSet(face, AREAS, 1)
+  const set = createSet(face, { areas: AREAS, layers: 1, maps: 'normals' })
   const parts = Array.from({ length: Math.ceil(faces / MOST_INSTANCES) }, (_, i) => {
     const mesh = instancesOf(skin, geometry, places.slice(i * MOST_INSTANCES, (i + 1) * MOST_INSTANCES))
     scene.add(mesh)

@@ -1,4 +1,4 @@
-import type { GrayImage, WrinkleSet } from 'furrow'
+import type { GrayImage, Layer, WrinkleSet } from 'furrow'
 import {
   DirectionalLight,
   Mesh,
@@ -9,6 +9,7 @@ import {
 } from 'three'
 import type { Face } from '../../stage/face.ts'
 import { frameView } from '../../stage/views.ts'
+import type { Case } from '../case.ts'
 import { divideAreas } from './areas.ts'
 
 const LIGHTS: readonly Vector3Tuple[] = [
@@ -56,14 +57,18 @@ export function createSkin({ skin }: Face): Mesh {
  *
  * @throws Error if the file has no wrinkles, or has them as a KTX 2 array.
  */
-export function createSet({ wrinkles }: Face, areas: number, layers: number): WrinkleSet {
+export function createSet(
+  { wrinkles }: Face,
+  { areas, layers, maps }: Pick<Case, 'areas' | 'layers' | 'maps'>,
+): WrinkleSet {
   if (!wrinkles) throw new Error('bench: the face has no wrinkles; use faces/human.glb')
-  const [{ kind, normal }] = wrinkles.set.layers
+  const [{ kind, normal, occlusion, blood, bloodAmplitude }] = wrinkles.set.layers as Layer[]
   if ('slice' in normal) throw new Error('bench: the wrinkles are a KTX 2 array; use faces/human.glb')
   const copies = Array.from({ length: layers }, (_, i) => ({
     name: `layer${i}`,
     kind,
     normal: { ...normal, data: normal.data.slice() },
+    ...(maps === 'all' && { occlusion, blood, bloodAmplitude }),
   }))
   const originals = wrinkles.set.areas.slice(0, ORIGINAL_AREAS).map(({ weights }) => weights as GrayImage)
   const names = copies.map(({ name }) => name)

@@ -31,7 +31,7 @@ export async function measureUpdates(
   const distant = camera.clone()
   distant.zoom /= SHRINKING
   distant.updateProjectionMatrix()
-  const set = createSet(face, AREAS, 1)
+  const set = createSet(face, { areas: AREAS, layers: 1, maps: 'normals' })
   const [layer] = set.layers
   const normal = enlarged(layer.normal)
   layer.normal = normal

@@ -11,7 +11,7 @@ export interface Variant {
   /** Name of a variant whose first frame it must draw too. */
   sameAs?: string
   /** Adds the wrinkles to a mesh with a material of its own. */
-  apply(mesh: Mesh, set: WrinkleSet, renderer: RendererKind): AppliedVariant
+  apply(mesh: Mesh, set: WrinkleSet, renderer: RendererKind, benchCase: Case): AppliedVariant
 }
 
 export interface AppliedVariant {

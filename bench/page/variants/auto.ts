@@ -3,18 +3,23 @@ import { callBeforeRender } from '../../../packages/furrow/src/three/mesh/before
 import { applyFurrow } from '../furrow.ts'
 import type { Variant } from '../variant.ts'
 
-/** Furrow's mode `auto`: a composed map, which the material's own program draws, while nothing moves; while something does, it is the default mode. */
+/** Furrow's mode `auto`: a composed map while nothing moves; while something does, a dual map. */
 export const variant: Variant = {
-  canShow: ({ still }) => still,
-  apply(mesh, set, renderer) {
+  canShow: () => true,
+  sameAs: 'furrow',
+  apply(mesh, set, renderer, { still }) {
     const wrinkles = applyFurrow(mesh, set, renderer, { mode: 'auto' })
-    let isComposed = false
+    const { reach } = wrinkles.editable('bench').inputs
+    let isSettled = false
     callBeforeRender(mesh, () => {
-      isComposed = (mesh.material as MeshPhysicalMaterial).normalMap!.isRenderTargetTexture
+      const { normalMap } = mesh.material as MeshPhysicalMaterial
+      // A composed map leaves nothing to mix in.
+      const isMixed = reach.value.x < reach.value.z
+      isSettled = normalMap!.isRenderTargetTexture && isMixed !== still
     })
     return {
       setActivation: (area, value) => wrinkles.setActivation(area, value),
-      isSettled: () => isComposed,
+      isSettled: () => isSettled,
       dispose: () => wrinkles.dispose(),
     }
   },

@@ -3,6 +3,6 @@ import type { Variant } from '../variant.ts'
 
 /** Furrow's composed mode: draws normals into a map, which the plain material shows. */
 export const variant: Variant = {
-  canShow: () => true,
+  canShow: ({ maps }) => maps === 'normals',
   apply: (mesh, set, renderer) => applyFurrow(mesh, set, renderer, { mode: 'composed' }),
 }

@@ -20,7 +20,7 @@ import type { Variant } from '../variant.ts'
  * the composed mode does, without an influence map and without mixing. It copies those of the face's map, and so shows the plain face.
  */
 export const variant: Variant = {
-  canShow: ({ still, layers }) => !still && layers === 1,
+  canShow: ({ still, layers, maps }) => !still && layers === 1 && maps === 'normals',
   sameAs: 'plain',
   apply: (mesh, set, renderer) => {
     const material = mesh.material as MeshStandardMaterial

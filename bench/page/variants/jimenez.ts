@@ -10,7 +10,7 @@ import type { Variant } from '../variant.ts'
  * normal.
  */
 export const variant: Variant = {
-  canShow: ({ areas, layers }) => areas === 8 && layers === 1,
+  canShow: ({ areas, layers, maps }) => areas === 8 && layers === 1 && maps === 'normals',
   apply: (mesh, set, renderer) => {
     const weights = set.areas.map(({ weights }) => weights as GrayImage)
     const textures = {

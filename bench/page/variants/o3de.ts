@@ -12,7 +12,7 @@ const MAX_MASKS = 8
  * its channels. A loop sums masks times activations; then the layers' normals are mixed in one after the other.
  */
 export const variant: Variant = {
-  canShow: ({ areas }) => areas <= MAX_MASKS,
+  canShow: ({ areas, maps }) => areas <= MAX_MASKS && maps === 'normals',
   apply: (mesh, set, renderer) => {
     const names = set.layers.map(({ name }) => name)
     const masks = set.areas.map(({ layer, weights }) => {

@@ -3,6 +3,6 @@ import type { Variant } from '../variant.ts'
 
 /** The paper's shader: lights twice, loops over the areas in every pixel, supports one layer. */
 export const variant: Variant = {
-  canShow: ({ layers }) => layers === 1,
+  canShow: ({ layers, maps }) => layers === 1 && maps === 'normals',
   apply: (mesh, set, renderer) => applyFurrow(mesh, set, renderer, { mode: 'paper' }),
 }

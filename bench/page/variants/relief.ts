@@ -4,7 +4,7 @@ import type { Variant } from '../variant.ts'
 
 /** Furrow's default mode with relief: the heights of automatic wrinkles move the surface of a dense geometry. */
 export const variant: Variant = {
-  canShow: ({ areas, layers }) => areas === 8 && layers === 1,
+  canShow: ({ areas, layers, maps }) => areas === 8 && layers === 1 && maps === 'normals',
   apply: (mesh, { areas, layers }, renderer) => {
     const raised = layers.map((layer) => ({ ...layer, ...autoHeights(mesh) }))
     const wrinkles = applyFurrow(mesh, { areas, layers: raised }, renderer, { relief: 'on' })

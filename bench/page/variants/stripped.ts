@@ -7,14 +7,15 @@ import { applyPeer, normalArray } from '../peer.ts'
 import type { Variant } from '../variant.ts'
 
 /** The only case that it shows: that of the first frame. */
-const SHOWN = { areas: 8, active: 8, layers: 1, still: true }
+const SHOWN = { areas: 8, active: 8, layers: 1, still: true, maps: 'normals' }
 
 /**
  * The least that shows the same pixels as the default mode: an influence map that is made once, the layer's map, and the same mix. No
  * areas, no bounds, no fading, no branches. What it costs more than the plain face, no shader with these two samples can save.
  */
 export const variant: Variant = {
-  canShow: ({ areas, layers }) => areas === SHOWN.areas && layers === SHOWN.layers,
+  canShow: ({ areas, layers, maps }) =>
+    areas === SHOWN.areas && layers === SHOWN.layers && maps === 'normals',
   sameAs: 'furrow',
   apply: (mesh, set, renderer) => {
     const textures = { strippedWrinkles: normalArray(set), strippedInfluence: influenceTexture(set) }

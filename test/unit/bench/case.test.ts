@@ -5,21 +5,25 @@ import { divideAreas } from '../../../bench/page/areas.ts'
 describe('bench cases', () => {
   it('are 2 to 256 areas, all active and 8 of 256, still and moving, 1 and 4 layers', () => {
     const cases = listCases(false)
-    expect(new Set(cases.map((benchCase) => JSON.stringify(benchCase))).size).toBe(24)
-    expect(cases).toContainEqual({ areas: 256, active: 8, layers: 4, still: true })
-    expect(cases).toContainEqual({ areas: 16, active: 16, layers: 1, still: false })
+    expect(new Set(cases.map((benchCase) => JSON.stringify(benchCase))).size).toBe(26)
+    expect(cases).toContainEqual({ areas: 256, active: 8, layers: 4, maps: 'normals', still: true })
+    expect(cases).toContainEqual({ areas: 16, active: 16, layers: 1, maps: 'normals', still: false })
+    expect(cases).toContainEqual({ areas: 8, active: 8, layers: 1, maps: 'all', still: true })
   })
 
-  it.each(listCases(false))('$areas areas, $active active, still: $still, layers: $layers', (benchCase) => {
-    const activations = (frame: number) =>
-      Array.from({ length: benchCase.areas }, (_, i) => activationOf(i, frame, benchCase))
-    for (const frame of [0, 1, 7]) {
-      expect(activations(frame).filter((value) => value > 0 && value <= 1)).toHaveLength(benchCase.active)
-      expect(activations(frame)).toEqual(activations(frame))
-    }
-    const moved = activations(1).filter((value, i) => value !== activations(0)[i])
-    expect(moved).toHaveLength(benchCase.still ? 0 : benchCase.active)
-  })
+  it.each(listCases(false))(
+    '$areas areas, $active active, still: $still, layers: $layers, maps: $maps',
+    (benchCase) => {
+      const activations = (frame: number) =>
+        Array.from({ length: benchCase.areas }, (_, i) => activationOf(i, frame, benchCase))
+      for (const frame of [0, 1, 7]) {
+        expect(activations(frame).filter((value) => value > 0 && value <= 1)).toHaveLength(benchCase.active)
+        expect(activations(frame)).toEqual(activations(frame))
+      }
+      const moved = activations(1).filter((value, i) => value !== activations(0)[i])
+      expect(moved).toHaveLength(benchCase.still ? 0 : benchCase.active)
+    },
+  )
 })
 
 describe('bench areas', () => {

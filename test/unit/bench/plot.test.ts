@@ -12,6 +12,7 @@ const result = (
   areas,
   active: areas,
   layers: 1,
+  maps: 'normals' as const,
   still: false,
   width: 800,
   height: 600,

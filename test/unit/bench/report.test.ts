@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { type Measured, toResults, toTable } from '../../../bench/report.ts'
 
-const benchCase = { areas: 8, active: 8, layers: 1, still: false }
+const benchCase = { areas: 8, active: 8, layers: 1, maps: 'normals', still: false } as const
 const setup = {
   width: 800,
   height: 600,
@@ -52,6 +52,18 @@ describe('bench table', () => {
       .split('|')
       .slice(1, -1)
       .map((cell) => cell.trim())
-    expect(cells).toEqual(['webgl', '1', '8', '8', 'yes', 'furrow', '18.00', '5.50', '1.100', '0.550'])
+    expect(cells).toEqual([
+      'webgl',
+      '1',
+      'normals',
+      '8',
+      '8',
+      'yes',
+      'furrow',
+      '18.00',
+      '5.50',
+      '1.100',
+      '0.550',
+    ])
   })
 })
