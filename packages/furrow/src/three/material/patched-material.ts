@@ -95,7 +95,6 @@ export class PatchedMaterial {
     this.#auto ??= create({
       material: this.#material,
       inputs: this.#inputs,
-      meshes: this.#meshes,
       patch: this.#shown as Patch,
       // Relief edits it too.
       hasOwnProgram: this.#patchRelief === null,

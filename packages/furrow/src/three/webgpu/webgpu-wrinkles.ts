@@ -3,6 +3,8 @@ import { MeshBasicNodeMaterial } from 'three/webgpu'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { Fetched } from '../material/fetched.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
+import type { ShaderInputs } from '../material/shader-inputs.ts'
+import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
 import { instancesOf } from '../mesh/instances.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { checkThree } from '../three-version.ts'
@@ -11,7 +13,7 @@ import { checkBatch } from './influence/influence.ts'
 import { quadMaterials } from './influence/influence-quads.ts'
 import { isCompiling } from './is-compiling.ts'
 import type { NodeChannels } from './mixing/channels.ts'
-import { haveTiles, layerNodes, layersOf, ownNormalOf } from './mixing/layer-nodes.ts'
+import { haveTiles, layerNodes, layersOf, type NodePatch, ownNormalOf } from './mixing/layer-nodes.ts'
 import { faultOf } from './patch/build-fault.ts'
 import { patchNodes } from './patch/patch-nodes.ts'
 
@@ -30,11 +32,15 @@ export function checkThreeFor(mesh: Mesh): Mesh {
 }
 
 /** The default mode. */
-const patch: RendererParts['patch'] = (material, inputs, meshes) => {
+const patch = (material: WrinkleMaterial, inputs: ShaderInputs, meshes: readonly Mesh[]): NodePatch => {
   const hasTiles = haveTiles(meshes, material)
-  const layers = layersOf(material, inputs, meshes)
-  const nodes = layerNodes(material, inputs, layers, ownNormalOf(material), PARTS.channels.value)
-  return { ...patchNodes(material, nodes), isFor: (mesh) => hasTiles || !haveTiles([mesh], material) }
+  const mix: NodePatch['mix'] = (own, samplerOf = (sampler) => sampler) => {
+    const { sampler, ...layers } = layersOf(material, inputs, meshes)
+    const sampled = { ...layers, sampler: samplerOf(sampler) }
+    return layerNodes(material, inputs, sampled, own, PARTS.channels.value)
+  }
+  const isFor = (mesh: Mesh) => hasTiles || !haveTiles([mesh], material)
+  return { ...patchNodes(material, mix(ownNormalOf(material))), isFor, mix }
 }
 
 export const PARTS: RendererParts & { channels: Fetched<NodeChannels> } = {

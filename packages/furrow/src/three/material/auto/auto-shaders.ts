@@ -1,4 +1,4 @@
-import type { Material, Mesh, Texture } from 'three'
+import type { Material, Texture } from 'three'
 import type { Channels } from '../channels.ts'
 import type { ComposeMaterial } from '../composed-map.ts'
 import type { Edit, Patch } from '../patch.ts'
@@ -15,7 +15,7 @@ export interface AutoShaders {
   composedEdit(
     material: WrinkleMaterial,
     inputs: ShaderInputs,
-    parts: Pick<DualParts, 'patch' | 'channels' | 'refuse'>,
+    parts: Pick<DualParts, 'patch' | 'refuse'> & { channels: Channels | null },
   ): Edit
   /** Draws `Quads` of a dual map, see `DualMap`. */
   dualMaterial(base: Texture, textures: WrinkleTextures): Material
@@ -25,11 +25,9 @@ export interface AutoShaders {
 
 /** What an edit for a dual map is made of. */
 export interface DualParts {
-  meshes: readonly Mesh[]
   patch: Patch
   /** 1 while a dual map is the material's normal map, else 0: another map has no normals of a layer. */
   isDual: { value: number }
-  channels: Channels | null
   /** Called where a shader cannot be edited so; it is then plain. */
   refuse(): void
 }

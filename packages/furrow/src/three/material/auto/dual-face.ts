@@ -27,12 +27,12 @@ export class DualFace {
 
   constructor(host: FaceHost) {
     this.#host = host
-    const { material, inputs, meshes, patch, channels, shaders } = host
+    const { material, inputs, patch, shaders } = host
     const refuse = () => {
       this.#isRefused = true
     }
     const { isDual } = this
-    this.edit = shaders.dualEdit(material, inputs, { meshes, patch, isDual, channels, refuse })
+    this.edit = shaders.dualEdit(material, inputs, { patch, isDual, refuse })
   }
 
   /** Whether a draw can have it. */

@@ -1,4 +1,3 @@
-import type { Mesh } from 'three'
 import type { QuadMaterials } from '../../atlas/quad-materials.ts'
 import type { Channels } from '../channels.ts'
 import type { Patch } from '../patch.ts'
@@ -11,7 +10,6 @@ import type { ShownEdit } from './shown-edit.ts'
 export interface AutoModeHost {
   material: WrinkleMaterial
   inputs: ShaderInputs
-  meshes: readonly Mesh[]
   /** What makes the default mode of it. */
   patch: Patch
   /** Whether the material may be drawn by other programs than the default mode's. */

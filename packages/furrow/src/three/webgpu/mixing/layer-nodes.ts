@@ -2,6 +2,7 @@
 import type { Mesh } from 'three'
 import { bitangentView, mat3, normalMap, tangentView, varying, vec3 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
+import type { Patch } from '../../material/patch.ts'
 import type { ShaderInputs } from '../../material/shader-inputs.ts'
 import type { WrinkleMaterial } from '../../material/wrinkle-material.ts'
 import { instancesOf } from '../../mesh/instances.ts'
@@ -9,7 +10,7 @@ import { isTiled } from '../../mesh/wrinkle-uvs.ts'
 import { influenceFromMap } from '../influence/influence.ts'
 import { materialProperty, normalScale, typed } from '../node.ts'
 import type { Added, Patched } from '../patch/patch-nodes.ts'
-import { byGradients, bySampler, mapUv, repeat } from '../texture-sampling.ts'
+import { byGradients, bySampler, mapUv, repeat, type SliceSampler } from '../texture-sampling.ts'
 import type { NodeChannels } from './channels.ts'
 import { type LayerInfluence, mixNormals } from './mix-normals.ts'
 
@@ -39,6 +40,12 @@ interface OwnNormal {
   stored: Node<'vec3'>
   /** That node. */
   node?: Node | null | undefined
+}
+
+/** A material in the default mode. What is fetched for it mixes by this: modules that it would share with the page would come in files of their own. */
+export interface NodePatch extends Patch {
+  /** The nodes of the default mode with another normal of the material's own, and with the layers' maps sampled in another way. */
+  mix(own: OwnNormal, samplerOf?: (sampler: SliceSampler) => SliceSampler): Added
 }
 
 /** That of a material before it is patched. */

@@ -3,10 +3,9 @@ import type { Node } from 'three/webgpu'
 import type { AutoShaders } from '../../material/auto/auto-shaders.ts'
 import { quadMaterial, targetUv } from '../influence/influence-quads.ts'
 import type { NodeChannels } from '../mixing/channels.ts'
-import { layerNodes, layersOf } from '../mixing/layer-nodes.ts'
+import type { NodePatch } from '../mixing/layer-nodes.ts'
 import { inputUniform, materialProperty, normalScale } from '../node.ts'
 import type { Added } from '../patch/patch-nodes.ts'
-import type { SliceSampler } from '../texture-sampling.ts'
 import { occlusionMaterial, unitSlope } from './compose-material.ts'
 
 /** What the mode `auto` takes on `WebGPURenderer`. */
@@ -23,22 +22,19 @@ export const AUTO_SHADERS: Omit<AutoShaders, 'composeMaterial'> = {
     const layer = texture(normals.texture, uv).depth(int(normals.slices[0]!))
     return quadMaterial('dual', vec4(unitSlope(texture(base, uv).xyz), unitSlope(layer.xyz)))
   },
-  dualEdit(material, inputs, { meshes, isDual, channels }): Added {
+  dualEdit(material, inputs, { patch, isDual }): Added {
     const { normals, kinds } = inputs.textures
     const texel = materialProperty('normalMap', 'texture', material).toVar()
     // Of another map than a dual one, the layer changes nothing.
     const none = kinds[0] === 'replace' ? texel.xy : vec2(0.5)
     const first = mix(none, texel.zw, inputUniform<'float'>(isDual))
-    const layers = layersOf(material, inputs, meshes)
-    const sampler: SliceSampler = (uv) => {
-      const sample = layers.sampler(uv)
+    return (patch as NodePatch).mix({ stored: withZ(texel.xy) }, (sampler) => (uv) => {
+      const sample = sampler(uv)
       return (array, slice) =>
         array === normals.texture && slice === normals.slices[0]
           ? vec4(withZ(first), 1)
           : sample(array, slice)
-    }
-    const own = { stored: withZ(texel.xy) }
-    return layerNodes(material, inputs, { ...layers, sampler }, own, channels as NodeChannels | null)
+    })
   },
 }
 
