@@ -64,7 +64,8 @@ export class AutoMode {
   }
 
   constructor(host: AutoModeHost) {
-    this.#host = { ...host, shown: new ShownEdit(host.material, host.patch) }
+    const shown = new ShownEdit(host.material, host.patch)
+    this.#host = { ...host, shown, end: () => this.end() }
     this.#composed = new ComposedFace(this.#host)
     this.#dual = host.hasOwnProgram ? new DualFace(this.#host) : null
   }
@@ -80,8 +81,6 @@ export class AutoMode {
     if (isOther && this.#renderer && this.#others++ < ABSENCE) return
     this.#renderer = renderer
     this.#others = 0
-    // Maps may be disposed of below.
-    this.end()
     if (isOther) this.#composed.drop()
     this.#takeView()
     const { material, inputs } = this.#host

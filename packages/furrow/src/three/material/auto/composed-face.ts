@@ -94,6 +94,7 @@ export class ComposedFace {
 
   drop(): void {
     if (!this.#made) return
+    this.#host.end()
     const { normals, occlusion, program, bytes } = this.#made
     this.#made = null
     free(bytes)

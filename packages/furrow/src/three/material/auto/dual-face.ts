@@ -67,8 +67,10 @@ export class DualFace {
   }
 
   drop(): void {
-    this.#made?.program.dispose()
-    this.#made?.map.release()
+    if (!this.#made) return
+    this.#host.end()
+    this.#made.program.dispose()
+    this.#made.map.release()
     this.#made = null
   }
 

@@ -27,4 +27,6 @@ export interface AutoModeHost {
 /** The same, for what has maps of it. */
 export interface FaceHost extends AutoModeHost {
   shown: ShownEdit
+  /** Gives the material its own maps back; called before others are disposed of. */
+  end(): void
 }
