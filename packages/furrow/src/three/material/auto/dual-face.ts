@@ -21,24 +21,21 @@ export class DualFace {
   readonly isDual = { value: 0 }
   readonly #host: FaceHost
   readonly #policy = new ComposePolicy()
-  readonly edit: Edit
   #isRefused = false
   #made: Made | null = null
 
   constructor(host: FaceHost) {
     this.#host = host
-    const { material, inputs, patch, shaders } = host
-    const refuse = () => {
-      this.#isRefused = true
-    }
-    const { isDual } = this
-    this.edit = shaders.dualEdit(material, inputs, { patch, isDual, refuse })
   }
 
   /** Whether a draw can have it. */
   isReadyFor(renderer: AnyRenderer, base: Texture): boolean {
     if (!this.#isReady || this.#isRefused) return false
     return this.#made!.map.isOf(renderer, base, this.#host.inputs.textures)
+  }
+
+  get edit(): Edit | null {
+    return this.#made!.program.edit
   }
 
   get #isReady(): boolean {
@@ -75,10 +72,15 @@ export class DualFace {
   }
 
   #make(renderer: AnyRenderer, base: Texture): Made | null {
-    const { inputs } = this.#host
+    const { material, inputs, patch, shaders } = this.#host
     const map = DualMap.take(this.#host, renderer, base, inputs.textures)
     if (!map) return null
-    return { map, program: new StandbyProgram(this.#host, this.edit, map.texture), isPending: false }
+    const refuse = () => {
+      this.#isRefused = true
+    }
+    // Not before, since it is made for the material's normal map.
+    const edit = shaders.dualEdit(material, inputs, { patch, isDual: this.isDual, refuse })
+    return { map, program: new StandbyProgram(this.#host, edit, map.texture), isPending: false }
   }
 
   /** Beside the frames, so that none waits for it; what cannot be drawn is not shown. */

@@ -28,7 +28,7 @@ export function patchNodes(material: Patched, added: Added): Patch {
     PATCHED.filter((key) => Object.hasOwn(material, key)).map((key) => [key, material[key]]),
   )
   const { customProgramCacheKey } = material
-  const known = new Map<Edit, object>()
+  const known = new WeakMap<Edit, object>()
   const patchedBy = (edit: Added) => {
     // The renderer shares one built program among plain materials with equal properties, and nodes are not
     // among those it compares; these read textures of their own.
