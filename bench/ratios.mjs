@@ -10,7 +10,7 @@ const FIGURES = new URL('ratios.json', import.meta.url)
 const ALLOWED = 0.05
 
 const SIZE = { width: 800, height: 600 }
-const PLAN = { rounds: 5, variants: ['plain', 'furrow', 'composed', 'auto'] }
+const PLAN = { rounds: 4, variants: ['plain', 'furrow', 'composed', 'auto'] }
 
 /** Ratios to the plain face by renderer, variant and whether areas move, of the same cases as the quick benchmark's. */
 export async function measureRatios() {

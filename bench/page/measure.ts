@@ -1,5 +1,5 @@
 import type { WrinkleSet } from 'furrow'
-import type { Mesh, MeshPhysicalMaterial, PerspectiveCamera, Scene } from 'three'
+import type { Light, Mesh, MeshPhysicalMaterial, PerspectiveCamera, Scene } from 'three'
 import type { Face } from '../../stage/face.ts'
 import type { RendererKind } from '../../stage/stage.ts'
 import { activationOf, type Case, type Plan } from '../case.ts'
@@ -27,6 +27,8 @@ export interface Bench {
   timedRenderer: TimedRenderer
   face: Face
   scene: Scene
+  /** What occlusion darkens: lights alone cast no light that it would. */
+  surroundings: Light
   camera: PerspectiveCamera
 }
 
@@ -44,6 +46,7 @@ interface Candidate {
  */
 export async function measure(bench: Bench, benchCase: Case, plan: Plan): Promise<Measured[]> {
   const set = createSet(bench.face, benchCase)
+  bench.surroundings.visible = benchCase.maps === 'all'
   const measured: Measured[] = []
   for (let round = 0; round < plan.rounds; round++) {
     const candidates = createCandidates(bench, benchCase, set, plan)

@@ -23,12 +23,16 @@ export interface Peer {
   weights: number[]
   /** Declares `vec3 peerNormal(vec3 base, vec2 uv)`, normals in -1..1; reads the weights in the array `peerWeights`. */
   glsl: string
+  /** Edits the fragment shader besides. */
+  editGlsl?: (fragment: string) => string
   /** The same as a node, with a node for each weight. */
   tsl(
     base: Node<'vec3'>,
     textures: Readonly<Record<string, Texture>>,
     weights: readonly Node<'float'>[],
   ): Node<'vec3'>
+  /** Nodes of the material besides its normal. */
+  addNodes?: (material: MeshPhysicalMaterial, textures: Readonly<Record<string, Texture>>) => object
 }
 
 /** Patches the mesh's material with the technique. */
@@ -47,7 +51,10 @@ export function applyPeer(mesh: Mesh, set: WrinkleSet, renderer: RendererKind, p
   }
 }
 
-function patchGlsl(material: MeshPhysicalMaterial, { textures, weights, glsl }: Peer): void {
+function patchGlsl(
+  material: MeshPhysicalMaterial,
+  { textures, weights, glsl, editGlsl = (fragment) => fragment }: Peer,
+): void {
   const samplers = Object.entries(textures).map(
     ([name, { isDataArrayTexture }]: [string, MaybeArrayTexture]) =>
       isDataArrayTexture ? `uniform highp sampler2DArray ${name};` : `uniform sampler2D ${name};`,
@@ -64,9 +71,8 @@ function patchGlsl(material: MeshPhysicalMaterial, { textures, weights, glsl }: 
       peerWeights: { value: weights },
     },
     apply(shader) {
-      shader.fragmentShader = shader.fragmentShader
-        .replace('void main() {', `${declarations}void main() {`)
-        .replace('#include <normal_fragment_maps>', maps)
+      const shown = shader.fragmentShader.replace('#include <normal_fragment_maps>', maps)
+      shader.fragmentShader = editGlsl(shown).replace('void main() {', `${declarations}void main() {`)
     },
     refuse() {},
   })
@@ -74,7 +80,7 @@ function patchGlsl(material: MeshPhysicalMaterial, { textures, weights, glsl }: 
 
 type MaybeArrayTexture = Texture & { isDataArrayTexture?: true }
 
-function patchTsl(material: MeshPhysicalMaterial, { textures, weights, tsl }: Peer): void {
+function patchTsl(material: MeshPhysicalMaterial, { textures, weights, tsl, addNodes }: Peer): void {
   const weightNodes = weights.map(
     (_, i) => uniform(0).onObjectUpdate(() => weights[i]) as unknown as Node<'float'>,
   )
@@ -83,7 +89,9 @@ function patchTsl(material: MeshPhysicalMaterial, { textures, weights, tsl }: Pe
   const scale = uniform(material.normalScale) as unknown as Node<'vec2'>
   // Not a node material: the renderer copies `normalNode` to the node material that it makes of this one. It would share one program
   // among all such materials of equal properties, nodes not compared: of two techniques, the second would be drawn by the first's.
-  Object.assign(material, { normalNode: normalMap(normal.mul(0.5).add(0.5) as Node<'vec3'>, scale) })
+  Object.assign(material, addNodes?.(material, textures), {
+    normalNode: normalMap(normal.mul(0.5).add(0.5) as Node<'vec3'>, scale),
+  })
   const name = `${material.customProgramCacheKey()} ${Object.keys(textures).join(' ')}`
   material.customProgramCacheKey = () => name
 }

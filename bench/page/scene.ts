@@ -1,6 +1,7 @@
 import type { GrayImage, Layer, WrinkleSet } from 'furrow'
 import {
   DirectionalLight,
+  HemisphereLight,
   Mesh,
   type MeshPhysicalMaterial,
   PerspectiveCamera,
@@ -11,6 +12,7 @@ import type { Face } from '../../stage/face.ts'
 import { frameView } from '../../stage/views.ts'
 import type { Case } from '../case.ts'
 import { divideAreas } from './areas.ts'
+import type { Bench } from './measure.ts'
 
 const LIGHTS: readonly Vector3Tuple[] = [
   [-1, 1.35, 0.95],
@@ -26,20 +28,22 @@ const ORIGINAL_AREAS = 8
 const CAMERA_RISE = 0.025
 
 /** A scene with lights, and a camera whose frame the face fills. */
-export function createScene(face: Face, aspect: number): { scene: Scene; camera: PerspectiveCamera } {
+export function createScene(face: Face, aspect: number): Pick<Bench, 'scene' | 'camera' | 'surroundings'> {
   const scene = new Scene()
   for (const from of LIGHTS) {
     const light = new DirectionalLight(0xffffff, 1.2)
     light.position.fromArray(from)
     scene.add(light)
   }
+  const surroundings = new HemisphereLight(0xffffff, 0x664433, 0.6)
+  scene.add(surroundings)
   const camera = new PerspectiveCamera()
   camera.aspect = aspect
   frameView(face.skin, camera, 'front')
   camera.zoom = ZOOM
   camera.position.y += CAMERA_RISE
   camera.updateProjectionMatrix()
-  return { scene, camera }
+  return { scene, camera, surroundings }
 }
 
 /** A copy of the face's skin with a material of its own; geometry and textures are shared. */

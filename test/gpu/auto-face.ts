@@ -9,10 +9,10 @@ import {
   type WebGLRenderer,
 } from 'three'
 import type { WebGPURenderer } from 'three/webgpu'
-import { expect } from 'vitest'
+import { afterAll, afterEach, beforeAll, expect } from 'vitest'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { type Harness, square, squareCamera } from './harness.ts'
+import { createHarness, type Harness, type RENDERERS, square, squareCamera } from './harness.ts'
 import { normalMap } from './normal-map.ts'
 
 /** Sides of the maps and pictures. */
@@ -36,7 +36,7 @@ interface RenderObject {
   getNodeBuilderState(): { fragmentShader: string }
 }
 
-/** A square with wrinkles, and whether its last draw showed a composed or a dual map, and sampled the influence map. */
+/** A square with wrinkles, and whether its last draw showed a composed or a dual map, sampled the influence map, and had another map of occlusion. */
 export function faceOf(
   harness: Harness,
   options: WrinklesOptions = {},
@@ -44,7 +44,7 @@ export function faceOf(
   set: ConstructorParameters<Harness['Wrinkles']>[1] = randomSet(seeded(4), 6, 16, MAP),
 ) {
   const mesh = square(material)
-  const shown = { isComposed: false, isDual: false, isSampled: false }
+  const shown = { isComposed: false, isDual: false, isSampled: false, isOcclusionReplaced: false }
   const wrinkles = new harness.Wrinkles(mesh, set, { mode: 'auto', areaSize: 16, ...options })
   const lit = material as MeshStandardMaterial
   const reach = wrinkles.editable('test').inputs.reach.value
@@ -58,6 +58,7 @@ export function faceOf(
     // A composed map leaves nothing to mix in.
     shown.isComposed = isReplaced && !shown.isSampled
     shown.isDual = isReplaced && shown.isSampled
+    shown.isOcclusionReplaced = lit.aoMap?.isRenderTargetTexture ?? false
   }
   for (const [i, area] of wrinkles.areaNames.entries()) wrinkles.setActivation(area, 0.3 + 0.1 * i)
   const light = new DirectionalLight(0xffffff, 2)
@@ -107,6 +108,30 @@ export function faceOf(
       wrinkles.mode = before
       Object.assign(shown, last)
       return pixels
+    },
+  }
+}
+
+/** A harness and faces that are disposed of with each test. */
+export function useFaces(name: (typeof RENDERERS)[number]) {
+  const disposers: (() => void)[] = []
+  let harness: Harness
+  beforeAll(async () => {
+    harness = await createHarness(name)
+  })
+  afterEach(() => {
+    for (const dispose of disposers.splice(0)) dispose()
+  })
+  afterAll(() => harness.dispose())
+  return {
+    get harness() {
+      return harness
+    },
+    disposers,
+    face(...own: Parameters<typeof faceOf> extends [Harness, ...infer Rest] ? Rest : never) {
+      const made = faceOf(harness, ...own)
+      disposers.push(() => made.wrinkles.dispose())
+      return made
     },
   }
 }

@@ -14,14 +14,14 @@ import {
 } from 'three'
 import { vec3 } from 'three/tsl'
 import { MeshStandardNodeMaterial, type WebGPURenderer } from 'three/webgpu'
-import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
+import { describe, expect, it, vi } from 'vitest'
 import { PARTS as WEBGL } from '../../packages/furrow/src/three/webgl/webgl-wrinkles.ts'
 import { PARTS as WEBGPU } from '../../packages/furrow/src/three/webgpu/webgpu-wrinkles.ts'
 import { loadFace } from '../../stage/face.ts'
 import { frameView } from '../../stage/views.ts'
 import { randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { drawn, FRAMES, faceOf, MAP, UNSEEN, watchShaders } from './auto-face.ts'
+import { drawn, FRAMES, faceOf, MAP, UNSEEN, useFaces, watchShaders } from './auto-face.ts'
 import { largestDifference } from './difference.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
 import { loseContext } from './lose-context.ts'
@@ -39,21 +39,8 @@ function oneTexel(): DataTexture {
 
 describe.each(RENDERERS)('the mode auto on %s', (name) => {
   const { others } = name === 'webgl' ? WEBGL : WEBGPU
-  let harness: Harness
-  const disposers: (() => void)[] = []
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterEach(() => {
-    for (const dispose of disposers.splice(0)) dispose()
-  })
-  afterAll(() => harness.dispose())
-
-  function face(...own: Parameters<typeof faceOf> extends [Harness, ...infer Rest] ? Rest : never) {
-    const made = faceOf(harness, ...own)
-    disposers.push(() => made.wrinkles.dispose())
-    return made
-  }
+  const faces = useFaces(name)
+  const { face } = faces
 
   // The second renderer's other backend takes the same steps.
   it.each(name === 'webgpu on webgl2' ? [6] : [1, 6])(
@@ -76,19 +63,19 @@ describe.each(RENDERERS)('the mode auto on %s', (name) => {
       skin.onAfterRender = () => {
         isComposed = material.normalMap !== own
       }
-      const wrinkles = new harness.Wrinkles(skin, set, { mode: 'default' })
+      const wrinkles = new faces.harness.Wrinkles(skin, set, { mode: 'default' })
       for (const [i, area] of wrinkles.areaNames.entries()) wrinkles.setActivation(area, 0.4 + 0.1 * (i % 6))
-      const picture = () => harness.renderBytes(scene, camera, 320)
+      const picture = () => faces.harness.renderBytes(scene, camera, 320)
       const wanted = (await picture()).slice()
       expect(isComposed).toBe(false)
       wrinkles.mode = 'auto'
       expect(largestDifference((await picture()).slice(), wanted)).toBe(0)
       const compiled: number[] = []
       for (let i = 0; i < 20 * FRAMES && !isComposed; i++) {
-        const before = harness.programs()
-        harness.renderer.render(scene, camera)
-        compiled.push(harness.programs() - before)
-        await drawn(harness)
+        const before = faces.harness.programs()
+        faces.harness.renderer.render(scene, camera)
+        compiled.push(faces.harness.programs() - before)
+        await drawn(faces.harness)
       }
       expect(isComposed).toBe(true)
       expect(compiled.length).toBeGreaterThan(30)
@@ -104,11 +91,11 @@ describe.each(RENDERERS)('the mode auto on %s', (name) => {
   it('shows the default mode before maps are made, a dual map while it moves, and a composed one while it is still', async () => {
     const { wrinkles, shown, samplesInfluence, picture, composed, moved, wanted } = face()
     expect(largestDifference(await picture(), await wanted())).toBe(0)
-    expect(shown).toEqual({ isComposed: false, isDual: false, isSampled: true })
+    expect(shown).toMatchObject({ isComposed: false, isDual: false, isSampled: true })
     await moved()
     wrinkles.setActivation('area0', 0.9)
     expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
-    expect(shown).toEqual({ isComposed: false, isDual: true, isSampled: true })
+    expect(shown).toMatchObject({ isComposed: false, isDual: true, isSampled: true })
     await composed()
     expect(shown.isSampled).toBe(false)
     // What else reads it after the draw finds it as it was.
@@ -215,11 +202,11 @@ describe.each(RENDERERS)('the mode auto on %s', (name) => {
     const view = wrinkles.createInfluenceMaterial()
     mesh.material = view as typeof material
     await frames(2)
-    expect(new Set(await harness.renderBytes(scene, squareCamera(), MAP)).size).toBeGreaterThan(8)
+    expect(new Set(await faces.harness.renderBytes(scene, squareCamera(), MAP)).size).toBeGreaterThan(8)
     mesh.material = material
     view.dispose()
     await composed()
-    for (let i = 0; i < 3; i++) await harness.renderBytes(scene, squareCamera(), 8)
+    for (let i = 0; i < 3; i++) await faces.harness.renderBytes(scene, squareCamera(), 8)
     expect(shown.isComposed).toBe(false)
     const faded = face({ fadeBelow: 100 })
     await faded.frames()
@@ -241,7 +228,7 @@ describe.each(RENDERERS)('the mode auto on %s', (name) => {
       expect(wrinkles.mode).toBe('auto')
     }
     const instanced = new InstancedMesh(new PlaneGeometry(), new MeshPhysicalMaterial(), 3)
-    const wrinkles = new harness.Wrinkles(instanced, set, { mode: 'auto' })
+    const wrinkles = new faces.harness.Wrinkles(instanced, set, { mode: 'auto' })
     expect(wrinkles.mode).toBe('auto')
     wrinkles.dispose()
     expect(load).not.toHaveBeenCalled()

@@ -15,7 +15,7 @@ import { randomAreas, randomImage } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
-import { colourAt, type Kind, LAYERS, layerValue, MAP, randomLayer } from './layer-values.ts'
+import { colourAt, KINDS, type Kind, LAYERS, layerValue, MAP, randomLayer } from './layer-values.ts'
 
 const PIXELS = 32
 describe.each(RENDERERS)("the layers' other maps on %s", (name) => {
@@ -38,6 +38,48 @@ describe.each(RENDERERS)("the layers' other maps on %s", (name) => {
         expect(largestDifference(plain, exact)).toBeGreaterThan(8 / 255)
       }
     })
+  })
+
+  it('are mixed into maps that the page gives the material later, or takes away', async () => {
+    const random = seeded(29)
+    const layers = [randomLayer(random, 'layer', KINDS)]
+    const areas = randomAreas(random, 12, MAP).map((area) => ({ ...area, layer: 'layer' }))
+    const map = linearTexture(randomImage(random, MAP))
+    const rest = linearTexture(randomImage(random, MAP))
+    const own = { map, roughnessMap: rest, aoMap: rest }
+    const none = { map: null, roughnessMap: null, aoMap: null }
+    const light = new DirectionalLight(0xffffff, 2)
+    light.position.set(0.3, 0.2, 1)
+    const scene = new Scene().add(light, new AmbientLight(0xffffff, 1.5))
+    const show = (maps: typeof own | typeof none) => {
+      const material = new MeshStandardMaterial({ roughness: 0.8, ...maps })
+      const mesh = square(material, 0.8, [0.1, 0.1])
+      const wrinkles = new harness.Wrinkles(mesh, { layers, areas }, { areaSize: MAP })
+      for (const [i, { name }] of areas.entries()) wrinkles.setActivation(name, (0.2 * i) / areas.length)
+      return { mesh, material, wrinkles }
+    }
+    const pictureOf = async ({ mesh }: ReturnType<typeof show>) => {
+      scene.add(mesh)
+      const picture = (await harness.render(scene, squareCamera(), PIXELS)).slice()
+      scene.remove(mesh)
+      return picture
+    }
+    const faces = [show(own), show(none)] as const
+    const [mapped, bare] = [await pictureOf(faces[0]), await pictureOf(faces[1])]
+    expect(largestDifference(mapped, bare)).toBeGreaterThan(8 / 255)
+    for (const [i, other, wanted] of [
+      [0, none, bare],
+      [1, own, mapped],
+      [0, own, mapped],
+    ] as const) {
+      Object.assign(faces[i].material, other)
+      faces[i].material.needsUpdate = true
+      expect(largestDifference(await pictureOf(faces[i]), wanted)).toBeLessThan(1e-6)
+    }
+    for (const { wrinkles, mesh } of faces) {
+      wrinkles.dispose()
+      mesh.geometry.dispose()
+    }
   })
 })
 

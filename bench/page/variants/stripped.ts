@@ -1,25 +1,42 @@
-import type { GrayImage, WrinkleSet } from 'furrow'
-import { DataTexture, FloatType, LinearFilter, RedFormat } from 'three'
-import { int, texture, uv, vec3 } from 'three/tsl'
-import type { Node } from 'three/webgpu'
+import type { GrayImage, Layer, WrinkleSet } from 'furrow'
+import {
+  DataTexture,
+  FloatType,
+  LinearFilter,
+  type MeshPhysicalMaterial,
+  RedFormat,
+  type Texture,
+} from 'three'
+import { float, int, texture, uniform, uv, vec3, vec4 } from 'three/tsl'
+import type { Node, NodeMaterial, TextureNode } from 'three/webgpu'
+import { valueTextures } from '../../../packages/furrow/src/three/material/value-textures.ts'
+import { CHANNELS } from '../../../packages/furrow/src/three/webgl/mixing/channels.ts'
+import {
+  BLOOD_COLOUR,
+  BLOOD_OF,
+  MICRO_SHADOW,
+} from '../../../packages/furrow/src/three/webgl/mixing/mix-values.ts'
+import { valueLayers } from '../../../packages/furrow/src/three/webgl/mixing/value-layers.ts'
+import { shadowHighlights } from '../../../packages/furrow/src/three/webgpu/mixing/micro-shadow.ts'
+import { bloodColour, bloodOf } from '../../../packages/furrow/src/three/webgpu/mixing/mix-values.ts'
 import { activationOf } from '../../case.ts'
-import { applyPeer, normalArray } from '../peer.ts'
+import { applyPeer, normalArray, type Peer } from '../peer.ts'
 import type { Variant } from '../variant.ts'
 
-/** The only case that it shows: that of the first frame. */
-const SHOWN = { areas: 8, active: 8, layers: 1, still: true, maps: 'normals' }
+/** The cases that it shows: that of the first frame. */
+const SHOWN = { areas: 8, active: 8, layers: 1, still: true }
 
 /**
- * The least that shows the same pixels as the default mode: an influence map that is made once, the layer's map, and the same mix. No
- * areas, no bounds, no fading, no branches. What it costs more than the plain face, no shader with these two samples can save.
+ * The least that shows the same pixels as the default mode: an influence map that is made once, the layer's maps, and the same mix. No
+ * areas, no bounds, no fading, no branches. What it costs more than the plain face, no shader with these samples can save.
  */
 export const variant: Variant = {
-  canShow: ({ areas, layers, maps }) =>
-    areas === SHOWN.areas && layers === SHOWN.layers && maps === 'normals',
+  canShow: ({ areas, layers }) => areas === SHOWN.areas && layers === SHOWN.layers,
   sameAs: 'furrow',
-  apply: (mesh, set, renderer) => {
+  apply: (mesh, set, renderer, { maps }) => {
     const textures = { strippedWrinkles: normalArray(set), strippedInfluence: influenceTexture(set) }
-    return applyPeer(mesh, set, renderer, { textures, weights: set.areas.map(() => 0), glsl: GLSL, tsl })
+    const normals = { textures, weights: set.areas.map(() => 0), glsl: NORMALS, tsl }
+    return applyPeer(mesh, set, renderer, maps === 'all' ? withValues(normals, set) : normals)
   },
 }
 
@@ -46,22 +63,96 @@ function influenceTexture({ areas }: WrinkleSet): DataTexture {
 
 /** Reoriented normal mapping as the default mode computes it. */
 const GLSL = /* glsl */ `
-vec3 peerNormal(vec3 base, vec2 uv) {
-  float influence = texture(strippedInfluence, uv).r;
+vec3 strippedMix(float influence, vec3 base, vec2 uv) {
   vec3 wrinkle = texture(strippedWrinkles, vec3(uv, 0.0)).xyz * 2.0 - 1.0;
   float size = length(base);
   vec3 t = vec3(base.xy, base.z + size);
   vec3 r = vec3(-wrinkle.xy * influence, wrinkle.z);
   return t * dot(t, r) - r * (size * t.z);
-}`
+}
+`
 
-type Tsl = Parameters<typeof applyPeer>[3]['tsl']
+/** Samples the influence where the normal is mixed, the only time. */
+const NORMALS = /* glsl */ `${GLSL}
+vec3 peerNormal(vec3 base, vec2 uv) {
+  return strippedMix(texture(strippedInfluence, uv).r, base, uv);
+}
+`
 
-const tsl: Tsl = (base, { strippedWrinkles, strippedInfluence }) => {
-  const influence = texture(strippedInfluence, uv()).x
+const tsl: Peer['tsl'] = (base, { strippedWrinkles, strippedInfluence }) =>
+  mixNormal(base, strippedWrinkles, texture(strippedInfluence, uv()).x)
+
+function mixNormal(base: Node<'vec3'>, strippedWrinkles: Texture, influence: Node<'float'>): Node<'vec3'> {
   const wrinkle = texture(strippedWrinkles).depth(int(0)).xyz.mul(2).sub(1)
   const size = base.length().toVar()
   const t = vec3(base.xy, base.z.add(size)).toVar()
   const r = vec3(wrinkle.xy.mul(influence).negate(), wrinkle.z).toVar()
   return t.mul(t.dot(r)).sub(r.mul(size.mul(t.z))) as unknown as Node<'vec3'>
+}
+
+/** The same with visibility and blood, which share a texel, and shadow highlights and colour the skin as in the default mode. */
+function withValues(normals: Peer, { layers: [layer] }: WrinkleSet): Peer {
+  const values = valueTextures([layer as Layer], 1)
+  const { occlusionStrength: strength = 1, bloodAmplitude: amplitude = 0 } = layer
+  const { mixOthers } = CHANNELS.add(valueLayers(values), false, '')
+  const textures = { ...normals.textures, strippedValues: values.occlusion!.texture }
+  const influence = texture(normals.textures.strippedInfluence, uv()).x.toVar()
+  return {
+    ...normals,
+    textures,
+    glsl: /* glsl */ `${GLSL}${MICRO_SHADOW}${BLOOD_OF}
+float strippedAt;
+vec2 strippedStored;
+
+vec3 peerNormal(vec3 base, vec2 uv) {
+  return strippedMix(strippedAt, base, uv);
+}
+
+float furrowMix_occlusion(float base) {
+  return base + (mix(1.0, strippedStored.x, ${glslFloat(strength)}) - base) * strippedAt;
+}
+
+float furrowMix_blood(float base) {
+  return furrowBloodOf(strippedStored.y) * ${glslFloat(amplitude)} * strippedAt;
+}
+${BLOOD_COLOUR}`,
+    editGlsl: (fragment) => mixOthers(fragment).replace(MAIN, `${MAIN}${BEGIN}`),
+    tsl: (base, { strippedWrinkles }) => mixNormal(base, strippedWrinkles, influence),
+    addNodes: (material) =>
+      nodesOf(material, influence, texture(textures.strippedValues), strength, amplitude),
+  }
+}
+
+const MAIN = 'void main() {'
+
+const BEGIN = /* glsl */ `
+  strippedAt = texture(strippedInfluence, vNormalMapUv).r;
+  strippedStored = texture(strippedValues, vec3(vNormalMapUv, 0.0)).rg;
+  furrowOcclude(furrowMix_occlusion(1.0));`
+
+function glslFloat(value: number): string {
+  return value.toFixed(6)
+}
+
+function nodesOf(
+  material: MeshPhysicalMaterial,
+  influence: Node<'float'>,
+  values: TextureNode,
+  strength: number,
+  amplitude: number,
+): object {
+  const stored = values.depth(int(0)).toVar()
+  const visibility = (own: Node<'float'>) =>
+    own.add(stored.x.sub(1).mul(strength).add(1).sub(own).mul(influence))
+  const own = texture(material.map!)
+  const colour = own.rgb.mul(uniform(material.color)) as unknown as Node<'vec3'>
+  const occlusion = visibility(texture(material.aoMap!).x)
+  return {
+    colorNode: vec4(bloodColour(colour, bloodOf(stored.y).mul(amplitude).mul(influence)), own.a),
+    aoNode: occlusion.sub(1).mul(material.aoMapIntensity).add(1),
+    setupLightingModel(this: NodeMaterial) {
+      const model = Object.getPrototypeOf(this).setupLightingModel.call(this)
+      return shadowHighlights(model, visibility(float(1)))
+    },
+  }
 }

@@ -146,9 +146,10 @@ export class PatchedMaterial {
   settle(renderer: AnyRenderer): void {
     if (this.mode === 'off') return
     try {
-      // The page may take its map away, or put another one where the composed map was.
+      // The page may take its map away, put another one where the composed map was, or change which maps it has.
       const { normalMap } = this.#material
-      if (!normalMap || (this.#shown?.composed ?? normalMap) !== normalMap) this.#apply(this.mode)
+      const isReplaced = !normalMap || (this.#shown?.composed ?? normalMap) !== normalMap
+      if (isReplaced || this.#shown?.isCurrent?.() === false) this.#apply(this.mode)
       if (this.#isRefused && this.mode !== 'composed') this.show('default')
       if (this.mode === 'paper') this.#packPaper()
       this.#checkShader(renderer)

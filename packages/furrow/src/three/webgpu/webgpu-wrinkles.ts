@@ -1,4 +1,4 @@
-import { type Mesh, REVISION } from 'three'
+import { type Mesh, type MeshStandardMaterial, REVISION } from 'three'
 import { MeshBasicNodeMaterial } from 'three/webgpu'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { Fetched } from '../material/fetched.ts'
@@ -34,13 +34,18 @@ export function checkThreeFor(mesh: Mesh): Mesh {
 /** The default mode. */
 const patch = (material: WrinkleMaterial, inputs: ShaderInputs, meshes: readonly Mesh[]): NodePatch => {
   const hasTiles = haveTiles(meshes, material)
-  const mix: NodePatch['mix'] = (own, samplerOf = (sampler) => sampler) => {
-    const { sampler, ...layers } = layersOf(material, inputs, meshes)
-    const sampled = { ...layers, sampler: samplerOf(sampler) }
-    return layerNodes(material, inputs, sampled, own, PARTS.channels.value)
-  }
+  const mix: NodePatch['mix'] = (own, change = (layers) => layers) =>
+    layerNodes(material, inputs, change(layersOf(material, inputs, meshes)), own, PARTS.channels.value)
   const isFor = (mesh: Mesh) => hasTiles || !haveTiles([mesh], material)
-  return { ...patchNodes(material, mix(ownNormalOf(material))), isFor, mix }
+  const owned = ownedMaps(material)
+  const isCurrent = () => ownedMaps(material) === owned
+  return { ...patchNodes(material, mix(ownNormalOf(material))), isFor, isCurrent, mix }
+}
+
+/** Which of the maps that layers are mixed into a material has, as bits: nodes are made for these. */
+function ownedMaps(material: WrinkleMaterial): number {
+  const { map, roughnessMap, aoMap } = material as Partial<MeshStandardMaterial>
+  return (map ? 1 : 0) + (roughnessMap ? 2 : 0) + (aoMap ? 4 : 0)
 }
 
 export const PARTS: RendererParts & { channels: Fetched<NodeChannels> } = {

@@ -155,12 +155,12 @@ export class AutoMode {
     }
     const dual = this.#dual
     if (!dual?.isReadyFor(renderer, base)) return patch.edit
-    this.#replace(mesh, base, dual.texture)
+    this.#replace(mesh, base, dual.maps.normals, dual.maps.values)
     dual.isDual.value = 1
     return dual.edit
   }
 
-  #replace(mesh: Mesh, base: Texture, texture: Texture, occlusion?: Texture): void {
+  #replace(mesh: Mesh, base: Texture, texture: Texture, occlusion?: Texture | null): void {
     const { material, inputs } = this.#host
     if (!this.#watched.has(mesh)) this.#watched.set(mesh, callAfterRender(mesh, this.#end))
     if (base.matrixAutoUpdate) base.updateMatrix()

@@ -5,6 +5,7 @@ import type { Edit, Patch } from '../patch.ts'
 import type { ShaderInputs } from '../shader-inputs.ts'
 import type { WrinkleMaterial } from '../wrinkle-material.ts'
 import type { WrinkleTextures } from '../wrinkle-textures.ts'
+import type { FirstValues } from './first-values.ts'
 
 /** What the mode `auto` takes on a renderer. */
 export interface AutoShaders {
@@ -19,6 +20,8 @@ export interface AutoShaders {
   ): Edit
   /** Draws `Quads` of a dual map, see `DualMap`. */
   dualMaterial(base: Texture, textures: WrinkleTextures): Material
+  /** Draws `Quads` of a map of occlusion, in red, and values of a layer behind it. */
+  valuesMaterial(aoMap: Texture, values: FirstValues): Material
   /** Makes a material read its own normal and the first layer's from one texel of its normal map. */
   dualEdit(material: WrinkleMaterial, inputs: ShaderInputs, parts: DualParts): Edit
 }
@@ -26,8 +29,10 @@ export interface AutoShaders {
 /** What an edit for a dual map is made of. */
 export interface DualParts {
   patch: Patch
-  /** 1 while a dual map is the material's normal map, else 0: another map has no normals of a layer. */
+  /** A factor of the influence: 1 while a dual map is the material's normal map, else 0, since another has no normals of a layer. */
   isDual: { value: number }
+  /** What the material's map of occlusion holds of the first layer then; null for nothing. */
+  values: FirstValues | null
   /** Called where a shader cannot be edited so; it is then plain. */
   refuse(): void
 }

@@ -6,6 +6,7 @@ import type { Edit } from '../patch.ts'
 import { ComposePolicy } from './compose-policy.ts'
 import { bytesOfTexel, composedType } from './composed-type.ts'
 import type { FaceHost } from './face-host.ts'
+import { OwnMaps } from './own-maps.ts'
 import { isReplaceable, isSamePlace } from './replaceable-map.ts'
 import { halvingsOf } from './screen-need.ts'
 import { type DrawnMeshes, StandbyProgram } from './standby-program.ts'
@@ -21,9 +22,7 @@ interface Made {
   normals: ComposedMap
   /** The material's own occlusion with that of the layers; null where one of them has none. */
   occlusion: ComposedMap | null
-  base: Texture
-  baseVersion: number
-  aoMap: Texture | null
+  own: OwnMaps
   /** How often the sides of the full size were halved. */
   halvings: number
   bytes: number
@@ -86,7 +85,7 @@ export class ComposedFace {
   /** The maps to draw with, if they are fine enough for a view; null else. */
   mapsFor(base: Texture, side: number): Made | null {
     const made = this.#made
-    if (made?.state !== 'drawn' || made.base !== base || this.#isRefused) return null
+    if (made?.state !== 'drawn' || made.own.base !== base || this.#isRefused) return null
     if (this.#host.hasValues && !made.program?.isReady) return null
     // Another view of this frame may be nearer than those of the last.
     return halvingsOf(this.#sizeFor(base), side) < made.halvings ? null : made
@@ -107,13 +106,20 @@ export class ComposedFace {
     return composedSize(base, this.#host.inputs.textures.normals.texture)
   }
 
+  /** The material's map of occlusion, if the layers have occlusion too. */
+  get #ownOcclusion(): Texture | null {
+    const { material, inputs } = this.#host
+    const { aoMap = null } = material as Partial<MeshStandardMaterial>
+    return inputs.textures.values.occlusion ? aoMap : null
+  }
+
   /** Whether a map of its own can have all that the layers change. */
   #canCompose(base: Texture): boolean {
-    const { material, inputs, hasValues, hasOwnProgram } = this.#host
+    const { inputs, hasValues, hasOwnProgram } = this.#host
     if (!hasValues) return true
-    const { baseColor, roughness, occlusion } = inputs.textures.values
-    const { aoMap } = material as Partial<MeshStandardMaterial>
-    const isOccluded = !occlusion || !aoMap || (isReplaceable(aoMap) && isSamePlace(aoMap, base))
+    const { baseColor, roughness } = inputs.textures.values
+    const aoMap = this.#ownOcclusion
+    const isOccluded = !aoMap || (isReplaceable(aoMap) && isSamePlace(aoMap, base))
     return hasOwnProgram && !this.#isRefused && !baseColor && !roughness && isOccluded
   }
 
@@ -124,8 +130,7 @@ export class ComposedFace {
     const size = { width: width >> halvings, height: height >> halvings }
     const type = composedType(base, material, inputs.textures)
     const format = { ...size, levels: levelsOf(size) }
-    const own = (material as Partial<MeshStandardMaterial>).aoMap
-    const aoMap = (inputs.textures.values.occlusion && own) || null
+    const aoMap = this.#ownOcclusion
     const bytes = bytesOfMap(size, bytesOfTexel(type) + (aoMap ? 1 : 0))
     if (!allocate(bytes, budget)) return null
     // The face's own fade is 0 while the map is drawn in its place.
@@ -150,9 +155,7 @@ export class ComposedFace {
     return {
       normals,
       occlusion,
-      base,
-      baseVersion: base.version,
-      aoMap,
+      own: new OwnMaps(base, aoMap),
       halvings,
       bytes,
       program,
@@ -186,9 +189,7 @@ export class ComposedFace {
   /** Whether maps still serve. */
   #isKept(made: Made, base: Texture, halvings: number): boolean {
     const { material, inputs } = this.#host
-    const { aoMap = null } = material as Partial<MeshStandardMaterial>
-    if (made.base !== base || made.baseVersion !== base.version) return false
-    if (inputs.textures.values.occlusion && made.aoMap !== aoMap) return false
+    if (!made.own.are(base, this.#ownOcclusion)) return false
     if (made.normals.target.texture.type !== composedType(base, material, inputs.textures)) return false
     return halvings === made.halvings || halvings === made.halvings + 1
   }

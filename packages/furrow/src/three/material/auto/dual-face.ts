@@ -1,4 +1,4 @@
-import type { Texture } from 'three'
+import type { MeshStandardMaterial, Texture } from 'three'
 import { nextTask } from '../../../runtime/next-task.ts'
 import type { AnyRenderer } from '../../renderer.ts'
 import type { Edit } from '../patch.ts'
@@ -6,6 +6,8 @@ import { ComposePolicy } from './compose-policy.ts'
 import { isOfBytes } from './composed-type.ts'
 import { DualMap } from './dual-map.ts'
 import type { FaceHost } from './face-host.ts'
+import { type FirstValues, firstValues } from './first-values.ts'
+import { isReplaceable, isSamePlace } from './replaceable-map.ts'
 import { type DrawnMeshes, StandbyProgram } from './standby-program.ts'
 
 interface Made {
@@ -21,17 +23,19 @@ export class DualFace {
   readonly isDual = { value: 0 }
   readonly #host: FaceHost
   readonly #policy = new ComposePolicy()
+  readonly #values: FirstValues | null
   #isRefused = false
   #made: Made | null = null
 
   constructor(host: FaceHost) {
     this.#host = host
+    this.#values = firstValues(host.inputs.textures)
   }
 
   /** Whether a draw can have it. */
   isReadyFor(renderer: AnyRenderer, base: Texture): boolean {
     if (!this.#isReady || this.#isRefused) return false
-    return this.#made!.map.isOf(renderer, base, this.#host.inputs.textures)
+    return this.#isOf(this.#made!.map, renderer, base)
   }
 
   get edit(): Edit | null {
@@ -42,8 +46,9 @@ export class DualFace {
     return this.#made?.program.isReady === true
   }
 
-  get texture(): Texture {
-    return this.#made!.map.texture
+  /** Takes the place of the material's own. */
+  get maps(): Pick<DualMap, 'normals' | 'values'> {
+    return this.#made!.map
   }
 
   /**
@@ -53,9 +58,8 @@ export class DualFace {
    * @param pixels that the face covers, at most.
    */
   step(renderer: AnyRenderer, base: Texture | null, pixels: number, meshes: DrawnMeshes): void {
-    const { material, inputs } = this.#host
-    const isUsable = base !== null && !this.#isRefused && isOfBytes(base, material)
-    const isCurrent = isUsable && (this.#made?.map.isOf(renderer, base, inputs.textures) ?? true)
+    const isUsable = base !== null && !this.#isRefused && isOfBytes(base, this.#host.material)
+    const isCurrent = isUsable && (!this.#made || this.#isOf(this.#made.map, renderer, base))
     if (!isCurrent) this.drop()
     if (!this.#policy.step(!isCurrent, pixels) || !isUsable || this.#isReady) return
     this.#policy.reset()
@@ -71,16 +75,29 @@ export class DualFace {
     this.#made = null
   }
 
+  #isOf(map: DualMap, renderer: AnyRenderer, base: Texture): boolean {
+    return map.isOf(renderer, base, this.#aoMapBeside(base), this.#host.inputs.textures)
+  }
+
+  /** The material's map of occlusion, where one that holds values of the first layer too can replace it unseen; else null. */
+  #aoMapBeside(base: Texture): Texture | null {
+    const { aoMap } = this.#host.material as Partial<MeshStandardMaterial>
+    const isPossible = this.#values && aoMap && isReplaceable(aoMap) && isSamePlace(aoMap, base)
+    return isPossible ? aoMap : null
+  }
+
   #make(renderer: AnyRenderer, base: Texture): Made | null {
     const { material, inputs, patch, shaders } = this.#host
-    const map = DualMap.take(this.#host, renderer, base, inputs.textures)
+    const aoMap = this.#aoMapBeside(base)
+    const map = DualMap.take(this.#host, renderer, base, aoMap, inputs.textures)
     if (!map) return null
     const refuse = () => {
       this.#isRefused = true
     }
+    const values = aoMap && this.#values
     // Not before, since it is made for the material's normal map.
-    const edit = shaders.dualEdit(material, inputs, { patch, isDual: this.isDual, refuse })
-    return { map, program: new StandbyProgram(this.#host, edit, map.texture), isPending: false }
+    const edit = shaders.dualEdit(material, inputs, { patch, isDual: this.isDual, values, refuse })
+    return { map, program: new StandbyProgram(this.#host, edit, map.normals), isPending: false }
   }
 
   /** Beside the frames, so that none waits for it; what cannot be drawn is not shown. */

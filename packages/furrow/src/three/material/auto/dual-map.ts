@@ -1,9 +1,11 @@
-import type { Texture } from 'three'
+import type { Material, Texture } from 'three'
 import type { AnyRenderer } from '../../renderer.ts'
 import { ComposedMap, composedSize, levelsOf } from '../composed-map.ts'
 import type { ShaderInputs } from '../shader-inputs.ts'
 import type { WrinkleTextures } from '../wrinkle-textures.ts'
 import type { AutoModeHost } from './face-host.ts'
+import { firstValues } from './first-values.ts'
+import { OwnMaps } from './own-maps.ts'
 import { allocate, bytesOfMap, free } from './texture-budget.ts'
 
 type DualMapHost = Pick<AutoModeHost, 'shaders' | 'hasContents' | 'budget'>
@@ -14,79 +16,104 @@ const NO_ACTIVATIONS = new Float32Array(0)
 
 /**
  * Two normals in each texel: red and green are x and y of the material's own map, blue and alpha those of the first layer. Shaders find z,
- * since both are of unit length, and read both maps by one sample. Faces with the same maps share it.
+ * since both are of unit length, and read both maps by one sample. Where the material has a map of occlusion, another one takes its place,
+ * which holds the first layer's visibility and blood too, behind red. Faces with the same maps share both.
  */
 export class DualMap {
-  readonly #map: ComposedMap
   readonly #host: DualMapHost
   readonly #renderer: AnyRenderer
-  readonly #base: Texture
-  readonly #baseVersion: number
+  readonly #own: OwnMaps
   readonly #textures: WrinkleTextures
   readonly #version: number
   readonly #bytes: number
+  readonly #normals: ComposedMap
+  readonly #values: ComposedMap | null
   #users = 0
   #isDrawn = false
 
   private constructor(
     host: DualMapHost,
     renderer: AnyRenderer,
-    base: Texture,
+    own: OwnMaps,
     textures: WrinkleTextures,
     bytes: number,
   ) {
+    const { base, aoMap } = own
+    const { shaders, hasContents } = host
+    const create = (map: Texture, layers: Texture, material: Material) => {
+      const size = composedSize(map, layers)
+      const created = new ComposedMap(map, { ...size, levels: levelsOf(size) }, material, hasContents)
+      created.target.texture.matrixAutoUpdate = false
+      return created
+    }
+    const values = aoMap && firstValues(textures)
     this.#host = host
     this.#renderer = renderer
-    this.#base = base
-    this.#baseVersion = base.version
+    this.#own = own
     this.#textures = textures
     this.#version = textures.version
     this.#bytes = bytes
-    const size = composedSize(base, textures.normals.texture)
-    const format = { ...size, levels: levelsOf(size) }
-    this.#map = new ComposedMap(base, format, host.shaders.dualMaterial(base, textures), host.hasContents)
-    this.texture.matrixAutoUpdate = false
+    this.#normals = create(base, textures.normals.texture, shaders.dualMaterial(base, textures))
+    this.#values = values && create(aoMap, values.texture, shaders.valuesMaterial(aoMap, values))
   }
 
-  /** That of a face's maps; null where there is not the memory for it. Whoever has it releases it. */
+  /**
+   * Those of a face's maps; null where there is not the memory for them. Whoever has them releases them.
+   *
+   * @param aoMap the material's map of occlusion, if that of the values takes its place; else null.
+   */
   static take(
     host: DualMapHost,
     renderer: AnyRenderer,
     base: Texture,
+    aoMap: Texture | null,
     textures: WrinkleTextures,
   ): DualMap | null {
-    let map = maps.find((known) => known.isOf(renderer, base, textures))
+    let map = maps.find((known) => known.isOf(renderer, base, aoMap, textures))
     if (!map) {
-      const bytes = bytesOfMap(composedSize(base, textures.normals.texture), 4)
+      const bytes =
+        bytesOf(base, textures.normals.texture) + (aoMap ? bytesOf(aoMap, firstValues(textures)!.texture) : 0)
       if (!allocate(bytes, host.budget)) return null
-      map = new DualMap(host, renderer, base, textures, bytes)
+      map = new DualMap(host, renderer, new OwnMaps(base, aoMap), textures, bytes)
       maps.push(map)
     }
     map.#users++
     return map
   }
 
-  get texture(): Texture {
-    return this.#map.target.texture
+  get normals(): Texture {
+    return this.#normals.target.texture
+  }
+
+  /** Null where the material's own map of occlusion stays, or where it has none. */
+  get values(): Texture | null {
+    return this.#values?.target.texture ?? null
   }
 
   /** Whether it shows these maps as they are now. */
-  isOf(renderer: AnyRenderer, base: Texture, textures: WrinkleTextures): boolean {
+  isOf(renderer: AnyRenderer, base: Texture, aoMap: Texture | null, textures: WrinkleTextures): boolean {
     return (
       renderer === this.#renderer &&
-      base === this.#base &&
-      base.version === this.#baseVersion &&
+      this.#own.are(base, aoMap) &&
       textures === this.#textures &&
       textures.version === this.#version &&
-      !(this.#isDrawn && !this.#host.hasContents(renderer, this.#map.target))
+      !(this.#isDrawn && !this.#hasContents)
     )
+  }
+
+  get #hasContents(): boolean {
+    return this.#maps.every(({ target }) => this.#host.hasContents(this.#renderer, target))
+  }
+
+  get #maps(): ComposedMap[] {
+    return this.#values ? [this.#normals, this.#values] : [this.#normals]
   }
 
   /** Draws it, if that was not done before. Outside of frames only. */
   async draw({ areas }: ShaderInputs): Promise<void> {
-    await this.#map.compile(this.#renderer)
+    for (const map of this.#maps) await map.compile(this.#renderer)
     if (this.#isDrawn || this.#users === 0) return
-    this.#map.update(this.#renderer, areas, NO_ACTIVATIONS, 1, 0)
+    for (const map of this.#maps) map.update(this.#renderer, areas, NO_ACTIVATIONS, 1, 0)
     this.#isDrawn = true
   }
 
@@ -94,6 +121,11 @@ export class DualMap {
     if (--this.#users > 0) return
     maps.splice(maps.indexOf(this), 1)
     free(this.#bytes)
-    this.#map.dispose()
+    for (const map of this.#maps) map.dispose()
   }
+}
+
+/** Of a map as large as the larger of two. */
+function bytesOf(own: Texture, layers: Texture): number {
+  return bytesOfMap(composedSize(own, layers), 4)
 }

@@ -19,7 +19,7 @@ export const CHANNELS: ShaderChannels = {
       ].join(''),
       begin: [
         hasValues ? 'furrowReadValues();' : '',
-        values.occlusion ? 'furrowVisibility = furrowMix_occlusion( 1.0 );' : '',
+        values.occlusion ? 'furrowOcclude( furrowMix_occlusion( 1.0 ) );' : '',
       ].join('\n\t'),
       tint: isToon ? `diffuseColor.rgb = furrowToonColour(diffuseColor.rgb, furrowOwn, ${normal});` : '',
       mixOthers: (fragment) => mixOthers(fragment, values),

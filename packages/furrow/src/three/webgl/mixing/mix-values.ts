@@ -12,12 +12,16 @@ vec3 furrowToonColour(vec3 colour, vec3 own, vec3 mixed) {
 }
 `
 
-/** Declares `float furrowMicroShadow(float cosine)`, see `microShadow` in the reference. */
+/** Declares `float furrowMicroShadow(float cosine)`, see `microShadow` in the reference, by what `furrowOcclude` was told. */
 export const MICRO_SHADOW = /* glsl */ `
 float furrowVisibility = 1.0;
+float furrowInverseCone = 1e20;
+void furrowOcclude(float visibility) {
+  furrowVisibility = visibility;
+  furrowInverseCone = 1.0 / max(1.0 - visibility, 1e-20);
+}
 float furrowMicroShadow(float cosine) {
-  float cone = 1.0 - furrowVisibility;
-  return cosine * cosine < cone ? cosine * cosine / cone : 1.0;
+  return min(cosine * cosine * furrowInverseCone, 1.0);
 }
 `
 
@@ -25,15 +29,15 @@ float furrowMicroShadow(float cosine) {
 export const BLOOD_COLOUR = /* glsl */ `
 vec3 furrowBloodColour(vec3 colour) {
   float blood = furrowMix_blood(0.0);
-  return blood == 0.0 ? colour : colour * exp(-blood * vec3(${BLOOD_ABSORPTION.join(', ')}));
+  return colour * exp(-blood * vec3(${BLOOD_ABSORPTION.join(', ')}));
 }
 `
 
-/** See `bloodOf` in the reference. */
-const BLOOD_OF = /* glsl */ `
+/** Declares `float furrowBloodOf(float stored)`, see `bloodOf` in the reference. */
+export const BLOOD_OF = /* glsl */ `
 float furrowBloodOf(float stored) {
   float steps = stored * 255.0 - ${BLOOD_AT_REST}.0;
-  return abs(steps) < ${BLOOD_THRESHOLD} ? 0.0 : max(steps / ${255 - BLOOD_AT_REST}.0, -1.0);
+  return max(steps / ${255 - BLOOD_AT_REST}.0, -1.0) * step(${BLOOD_THRESHOLD}, abs(steps));
 }
 `
 
@@ -115,15 +119,13 @@ export function valueMixing(kind: ValueKind, { slices, channel, sampler }: Value
     const stored = `${texelOf(sampler, slice)}${swizzle(channel)}`
     const value = decode ? decode(stored, `${uniform}[${layer}]`) : stored
     return /* glsl */ `
-    value += (${value} - base) * (furrowInfluence[${layer}] / total);`
+  value += (${value} - base) * (furrowInfluence[${layer}] / total);`
   })
   return /* glsl */ `
 ${functions}${uniform ? `uniform vec4 ${uniform};` : ''}
 ${type} furrowMix_${kind}(${type} base) {
   ${type} value = base;
-  if (furrowHasInfluence) {
-    float total = max(1.0, ${total});${mixed.join('')}
-  }
+  float total = max(1.0, ${total});${mixed.join('')}
   return value;
 }
 `

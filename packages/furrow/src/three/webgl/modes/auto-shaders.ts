@@ -1,9 +1,10 @@
 import { ShaderMaterial } from 'three'
 import type { AutoShaders } from '../../material/auto/auto-shaders.ts'
+import type { FirstValues } from '../../material/auto/first-values.ts'
 import type { WrinkleTextures } from '../../material/wrinkle-textures.ts'
 import { QUAD_SETTINGS } from '../influence/quad-settings.ts'
 import type { ShaderEdit } from '../patch/patch-shader.ts'
-import { MAIN, replace } from '../patch/shader-text.ts'
+import { MAIN, replace, replaceChunk } from '../patch/shader-text.ts'
 import { bloodRange, occlusionMaterial } from './compose-material.ts'
 
 /** What the mode `auto` takes on `WebGLRenderer`: edits of the default mode's fragment shader. */
@@ -32,14 +33,26 @@ export const AUTO_SHADERS: Omit<AutoShaders, 'composeMaterial'> = {
         furrowSlice: { value: normals.slices[0] },
       },
     }),
-  dualEdit(_material, { textures }, { patch, isDual, refuse }): ShaderEdit {
+  valuesMaterial: (aoMap, { texture, slice }) =>
+    new ShaderMaterial({
+      ...QUAD_SETTINGS,
+      name: 'furrow values',
+      fragmentShader: VALUES,
+      uniforms: {
+        furrowBase: { value: aoMap },
+        furrowValues: { value: texture },
+        furrowSlice: { value: slice },
+      },
+    }),
+  dualEdit(_material, { textures }, { patch, isDual, values, refuse }): ShaderEdit {
     const { key, apply } = patch.edit as ShaderEdit
     return {
-      key: `${key} dual`,
+      key: `${key} dual ${values ? 'values' : ''}`,
       uniforms: { furrowIsDual: isDual },
       apply(shader) {
         apply(shader)
-        shader.fragmentShader = dualFragment(shader.fragmentShader, textures)
+        const dual = dualFragment(shader.fragmentShader, textures)
+        shader.fragmentShader = values ? withValues(dual, values) : dual
       },
       refuse,
     }
@@ -64,20 +77,50 @@ void main() {
 }
 `
 
-/** Reads the first layer's normal from the texel of the material's own. Of another map than a dual one, it changes nothing. */
-function dualFragment(fragment: string, { kinds, normals }: WrinkleTextures): string {
-  const layer = `furrowSampleSlice(furrowNormals, ${normals.slices[0]}.0).xyz * 2.0 - 1.0`
-  const none = kinds[0] === 'replace' ? 'furrowTexel.xy' : 'vec2( 0.5 )'
-  const both = replace(fragment, layer, `furrowWithZ( mix( ${none}, furrowTexel.zw, furrowIsDual ) )`)
-  return `uniform float furrowIsDual;${withTexel(both)}`
+/** The material's own occlusion, and the layer's values. */
+const VALUES = /* glsl */ `
+uniform sampler2D furrowBase;
+uniform highp sampler2DArray furrowValues;
+uniform float furrowSlice;
+in vec2 targetUv;
+out vec4 values;
+
+void main() {
+  values = vec4(texture(furrowBase, targetUv).r, texture(furrowValues, vec3(targetUv, furrowSlice)).rgb);
 }
+`
+
+/** Reads the first layer's normal from the texel of the material's own. Of another map than a dual one, it changes nothing. */
+function dualFragment(fragment: string, { normals }: WrinkleTextures): string {
+  const layer = `furrowSampleSlice(furrowNormals, ${normals.slices[0]}.0).xyz * 2.0 - 1.0`
+  const both = replace(fragment, layer, 'furrowWithZ( furrowTexel.zw )')
+  const [sample] = SAMPLED
+  const shown = replace(both, sample, `${sample}\n\tfurrowInfluence *= furrowIsDual;`)
+  return `uniform float furrowIsDual;${withTexel(shown)}`
+}
+
+/** Reads values of the first layer from the texel of the material's own occlusion. */
+function withValues(fragment: string, { slice }: FirstValues): string {
+  const read = new RegExp(`if \\([^;]+\\) (furrowTexel_\\w+_${slice}) = furrowSampleSlice\\([^;]+;`)
+  if (!read.test(fragment)) throw new Error(read.source)
+  const shared = fragment.replace(read, '$1 = furrowAoTexel.gbaa;')
+  const own = replaceChunk(shared, 'aomap_fragment').replaceAll(OWN_AO, 'furrowAoTexel.r')
+  if (READ_AO.test(own)) throw new Error(READ_AO.source)
+  const texel = '\n#ifdef USE_AOMAP\n\tfurrowAoTexel = texture2D( aoMap, vAoMapUv );\n#endif'
+  return `vec4 furrowAoTexel = vec4( 1.0 );${replace(own, MAIN, `${MAIN}${texel}`)}`
+}
+
+/** How three.js reads the map of occlusion. */
+const OWN_AO = /texture2D\( *aoMap, *vAoMapUv *\)\.r/g
+
+const READ_AO = /\baoMap\s*,/
 
 /** Reads what is mixed already: nothing has influence then. */
 function composedFragment(fragment: string, layers: number): string {
   const unmixed = SAMPLED.reduce((shader, text) => shader.replace(text, ''), fragment)
   const occluded = unmixed.replace(
-    'furrowVisibility = furrowMix_occlusion( 1.0 )',
-    'furrowVisibility = furrowTexel.z',
+    'furrowOcclude( furrowMix_occlusion( 1.0 ) )',
+    'furrowOcclude( furrowTexel.z )',
   )
   const flushed = occluded.replace(
     'float blood = furrowMix_blood(0.0)',
@@ -107,6 +150,6 @@ const TEXEL = /* glsl */ `
 vec4 furrowTexel;
 vec3 furrowWithZ(vec2 stored) {
   vec2 xy = stored * 2.0 - 1.0;
-  return vec3(xy, sqrt(max(1.0 - dot(xy, xy), 0.0)));
+  return vec3(xy, sqrt(max(1.0 - dot(xy, xy), 1e-6)));
 }
 `

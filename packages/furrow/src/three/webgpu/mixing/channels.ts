@@ -30,6 +30,8 @@ interface Mixing {
   layers: LayerInfluence
   ownNormal: Node<'vec3'>
   mixed: Node<'vec3'>
+  /** Where the material's own is sampled already. */
+  ownOcclusion?: Node<'float'> | undefined
 }
 
 /** What layers with other maps than normals take on `WebGPURenderer`, and materials that light in steps. */
@@ -39,7 +41,7 @@ function add(
   added: Added,
   material: Patched,
   inputs: ShaderInputs,
-  { layers, ownNormal, mixed }: Mixing,
+  { layers, ownNormal, mixed, ownOcclusion }: Mixing,
 ): void {
   const { baseColor, roughness, occlusion, blood } = inputs.textures.values
   const { roughnessMap, aoMap } = material as Partial<MeshStandardMaterial>
@@ -58,7 +60,7 @@ function add(
     added.roughnessNode = materialProperty('roughness', 'float', material).mul(value)
   }
   if (occlusion && 'aoMap' in material) {
-    const own = aoMap ? vec3(materialProperty('aoMap', 'texture', material).r) : vec3(1)
+    const own = aoMap ? vec3(ownOcclusion ?? materialProperty('aoMap', 'texture', material).r) : vec3(1)
     const value = mixInto('occlusion', own).x
     addOcclusion(added, material, value, aoMap ? mixInto('occlusion', vec3(1)).x : value)
   }

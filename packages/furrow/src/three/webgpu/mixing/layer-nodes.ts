@@ -10,7 +10,7 @@ import { isTiled } from '../../mesh/wrinkle-uvs.ts'
 import { influenceFromMap } from '../influence/influence.ts'
 import { materialProperty, normalScale, typed } from '../node.ts'
 import type { Added, Patched } from '../patch/patch-nodes.ts'
-import { byGradients, bySampler, mapUv, repeat, type SliceSampler } from '../texture-sampling.ts'
+import { byGradients, bySampler, mapUv, repeat } from '../texture-sampling.ts'
 import type { NodeChannels } from './channels.ts'
 import { type LayerInfluence, mixNormals } from './mix-normals.ts'
 
@@ -34,22 +34,24 @@ export function haveTiles(meshes: readonly Mesh[], material: WrinkleMaterial): b
   return meshes.some((mesh) => isTiled(mesh, material))
 }
 
-/** A material's own normal. */
-interface OwnNormal {
-  /** As stored, 0..1; flat for one whose normals are those of a node. */
+/** What a material's own maps hold. */
+export interface OwnTexels {
+  /** The normal as stored, 0..1; flat for one whose normals are those of a node. */
   stored: Node<'vec3'>
   /** That node. */
   node?: Node | null | undefined
+  /** That of its map of occlusion; the default mode's samples the map. */
+  occlusion?: Node<'float'>
 }
 
 /** A material in the default mode. What is fetched for it mixes by this: modules that it would share with the page would come in files of their own. */
 export interface NodePatch extends Patch {
-  /** The nodes of the default mode with another normal of the material's own, and with the layers' maps sampled in another way. */
-  mix(own: OwnNormal, samplerOf?: (sampler: SliceSampler) => SliceSampler): Added
+  /** The nodes of the default mode with other texels of the material's own, and of its layers. */
+  mix(own: OwnTexels, change?: (layers: LayerInfluence) => LayerInfluence): Added
 }
 
 /** That of a material before it is patched. */
-export function ownNormalOf(material: Patched): OwnNormal {
+export function ownNormalOf(material: Patched): OwnTexels {
   const { normalNode: node } = material
   return {
     stored: node ? vec3(0.5, 0.5, 1) : materialProperty('normalMap', 'texture', material).xyz,
@@ -66,14 +68,14 @@ export function layerNodes(
   material: Patched,
   inputs: ShaderInputs,
   layers: LayerInfluence,
-  { stored, node }: OwnNormal,
+  { stored, node, occlusion }: OwnTexels,
   channels: NodeChannels | null,
 ): Added {
   const mixed = mixNormals(stored, inputs, layers)
   const added: Added = {
     normalNode: node ? ontoNormal(typed(node), mixed, material) : normalMap(mixed, normalScale(material)),
   }
-  channels?.add(added, material, inputs, { layers, ownNormal: stored, mixed })
+  channels?.add(added, material, inputs, { layers, ownNormal: stored, mixed, ownOcclusion: occlusion })
   return added
 }
 

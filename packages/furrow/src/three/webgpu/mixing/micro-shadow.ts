@@ -10,11 +10,12 @@ import { microShadow } from './mix-values.ts'
  */
 export function shadowHighlights<M extends LightingModel>(model: M, visibility: Node<'float'>): M {
   const { direct } = model
+  const shadowAt = microShadow(visibility)
   model.direct = (input, builder) => {
     const { lightDirection, reflectedLight } = input
     const directSpecular = vec3(0).toVar()
     direct.call(model, { ...input, reflectedLight: { ...reflectedLight, directSpecular } }, builder)
-    const shadow = microShadow(visibility, normalView.dot(typed<'vec3'>(lightDirection)).clamp())
+    const shadow = shadowAt(normalView.dot(typed<'vec3'>(lightDirection)).clamp())
     typed<'vec3'>(reflectedLight.directSpecular).addAssign(directSpecular.mul(shadow))
   }
   return model

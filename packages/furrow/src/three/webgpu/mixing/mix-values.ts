@@ -1,5 +1,8 @@
-/** The layers' other maps mixed into the material's own, in TSL; the same formulas as the GLSL of `webgl/` and the reference. */
-import { Fn, float, If, max, mix, select, vec3 } from 'three/tsl'
+/**
+ * The layers' other maps mixed into the material's own, in TSL; the same formulas as the GLSL of `webgl/` and the reference. No select, which TSL
+ * makes a branch: software rasterisers pay a tenth of the plain face for the first one.
+ */
+import { Fn, float, max, mix, step, vec3 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
 import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from '../../../core/blood.ts'
 import { TOON_LINE } from '../../../core/toon-line.ts'
@@ -65,29 +68,26 @@ function decode(kind: ValueKind, stored: Node<'vec3'>, scale: Node<'float'>): No
 /** See `bloodOf` in the reference. */
 export function bloodOf(stored: Node<'float'>): Node<'float'> {
   const steps = stored.mul(255).sub(BLOOD_AT_REST).toVar()
-  return select(steps.abs().lessThan(BLOOD_THRESHOLD), 0, max(steps.div(255 - BLOOD_AT_REST), -1))
+  return max(steps.div(255 - BLOOD_AT_REST), -1).mul(step(BLOOD_THRESHOLD, steps.abs()))
 }
 
 /** The skin's colour with its blood, see `bloodColour` in the reference. */
 export function bloodColour(colour: Node<'vec3'>, blood: Node<'float'>): Node<'vec3'> {
-  return Fn(() => {
-    // Read before the branch: in it, the levels of textures would be found from neighbours that do not enter it.
-    const own = colour.toVar()
-    const amount = blood.toVar()
-    const absorption = vec3(...BLOOD_ABSORPTION)
-    If(amount.notEqual(0), () => {
-      own.mulAssign(absorption.mul(amount.negate()).exp())
-    })
-    return own
-  })()
+  return colour.mul(
+    vec3(...BLOOD_ABSORPTION)
+      .mul(blood.negate())
+      .exp(),
+  )
 }
 
-/** A factor of the highlights of a light, see `microShadow` in the reference. */
-export function microShadow(visibility: Node<'float'>, cosine: Node<'float'>): Node<'float'> {
-  const cone = visibility.oneMinus().toVar()
-  const squared = cosine.mul(cosine).toVar()
-  return select(squared.lessThan(cone), squared.div(cone), 1)
+/** Returns a function that gives the factor of a light's highlights by its cosine, see `microShadow` in the reference. */
+export function microShadow(visibility: Node<'float'>): (cosine: Node<'float'>) => Node<'float'> {
+  const inverse = visibility.oneMinus().max(LEAST_CONE).reciprocal().toVar()
+  return (cosine) => cosine.mul(cosine).mul(inverse).min(1)
 }
+
+/** Where nothing is occluded, so that any cosine that lights anything gives 1. */
+const LEAST_CONE = 1e-20
 
 /**
  * Draws wrinkles as lines, for materials that light in steps, see `toonColour` in the reference.

@@ -1,0 +1,24 @@
+import type { Texture } from 'three'
+
+/** A material's own maps, as they were when others were made from them. */
+export class OwnMaps {
+  readonly base: Texture
+  readonly aoMap: Texture | null
+  readonly #versions: readonly (number | undefined)[]
+
+  /**
+   * @param base its normal map.
+   * @param aoMap null where nothing is made from it.
+   */
+  constructor(base: Texture, aoMap: Texture | null) {
+    this.base = base
+    this.aoMap = aoMap
+    this.#versions = [base.version, aoMap?.version]
+  }
+
+  /** Whether these are the maps, and have not changed. */
+  are(base: Texture, aoMap: Texture | null): boolean {
+    const [ofBase, ofAoMap] = this.#versions
+    return base === this.base && base.version === ofBase && aoMap === this.aoMap && aoMap?.version === ofAoMap
+  }
+}
