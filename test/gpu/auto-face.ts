@@ -1,5 +1,6 @@
 import type { WrinklesOptions } from 'furrow/three'
 import {
+  AmbientLight,
   DirectionalLight,
   type Material,
   type Mesh,
@@ -63,7 +64,8 @@ export function faceOf(
   for (const [i, area] of wrinkles.areaNames.entries()) wrinkles.setActivation(area, 0.3 + 0.1 * i)
   const light = new DirectionalLight(0xffffff, 2)
   light.position.set(1, 1, 1)
-  const scene = new Scene().add(mesh, light)
+  // Occlusion darkens no light of lamps.
+  const scene = new Scene().add(mesh, light, new AmbientLight(0xffffff, 1))
   const picture = async () => (await harness.renderBytes(scene, squareCamera(), MAP)).slice()
   /** Some frames; the last picture. */
   const frames = async (count = FRAMES) => {

@@ -1,8 +1,8 @@
 import type { Layer, WrinkleSet } from 'furrow'
 import { scaleLayer, updateLayer } from 'furrow/three'
-import { ClampToEdgeWrapping, type Material, Mesh, MeshPhysicalMaterial } from 'three'
+import { ClampToEdgeWrapping, type DataTexture, type Material, Mesh, MeshPhysicalMaterial } from 'three'
 import { describe, expect, it } from 'vitest'
-import { layer, randomNormals, randomSet } from '../cases.ts'
+import { layer, randomImage, randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { FRAMES, faceOf, MAP, UNSEEN, useFaces } from './auto-face.ts'
 import { largestDifference } from './difference.ts'
@@ -29,6 +29,13 @@ function gray(seed: number) {
 }
 
 const normals = (seed: number) => randomNormals(seeded(seed), MAP)
+
+/** Occlusion, roughness and metalness, which are not glossy. */
+function roughMap(seed: number): DataTexture {
+  const map = normalMap(seed, MAP)
+  map.image.data = map.image.data!.map((value, i) => (i % 4 === 1 ? 230 + value / 10 : value))
+  return map
+}
 
 function hasValues({ occlusion, blood }: WrinkleSet['layers'][number]): boolean {
   return (occlusion ?? blood) !== undefined
@@ -71,14 +78,26 @@ describe.each(RENDERERS)('maps of the mode auto on %s', (name) => {
   it.each(sets)('a face with %s looks the same while it moves and while it is still', async (_, set) => {
     const aoMap = normalMap(11, MAP)
     const occluded = material({ aoMap, aoMapIntensity: 0.8 })
-    for (const own of set.layers.some(hasValues) ? [material(), occluded] : [material()]) {
+    // As glTF has them.
+    const orm = roughMap(11)
+    const packed = material({
+      aoMap: orm,
+      roughnessMap: orm,
+      metalnessMap: orm,
+      metalness: 0.6,
+      roughness: 1,
+    })
+    const owns = [material()]
+    if (set.layers.some(hasValues)) owns.push(occluded)
+    if (set.layers.some(({ occlusion }) => occlusion)) owns.push(packed)
+    for (const own of owns) {
       const { picture, moved, composed, wanted, shown } = face({}, own, set)
       await moved()
       expect(shown.isOcclusionReplaced).toBe(own.aoMap !== null && hasValues(set.layers[0]))
       expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
       await composed()
       expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
-      expect(own.aoMap === null || own.aoMap === aoMap).toBe(true)
+      expect([null, aoMap, orm]).toContain(own.aoMap)
     }
   })
 
@@ -87,9 +106,18 @@ describe.each(RENDERERS)('maps of the mode auto on %s', (name) => {
     aoMap.repeat.set(2, 2)
     const occluded = setWith({ ...layer('skin', 'detail', normals(5)), occlusion: gray(8) })
     const rough = setWith({ ...layer('skin', 'detail', normals(5)), roughness: gray(8) })
-    for (const [own, set] of [
-      [material({ aoMap }), occluded],
-      [material(), rough],
+    const every = setWith({
+      ...layer('skin', 'detail', normals(5)),
+      baseColor: randomImage(seeded(13), MAP),
+      roughness: { ...gray(9), data: gray(9).data.map((value) => 200 + value / 5) },
+      occlusion: gray(8),
+      blood: gray(10),
+      bloodAmplitude: 0.8,
+    })
+    for (const [own, set, isOcclusionReplaced] of [
+      [material({ aoMap }), occluded, false],
+      [material(), rough, false],
+      [material({ aoMap: normalMap(11, MAP) }), every, true],
     ] as const) {
       const { wrinkles, shown, moved, picture, wanted, frames } = face({}, own, set)
       await moved()
@@ -97,7 +125,7 @@ describe.each(RENDERERS)('maps of the mode auto on %s', (name) => {
       wrinkles.mode = 'auto'
       await moved()
       await frames()
-      expect(shown).toMatchObject({ isComposed: false, isDual: true, isOcclusionReplaced: false })
+      expect(shown).toMatchObject({ isComposed: false, isDual: true, isOcclusionReplaced })
     }
   })
 

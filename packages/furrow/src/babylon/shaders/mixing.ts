@@ -29,9 +29,12 @@ export const samplerOf = (kind: 'normal' | ValueKind) => `furrowMaps_${kind}`
 
 /** Declares `furrowMixNormals`, `furrowMix_KIND`, `furrowBloodColour` and `furrowMicroShadow`, as far as there are maps for them. */
 export function mixing(d: Dialect, { kinds, normals, values }: MixedLayers): string {
+  const texels = valueTexels(values)
   return [
     sampledInfluence(d, kinds.length),
-    normalMixing(d, kinds, normals),
+    ...texels.map(({ name }) => d.global(d.vec4, name, `${d.vec4}(0.0)`)),
+    ...[...new Set(texels.map(({ texture }) => texture))].map(d.arrayOfMaps),
+    normalMixing(d, kinds, normals, texels),
     ...Object.entries(values).map(([kind, layers]) => valueMixing(d, kind as ValueKind, layers)),
     values.occlusion ? microShadow(d) : '',
     values.blood ? bloodColour(d) : '',
@@ -78,8 +81,45 @@ ${d.global(vec2, 'furrowDy', `${vec2}(0.0)`)}
 ${d.declare(float, 'furrowSampleInfluence', [[vec2, 'unwrapped']], body)}`
 }
 
-/** Declares `vec3 furrowMixNormals(vec3 stored, vec2 unwrapped)`: the normal as stored, 0..1, which stays as it is without influence. */
-function normalMixing(d: Dialect, kinds: readonly LayerKind[], normals: MixedLayers['normals']): string {
+/** A texel of the layers' other maps, in a variable of the whole shader. */
+interface ValueTexel {
+  name: string
+  texture: string
+  slice: number
+  /** The layers that have it, of any kind. */
+  layers: ReadonlySet<number>
+}
+
+/** Each slice once, whatever number of kinds its channels hold, and however often they are mixed in. */
+function valueTexels(values: MixedLayers['values']): ValueTexel[] {
+  const texels = new Map<string, ValueTexel & { layers: Set<number> }>()
+  for (const { slices, sampler } of Object.values(values)) {
+    for (const [layer, slice] of slices.entries()) {
+      if (slice === null) continue
+      const name = texelOf(sampler, slice)
+      const texel = texels.get(name) ?? { name, texture: samplerOf(sampler), slice, layers: new Set() }
+      texels.set(name, texel)
+      texel.layers.add(layer)
+    }
+  }
+  return [...texels.values()]
+}
+
+/** Where the texel of a slice is kept. */
+function texelOf(sampler: ValueKind, slice: number): string {
+  return `furrowTexel_${sampler}_${slice}`
+}
+
+/**
+ * Declares `vec3 furrowMixNormals(vec3 stored, vec2 unwrapped)`: the normal as stored, 0..1, which stays as it is without influence. Shaders read
+ * their normal map before the others, so that it reads the texels of these too.
+ */
+function normalMixing(
+  d: Dialect,
+  kinds: readonly LayerKind[],
+  normals: MixedLayers['normals'],
+  texels: readonly ValueTexel[],
+): string {
   const { float, vec2, vec3 } = d
   const texture = samplerOf('normal')
   const scales = d.uniform('furrowNormalScale')
@@ -89,6 +129,11 @@ function normalMixing(d: Dialect, kinds: readonly LayerKind[], normals: MixedLay
     return `
   ${d.local(vec3, `n${layer}`, kind === 'replace' ? 'base' : `${vec3}(0.0, 0.0, 1.0)`)}
   if (${influenceOf(layer)} > 0.0) { n${layer} = (${sampled}.xyz * 2.0 - 1.0) * ${vec3}(${scale}, ${scale}, 1.0); }`
+  })
+  const values = texels.map(({ name, texture: maps, slice, layers: owners }) => {
+    const isShown = [...owners].map(influenceOf).join(' + ')
+    return `
+  if (${isShown} > 0.0) { ${name} = ${sample(d, maps, slice)}; }`
   })
   const replacing = indicesOf(kinds, 'replace')
   const details = indicesOf(kinds, 'detail')
@@ -101,7 +146,7 @@ function normalMixing(d: Dialect, kinds: readonly LayerKind[], normals: MixedLay
   const body = `
   furrowLargest = furrowSampleInfluence(unwrapped);
   if (furrowLargest <= 0.0) { return stored; }
-  ${d.local(vec3, 'base', 'stored * 2.0 - 1.0')}${layers.join('')}
+  ${d.local(vec3, 'base', 'stored * 2.0 - 1.0')}${[...layers, ...values].join('')}
   ${d.local(float, 'total', `max(1.0, ${[...replacing.map(influenceOf), '0.0'].join(' + ')})`)}
   ${d.local(vec3, 'normal', `base${replaced.join('')}`)}${details.length > 0 ? reoriented : ''}
   return normal * 0.5 + 0.5;`
@@ -133,19 +178,16 @@ function valueMixing(d: Dialect, kind: ValueKind, { slices, channel, sampler }: 
   const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
   const total = layers.map(({ layer }) => influenceOf(layer)).join(' + ')
   const mixed = layers.map(({ slice, layer }) => {
-    const texel = sample(d, samplerOf(sampler), slice)
-    const stored = `${texel}.${kind === 'baseColor' ? 'xyz' : CHANNELS[channel]}`
+    const stored = `${texelOf(sampler, slice)}.${kind === 'baseColor' ? 'xyz' : CHANNELS[channel]}`
     const value = decode(stored, scales ? `${d.uniform(scales)}.${CHANNELS[layer]}` : '')
     return `
-  if (${influenceOf(layer)} > 0.0) { value += (${vec3}(${value}) - base) * ${influenceOf(layer)} / total; }`
+  value += (${vec3}(${value}) - base) * (${influenceOf(layer)} / total);`
   })
   const body = `
-  if (furrowLargest <= 0.0) { return base; }
   ${d.local(vec3, 'value', 'base')}
   ${d.local(float, 'total', `max(1.0, ${total})`)}${mixed.join('')}
   return value;`
   return [
-    sampler === kind ? d.arrayOfMaps(samplerOf(kind)) : '',
     kind === 'blood' ? bloodOf(d) : '',
     d.declare(vec3, `furrowMix_${kind}`, [[vec3, 'base']], body),
   ].join('\n')
@@ -159,8 +201,7 @@ function sample(d: Dialect, texture: string, slice: number): string {
 function bloodOf(d: Dialect): string {
   const body = `
   ${d.local(d.float, 'steps', `stored * 255.0 - ${BLOOD_AT_REST}.0`)}
-  if (abs(steps) < ${BLOOD_THRESHOLD}) { return 0.0; }
-  return max(steps / ${255 - BLOOD_AT_REST}.0, -1.0);`
+  return max(steps / ${255 - BLOOD_AT_REST}.0, -1.0) * step(${BLOOD_THRESHOLD}, abs(steps));`
   return d.declare(d.float, 'furrowBloodOf', [[d.float, 'stored']], body)
 }
 
@@ -169,9 +210,7 @@ function bloodColour(d: Dialect): string {
   const { vec3 } = d
   const absorption = `${vec3}(${BLOOD_ABSORPTION.map((value) => value.toFixed(2)).join(', ')})`
   const body = `
-  ${d.local(d.float, 'blood', `furrowMix_blood(${vec3}(0.0)).x`)}
-  if (blood == 0.0) { return colour; }
-  return colour * exp(-blood * ${absorption});`
+  return colour * exp(-furrowMix_blood(${vec3}(0.0)).x * ${absorption});`
   return d.declare(vec3, 'furrowBloodColour', [[vec3, 'colour']], body)
 }
 

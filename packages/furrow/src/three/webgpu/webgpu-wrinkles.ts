@@ -1,6 +1,7 @@
 import { type Mesh, type MeshStandardMaterial, REVISION } from 'three'
 import { MeshBasicNodeMaterial } from 'three/webgpu'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
+import { needChannels } from '../material/channels.ts'
 import { Fetched } from '../material/fetched.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
@@ -34,11 +35,12 @@ export function checkThreeFor(mesh: Mesh): Mesh {
 /** The default mode. */
 const patch = (material: WrinkleMaterial, inputs: ShaderInputs, meshes: readonly Mesh[]): NodePatch => {
   const hasTiles = haveTiles(meshes, material)
+  const hasChannels = needChannels(inputs.textures.layers, material)
   const mix: NodePatch['mix'] = (own, change = (layers) => layers) =>
     layerNodes(material, inputs, change(layersOf(material, inputs, meshes)), own, PARTS.channels.value)
   const isFor = (mesh: Mesh) => hasTiles || !haveTiles([mesh], material)
   const owned = ownedMaps(material)
-  const isCurrent = () => ownedMaps(material) === owned
+  const isCurrent = () => !hasChannels || ownedMaps(material) === owned
   return { ...patchNodes(material, mix(ownNormalOf(material))), isFor, isCurrent, mix }
 }
 

@@ -18,7 +18,7 @@ import type { AutoModeHost, FaceHost } from './face-host.ts'
 import { isRepeated, isReplaceable } from './replaceable-map.ts'
 import { pixelsOnScreen, sideOnScreen } from './screen-need.ts'
 import { ShownEdit } from './shown-edit.ts'
-import type { DrawnMesh } from './standby-program.ts'
+import type { DrawnMesh, ReplacingMaps } from './standby-program.ts'
 
 /** Frames in a row of other renderers after which the one that maps were made for no longer draws the face. */
 const ABSENCE = 60
@@ -26,9 +26,9 @@ const ABSENCE = 60
 /** What a draw has replaced. */
 interface Replaced {
   map: Texture
-  /** What is in its place. */
-  shown: Texture
   aoMap: Texture | null
+  /** What is in their place. */
+  shown: ReplacingMaps
   /** How far wrinkles have faded. */
   fade: number
 }
@@ -111,9 +111,10 @@ export class AutoMode {
   end(): void {
     if (!this.#own) return
     const { material, inputs } = this.#host
-    const { map, shown, aoMap, fade } = this.#own
-    if (material.normalMap === shown) material.normalMap = map
-    if (aoMap) (material as MeshStandardMaterial).aoMap = aoMap
+    const { map, aoMap, shown, fade } = this.#own
+    const lit = material as MeshStandardMaterial
+    if (lit.normalMap === shown.normals) lit.normalMap = map
+    if (shown.occlusion && lit.aoMap === shown.occlusion) lit.aoMap = aoMap
     inputs.fade.value = fade
     inputs.reach.value.copy(this.#ownReach)
     if (this.#dual) this.#dual.isDual.value = 0
@@ -149,28 +150,28 @@ export class AutoMode {
     this.#addView(side, pixelsOnScreen(mesh, camera, renderer))
     const made = this.#composed.mapsFor(base, side)
     if (made) {
-      this.#replace(mesh, base, made.normals.target.texture, made.occlusion?.target.texture)
+      this.#replace(mesh, base, made.maps)
       this.#rest()
       return made.program?.isReady ? made.program.edit : patch.edit
     }
     const dual = this.#dual
     if (!dual?.isReadyFor(renderer, base)) return patch.edit
-    this.#replace(mesh, base, dual.maps.normals, dual.maps.values)
+    this.#replace(mesh, base, dual.maps)
     dual.isDual.value = 1
     return dual.edit
   }
 
-  #replace(mesh: Mesh, base: Texture, texture: Texture, occlusion?: Texture | null): void {
+  #replace(mesh: Mesh, base: Texture, shown: ReplacingMaps): void {
     const { material, inputs } = this.#host
     if (!this.#watched.has(mesh)) this.#watched.set(mesh, callAfterRender(mesh, this.#end))
     if (base.matrixAutoUpdate) base.updateMatrix()
-    texture.matrix.copy(base.matrix)
+    const { normals, occlusion } = shown
+    normals.matrix.copy(base.matrix)
     occlusion?.matrix.copy(base.matrix)
     const lit = material as MeshStandardMaterial
-    const aoMap = occlusion ? lit.aoMap : null
-    this.#own = { map: base, shown: texture, aoMap, fade: inputs.fade.value }
+    this.#own = { map: base, aoMap: lit.aoMap, shown, fade: inputs.fade.value }
     this.#ownReach.copy(inputs.reach.value)
-    material.normalMap = texture
+    material.normalMap = normals
     if (occlusion) lit.aoMap = occlusion
   }
 

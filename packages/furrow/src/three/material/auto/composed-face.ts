@@ -7,9 +7,9 @@ import { ComposePolicy } from './compose-policy.ts'
 import { bytesOfTexel, composedType } from './composed-type.ts'
 import type { FaceHost } from './face-host.ts'
 import { OwnMaps } from './own-maps.ts'
-import { isReplaceable, isSamePlace } from './replaceable-map.ts'
+import { isReplaceable, isSampledAlike } from './replaceable-map.ts'
 import { halvingsOf } from './screen-need.ts'
-import { type DrawnMeshes, StandbyProgram } from './standby-program.ts'
+import { type DrawnMeshes, type ReplacingMaps, StandbyProgram } from './standby-program.ts'
 import { allocate, bytesOfMap, free } from './texture-budget.ts'
 
 /** How much finer than the screen needs a map is made, so that a camera that comes a little nearer keeps it. */
@@ -22,6 +22,7 @@ interface Made {
   normals: ComposedMap
   /** The material's own occlusion with that of the layers; null where one of them has none. */
   occlusion: ComposedMap | null
+  maps: ReplacingMaps
   own: OwnMaps
   /** How often the sides of the full size were halved. */
   halvings: number
@@ -119,7 +120,7 @@ export class ComposedFace {
     if (!hasValues) return true
     const { baseColor, roughness } = inputs.textures.values
     const aoMap = this.#ownOcclusion
-    const isOccluded = !aoMap || (isReplaceable(aoMap) && isSamePlace(aoMap, base))
+    const isOccluded = !aoMap || (isReplaceable(aoMap) && isSampledAlike(aoMap, base))
     return hasOwnProgram && !this.#isRefused && !baseColor && !roughness && isOccluded
   }
 
@@ -151,10 +152,12 @@ export class ComposedFace {
         hasContents,
       )
     for (const map of [normals, occlusion]) if (map) map.target.texture.matrixAutoUpdate = false
-    const program = hasOwnProgram ? new StandbyProgram(this.#host, this.#edit, normals.target.texture) : null
+    const maps = { normals: normals.target.texture, occlusion: occlusion?.target.texture ?? null }
+    const program = hasOwnProgram ? new StandbyProgram(this.#host, this.#edit, maps) : null
     return {
       normals,
       occlusion,
+      maps,
       own: new OwnMaps(base, aoMap),
       halvings,
       bytes,
@@ -180,7 +183,7 @@ export class ComposedFace {
       await nextTask()
       if (!isCurrent()) return
       await normals.compile(renderer)
-      await occlusion?.compile(renderer)
+      if (isCurrent()) await occlusion?.compile(renderer)
       if (isCurrent()) await program?.prepare(renderer, meshes)
     }
     compile().then(draw, () => {})

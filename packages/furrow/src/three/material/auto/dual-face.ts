@@ -7,8 +7,8 @@ import { isOfBytes } from './composed-type.ts'
 import { DualMap } from './dual-map.ts'
 import type { FaceHost } from './face-host.ts'
 import { type FirstValues, firstValues } from './first-values.ts'
-import { isReplaceable, isSamePlace } from './replaceable-map.ts'
-import { type DrawnMeshes, StandbyProgram } from './standby-program.ts'
+import { isReplaceable, isSampledAlike } from './replaceable-map.ts'
+import { type DrawnMeshes, type ReplacingMaps, StandbyProgram } from './standby-program.ts'
 
 interface Made {
   map: DualMap
@@ -47,8 +47,8 @@ export class DualFace {
   }
 
   /** Takes the place of the material's own. */
-  get maps(): Pick<DualMap, 'normals' | 'values'> {
-    return this.#made!.map
+  get maps(): ReplacingMaps {
+    return this.#made!.map.maps
   }
 
   /**
@@ -82,7 +82,7 @@ export class DualFace {
   /** The material's map of occlusion, where one that holds values of the first layer too can replace it unseen; else null. */
   #aoMapBeside(base: Texture): Texture | null {
     const { aoMap } = this.#host.material as Partial<MeshStandardMaterial>
-    const isPossible = this.#values && aoMap && isReplaceable(aoMap) && isSamePlace(aoMap, base)
+    const isPossible = this.#values && aoMap && isReplaceable(aoMap) && isSampledAlike(aoMap, base)
     return isPossible ? aoMap : null
   }
 
@@ -97,7 +97,7 @@ export class DualFace {
     const values = aoMap && this.#values
     // Not before, since it is made for the material's normal map.
     const edit = shaders.dualEdit(material, inputs, { patch, isDual: this.isDual, values, refuse })
-    return { map, program: new StandbyProgram(this.#host, edit, map.normals), isPending: false }
+    return { map, program: new StandbyProgram(this.#host, edit, map.maps), isPending: false }
   }
 
   /** Beside the frames, so that none waits for it; what cannot be drawn is not shown. */

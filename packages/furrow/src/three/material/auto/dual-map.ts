@@ -6,6 +6,7 @@ import type { WrinkleTextures } from '../wrinkle-textures.ts'
 import type { AutoModeHost } from './face-host.ts'
 import { firstValues } from './first-values.ts'
 import { OwnMaps } from './own-maps.ts'
+import type { ReplacingMaps } from './standby-program.ts'
 import { allocate, bytesOfMap, free } from './texture-budget.ts'
 
 type DualMapHost = Pick<AutoModeHost, 'shaders' | 'hasContents' | 'budget'>
@@ -26,6 +27,8 @@ export class DualMap {
   readonly #textures: WrinkleTextures
   readonly #version: number
   readonly #bytes: number
+  /** Takes the place of the material's own. */
+  readonly maps: ReplacingMaps
   readonly #normals: ComposedMap
   readonly #values: ComposedMap | null
   #users = 0
@@ -55,6 +58,7 @@ export class DualMap {
     this.#bytes = bytes
     this.#normals = create(base, textures.normals.texture, shaders.dualMaterial(base, textures))
     this.#values = values && create(aoMap, values.texture, shaders.valuesMaterial(aoMap, values))
+    this.maps = { normals: this.#normals.target.texture, occlusion: this.#values?.target.texture ?? null }
   }
 
   /**
@@ -81,15 +85,6 @@ export class DualMap {
     return map
   }
 
-  get normals(): Texture {
-    return this.#normals.target.texture
-  }
-
-  /** Null where the material's own map of occlusion stays, or where it has none. */
-  get values(): Texture | null {
-    return this.#values?.target.texture ?? null
-  }
-
   /** Whether it shows these maps as they are now. */
   isOf(renderer: AnyRenderer, base: Texture, aoMap: Texture | null, textures: WrinkleTextures): boolean {
     return (
@@ -102,18 +97,18 @@ export class DualMap {
   }
 
   get #hasContents(): boolean {
-    return this.#maps.every(({ target }) => this.#host.hasContents(this.#renderer, target))
-  }
-
-  get #maps(): ComposedMap[] {
-    return this.#values ? [this.#normals, this.#values] : [this.#normals]
+    const { hasContents } = this.#host
+    const hasNormals = hasContents(this.#renderer, this.#normals.target)
+    return hasNormals && (!this.#values || hasContents(this.#renderer, this.#values.target))
   }
 
   /** Draws it, if that was not done before. Outside of frames only. */
   async draw({ areas }: ShaderInputs): Promise<void> {
-    for (const map of this.#maps) await map.compile(this.#renderer)
+    await this.#normals.compile(this.#renderer)
+    if (this.#users > 0) await this.#values?.compile(this.#renderer)
     if (this.#isDrawn || this.#users === 0) return
-    for (const map of this.#maps) map.update(this.#renderer, areas, NO_ACTIVATIONS, 1, 0)
+    this.#normals.update(this.#renderer, areas, NO_ACTIVATIONS, 1, 0)
+    this.#values?.update(this.#renderer, areas, NO_ACTIVATIONS, 1, 0)
     this.#isDrawn = true
   }
 
@@ -121,7 +116,8 @@ export class DualMap {
     if (--this.#users > 0) return
     maps.splice(maps.indexOf(this), 1)
     free(this.#bytes)
-    for (const map of this.#maps) map.dispose()
+    this.#normals.dispose()
+    this.#values?.dispose()
   }
 }
 

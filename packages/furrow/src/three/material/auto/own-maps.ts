@@ -4,7 +4,8 @@ import type { Texture } from 'three'
 export class OwnMaps {
   readonly base: Texture
   readonly aoMap: Texture | null
-  readonly #versions: readonly (number | undefined)[]
+  readonly #baseVersion: number
+  readonly #aoVersion: number | undefined
 
   /**
    * @param base its normal map.
@@ -13,12 +14,13 @@ export class OwnMaps {
   constructor(base: Texture, aoMap: Texture | null) {
     this.base = base
     this.aoMap = aoMap
-    this.#versions = [base.version, aoMap?.version]
+    this.#baseVersion = base.version
+    this.#aoVersion = aoMap?.version
   }
 
   /** Whether these are the maps, and have not changed. */
   are(base: Texture, aoMap: Texture | null): boolean {
-    const [ofBase, ofAoMap] = this.#versions
-    return base === this.base && base.version === ofBase && aoMap === this.aoMap && aoMap?.version === ofAoMap
+    const isBase = base === this.base && base.version === this.#baseVersion
+    return isBase && aoMap === this.aoMap && aoMap?.version === this.#aoVersion
   }
 }

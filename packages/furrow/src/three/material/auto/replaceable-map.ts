@@ -20,10 +20,12 @@ export function isRepeated(
   return isPlaced && wrapS === wrapT && uvLayoutOf(mesh.geometry, channel).isInside
 }
 
-/** Whether two maps are shown at the same texture coordinates, and repeat alike. */
-export function isSamePlace(a: Texture, b: Texture): boolean {
-  for (const map of [a, b]) if (map.matrixAutoUpdate) map.updateMatrix()
-  return a.channel === b.channel && a.matrix.equals(b.matrix) && a.wrapS === b.wrapS && a.wrapT === b.wrapT
+/** Whether two maps are shown at the same texture coordinates, and repeat and blur alike. */
+export function isSampledAlike(a: Texture, b: Texture): boolean {
+  if (a.matrixAutoUpdate) a.updateMatrix()
+  if (b.matrixAutoUpdate) b.updateMatrix()
+  const isSamePlace = a.channel === b.channel && a.matrix.equals(b.matrix)
+  return isSamePlace && a.wrapS === b.wrapS && a.wrapT === b.wrapT && a.anisotropy === b.anisotropy
 }
 
 /** Whether a composed map can replace a normal map unseen: it is filtered as those of glTF are by default, and does not change by itself. */

@@ -1,4 +1,4 @@
-import type { Camera, Material, Mesh, RenderTarget, Texture } from 'three'
+import type { Camera, Material, Mesh, MeshStandardMaterial, RenderTarget, Texture } from 'three'
 import { nextTask } from '../../../runtime/next-task.ts'
 import { rootOf } from '../../mesh/root-of.ts'
 import type { AnyRenderer } from '../../renderer.ts'
@@ -16,6 +16,13 @@ export interface DrawnMesh {
   target: RenderTarget | null
 }
 
+/** What takes the place of a material's own maps during a draw. */
+export interface ReplacingMaps {
+  normals: Texture
+  /** Null where the material's own map of occlusion stays, or where it has none. */
+  occlusion: Texture | null
+}
+
 /** The meshes of the face that were drawn. */
 export type DrawnMeshes = ReadonlyMap<Mesh, DrawnMesh>
 
@@ -30,20 +37,20 @@ export class StandbyProgram {
   readonly #material: WrinkleMaterial
   readonly #defaultEdit: Edit
   readonly #shown: ShownEdit
-  readonly #map: Texture
+  readonly #maps: ReplacingMaps
   #copies: WrinkleMaterial[] = []
   #isReady = false
   #isDisposed = false
 
   /**
-   * @param map the material's normal map while this program is drawn.
+   * @param maps the material's while this program is drawn.
    */
-  constructor({ material, patch, shown }: FaceHost, edit: Edit | null, map: Texture) {
+  constructor({ material, patch, shown }: FaceHost, edit: Edit | null, maps: ReplacingMaps) {
     this.edit = edit
     this.#material = material
     this.#defaultEdit = patch.edit
     this.#shown = shown
-    this.#map = map
+    this.#maps = maps
   }
 
   /** Whether it can be drawn. */
@@ -84,13 +91,20 @@ export class StandbyProgram {
         await nextTask()
         if (this.#isDisposed) return
         const copy = this.#shown.during(edit, () => copyOf(this.#material))
-        if (edit === this.edit) copy.normalMap = this.#map
+        if (edit === this.edit) this.#replaceMaps(copy)
         this.#copies.push(copy)
         await this.#shown.during(edit, () => this.#compileOn(renderer, mesh, copy, drawn))
         // `WebGPURenderer` may have made its data for the copy since.
         if (this.#isDisposed) return copy.dispose()
       }
     }
+  }
+
+  /** `WebGPURenderer` builds a program with one binding for maps that are one texture, as those of glTF for occlusion and roughness are. */
+  #replaceMaps(copy: WrinkleMaterial): void {
+    const { normals, occlusion } = this.#maps
+    copy.normalMap = normals
+    if (occlusion) (copy as MeshStandardMaterial).aoMap = occlusion
   }
 
   async #compileOn(renderer: AnyRenderer, mesh: Mesh, copy: WrinkleMaterial, { camera, target }: DrawnMesh) {

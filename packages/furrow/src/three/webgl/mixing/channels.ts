@@ -75,5 +75,5 @@ function mixOthers(fragment: string, { baseColor, roughness, occlusion, blood }:
 /** Highlights of lights are shadowed by the layers' occlusion; those of the surroundings are by three.js. */
 function shadowHighlights(chunk: string): string {
   const highlight = 'reflectedLight.directSpecular += irradiance *'
-  return `float furrowMicroShadow( float cosine );\n${replace(chunk, highlight, `${highlight} furrowMicroShadow( dotNL ) *`)}`
+  return `float furrowMicroShadow( highp float cosine );\n${replace(chunk, highlight, `${highlight} furrowMicroShadow( dotNL ) *`)}`
 }

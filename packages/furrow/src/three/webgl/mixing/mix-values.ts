@@ -15,12 +15,12 @@ vec3 furrowToonColour(vec3 colour, vec3 own, vec3 mixed) {
 /** Declares `float furrowMicroShadow(float cosine)`, see `microShadow` in the reference, by what `furrowOcclude` was told. */
 export const MICRO_SHADOW = /* glsl */ `
 float furrowVisibility = 1.0;
-float furrowInverseCone = 1e20;
-void furrowOcclude(float visibility) {
+highp float furrowInverseCone = 1e20;
+void furrowOcclude(highp float visibility) {
   furrowVisibility = visibility;
   furrowInverseCone = 1.0 / max(1.0 - visibility, 1e-20);
 }
-float furrowMicroShadow(float cosine) {
+float furrowMicroShadow(highp float cosine) {
   return min(cosine * cosine * furrowInverseCone, 1.0);
 }
 `

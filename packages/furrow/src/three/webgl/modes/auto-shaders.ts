@@ -52,7 +52,7 @@ export const AUTO_SHADERS: Omit<AutoShaders, 'composeMaterial'> = {
       apply(shader) {
         apply(shader)
         const dual = dualFragment(shader.fragmentShader, textures)
-        shader.fragmentShader = values ? withValues(dual, values) : dual
+        shader.fragmentShader = values ? withValues(dual, values, textures) : dual
       },
       refuse,
     }
@@ -100,8 +100,9 @@ function dualFragment(fragment: string, { normals }: WrinkleTextures): string {
 }
 
 /** Reads values of the first layer from the texel of the material's own occlusion. */
-function withValues(fragment: string, { slice }: FirstValues): string {
-  const read = new RegExp(`if \\([^;]+\\) (furrowTexel_\\w+_${slice}) = furrowSampleSlice\\([^;]+;`)
+function withValues(fragment: string, { texture, slice }: FirstValues, { values }: WrinkleTextures): string {
+  const [sampler] = Object.entries(values).find(([, maps]) => maps.texture === texture)!
+  const read = new RegExp(`if \\([^;]+\\) (furrowTexel_${sampler}_${slice}) = furrowSampleSlice\\([^;]+;`)
   if (!read.test(fragment)) throw new Error(read.source)
   const shared = fragment.replace(read, '$1 = furrowAoTexel.gbaa;')
   const own = replaceChunk(shared, 'aomap_fragment').replaceAll(OWN_AO, 'furrowAoTexel.r')
