@@ -8,6 +8,7 @@ const LINE = 13
 const COLOURS: Record<string, string> = {
   plain: '#999999',
   furrow: '#0072b2',
+  auto: '#cc79a7',
   composed: '#56b4e9',
   jimenez: '#009e73',
   o3de: '#e69f00',
