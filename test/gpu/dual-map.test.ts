@@ -240,13 +240,48 @@ describe.each(RENDERERS)('maps of the mode auto on %s', (name) => {
   }
 
   it('a face that is disposed of while its map is made leaves nothing behind', async () => {
-    const before = faces.harness.renderer.info.memory.textures
-    const { wrinkles, scene, mesh } = face()
-    const { material } = mesh
-    for (let i = 0; i < FRAMES; i++) faces.harness.renderer.render(scene, squareCamera())
-    wrinkles.dispose()
-    await new Promise((resolve) => setTimeout(resolve, 100))
-    ;(material as MeshPhysicalMaterial).normalMap!.dispose()
-    expect(faces.harness.renderer.info.memory.textures).toBeLessThanOrEqual(before + 1)
+    const { memory } = faces.harness.renderer.info
+    // The renderer keeps textures of its own.
+    await face().picture()
+    const before = memory.textures
+    const occluded = setWith({ ...layer('skin', 'detail', normals(5)), occlusion: gray(8) })
+    for (const own of [face(), face({}, material({ aoMap: normalMap(11, MAP) }), occluded)]) {
+      const { wrinkles, scene, material } = own
+      for (let i = 0; i < FRAMES; i++) faces.harness.renderer.render(scene, squareCamera())
+      // In the middle of it.
+      await Promise.resolve()
+      wrinkles.dispose()
+      await new Promise((resolve) => setTimeout(resolve, 100))
+      material.normalMap!.dispose()
+      material.aoMap?.dispose()
+    }
+    expect(memory.textures).toBeLessThanOrEqual(before + 1)
+  })
+
+  it('what a page sets during a draw stays', async () => {
+    const set = setWith({ ...layer('skin', 'detail', normals(5)), occlusion: gray(8) })
+    const {
+      material: own,
+      mesh,
+      moved,
+      composed,
+      picture,
+      shown,
+    } = face({}, material({ aoMap: normalMap(11, MAP) }), set)
+    for (const shows of [moved, composed]) {
+      await shows()
+      const other = normalMap(12, MAP)
+      const { onAfterRender } = mesh
+      let isReplaced = false
+      mesh.onAfterRender = (...drawn) => {
+        isReplaced = shown.isOcclusionReplaced
+        own.aoMap = other
+        onAfterRender.apply(mesh, drawn)
+      }
+      await picture()
+      mesh.onAfterRender = onAfterRender
+      expect(isReplaced).toBe(true)
+      expect(own.aoMap).toBe(other)
+    }
   })
 })
