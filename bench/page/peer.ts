@@ -32,7 +32,7 @@ export interface Peer {
     weights: readonly Node<'float'>[],
   ): Node<'vec3'>
   /** Nodes of the material besides its normal. */
-  addNodes?: (material: MeshPhysicalMaterial, textures: Readonly<Record<string, Texture>>) => object
+  addNodes?: (material: MeshPhysicalMaterial) => object
 }
 
 /** Patches the mesh's material with the technique. */
@@ -89,7 +89,7 @@ function patchTsl(material: MeshPhysicalMaterial, { textures, weights, tsl, addN
   const scale = uniform(material.normalScale) as unknown as Node<'vec2'>
   // Not a node material: the renderer copies `normalNode` to the node material that it makes of this one. It would share one program
   // among all such materials of equal properties, nodes not compared: of two techniques, the second would be drawn by the first's.
-  Object.assign(material, addNodes?.(material, textures), {
+  Object.assign(material, addNodes?.(material), {
     normalNode: normalMap(normal.mul(0.5).add(0.5) as Node<'vec3'>, scale),
   })
   const name = `${material.customProgramCacheKey()} ${Object.keys(textures).join(' ')}`

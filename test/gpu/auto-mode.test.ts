@@ -91,11 +91,11 @@ describe.each(RENDERERS)('the mode auto on %s', (name) => {
   it('shows the default mode before maps are made, a dual map while it moves, and a composed one while it is still', async () => {
     const { wrinkles, shown, samplesInfluence, picture, composed, moved, wanted } = face()
     expect(largestDifference(await picture(), await wanted())).toBe(0)
-    expect(shown).toMatchObject({ isComposed: false, isDual: false, isSampled: true })
+    expect(shown).toEqual({ isComposed: false, isDual: false, isSampled: true, isOcclusionReplaced: false })
     await moved()
     wrinkles.setActivation('area0', 0.9)
     expect(largestDifference(await picture(), await wanted())).toBeLessThanOrEqual(UNSEEN)
-    expect(shown).toMatchObject({ isComposed: false, isDual: true, isSampled: true })
+    expect(shown).toEqual({ isComposed: false, isDual: true, isSampled: true, isOcclusionReplaced: false })
     await composed()
     expect(shown.isSampled).toBe(false)
     // What else reads it after the draw finds it as it was.

@@ -17,6 +17,7 @@ import {
   MICRO_SHADOW,
 } from '../../../packages/furrow/src/three/webgl/mixing/mix-values.ts'
 import { valueLayers } from '../../../packages/furrow/src/three/webgl/mixing/value-layers.ts'
+import { MAIN } from '../../../packages/furrow/src/three/webgl/patch/shader-text.ts'
 import { shadowHighlights } from '../../../packages/furrow/src/three/webgpu/mixing/micro-shadow.ts'
 import { bloodColour, bloodOf } from '../../../packages/furrow/src/three/webgpu/mixing/mix-values.ts'
 import { activationOf } from '../../case.ts'
@@ -122,8 +123,6 @@ ${BLOOD_COLOUR}`,
       nodesOf(material, influence, texture(textures.strippedValues), strength, amplitude),
   }
 }
-
-const MAIN = 'void main() {'
 
 const BEGIN = /* glsl */ `
   strippedAt = texture(strippedInfluence, vNormalMapUv).r;

@@ -3,7 +3,8 @@ import type { Scene } from '@babylonjs/core/scene.js'
 import type { Layer } from '../core/types.ts'
 import { type PackedMaps, packMaps, VALUE_KINDS, type ValueKind } from '../runtime/layer-maps.ts'
 import { PAIR, packPair } from '../runtime/paired-maps.ts'
-import type { MixedLayers, ValueLayers } from './shaders/mixing.ts'
+import type { ValueLayers } from '../runtime/value-texels.ts'
+import type { MixedLayers } from './shaders/mixing.ts'
 import { colourTexture, mapTexture } from './textures.ts'
 
 /** The maps of a set's layers on the GPU. */

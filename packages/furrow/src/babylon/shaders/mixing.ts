@@ -2,6 +2,7 @@
 import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from '../../core/blood.ts'
 import type { LayerKind } from '../../core/types.ts'
 import type { ValueKind } from '../../runtime/layer-maps.ts'
+import { listTexels, texelOf, type ValueLayers, type ValueTexel } from '../../runtime/value-texels.ts'
 import type { Dialect } from './dialect.ts'
 
 /** What the functions depend on: never the number of areas. */
@@ -12,15 +13,6 @@ export interface MixedLayers {
   readonly values: Readonly<Partial<Record<ValueKind, ValueLayers>>>
 }
 
-/** One kind of the layers' other maps. */
-export interface ValueLayers {
-  /** Slice of each layer's map; null for a layer without. */
-  readonly slices: readonly (number | null)[]
-  readonly channel: number
-  /** The kind whose array holds these maps. */
-  readonly sampler: ValueKind
-}
-
 const CHANNELS = ['x', 'y', 'z', 'w'] as const
 const influenceOf = (layer: number) => `furrowInfluence.${CHANNELS[layer]}`
 
@@ -29,11 +21,11 @@ export const samplerOf = (kind: 'normal' | ValueKind) => `furrowMaps_${kind}`
 
 /** Declares `furrowMixNormals`, `furrowMix_KIND`, `furrowBloodColour` and `furrowMicroShadow`, as far as there are maps for them. */
 export function mixing(d: Dialect, { kinds, normals, values }: MixedLayers): string {
-  const texels = valueTexels(values)
+  const texels = listTexels(values)
   return [
     sampledInfluence(d, kinds.length),
     ...texels.map(({ name }) => d.global(d.vec4, name, `${d.vec4}(0.0)`)),
-    ...[...new Set(texels.map(({ texture }) => texture))].map(d.arrayOfMaps),
+    ...[...new Set(texels.map(({ sampler }) => samplerOf(sampler)))].map(d.arrayOfMaps),
     normalMixing(d, kinds, normals, texels),
     ...Object.entries(values).map(([kind, layers]) => valueMixing(d, kind as ValueKind, layers)),
     values.occlusion ? microShadow(d) : '',
@@ -81,35 +73,6 @@ ${d.global(vec2, 'furrowDy', `${vec2}(0.0)`)}
 ${d.declare(float, 'furrowSampleInfluence', [[vec2, 'unwrapped']], body)}`
 }
 
-/** A texel of the layers' other maps, in a variable of the whole shader. */
-interface ValueTexel {
-  name: string
-  texture: string
-  slice: number
-  /** The layers that have it, of any kind. */
-  layers: ReadonlySet<number>
-}
-
-/** Each slice once, whatever number of kinds its channels hold, and however often they are mixed in. */
-function valueTexels(values: MixedLayers['values']): ValueTexel[] {
-  const texels = new Map<string, ValueTexel & { layers: Set<number> }>()
-  for (const { slices, sampler } of Object.values(values)) {
-    for (const [layer, slice] of slices.entries()) {
-      if (slice === null) continue
-      const name = texelOf(sampler, slice)
-      const texel = texels.get(name) ?? { name, texture: samplerOf(sampler), slice, layers: new Set() }
-      texels.set(name, texel)
-      texel.layers.add(layer)
-    }
-  }
-  return [...texels.values()]
-}
-
-/** Where the texel of a slice is kept. */
-function texelOf(sampler: ValueKind, slice: number): string {
-  return `furrowTexel_${sampler}_${slice}`
-}
-
 /**
  * Declares `vec3 furrowMixNormals(vec3 stored, vec2 unwrapped)`: the normal as stored, 0..1, which stays as it is without influence. Shaders read
  * their normal map before the others, so that it reads the texels of these too.
@@ -130,10 +93,10 @@ function normalMixing(
   ${d.local(vec3, `n${layer}`, kind === 'replace' ? 'base' : `${vec3}(0.0, 0.0, 1.0)`)}
   if (${influenceOf(layer)} > 0.0) { n${layer} = (${sampled}.xyz * 2.0 - 1.0) * ${vec3}(${scale}, ${scale}, 1.0); }`
   })
-  const values = texels.map(({ name, texture: maps, slice, layers: owners }) => {
-    const isShown = [...owners].map(influenceOf).join(' + ')
+  const values = texels.map(({ name, sampler, slice, layers: owners }) => {
+    const isShown = owners.map(influenceOf).join(' + ')
     return `
-  if (${isShown} > 0.0) { ${name} = ${sample(d, maps, slice)}; }`
+  if (${isShown} > 0.0) { ${name} = ${sample(d, samplerOf(sampler), slice)}; }`
   })
   const replacing = indicesOf(kinds, 'replace')
   const details = indicesOf(kinds, 'detail')

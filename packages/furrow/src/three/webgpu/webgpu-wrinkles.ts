@@ -14,7 +14,7 @@ import { checkBatch } from './influence/influence.ts'
 import { quadMaterials } from './influence/influence-quads.ts'
 import { isCompiling } from './is-compiling.ts'
 import type { NodeChannels } from './mixing/channels.ts'
-import { haveTiles, layerNodes, layersOf, type NodePatch, ownNormalOf } from './mixing/layer-nodes.ts'
+import { haveTiles, layerNodes, layersOf, type NodePatch, ownTexelsOf } from './mixing/layer-nodes.ts'
 import { faultOf } from './patch/build-fault.ts'
 import { patchNodes } from './patch/patch-nodes.ts'
 
@@ -41,7 +41,7 @@ const patch = (material: WrinkleMaterial, inputs: ShaderInputs, meshes: readonly
   const isFor = (mesh: Mesh) => hasTiles || !haveTiles([mesh], material)
   const owned = ownedMaps(material)
   const isCurrent = () => !hasChannels || ownedMaps(material) === owned
-  return { ...patchNodes(material, mix(ownNormalOf(material))), isFor, isCurrent, mix }
+  return { ...patchNodes(material, mix(ownTexelsOf(material))), isFor, isCurrent, mix }
 }
 
 /** Which of the maps that layers are mixed into a material has, as bits: nodes are made for these. */

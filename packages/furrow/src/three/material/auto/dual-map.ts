@@ -4,7 +4,7 @@ import { ComposedMap, composedSize, levelsOf } from '../composed-map.ts'
 import type { ShaderInputs } from '../shader-inputs.ts'
 import type { WrinkleTextures } from '../wrinkle-textures.ts'
 import type { AutoModeHost } from './face-host.ts'
-import { firstValues } from './first-values.ts'
+import { type FirstValues, firstValues } from './first-values.ts'
 import { OwnMaps } from './own-maps.ts'
 import type { ReplacingMaps } from './standby-program.ts'
 import { allocate, bytesOfMap, free } from './texture-budget.ts'
@@ -39,6 +39,7 @@ export class DualMap {
     renderer: AnyRenderer,
     own: OwnMaps,
     textures: WrinkleTextures,
+    values: FirstValues | null,
     bytes: number,
   ) {
     const { base, aoMap } = own
@@ -49,7 +50,6 @@ export class DualMap {
       created.target.texture.matrixAutoUpdate = false
       return created
     }
-    const values = aoMap && firstValues(textures)
     this.#host = host
     this.#renderer = renderer
     this.#own = own
@@ -57,7 +57,7 @@ export class DualMap {
     this.#version = textures.version
     this.#bytes = bytes
     this.#normals = create(base, textures.normals.texture, shaders.dualMaterial(base, textures))
-    this.#values = values && create(aoMap, values.texture, shaders.valuesMaterial(aoMap, values))
+    this.#values = aoMap && values && create(aoMap, values.texture, shaders.valuesMaterial(aoMap, values))
     this.maps = { normals: this.#normals.target.texture, occlusion: this.#values?.target.texture ?? null }
   }
 
@@ -75,10 +75,11 @@ export class DualMap {
   ): DualMap | null {
     let map = maps.find((known) => known.isOf(renderer, base, aoMap, textures))
     if (!map) {
-      const bytes =
-        bytesOf(base, textures.normals.texture) + (aoMap ? bytesOf(aoMap, firstValues(textures)!.texture) : 0)
+      const values = aoMap && firstValues(textures)
+      const beside = aoMap && values ? bytesOf(aoMap, values.texture) : 0
+      const bytes = bytesOf(base, textures.normals.texture) + beside
       if (!allocate(bytes, host.budget)) return null
-      map = new DualMap(host, renderer, new OwnMaps(base, aoMap), textures, bytes)
+      map = new DualMap(host, renderer, new OwnMaps(base, aoMap), textures, values, bytes)
       maps.push(map)
     }
     map.#users++

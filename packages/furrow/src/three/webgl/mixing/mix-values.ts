@@ -1,8 +1,9 @@
 /** The layers' other maps, and lines of materials that light in steps, in GLSL. */
 import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from '../../../core/blood.ts'
 import { TOON_LINE } from '../../../core/toon-line.ts'
+import { listTexels, texelOf, type ValueLayers } from '../../../runtime/value-texels.ts'
 import type { ValueKind } from '../../material/wrinkle-textures.ts'
-import type { ValueLayers } from './value-layers.ts'
+import type { Values } from './value-layers.ts'
 
 /** Declares `vec3 furrowToonColour(vec3 colour, vec3 own, vec3 mixed)`, see `toonColour` in the reference. */
 export const TOON_COLOUR = /* glsl */ `
@@ -74,40 +75,22 @@ const VALUES: Record<ValueKind, ValueReading> = {
   },
 }
 
-/**
- * Declares the samplers of the layers' other maps, and `void furrowReadValues()`, which reads each slice once, whatever number of kinds its
- * channels hold, and however often they are mixed in.
- */
-export function valueReading(values: Readonly<Partial<Record<ValueKind, ValueLayers>>>): string {
-  const all = Object.values(values)
-  const samplers = [...new Set(all.map(({ sampler }) => sampler))]
-  const reads = samplers.flatMap((sampler) => {
-    const sharing = all.filter((other) => other.sampler === sampler).map(({ slices }) => slices)
-    const slices = new Set(sharing.flat().filter((slice) => slice !== null))
-    return [...slices].map((slice) => ({ sampler, slice, layers: layersOf(sharing, slice) }))
-  })
-  const declared = samplers.map((sampler) => `uniform highp sampler2DArray furrow_${sampler};`)
-  const texels = reads.map(({ sampler, slice }) => `vec4 ${texelOf(sampler, slice)} = vec4(0.0);`)
-  const statements = reads.map(({ sampler, slice, layers }) => {
+/** Declares the samplers of the layers' other maps, and `void furrowReadValues()`, which reads each of their texels once. */
+export function valueReading(values: Values): string {
+  const texels = listTexels(values)
+  const samplers = new Set(texels.map(({ sampler }) => sampler))
+  const declared = [...samplers].map((sampler) => `uniform highp sampler2DArray furrow_${sampler};`)
+  const variables = texels.map(({ name }) => `vec4 ${name} = vec4(0.0);`)
+  const statements = texels.map(({ name, sampler, slice, layers }) => {
     const isShown = layers.map((layer) => `furrowInfluence[${layer}]`).join(' + ')
-    return `if (${isShown} > 0.0) ${texelOf(sampler, slice)} = furrowSampleSlice(furrow_${sampler}, ${slice}.0);`
+    return `if (${isShown} > 0.0) ${name} = furrowSampleSlice(furrow_${sampler}, ${slice}.0);`
   })
   return /* glsl */ `
-${[...declared, ...texels].join('\n')}
+${[...declared, ...variables].join('\n')}
 void furrowReadValues() {
   ${statements.join('\n  ')}
 }
 `
-}
-
-/** Where the texel of a slice is kept. */
-function texelOf(sampler: ValueKind, slice: number): string {
-  return `furrowTexel_${sampler}_${slice}`
-}
-
-/** The layers that have a slice, of any kind. */
-function layersOf(kinds: readonly (readonly (number | null)[])[], slice: number): number[] {
-  return kinds[0].flatMap((_, layer) => (kinds.some((slices) => slices[layer] === slice) ? [layer] : []))
 }
 
 /** Declares `TYPE furrowMix_KIND(TYPE base)`: `mixValues` of the reference; after `furrowReadValues`. */

@@ -1,16 +1,8 @@
+import type { ValueLayers } from '../../../runtime/value-texels.ts'
 import type { Channels } from '../../material/channels.ts'
 import type { ValueKind, WrinkleTextures } from '../../material/wrinkle-textures.ts'
 
-/** One kind of the layers' other maps, as a program depends on it. */
-export interface ValueLayers {
-  /** Slice of each layer's map; null for a layer without. */
-  slices: readonly (number | null)[]
-  channel: number
-  /** The kind whose array holds these maps: its sampler is declared, and read for both. */
-  sampler: ValueKind
-}
-
-/** The same for all kinds. */
+/** The layers' other maps, by kind. */
 export type Values = Readonly<Partial<Record<ValueKind, ValueLayers>>>
 
 /** What edits a shader for the layers' other maps, and for materials that light in steps. */

@@ -1,8 +1,9 @@
-import { ShaderMaterial } from 'three'
+import { ShaderMaterial, type Texture } from 'three'
 import type { AutoShaders } from '../../material/auto/auto-shaders.ts'
 import type { FirstValues } from '../../material/auto/first-values.ts'
 import type { WrinkleTextures } from '../../material/wrinkle-textures.ts'
 import { QUAD_SETTINGS } from '../influence/quad-settings.ts'
+import { valueLayers } from '../mixing/value-layers.ts'
 import type { ShaderEdit } from '../patch/patch-shader.ts'
 import { MAIN, replace, replaceChunk } from '../patch/shader-text.ts'
 import { bloodRange, occlusionMaterial } from './compose-material.ts'
@@ -23,27 +24,9 @@ export const AUTO_SHADERS: Omit<AutoShaders, 'composeMaterial'> = {
     }
   },
   dualMaterial: (base, { normals }) =>
-    new ShaderMaterial({
-      ...QUAD_SETTINGS,
-      name: 'furrow dual',
-      fragmentShader: DUAL,
-      uniforms: {
-        furrowBase: { value: base },
-        furrowNormals: { value: normals.texture },
-        furrowSlice: { value: normals.slices[0] },
-      },
-    }),
+    pairMaterial('dual', base, normals.texture, normals.slices[0]!, 'vec4(slopeOf(own), slopeOf(layer))'),
   valuesMaterial: (aoMap, { texture, slice }) =>
-    new ShaderMaterial({
-      ...QUAD_SETTINGS,
-      name: 'furrow values',
-      fragmentShader: VALUES,
-      uniforms: {
-        furrowBase: { value: aoMap },
-        furrowValues: { value: texture },
-        furrowSlice: { value: slice },
-      },
-    }),
+    pairMaterial('values', aoMap, texture, slice, 'vec4(own.r, layer.rgb)'),
   dualEdit(_material, { textures }, { patch, isDual, values, refuse }): ShaderEdit {
     const { key, apply } = patch.edit as ShaderEdit
     return {
@@ -59,36 +42,40 @@ export const AUTO_SHADERS: Omit<AutoShaders, 'composeMaterial'> = {
   },
 }
 
-/** x and y of both normals, once they are of unit length. */
-const DUAL = /* glsl */ `
+/**
+ * Draws a map of the material's own and one of a layer into one: `pair` says what of `own` and `layer`. `slopeOf` gives x and y of a normal
+ * once it is of unit length.
+ */
+function pairMaterial(
+  name: string,
+  own: Texture,
+  layers: Texture,
+  slice: number,
+  pair: string,
+): ShaderMaterial {
+  return new ShaderMaterial({
+    ...QUAD_SETTINGS,
+    name: `furrow ${name}`,
+    fragmentShader: /* glsl */ `
 uniform sampler2D furrowBase;
-uniform highp sampler2DArray furrowNormals;
+uniform highp sampler2DArray furrowLayers;
 uniform float furrowSlice;
 in vec2 targetUv;
-out vec4 dual;
+out vec4 pair;
 
 vec2 slopeOf(vec4 stored) {
   return normalize(stored.xyz * 2.0 - 1.0).xy * 0.5 + 0.5;
 }
 
 void main() {
-  vec4 layer = texture(furrowNormals, vec3(targetUv, furrowSlice));
-  dual = vec4(slopeOf(texture(furrowBase, targetUv)), slopeOf(layer));
+  vec4 own = texture(furrowBase, targetUv);
+  vec4 layer = texture(furrowLayers, vec3(targetUv, furrowSlice));
+  pair = ${pair};
 }
-`
-
-/** The material's own occlusion, and the layer's values. */
-const VALUES = /* glsl */ `
-uniform sampler2D furrowBase;
-uniform highp sampler2DArray furrowValues;
-uniform float furrowSlice;
-in vec2 targetUv;
-out vec4 values;
-
-void main() {
-  values = vec4(texture(furrowBase, targetUv).r, texture(furrowValues, vec3(targetUv, furrowSlice)).rgb);
+`,
+    uniforms: { furrowBase: { value: own }, furrowLayers: { value: layers }, furrowSlice: { value: slice } },
+  })
 }
-`
 
 /** Reads the first layer's normal from the texel of the material's own. Of another map than a dual one, it changes nothing. */
 function dualFragment(fragment: string, { normals }: WrinkleTextures): string {
@@ -100,19 +87,18 @@ function dualFragment(fragment: string, { normals }: WrinkleTextures): string {
 }
 
 /** Reads values of the first layer from the texel of the material's own occlusion. */
-function withValues(fragment: string, { texture, slice }: FirstValues, { values }: WrinkleTextures): string {
-  const [sampler] = Object.entries(values).find(([, maps]) => maps.texture === texture)!
+function withValues(fragment: string, { kind, slice }: FirstValues, { values }: WrinkleTextures): string {
+  const { sampler } = valueLayers(values)[kind]!
   const read = new RegExp(`if \\([^;]+\\) (furrowTexel_${sampler}_${slice}) = furrowSampleSlice\\([^;]+;`)
   if (!read.test(fragment)) throw new Error(read.source)
   const shared = fragment.replace(read, '$1 = furrowAoTexel.gbaa;')
-  const own = replaceChunk(shared, 'aomap_fragment').replaceAll(OWN_AO, 'furrowAoTexel.r')
-  if (READ_AO.test(own)) throw new Error(READ_AO.source)
-  const texel = '\n#ifdef USE_AOMAP\n\tfurrowAoTexel = texture2D( aoMap, vAoMapUv );\n#endif'
-  return `vec4 furrowAoTexel = vec4( 1.0 );${replace(own, MAIN, `${MAIN}${texel}`)}`
+  const texel = '#ifdef USE_AOMAP\n\tfurrowAoTexel = texture2D( aoMap, vAoMapUv );\n#endif'
+  const own = replaceChunk(shared, 'aomap_fragment')
+  return `vec4 furrowAoTexel = vec4( 1.0 );${readFirst(own, texel, OWN_AO, 'furrowAoTexel.r', READ_AO)}`
 }
 
 /** How three.js reads the map of occlusion. */
-const OWN_AO = /texture2D\( *aoMap, *vAoMapUv *\)\.r/g
+const OWN_AO = /texture2D\( *aoMap, *vAoMapUv *\)\.r/
 
 const READ_AO = /\baoMap\s*,/
 
@@ -135,11 +121,20 @@ const SAMPLED = ['furrowSampleInfluence(vNormalMapUv);', 'furrowReadValues();']
 /** Reads a texel of the normal map first, and finds z of the material's own normal from it. */
 function withTexel(fragment: string): string {
   if (!OWN.test(fragment)) throw new Error(OWN.source)
-  const own = fragment.replaceAll(new RegExp(OWN, 'g'), 'furrowWithZ( furrowTexel.xy )')
-  // What the page's own edit reads of the map must be the normal.
-  if (READ.test(own)) throw new Error(READ.source)
-  const read = 'furrowTexel = texture2D( normalMap, vNormalMapUv );'
-  return `${TEXEL}${replace(own, MAIN, `${MAIN}\n\t${read}`)}`
+  const read = '\tfurrowTexel = texture2D( normalMap, vNormalMapUv );'
+  return `${TEXEL}${readFirst(fragment, read, OWN, 'furrowWithZ( furrowTexel.xy )', READ)}`
+}
+
+/**
+ * Reads a texel of a map of the material's own first in `main`, and gives a value of it wherever three.js reads the map.
+ *
+ * @param others finds what else reads it.
+ * @throws Error when something does: what the page's own edit reads of the map must be the material's.
+ */
+function readFirst(fragment: string, read: string, own: RegExp, value: string, others: RegExp): string {
+  const replaced = fragment.replaceAll(new RegExp(own, 'g'), value)
+  if (others.test(replaced)) throw new Error(others.source)
+  return replace(replaced, MAIN, `${MAIN}\n${read}`)
 }
 
 /** How three.js reads the normal map. */

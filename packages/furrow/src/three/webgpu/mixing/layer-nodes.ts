@@ -50,8 +50,8 @@ export interface NodePatch extends Patch {
   mix(own: OwnTexels, change?: (layers: LayerInfluence) => LayerInfluence): Added
 }
 
-/** That of a material before it is patched. */
-export function ownNormalOf(material: Patched): OwnTexels {
+/** Those of a material before it is patched. */
+export function ownTexelsOf(material: Patched): OwnTexels {
   const { normalNode: node } = material
   return {
     stored: node ? vec3(0.5, 0.5, 1) : materialProperty('normalMap', 'texture', material).xyz,
