@@ -7,7 +7,8 @@ import { openPage } from './serve.mjs'
 /** A browser, with every renderer. */
 export async function chromiumHost(server) {
   const { launchBrowser } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
-  const browser = await launchBrowser()
+  // Else timestamps of WebGPU are multiples of 0.1 ms.
+  const browser = await launchBrowser(['--enable-webgpu-developer-features'])
   return {
     async open() {
       const page = await openPage(server, browser, '/bench/page/page.html', 'bench')

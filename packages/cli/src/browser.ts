@@ -69,8 +69,10 @@ export async function findBrowser(): Promise<string> {
 /**
  * Starts the browser that `findBrowser` finds, headless. The caller closes it; a signal ends it with the process, and
  * nothing of either stays in the system's temporary folder.
+ *
+ * @param flags besides `CHROMIUM_FLAGS`.
  */
-export async function launchBrowser(): Promise<Browser> {
+export async function launchBrowser(flags: readonly string[] = []): Promise<Browser> {
   const executablePath = await findBrowser()
   const folder = temporaryFolder()
   try {
@@ -78,7 +80,7 @@ export async function launchBrowser(): Promise<Browser> {
     const browser = await inFolder(folder.path, () =>
       chromium.launch({
         executablePath,
-        args: [...CHROMIUM_FLAGS],
+        args: [...CHROMIUM_FLAGS, ...flags],
         timeout: START_TIMEOUT,
         handleSIGHUP: false,
         handleSIGINT: false,

@@ -9,7 +9,8 @@ const HAS_GPU = process.platform !== 'linux' || existsSync('/dev/dri') || exists
  * longer exists"). With the software rasteriser all three flags are needed.
  */
 const VULKAN = HAS_GPU
-  ? ['--enable-features=Vulkan', '--use-angle=vulkan']
+  ? // Without a display a device that must show its pictures is none that WebGPU takes: it falls back to the software rasteriser.
+    ['--enable-features=Vulkan', '--use-angle=vulkan', '--disable-vulkan-surface']
   : ['--enable-features=Vulkan', '--use-angle=swiftshader', '--use-vulkan=swiftshader']
 
 /**

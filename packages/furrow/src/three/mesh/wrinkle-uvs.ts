@@ -1,4 +1,5 @@
 import { type Material, type Mesh, type MeshStandardMaterial, Vector2 } from 'three'
+import { uvAttribute } from './tiling.ts'
 
 /**
  * Texture coordinates of the areas and layers, which are those of the normal map, its `KHR_texture_transform` applied.
@@ -7,7 +8,7 @@ import { type Material, type Mesh, type MeshStandardMaterial, Vector2 } from 'th
  */
 export function wrinkleUvs({ geometry }: Mesh, material: Material): Float64Array {
   const { normalMap } = material as MeshStandardMaterial
-  const attribute = geometry.getAttribute(normalMap?.channel ? `uv${normalMap.channel}` : 'uv')
+  const attribute = uvAttribute(geometry, normalMap)
   const uvs = new Float64Array(2 * attribute.count)
   const uv = new Vector2()
   normalMap?.updateMatrix()
@@ -18,9 +19,4 @@ export function wrinkleUvs({ geometry }: Mesh, material: Material): Float64Array
     uvs[2 * i + 1] = uv.y
   }
   return uvs
-}
-
-/** Whether texture coordinates wrap somewhere on a mesh: neighbouring pixels may then be at opposite edges of its maps. */
-export function isTiled(mesh: Mesh, material: Material): boolean {
-  return wrinkleUvs(mesh, material).some((coordinate) => coordinate < 0 || coordinate > 1)
 }

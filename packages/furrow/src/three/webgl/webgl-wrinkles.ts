@@ -4,8 +4,10 @@ import { Fetched } from '../material/fetched.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import { isToon } from '../material/wrinkle-material.ts'
 import { instancesOf } from '../mesh/instances.ts'
+import { tilingOf } from '../mesh/tiling.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
+import type { SliceSampling } from './influence/influence.ts'
 import { quadMaterials } from './influence/influence-quads.ts'
 import { defaultFragment, instancedVertex, isPatchable, type ShaderVariant } from './mixing/default-shader.ts'
 import { type ShaderChannels, valueLayers } from './mixing/value-layers.ts'
@@ -24,12 +26,17 @@ export class WebGLWrinkles extends WrinklesBase {
 const patch: RendererParts['patch'] = (material, inputs, meshes, { refuse, onCompile }) => {
   const { textures } = inputs
   const instances = instancesOf(meshes[0])
+  const { isTiled, isFor, isCurrent } = tilingOf(meshes, material)
+  // Of one layer a sample costs no more than a branch.
+  const isBranched = textures.kinds.length > 1
   const variant: ShaderVariant = {
     kinds: textures.kinds,
     normals: textures.normals.slices,
     values: valueLayers(textures.values),
     instances,
-    anisotropic: textures.normals.texture.anisotropy > 1,
+    isBranched,
+    isTiled,
+    sampling: samplingOf(isTiled || isBranched, textures.normals.texture.anisotropy),
     isToon: isToon(material),
   }
   const edit: ShaderEdit = {
@@ -41,7 +48,12 @@ const patch: RendererParts['patch'] = (material, inputs, meshes, { refuse, onCom
     },
     refuse,
   }
-  return patchShader(material, edit, onCompile)
+  return { ...patchShader(material, edit, onCompile), isFor, isCurrent }
+}
+
+function samplingOf(needsLevel: boolean, anisotropy: number): SliceSampling {
+  if (!needsLevel) return 'sampler'
+  return anisotropy > 1 ? 'gradients' : 'level'
 }
 
 /**

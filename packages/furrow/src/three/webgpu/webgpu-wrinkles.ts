@@ -7,6 +7,7 @@ import type { RendererParts } from '../material/renderer-parts.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
 import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
 import { instancesOf } from '../mesh/instances.ts'
+import { tilingOf } from '../mesh/tiling.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { checkThree } from '../three-version.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
@@ -14,7 +15,7 @@ import { checkBatch } from './influence/influence.ts'
 import { quadMaterials } from './influence/influence-quads.ts'
 import { isCompiling } from './is-compiling.ts'
 import type { NodeChannels } from './mixing/channels.ts'
-import { haveTiles, layerNodes, layersOf, type NodePatch, ownTexelsOf } from './mixing/layer-nodes.ts'
+import { layerNodes, layersOf, type NodePatch, ownTexelsOf } from './mixing/layer-nodes.ts'
 import { faultOf } from './patch/build-fault.ts'
 import { patchNodes } from './patch/patch-nodes.ts'
 
@@ -34,13 +35,18 @@ export function checkThreeFor(mesh: Mesh): Mesh {
 
 /** The default mode. */
 const patch = (material: WrinkleMaterial, inputs: ShaderInputs, meshes: readonly Mesh[]): NodePatch => {
-  const hasTiles = haveTiles(meshes, material)
+  const { isTiled, isFor, isCurrent: isTiledAsBefore } = tilingOf(meshes, material)
   const hasChannels = needChannels(inputs.textures.layers, material)
   const mix: NodePatch['mix'] = (own, change = (layers) => layers) =>
-    layerNodes(material, inputs, change(layersOf(material, inputs, meshes)), own, PARTS.channels.value)
-  const isFor = (mesh: Mesh) => hasTiles || !haveTiles([mesh], material)
+    layerNodes(
+      material,
+      inputs,
+      change(layersOf(material, inputs, meshes[0], isTiled)),
+      own,
+      PARTS.channels.value,
+    )
   const owned = ownedMaps(material)
-  const isCurrent = () => !hasChannels || ownedMaps(material) === owned
+  const isCurrent = () => isTiledAsBefore() && (!hasChannels || ownedMaps(material) === owned)
   return { ...patchNodes(material, mix(ownTexelsOf(material))), isFor, isCurrent, mix }
 }
 

@@ -1,26 +1,26 @@
 /**
- * The influence of each layer: one sample of the atlas of influence maps. `furrowSampleInfluence` is called first in `main`; the other
- * functions read the globals that it sets. The layers' maps are sampled with the gradients taken here, since they are sampled
- * inside branches, where neighbouring pixels may diverge.
+ * The influence of each layer: one sample of the atlas of influence maps, however many areas there are. No branch between pixels: graphics cards
+ * and software rasterisers pay as much for one as for the sample that it saves. `furrowSampleInfluence` is called first in `main`; the other
+ * functions read the globals that it sets, `furrowDx` and `furrowDy` only where they sample inside branches or coordinates wrap.
+ *
+ * @param isTiled whether texture coordinates leave 0..1, and so wrap.
  */
-export function influenceFromMap(layers: number, isInstanced: boolean): string {
+export function influenceFromMap(layers: number, isInstanced: boolean, isTiled: boolean): string {
   // What the texture lacks is 0 in a sample, but alpha is 1.
   const alpha = layers < 4 ? '0.0' : 'influence.a'
-  return /* glsl */ `${INFLUENCE_LOOKUP}
+  return /* glsl */ `${CELL}${isTiled ? REPEAT : ''}
 ${isInstanced ? 'flat in highp vec2 vFurrowCorner;' : ''}
 vec4 furrowInfluence = vec4(0.0);
-bool furrowHasInfluence = false;
 vec2 furrowUv;
 vec2 furrowDx;
 vec2 furrowDy;
 
-void furrowSampleInfluence(vec2 unwrapped) {
-  furrowUv = furrowRepeat(unwrapped);
-  furrowDx = dFdx(unwrapped);
-  furrowDy = dFdy(unwrapped);
-  vec4 influence = furrowLookUp(furrowUv, ${isInstanced ? 'vFurrowCorner' : 'furrowCell.xy'});
+void furrowSampleInfluence(vec2 uv) {
+  furrowUv = ${isTiled ? 'furrowRepeat(uv)' : 'uv'};
+  furrowDx = dFdx(uv);
+  furrowDy = dFdy(uv);
+  vec4 influence = furrowSampleCell(furrowUv, ${isInstanced ? 'vFurrowCorner' : 'furrowCell.xy'});
   furrowInfluence = vec4(influence.rgb, ${alpha});
-  furrowHasInfluence = any(greaterThan(furrowInfluence, vec4(0.0)));
 }
 `
 }
@@ -32,22 +32,27 @@ vec2 furrowRepeat(vec2 uv) {
 }
 `
 
-/**
- * Declares `vec4 furrowLookUp(vec2 uv, vec2 corner)`: the influence of the cell at a corner, at texture coordinates within 0..1; 0 outside
- * of what active areas reach. For any stage.
- */
-export const INFLUENCE_LOOKUP = /* glsl */ `${REPEAT}
+/** Declares `vec4 furrowSampleCell(vec2 uv, vec2 corner)`: the influence of the cell at a corner, at texture coordinates within 0..1. */
+const CELL = /* glsl */ `
 uniform highp sampler2D furrowInfluenceMap;
 uniform highp vec4 furrowCell;
 uniform highp vec2 furrowInset;
-uniform highp vec4 furrowBounds;
 uniform highp float furrowFade;
+
+vec4 furrowSampleCell(vec2 uv, vec2 corner) {
+  vec2 inside = clamp(uv, furrowInset, 1.0 - furrowInset);
+  return min(textureLod(furrowInfluenceMap, corner + inside * furrowCell.zw, 0.0), 1.0) * furrowFade;
+}
+`
+
+/** Declares `vec4 furrowLookUp(vec2 uv, vec2 corner)` besides: the same, 0 outside of what active areas reach. For vertices, which skip the sample there. */
+export const INFLUENCE_LOOKUP = /* glsl */ `${CELL}${REPEAT}
+uniform highp vec4 furrowBounds;
 
 vec4 furrowLookUp(vec2 uv, vec2 corner) {
   vec4 influence = vec4(0.0);
   if (all(greaterThanEqual(uv, furrowBounds.xy)) && all(lessThanEqual(uv, furrowBounds.zw))) {
-    vec2 inside = clamp(uv, furrowInset, 1.0 - furrowInset);
-    influence = min(textureLod(furrowInfluenceMap, corner + inside * furrowCell.zw, 0.0), 1.0) * furrowFade;
+    influence = furrowSampleCell(uv, corner);
   }
   return influence;
 }
@@ -71,16 +76,22 @@ vec2 furrowCornerOf(float instance) {
 `
 
 /**
- * Declares `vec4 furrowSampleSlice(highp sampler2DArray maps, float slice)`, which samples the layers' maps: with the gradients of the texture
- * coordinates, which samplers with anisotropy need, or at the level of detail computed from them, which costs less.
+ * How the layers' maps are sampled: where the sampler finds the level of detail, which costs least, but neither inside branches nor where
+ * coordinates wrap; with the gradients of the texture coordinates, which samplers with anisotropy need; at the level of detail computed from
+ * them, which costs less.
  */
-export function sliceSampling(anisotropic: boolean): string {
+export type SliceSampling = 'sampler' | 'gradients' | 'level'
+
+/** Declares `vec4 furrowSampleSlice(highp sampler2DArray maps, float slice)`, which samples the layers' maps. */
+export function sliceSampling(sampling: SliceSampling): string {
   return /* glsl */ `
 vec4 furrowSampleSlice(highp sampler2DArray maps, float slice) {
-  ${anisotropic ? BY_GRADIENTS : BY_LEVEL}
+  ${SAMPLE_SLICE[sampling]}
 }
 `
 }
+
+const BY_SAMPLER = 'return texture(maps, vec3(furrowUv, slice));'
 
 const BY_GRADIENTS = 'return textureGrad(maps, vec3(furrowUv, slice), furrowDx, furrowDy);'
 
@@ -89,3 +100,9 @@ const BY_LEVEL = /* glsl */ `vec2 size = vec2(textureSize(maps, 0).xy);
   vec2 dx = furrowDx * size;
   vec2 dy = furrowDy * size;
   return textureLod(maps, vec3(furrowUv, slice), 0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1.0)));`
+
+const SAMPLE_SLICE: Record<SliceSampling, string> = {
+  sampler: BY_SAMPLER,
+  gradients: BY_GRADIENTS,
+  level: BY_LEVEL,
+}

@@ -1,7 +1,12 @@
 import { REVISION, ShaderChunk } from 'three'
 import type { Instances } from '../../mesh/instances.ts'
 import { requireInternal } from '../../three-version.ts'
-import { CORNER_OF_INSTANCE, influenceFromMap, sliceSampling } from '../influence/influence.ts'
+import {
+  CORNER_OF_INSTANCE,
+  influenceFromMap,
+  type SliceSampling,
+  sliceSampling,
+} from '../influence/influence.ts'
 import { MAIN, replace, replaceChunk } from '../patch/shader-text.ts'
 import { type NormalLayers, normalMixing } from './mix-normals.ts'
 import type { ShaderChannels, Values } from './value-layers.ts'
@@ -11,8 +16,9 @@ export interface ShaderVariant extends NormalLayers {
   /** The layers' other maps, by kind. */
   values: Values
   instances: Instances
-  /** Whether the layers' maps are sampled with anisotropy. */
-  anisotropic: boolean
+  /** Whether texture coordinates leave 0..1, and so wrap. */
+  isTiled: boolean
+  sampling: SliceSampling
   /** Whether the material lights in steps, and so shows wrinkles as lines too. */
   isToon: boolean
 }
@@ -35,11 +41,11 @@ export function defaultFragment(
   const [, uv] = shader.match(MAP_READ) ?? []
   const [scaled, normal] = shader.match(NORMAL_SCALED) ?? []
   if (!uv || !scaled) throw new Error((uv ? NORMAL_SCALED : MAP_READ).source)
-  const { kinds, instances, anisotropic, isToon } = variant
+  const { kinds, instances, isTiled, sampling } = variant
   const isBuiltIn = uv === BUILT_IN_UV
   const values = isBuiltIn ? variant.values : {}
-  const added = channels?.add(values, isToon, normal)
-  const influence = influenceFromMap(kinds.length, instances !== null)
+  const added = channels?.add(values, { ...variant, normal })
+  const influence = influenceFromMap(kinds.length, instances !== null, isTiled)
   const sample = `furrowSampleInfluence(${uv});`
   const mixed = [
     isBuiltIn ? '' : sample,
@@ -48,7 +54,7 @@ export function defaultFragment(
     added?.tint,
     scaled,
   ].join('\n\t')
-  const declarations = [influence, sliceSampling(anisotropic), normalMixing(variant), added?.declarations]
+  const declarations = [influence, sliceSampling(sampling), normalMixing(variant), added?.declarations]
   const started = [...declarations, MAIN, isBuiltIn ? sample : '', added?.begin].join('\n')
   const shown = replace(replace(shader, scaled, mixed), MAIN, started)
   return added ? added.mixOthers(shown) : shown

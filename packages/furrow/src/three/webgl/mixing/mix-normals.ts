@@ -5,51 +5,52 @@ export interface NormalLayers {
   kinds: readonly LayerKind[]
   /** Slice of each layer's normals. */
   normals: readonly (number | null)[]
+  /** Whether layers without influence are not sampled: never where the sampler finds the level of detail. */
+  isBranched: boolean
 }
 
 /**
- * Declares `vec3 furrowMixNormals(vec3 base)`: `mixNormals` of the reference, of any length, since whoever uses it normalises it.
- * No function returns early: software rasterisers pay for that in every pixel.
+ * Declares `vec3 furrowMixNormals(vec3 base)`: `mixNormals` of the reference, of any length, since whoever uses it normalises it; the base
+ * itself, bit by bit, where the influence of all layers is 0. No function returns early: software rasterisers pay for that in every pixel.
  */
-export function normalMixing({ kinds, normals }: NormalLayers): string {
+export function normalMixing({ kinds, normals, isBranched }: NormalLayers): string {
   const influence = (layer: number) => `furrowInfluence[${layer}]`
   const sampled = kinds.map((kind, layer) => {
-    const sample = `n${layer} = (furrowSampleSlice(furrowNormals, ${normals[layer]}.0).xyz * 2.0 - 1.0) * vec3(vec2(furrowNormalScale[${layer}]), 1.0);`
+    const sample = `n${layer} = (furrowSampleSlice(furrowNormals, ${normals[layer]}.0).xyz * 2.0 - FURROW_ONE) * vec3(vec2(furrowNormalScale[${layer}]), 1.0);`
     return /* glsl */ `
-    vec3 n${layer} = ${kind === 'replace' ? 'base' : 'vec3(0.0, 0.0, 1.0)'};
-    ${kinds.length > 1 ? `if (${influence(layer)} > 0.0) ` : ''}${sample}`
+  vec3 n${layer} = ${kind === 'replace' ? 'base' : 'vec3(0.0, 0.0, 1.0)'};
+  ${isBranched ? `if (${influence(layer)} > 0.0) ` : ''}${sample}`
   })
   const replacing = indicesOf(kinds, 'replace')
   const details = indicesOf(kinds, 'detail')
   const total = replacing.length > 1 ? ` / max(1.0, ${replacing.map(influence).join(' + ')})` : ''
   const replaced = replacing.map((layer) => ` + (n${layer} - base) * (${influence(layer)}${total})`)
   const slope = details.map((layer) => `n${layer}.xy * (${influence(layer)} / n${layer}.z)`).join(' + ')
-  const reoriented = `
-    normal = furrowReorient(normal, vec3(${slope}, 1.0));`
+  const mixed = `base${replaced.join('')}`
   return /* glsl */ `
 uniform highp sampler2DArray furrowNormals;
 uniform vec4 furrowNormalScale;
-${details.length > 0 ? REORIENT : ''}
+${ONE}${details.length > 0 ? REORIENT : ''}
 vec3 furrowMixNormals(vec3 base) {
-  vec3 normal = base;
-  if (furrowHasInfluence) {${sampled.join('')}
-    normal = base${replaced.join('')};${details.length > 0 ? reoriented : ''}
-  }
-  return normal;
+${sampled.join('')}
+  return ${details.length > 0 ? `furrowReorient(${mixed}, ${slope})` : mixed};
 }
 `
 }
 
+/** A z of exactly 0 would divide an influence of 0 by 0. */
+const ONE = 'const vec3 FURROW_ONE = vec3(1.0, 1.0, 0.9999999);'
+
 /**
- * Reoriented normal mapping, see `reorientNormal` in the reference: the same direction, from vectors of any length. Of t and r there, the
- * base's length times t.z is left in as a factor, so that nothing is divided.
+ * Reoriented normal mapping, see `reorientNormal` in the reference: the same direction, of a base of any length and the slopes of the detail.
+ * With the base's length l, t = (x, y, z + l) and r = (-slope, 1), t dot(t, r) / t.z - l r is multiplied out, so that a slope of 0 leaves the base
+ * as it is without a choice between the two.
  */
 const REORIENT = /* glsl */ `
-vec3 furrowReorient(vec3 base, vec3 detail) {
+vec3 furrowReorient(vec3 base, vec2 slope) {
   float size = length(base);
-  vec3 t = vec3(base.xy, base.z + size);
-  vec3 r = vec3(-detail.xy, detail.z);
-  return t * dot(t, r) - r * (size * t.z);
+  float along = dot(base.xy, slope);
+  return vec3(base.xy * (1.0 - along / max(base.z + size, 1e-6)) + slope * size, base.z - along);
 }
 `
 

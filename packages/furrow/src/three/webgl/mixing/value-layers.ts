@@ -7,8 +7,15 @@ export type Values = Readonly<Partial<Record<ValueKind, ValueLayers>>>
 
 /** What edits a shader for the layers' other maps, and for materials that light in steps. */
 export interface ShaderChannels extends Channels {
-  /** @param normal the variable of the mixed normal. */
-  add(values: Values, isToon: boolean, normal: string): AddedChannels
+  add(values: Values, shader: EditedShader): AddedChannels
+}
+
+export interface EditedShader {
+  isToon: boolean
+  /** The variable of the mixed normal. */
+  normal: string
+  /** See `NormalLayers`. */
+  isBranched: boolean
 }
 
 /** Its parts. */

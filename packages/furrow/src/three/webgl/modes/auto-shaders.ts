@@ -78,18 +78,18 @@ void main() {
 }
 
 /** Reads the first layer's normal from the texel of the material's own. Of another map than a dual one, it changes nothing. */
-function dualFragment(fragment: string, { normals }: WrinkleTextures): string {
-  const layer = `furrowSampleSlice(furrowNormals, ${normals.slices[0]}.0).xyz * 2.0 - 1.0`
-  const both = replace(fragment, layer, 'furrowWithZ( furrowTexel.zw )')
-  const [sample] = SAMPLED
-  const shown = replace(both, sample, `${sample}\n\tfurrowInfluence *= furrowIsDual;`)
+function dualFragment(fragment: string, { kinds, normals }: WrinkleTextures): string {
+  const layer = `(furrowSampleSlice(furrowNormals, ${normals.slices[0]}.0).xyz * 2.0 - FURROW_ONE)`
+  const layers = replace(fragment, layer, 'furrowWithZ( furrowTexel.zw )')
+  const both = kinds.includes('replace') ? layers : layers.replace('size = length(base)', 'size = 1.0')
+  const shown = replace(both, SAMPLE, `${SAMPLE}\n\tfurrowInfluence *= furrowIsDual;`)
   return `uniform float furrowIsDual;${withTexel(shown)}`
 }
 
 /** Reads values of the first layer from the texel of the material's own occlusion. */
 function withValues(fragment: string, { kind, slice }: FirstValues, { values }: WrinkleTextures): string {
   const { sampler } = valueLayers(values)[kind]!
-  const read = new RegExp(`if \\([^;]+\\) (furrowTexel_${sampler}_${slice}) = furrowSampleSlice\\([^;]+;`)
+  const read = new RegExp(`(furrowTexel_${sampler}_${slice}) = furrowSampleSlice\\([^;]+;`)
   if (!read.test(fragment)) throw new Error(read.source)
   const shared = fragment.replace(read, '$1 = furrowAoTexel.gbaa;')
   const texel = '#ifdef USE_AOMAP\n\tfurrowAoTexel = texture2D( aoMap, vAoMapUv );\n#endif'
@@ -104,7 +104,7 @@ const READ_AO = /\baoMap\s*,/
 
 /** Reads what is mixed already: nothing has influence then. */
 function composedFragment(fragment: string, layers: number): string {
-  const unmixed = SAMPLED.reduce((shader, text) => shader.replace(text, ''), fragment)
+  const unmixed = MIXED.reduce<string>((shader, text) => shader.replace(text, ''), fragment)
   const occluded = unmixed.replace(
     'furrowOcclude( furrowMix_occlusion( 1.0 ) )',
     'furrowOcclude( furrowTexel.z )',
@@ -116,7 +116,9 @@ function composedFragment(fragment: string, layers: number): string {
   return withTexel(flushed)
 }
 
-const SAMPLED = ['furrowSampleInfluence(vNormalMapUv);', 'furrowReadValues();']
+const SAMPLE = 'furrowSampleInfluence(vNormalMapUv);'
+
+const MIXED: (string | RegExp)[] = [SAMPLE, 'furrowReadValues();', /\w+ = furrowMixNormals\(furrowOwn\);/]
 
 /** Reads a texel of the normal map first, and finds z of the material's own normal from it. */
 function withTexel(fragment: string): string {

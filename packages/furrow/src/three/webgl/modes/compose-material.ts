@@ -23,16 +23,16 @@ export const composeMaterial: ComposeMaterial = (base, inputs, level, channels) 
     : 'vec4(mixed * 0.5 + 0.5, 1.0)'
   return quadMaterial('furrow composed', base, inputs, {
     declarations: [
-      influenceFromMap(kinds.length, false),
-      isTexelwise ? TEXELS : sliceSampling(false),
-      normalMixing({ kinds, normals: normals.slices }),
+      influenceFromMap(kinds.length, false, false),
+      isTexelwise ? TEXELS : sliceSampling('sampler'),
+      normalMixing({ kinds, normals: normals.slices, isBranched: false }),
       added?.declarations,
     ],
     uniforms: { furrowLevel: level ?? { value: 0 } },
     main: /* glsl */ `${added?.begin ?? ''}
   vec3 base = ${own}.xyz * 2.0 - 1.0;
   vec3 mixed = furrowMixNormals(base);
-  ${kinds.includes('detail') ? 'if (furrowHasInfluence) mixed = normalize(mixed);' : ''}
+  ${kinds.includes('detail') ? 'if (any(greaterThan(furrowInfluence, vec4(0.0)))) mixed = normalize(mixed);' : ''}
   composed = ${composed};`,
   })
 }
@@ -42,7 +42,11 @@ export function occlusionMaterial(aoMap: Texture, inputs: ShaderInputs, channels
   const { kinds, values } = inputs.textures
   const added = addedTo(valueLayers(values), channels)!
   return quadMaterial('furrow occlusion', aoMap, inputs, {
-    declarations: [influenceFromMap(kinds.length, false), sliceSampling(false), added.declarations],
+    declarations: [
+      influenceFromMap(kinds.length, false, false),
+      sliceSampling('sampler'),
+      added.declarations,
+    ],
     uniforms: {},
     main: /* glsl */ `${added.begin}
   composed = vec4(furrowMix_occlusion(texture(furrowBase, targetUv).r), 0.0, 0.0, 1.0);`,
@@ -50,7 +54,9 @@ export function occlusionMaterial(aoMap: Texture, inputs: ShaderInputs, channels
 }
 
 function addedTo(layers: Values, channels: Channels | null | undefined): AddedChannels | null {
-  return channels ? (channels as ShaderChannels).add(layers, false, '') : null
+  return channels
+    ? (channels as ShaderChannels).add(layers, { isToon: false, normal: '', isBranched: false })
+    : null
 }
 
 /** The layers' visibility and blood, as `composedEdit` reads them. */

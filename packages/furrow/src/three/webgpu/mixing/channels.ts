@@ -25,7 +25,7 @@ export interface NodeChannels extends Channels {
   mixOcclusion(own: Node<'float'>, inputs: ShaderInputs, layers: LayerInfluence): Node<'float'>
 }
 
-/** The normals that are mixed, as stored, and by what. */
+/** The normals that are mixed, unpacked, and by what. */
 interface Mixing {
   layers: LayerInfluence
   ownNormal: Node<'vec3'>

@@ -1,43 +1,52 @@
 /** The nodes of the default mode: the layers' maps mixed into the material's, lit once. */
 import type { Mesh } from 'three'
-import { bitangentView, mat3, normalMap, tangentView, varying, vec3 } from 'three/tsl'
-import type { Node } from 'three/webgpu'
+import {
+  bitangentView,
+  Fn,
+  mat3,
+  negateOnBackSide,
+  TBNViewMatrix,
+  tangentView,
+  varying,
+  vec3,
+} from 'three/tsl'
+import type { Node, NodeBuilder } from 'three/webgpu'
 import type { Patch } from '../../material/patch.ts'
 import type { ShaderInputs } from '../../material/shader-inputs.ts'
 import type { WrinkleMaterial } from '../../material/wrinkle-material.ts'
 import { instancesOf } from '../../mesh/instances.ts'
-import { isTiled } from '../../mesh/wrinkle-uvs.ts'
 import { influenceFromMap } from '../influence/influence.ts'
 import { materialProperty, normalScale, typed } from '../node.ts'
 import type { Added, Patched } from '../patch/patch-nodes.ts'
 import { byGradients, bySampler, mapUv, repeat } from '../texture-sampling.ts'
 import type { NodeChannels } from './channels.ts'
-import { type LayerInfluence, mixNormals } from './mix-normals.ts'
+import { type LayerInfluence, mixNormals, unpack } from './mix-normals.ts'
 
-/** The influence of a face's layers, and how their maps are sampled. */
+/**
+ * The influence of a face's layers, and how their maps are sampled.
+ *
+ * @param isTiled whether texture coordinates leave 0..1, and so wrap.
+ */
 export function layersOf(
   material: WrinkleMaterial,
   inputs: ShaderInputs,
-  meshes: readonly Mesh[],
+  mesh: Mesh,
+  isTiled: boolean,
 ): LayerInfluence {
   const uv = varying(mapUv(material))
-  // One variable for all samples.
-  const wrapped = repeat(uv).toVar()
   return {
-    influence: influenceFromMap(inputs, wrapped, instancesOf(meshes[0])),
-    ...(haveTiles(meshes, material) ? { uv, sampler: byGradients } : { uv: wrapped, sampler: bySampler }),
+    influence: influenceFromMap(inputs, isTiled ? repeat(uv).toVar() : uv, instancesOf(mesh)),
+    uv,
+    sampler: isTiled ? byGradients : bySampler,
   }
-}
-
-/** Whether texture coordinates wrap within any of the meshes. */
-export function haveTiles(meshes: readonly Mesh[], material: WrinkleMaterial): boolean {
-  return meshes.some((mesh) => isTiled(mesh, material))
 }
 
 /** What a material's own maps hold. */
 export interface OwnTexels {
-  /** The normal as stored, 0..1; flat for one whose normals are those of a node. */
-  stored: Node<'vec3'>
+  /** The normal, unpacked; flat for one whose normals are those of a node. */
+  normal: Node<'vec3'>
+  /** Whether that is of unit length. */
+  isUnit?: boolean
   /** That node. */
   node?: Node | null | undefined
   /** That of its map of occlusion; the default mode's samples the map. */
@@ -54,7 +63,7 @@ export interface NodePatch extends Patch {
 export function ownTexelsOf(material: Patched): OwnTexels {
   const { normalNode: node } = material
   return {
-    stored: node ? vec3(0.5, 0.5, 1) : materialProperty('normalMap', 'texture', material).xyz,
+    normal: node ? vec3(0, 0, 1) : unpack(materialProperty('normalMap', 'texture', material).xyz),
     node,
   }
 }
@@ -68,20 +77,38 @@ export function layerNodes(
   material: Patched,
   inputs: ShaderInputs,
   layers: LayerInfluence,
-  { stored, node, occlusion }: OwnTexels,
+  { normal: own, isUnit, node, occlusion }: OwnTexels,
   channels: NodeChannels | null,
 ): Added {
-  const mixed = mixNormals(stored, inputs, layers)
+  const mixed = mixNormals(own, inputs, layers, isUnit)
   const added: Added = {
-    normalNode: node ? ontoNormal(typed(node), mixed, material) : normalMap(mixed, normalScale(material)),
+    normalNode: node ? ontoNormal(typed(node), mixed, material) : inView(mixed, material),
   }
-  channels?.add(added, material, inputs, { layers, ownNormal: stored, mixed, ownOcclusion: occlusion })
+  channels?.add(added, material, inputs, { layers, ownNormal: own, mixed, ownOcclusion: occlusion })
   return added
 }
 
-/** Lays stored normals onto a material's own, in view space, that are not those of a map. */
-function ontoNormal(own: Node<'vec3'>, stored: Node<'vec3'>, material: Patched): Node<'vec3'> {
-  const normal = stored.mul(2).sub(1).toVar()
-  const scaled = vec3(normal.xy.mul(normalScale(material)), normal.z)
-  return mat3(typed<'vec3'>(tangentView), typed<'vec3'>(bitangentView), own).mul(scaled).normalize()
+/** A normal in tangent space as three.js's `normalMap` gives one of a map, which would have to be packed for that to unpack it. */
+function inView(normal: Node<'vec3'>, material: Patched): Node<'vec3'> {
+  return Fn((_: [], builder: NodeBuilder) => {
+    const scale = normalScale(material)
+    const facing = (builder as FlatBuilder).isFlatShading() ? negateOnBackSide(typed(scale)) : scale
+    return typed<'mat3'>(TBNViewMatrix)
+      .mul(scaled(normal, typed(facing)))
+      .normalize()
+  })()
+}
+
+/** What three.js's declarations lack. */
+type FlatBuilder = NodeBuilder & { isFlatShading(): boolean }
+
+/** Lays normals onto a material's own, in view space, that are not those of a map. */
+function ontoNormal(own: Node<'vec3'>, normal: Node<'vec3'>, material: Patched): Node<'vec3'> {
+  return mat3(typed<'vec3'>(tangentView), typed<'vec3'>(bitangentView), own)
+    .mul(scaled(normal, normalScale(material)))
+    .normalize()
+}
+
+function scaled(normal: Node<'vec3'>, scale: Node<'vec2'>): Node<'vec3'> {
+  return vec3(normal.xy.mul(scale), normal.z)
 }

@@ -1,5 +1,5 @@
 /** The layers' normals mixed into the material's own, in TSL; the same formulas as the GLSL of `webgl/` and the reference. */
-import { Fn, float, max, mix, vec2, vec3, vec4 } from 'three/tsl'
+import { Fn, float, max, vec3 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
 import type { LayerKind } from '../../../core/types.ts'
 import type { ShaderInputs } from '../../material/shader-inputs.ts'
@@ -15,54 +15,62 @@ export interface LayerInfluence {
 
 /** Reoriented normal mapping, see `reorientNormal` in the reference; unit vectors. */
 export function reorient(base: Node<'vec3'>, detail: Node<'vec3'>): Node<'vec3'> {
-  return alongReoriented(base, detail).div(base.z.add(1))
+  return reorientBy(base, float(1), detail.xy, detail.z)
 }
 
 /**
- * The same direction, from vectors of any length. Of t and r in the reference, the base's length times t.z is left in as a factor, so that
- * nothing is divided.
+ * The same direction, of vectors of any length. With t = (x, y, z + size) and r = (-slope, depth), t dot(t, r) / t.z - size r is multiplied out,
+ * so that a slope of 0 at a depth of 1 leaves the base as it is without a choice between the two.
+ *
+ * @param size length of the base.
  */
-function alongReoriented(base: Node<'vec3'>, detail: Node<'vec3'>): Node<'vec3'> {
-  const size = base.length().toVar()
-  const t = vec3(base.xy, base.z.add(size)).toVar()
-  const r = detail.mul(vec3(-1, -1, 1)).toVar()
-  return t.mul(t.dot(r)).sub(r.mul(size.mul(t.z)))
+function reorientBy(
+  base: Node<'vec3'>,
+  size: Node<'float'>,
+  slope: Node<'vec2'>,
+  depth: Node<'float'>,
+): Node<'vec3'> {
+  const along = base.xy.dot(slope).toVar()
+  const shrunk = depth.sub(along.div(base.z.add(size).max(1e-6)))
+  return vec3(base.xy.mul(shrunk).add(slope.mul(size)), base.z.mul(depth).sub(along))
 }
 
 /**
  * Mixes the normals of all layers into the base, see `mixNormals` in the reference.
  *
- * @param base the material's own map as stored, 0..1.
- * @returns normal as stored, but of any length, since whoever uses it normalises it; the base itself, bit by bit, where the influence of
- *   all layers is 0.
+ * @param base of the material's own map, unpacked.
+ * @param isUnit whether that is of unit length.
+ * @returns of any length, since whoever uses it normalises it; the base itself, bit by bit, where the influence of all layers is 0.
  */
 export function mixNormals(
   base: Node<'vec3'>,
   inputs: ShaderInputs,
   { influence, uv, sampler }: LayerInfluence,
+  isUnit = false,
 ): Node<'vec3'> {
   const { kinds, normals } = inputs.textures
   const scales = inputUniform<'vec4'>(inputs.normalScale)
   return Fn(() => {
-    const normal = base.toVar()
+    const own = base.toVar()
     const influences = influence.toVar()
     const sample = sampler(uv)
-    const own = unpack(normal).toVar()
     const layers = kinds.map((kind, layer) => {
       const scale = scales[CHANNELS[layer]]
-      const stored = unpack(sample(normals.texture, normals.slices[layer]!).xyz)
+      // A z of exactly 0 would divide an influence of 0 by 0.
+      const normal = sample(normals.texture, normals.slices[layer]!)
+        .xyz.mul(2)
+        .sub(vec3(1, 1, 0.9999999))
       return {
         kind,
         influence: influences[CHANNELS[layer]],
-        normal: stored.mul(vec3(scale, scale, 1)).toVar(),
+        normal: normal.mul(vec3(scale, scale, 1)).toVar(),
       }
     })
-    const replaced = replaceNormal(own, ofKind('replace', layers))
+    const replacing = ofKind('replace', layers)
     const details = ofKind('detail', layers)
-    const mixed = details.length === 0 ? replaced : addDetails(replaced, details)
-    // No select, which TSL makes a branch.
-    const hasInfluence = influences.dot(vec4(1)).sign()
-    return mix(normal, mixed.mul(0.5).add(0.5), hasInfluence)
+    const replaced = replaceNormal(own, replacing).toVar()
+    const size = isUnit && replacing.length === 0 ? float(1) : replaced.length()
+    return details.length === 0 ? replaced : reorientBy(replaced, size.toVar(), slopeOf(details), float(1))
   })()
 }
 
@@ -92,13 +100,10 @@ function replaceNormal(base: Node<'vec3'>, layers: readonly SampledLayer[]): Nod
   )
 }
 
-/** Sums layers of detail as slopes and reorients them onto the normal. */
-function addDetails(base: Node<'vec3'>, layers: readonly SampledLayer[]): Node<'vec3'> {
-  const slope = layers.reduce<Node<'vec2'>>(
-    (total, { influence, normal }) => total.add(normal.xy.mul(influence.div(normal.z))),
-    vec2(0),
-  )
-  return alongReoriented(base, vec3(slope, 1))
+/** The sum of the slopes of layers of detail. */
+function slopeOf(layers: readonly SampledLayer[]): Node<'vec2'> {
+  const slopes = layers.map(({ influence, normal }) => normal.xy.mul(influence.div(normal.z)))
+  return slopes.reduce((total, slope) => total.add(slope)).toVar()
 }
 
 export function sum(values: readonly Node<'float'>[]): Node<'float'> {

@@ -10,7 +10,7 @@ import type { ArrayTexture } from '../../material/array-texture.ts'
 import type { ShaderInputs } from '../../material/shader-inputs.ts'
 import type { ValueKind } from '../../material/wrinkle-textures.ts'
 import { CHANNELS, inputUniform } from '../node.ts'
-import { type LayerInfluence, sum, unpack } from './mix-normals.ts'
+import { type LayerInfluence, sum } from './mix-normals.ts'
 
 /** Reads texels of a slice of an array. */
 export type TexelReader = (texture: ArrayTexture, slice: number) => Node<'vec4'>
@@ -92,15 +92,12 @@ const LEAST_CONE = 1e-20
 /**
  * Draws wrinkles as lines, for materials that light in steps, see `toonColour` in the reference.
  *
- * @param own the material's own normal as stored, 0..1.
+ * @param own the material's own normal, unpacked.
  * @param mixed the same with wrinkles.
  */
 export function toonColour(colour: Node<'vec3'>, own: Node<'vec3'>, mixed: Node<'vec3'>): Node<'vec3'> {
   const [from, to] = TOON_LINE.slopes
-  const slopeOf = (stored: Node<'vec3'>) => {
-    const normal = unpack(stored).toVar()
-    return normal.xy.div(normal.z)
-  }
+  const slopeOf = (normal: Node<'vec3'>) => normal.xy.div(normal.z)
   const line = slopeOf(mixed).sub(slopeOf(own)).length().smoothstep(from, to)
   return colour.mul(mix(vec3(1), colour.mul(TOON_LINE.shade), line))
 }

@@ -5,6 +5,7 @@ import type { AutoShaders } from '../../material/auto/auto-shaders.ts'
 import { quadMaterial, targetUv } from '../influence/influence-quads.ts'
 import type { NodeChannels } from '../mixing/channels.ts'
 import type { NodePatch, OwnTexels } from '../mixing/layer-nodes.ts'
+import { unpack } from '../mixing/mix-normals.ts'
 import { inputUniform, materialProperty, normalScale } from '../node.ts'
 import type { Added } from '../patch/patch-nodes.ts'
 import { occlusionMaterial, unitSlope } from './compose-material.ts'
@@ -21,7 +22,7 @@ export const AUTO_SHADERS: Omit<AutoShaders, 'composeMaterial'> = {
   dualMaterial(base, { normals }) {
     const uv = varying(targetUv())
     const layer = texture(normals.texture, uv).depth(int(normals.slices[0]!))
-    return quadMaterial('dual', vec4(unitSlope(texture(base, uv).xyz), unitSlope(layer.xyz)))
+    return quadMaterial('dual', vec4(unitSlope(unpack(texture(base, uv).xyz)), unitSlope(unpack(layer.xyz))))
   },
   valuesMaterial(aoMap, { texture: array, slice }) {
     const uv = varying(targetUv())
@@ -30,7 +31,7 @@ export const AUTO_SHADERS: Omit<AutoShaders, 'composeMaterial'> = {
   dualEdit(material, inputs, { patch, isDual, values }): Added {
     const { normals } = inputs.textures
     const texel = materialProperty('normalMap', 'texture', material).toVar()
-    const own: OwnTexels = { stored: withZ(texel.xy) }
+    const own: OwnTexels = { normal: unpack(withZ(texel.xy)), isUnit: true }
     const known: KnownTexel[] = [
       {
         texture: normals.texture,

@@ -16,19 +16,19 @@ export const composeMaterial: ComposeMaterial = (base, inputs, level, channels) 
   const isTexelwise = level !== undefined
   const uv = varying(targetUv())
   const own = texture(base, uv)
-  const stored = (isTexelwise ? own.load(texelAt(own, uv)) : own).xyz
+  const normal = unpack((isTexelwise ? own.load(texelAt(own, uv)) : own).xyz)
   const influence = influenceFromMap(inputs, uv, null)
   const layers = { influence, uv, sampler: isTexelwise ? byTexel : bySampler }
-  const mixed = mixNormals(stored, inputs, layers).toVar()
+  const mixed = mixNormals(normal, inputs, layers).toVar()
   if (channels) {
     return quadMaterial(
       'composed',
       vec4(unitSlope(mixed), (channels as NodeChannels).storedValues(inputs, layers)),
     )
   }
-  if (!inputs.textures.kinds.includes('detail')) return quadMaterial('composed', vec4(mixed, 1))
-  const unit = mixed.mul(2).sub(1).normalize().mul(0.5).add(0.5)
-  return quadMaterial('composed', vec4(select(influence.greaterThan(vec4(0)).any(), unit, mixed), 1))
+  const hasDetails = inputs.textures.kinds.includes('detail')
+  const shown = hasDetails ? select(influence.greaterThan(vec4(0)).any(), mixed.normalize(), mixed) : mixed
+  return quadMaterial('composed', vec4(shown.mul(0.5).add(0.5), 1))
 }
 
 /** Draws a map of occlusion with that of the layers. */
@@ -39,9 +39,9 @@ export function occlusionMaterial(aoMap: Texture, inputs: ShaderInputs, channels
   return quadMaterial('occlusion', vec4(mixed, 0, 0, 1))
 }
 
-/** x and y of a stored normal, once it is of unit length; as stored. */
-export function unitSlope(stored: Node<'vec3'>): Node<'vec2'> {
-  return unpack(stored).normalize().xy.mul(0.5).add(0.5)
+/** x and y of a normal, once it is of unit length; as stored. */
+export function unitSlope(normal: Node<'vec3'>): Node<'vec2'> {
+  return normal.normalize().xy.mul(0.5).add(0.5)
 }
 
 /** A pixel of the target is a texel. */

@@ -1,6 +1,6 @@
 import { Mesh, MeshStandardMaterial, PlaneGeometry, Texture } from 'three'
 import { expect, test } from 'vitest'
-import { isTiled } from '../../../packages/furrow/src/three/mesh/wrinkle-uvs.ts'
+import { isTiled } from '../../../packages/furrow/src/three/mesh/tiling.ts'
 
 test('texture coordinates wrap where they leave 0..1, the transform of the normal map applied', () => {
   const material = new MeshStandardMaterial({ normalMap: new Texture() })
