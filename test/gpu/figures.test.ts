@@ -1,8 +1,15 @@
 import type { WrinkleSet } from 'furrow'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import type { Face } from '../../stage/face.ts'
+import { largestDifference } from './difference.ts'
 import { faceScene, HEIGHT, loadUndriven, renderWith, uvMaterial, WIDTH } from './face.ts'
 import { createHarness, type Harness, RENDERERS } from './harness.ts'
+
+/**
+ * What a picture may differ by where nothing wrinkles: compilers of graphics cards fuse a multiplication and an addition in one program that they
+ * do not in another.
+ */
+const roundingOf = ({ adapter }: Harness) => (/swiftshader/i.test(adapter) ? 0 : 1e-6)
 
 describe.each(RENDERERS)('areas of the shipped face on %s', (name) => {
   let harness: Harness
@@ -22,9 +29,10 @@ describe.each(RENDERERS)('areas of the shipped face on %s', (name) => {
     async ({ area, view }) => {
       const stage = faceScene(face, view)
       const picture = () => harness.render(stage.scene, stage.camera, WIDTH, HEIGHT)
+      const rounding = roundingOf(harness)
       const plain = await picture()
       const wrinkles = new harness.Wrinkles(face.skin, set)
-      expect(await picture(), 'nothing active').toEqual(plain)
+      expect(largestDifference(await picture(), plain), 'nothing active').toBeLessThanOrEqual(rounding)
       wrinkles.setActivation(area, 1)
       const shown = await picture()
       const influence = await renderWith(harness, face, stage, wrinkles.createInfluenceMaterial())
@@ -41,7 +49,7 @@ describe.each(RENDERERS)('areas of the shipped face on %s', (name) => {
       }
       for (let i = 0; i < WIDTH * HEIGHT; i++) {
         if (uvs[i * 4 + 2] !== 1) continue
-        const changed = [0, 1, 2].some((c) => shown[i * 4 + c] !== plain[i * 4 + c])
+        const changed = [0, 1, 2].some((c) => Math.abs(shown[i * 4 + c] - plain[i * 4 + c]) > rounding)
         if (influence[i * 4] === 0) {
           counts.untouched++
           if (changed) counts.untouchedChanged++

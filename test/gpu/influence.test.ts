@@ -3,6 +3,7 @@ import { MeshStandardMaterial } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
+import { STEP } from './difference.ts'
 import { casesOn, createHarness, type Harness, RENDERERS, square } from './harness.ts'
 import { influenceError } from './influence-error.ts'
 
@@ -32,7 +33,7 @@ describe.each(RENDERERS)('influence on %s', (name) => {
       release = dispose
     }
     release()
-    expect(worst).toBeLessThanOrEqual(1 / 255)
+    expect(worst).toBeLessThanOrEqual(STEP)
   })
 })
 

@@ -13,7 +13,7 @@ import {
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { randomAreas, randomImage } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { largestDifference } from './difference.ts'
+import { largestDifference, STEP } from './difference.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
 import { colourAt, KINDS, type Kind, LAYERS, layerValue, MAP, randomLayer } from './layer-values.ts'
 
@@ -33,7 +33,7 @@ describe.each(RENDERERS)("the layers' other maps on %s", (name) => {
       const random = seeded(23)
       for (let i = 0; i < 3; i++) {
         const { shown, exact, plain } = await compare(harness, random, layers, hasMaps)
-        expect(largestDifference(shown, exact)).toBeLessThanOrEqual(2 / 255)
+        expect(largestDifference(shown, exact)).toBeLessThanOrEqual(2 * STEP)
         // The effect of the maps is several times the tolerance.
         expect(largestDifference(plain, exact)).toBeGreaterThan(8 / 255)
       }
@@ -131,7 +131,7 @@ describe.each(RENDERERS)('highlights of lights on %s', (name) => {
         const shadow = reference.microShadow(visibility, cosine)
         for (let c = 0; c < 3; c++) exact[4 * pixel + c] *= shadow
       }
-      expect(largestDifference(shown, exact)).toBeLessThanOrEqual(2 / 255)
+      expect(largestDifference(shown, exact)).toBeLessThanOrEqual(2 * STEP)
       expect(largestDifference(plain, exact)).toBeGreaterThan(8 / 255)
       wrinkles.dispose()
       mesh.geometry.dispose()

@@ -95,7 +95,7 @@ function mixNormal(base: Node<'vec3'>, strippedWrinkles: Texture, influence: Nod
 function withValues(normals: Peer, { layers: [layer] }: WrinkleSet): Peer {
   const values = valueTextures([layer as Layer], 1)
   const { occlusionStrength: strength = 1, bloodAmplitude: amplitude = 0 } = layer
-  const { mixOthers } = CHANNELS.add(valueLayers(values), { isToon: false, normal: '', isBranched: false })
+  const { mixOthers } = CHANNELS.add(valueLayers(values), { isToon: false, normal: '' })
   const textures = { ...normals.textures, strippedValues: values.occlusion!.texture }
   const influence = texture(normals.textures.strippedInfluence, uv()).x.toVar()
   return {

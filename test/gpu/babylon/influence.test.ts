@@ -5,6 +5,7 @@ import { Wrinkles } from 'furrow/babylon'
 import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest'
 import { randomSet } from '../../cases.ts'
 import { seeded } from '../../random.ts'
+import { STEP } from '../difference.ts'
 import { influenceDifference, type UvTransform } from '../influence-difference.ts'
 import { type BabylonHarness, createHarness, ENGINES, square } from './harness.ts'
 
@@ -42,7 +43,7 @@ describe.each(ENGINES)('influence in Babylon.js on %s', (name) => {
       release = () => mesh.dispose(false, true)
     }
     scene.dispose()
-    expect(worst).toBeLessThanOrEqual(1 / 255)
+    expect(worst).toBeLessThanOrEqual(STEP)
   })
 })
 

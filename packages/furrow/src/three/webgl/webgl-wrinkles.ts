@@ -27,16 +27,13 @@ const patch: RendererParts['patch'] = (material, inputs, meshes, { refuse, onCom
   const { textures } = inputs
   const instances = instancesOf(meshes[0])
   const { isTiled, isFor, isCurrent } = tilingOf(meshes, material)
-  // Of one layer a sample costs no more than a branch.
-  const isBranched = textures.kinds.length > 1
   const variant: ShaderVariant = {
     kinds: textures.kinds,
     normals: textures.normals.slices,
     values: valueLayers(textures.values),
     instances,
-    isBranched,
     isTiled,
-    sampling: samplingOf(isTiled || isBranched, textures.normals.texture.anisotropy),
+    sampling: samplingOf(isTiled, textures.normals.texture.anisotropy),
     isToon: isToon(material),
   }
   const edit: ShaderEdit = {
@@ -51,8 +48,8 @@ const patch: RendererParts['patch'] = (material, inputs, meshes, { refuse, onCom
   return { ...patchShader(material, edit, onCompile), isFor, isCurrent }
 }
 
-function samplingOf(needsLevel: boolean, anisotropy: number): SliceSampling {
-  if (!needsLevel) return 'sampler'
+function samplingOf(isTiled: boolean, anisotropy: number): SliceSampling {
+  if (!isTiled) return 'sampler'
   return anisotropy > 1 ? 'gradients' : 'level'
 }
 

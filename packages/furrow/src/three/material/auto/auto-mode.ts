@@ -179,7 +179,7 @@ export class AutoMode {
   #rest(): void {
     const { inputs } = this.#host
     inputs.fade.value = 0
-    // Where shaders have branches, they know by this that there is nothing to sample.
+    // Vertices of relief have branches, and know by this that there is nothing to sample.
     reachNothing(inputs.reach.value)
   }
 

@@ -1,7 +1,7 @@
 /**
  * The influence of each layer: one sample of the atlas of influence maps, however many areas there are. No branch between pixels: graphics cards
  * and software rasterisers pay as much for one as for the sample that it saves. `furrowSampleInfluence` is called first in `main`; the other
- * functions read the globals that it sets, `furrowDx` and `furrowDy` only where they sample inside branches or coordinates wrap.
+ * functions read the globals that it sets, `furrowDx` and `furrowDy` only where coordinates wrap.
  *
  * @param isTiled whether texture coordinates leave 0..1, and so wrap.
  */
@@ -76,9 +76,8 @@ vec2 furrowCornerOf(float instance) {
 `
 
 /**
- * How the layers' maps are sampled: where the sampler finds the level of detail, which costs least, but neither inside branches nor where
- * coordinates wrap; with the gradients of the texture coordinates, which samplers with anisotropy need; at the level of detail computed from
- * them, which costs less.
+ * How the layers' maps are sampled: the sampler finds the level of detail, which costs least; where coordinates wrap, with their gradients,
+ * which samplers with anisotropy need, or at the level of detail computed from them, which costs less.
  */
 export type SliceSampling = 'sampler' | 'gradients' | 'level'
 

@@ -7,12 +7,12 @@ import type { ShaderChannels, Values } from './value-layers.ts'
 /** What layers with other maps than normals take on `WebGLRenderer`, and materials that light in steps. */
 export const CHANNELS: ShaderChannels = {
   valueTextures,
-  add(values, { isToon, normal, isBranched }) {
+  add(values, { isToon, normal }) {
     const hasValues = Object.keys(values).length > 0
     return {
       declarations: [
         isToon ? TOON_COLOUR : '',
-        hasValues ? valueReading(values, isBranched) : '',
+        hasValues ? valueReading(values) : '',
         ...Object.entries(values).map(([kind, layers]) => valueMixing(kind as ValueKind, layers)),
         values.occlusion ? MICRO_SHADOW : '',
         values.blood ? BLOOD_COLOUR : '',

@@ -5,27 +5,26 @@ export interface NormalLayers {
   kinds: readonly LayerKind[]
   /** Slice of each layer's normals. */
   normals: readonly (number | null)[]
-  /** Whether layers without influence are not sampled: never where the sampler finds the level of detail. */
-  isBranched: boolean
 }
 
 /**
  * Declares `vec3 furrowMixNormals(vec3 base)`: `mixNormals` of the reference, of any length, since whoever uses it normalises it; the base
- * itself, bit by bit, where the influence of all layers is 0. No function returns early: software rasterisers pay for that in every pixel.
+ * itself, bit by bit, where the influence of all layers is 0. All layers are sampled: a graphics card pays more for the branches.
  */
-export function normalMixing({ kinds, normals, isBranched }: NormalLayers): string {
+export function normalMixing({ kinds, normals }: NormalLayers): string {
   const influence = (layer: number) => `furrowInfluence[${layer}]`
-  const sampled = kinds.map((kind, layer) => {
-    const sample = `n${layer} = (furrowSampleSlice(furrowNormals, ${normals[layer]}.0).xyz * 2.0 - FURROW_ONE) * vec3(vec2(furrowNormalScale[${layer}]), 1.0);`
-    return /* glsl */ `
-  vec3 n${layer} = ${kind === 'replace' ? 'base' : 'vec3(0.0, 0.0, 1.0)'};
-  ${isBranched ? `if (${influence(layer)} > 0.0) ` : ''}${sample}`
-  })
+  const sampled = normals.map(
+    (slice, layer) =>
+      `\n  vec3 n${layer} = furrowSampleSlice(furrowNormals, ${slice}.0).xyz * 2.0 - FURROW_ONE;`,
+  )
   const replacing = indicesOf(kinds, 'replace')
   const details = indicesOf(kinds, 'detail')
   const total = replacing.length > 1 ? ` / max(1.0, ${replacing.map(influence).join(' + ')})` : ''
-  const replaced = replacing.map((layer) => ` + (n${layer} - base) * (${influence(layer)}${total})`)
-  const slope = details.map((layer) => `n${layer}.xy * (${influence(layer)} / n${layer}.z)`).join(' + ')
+  const scaled = (layer: number) => `n${layer} * vec3(vec2(furrowNormalScale[${layer}]), 1.0)`
+  const replaced = replacing.map((layer) => ` + (${scaled(layer)} - base) * (${influence(layer)}${total})`)
+  const slope = details
+    .map((layer) => `n${layer}.xy * (${influence(layer)} * furrowNormalScale[${layer}] / n${layer}.z)`)
+    .join(' + ')
   const mixed = `base${replaced.join('')}`
   return /* glsl */ `
 uniform highp sampler2DArray furrowNormals;

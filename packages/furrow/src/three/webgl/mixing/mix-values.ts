@@ -75,20 +75,15 @@ const VALUES: Record<ValueKind, ValueReading> = {
   },
 }
 
-/**
- * Declares the samplers of the layers' other maps, and `void furrowReadValues()`, which reads each of their texels once.
- *
- * @param isBranched see `NormalLayers`.
- */
-export function valueReading(values: Values, isBranched: boolean): string {
+/** Declares the samplers of the layers' other maps, and `void furrowReadValues()`, which reads each of their texels once. */
+export function valueReading(values: Values): string {
   const texels = listTexels(values)
   const samplers = new Set(texels.map(({ sampler }) => sampler))
   const declared = [...samplers].map((sampler) => `uniform highp sampler2DArray furrow_${sampler};`)
   const variables = texels.map(({ name }) => `vec4 ${name} = vec4(0.0);`)
-  const statements = texels.map(({ name, sampler, slice, layers }) => {
-    const isShown = layers.map((layer) => `furrowInfluence[${layer}]`).join(' + ')
-    return `${isBranched ? `if (${isShown} > 0.0) ` : ''}${name} = furrowSampleSlice(furrow_${sampler}, ${slice}.0);`
-  })
+  const statements = texels.map(
+    ({ name, sampler, slice }) => `${name} = furrowSampleSlice(furrow_${sampler}, ${slice}.0);`,
+  )
   return /* glsl */ `
 ${[...declared, ...variables].join('\n')}
 void furrowReadValues() {

@@ -14,8 +14,6 @@ export interface EditedShader {
   isToon: boolean
   /** The variable of the mixed normal. */
   normal: string
-  /** See `NormalLayers`. */
-  isBranched: boolean
 }
 
 /** Its parts. */

@@ -79,7 +79,7 @@ void main() {
 
 /** Reads the first layer's normal from the texel of the material's own. Of another map than a dual one, it changes nothing. */
 function dualFragment(fragment: string, { kinds, normals }: WrinkleTextures): string {
-  const layer = `(furrowSampleSlice(furrowNormals, ${normals.slices[0]}.0).xyz * 2.0 - FURROW_ONE)`
+  const layer = `furrowSampleSlice(furrowNormals, ${normals.slices[0]}.0).xyz * 2.0 - FURROW_ONE`
   const layers = replace(fragment, layer, 'furrowWithZ( furrowTexel.zw )')
   const both = kinds.includes('replace') ? layers : layers.replace('size = length(base)', 'size = 1.0')
   const shown = replace(both, SAMPLE, `${SAMPLE}\n\tfurrowInfluence *= furrowIsDual;`)

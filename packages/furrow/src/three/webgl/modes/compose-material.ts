@@ -25,7 +25,7 @@ export const composeMaterial: ComposeMaterial = (base, inputs, level, channels) 
     declarations: [
       influenceFromMap(kinds.length, false, false),
       isTexelwise ? TEXELS : sliceSampling('sampler'),
-      normalMixing({ kinds, normals: normals.slices, isBranched: false }),
+      normalMixing({ kinds, normals: normals.slices }),
       added?.declarations,
     ],
     uniforms: { furrowLevel: level ?? { value: 0 } },
@@ -54,9 +54,7 @@ export function occlusionMaterial(aoMap: Texture, inputs: ShaderInputs, channels
 }
 
 function addedTo(layers: Values, channels: Channels | null | undefined): AddedChannels | null {
-  return channels
-    ? (channels as ShaderChannels).add(layers, { isToon: false, normal: '', isBranched: false })
-    : null
+  return channels ? (channels as ShaderChannels).add(layers, { isToon: false, normal: '' }) : null
 }
 
 /** The layers' visibility and blood, as `composedEdit` reads them. */

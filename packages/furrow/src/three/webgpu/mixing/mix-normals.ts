@@ -54,18 +54,14 @@ export function mixNormals(
     const own = base.toVar()
     const influences = influence.toVar()
     const sample = sampler(uv)
-    const layers = kinds.map((kind, layer) => {
-      const scale = scales[CHANNELS[layer]]
-      // A z of exactly 0 would divide an influence of 0 by 0.
-      const normal = sample(normals.texture, normals.slices[layer]!)
-        .xyz.mul(2)
-        .sub(vec3(1, 1, 0.9999999))
-      return {
-        kind,
-        influence: influences[CHANNELS[layer]],
-        normal: normal.mul(vec3(scale, scale, 1)).toVar(),
-      }
-    })
+    // A z of exactly 0 would divide an influence of 0 by 0.
+    const one = vec3(1, 1, 0.9999999)
+    const layers = kinds.map((kind, layer) => ({
+      kind,
+      influence: influences[CHANNELS[layer]],
+      scale: scales[CHANNELS[layer]],
+      normal: sample(normals.texture, normals.slices[layer]!).xyz.mul(2).sub(one).toVar(),
+    }))
     const replacing = ofKind('replace', layers)
     const details = ofKind('detail', layers)
     const replaced = replaceNormal(own, replacing).toVar()
@@ -77,6 +73,8 @@ export function mixNormals(
 interface SampledLayer {
   kind: LayerKind
   influence: Node<'float'>
+  /** Of x and y of the normal. */
+  scale: Node<'float'>
   normal: Node<'vec3'>
 }
 
@@ -95,14 +93,22 @@ function replaceNormal(base: Node<'vec3'>, layers: readonly SampledLayer[]): Nod
   const total = max(float(1), sum(layers.map(({ influence }) => influence))).toVar()
   const shareOf = (influence: Node<'float'>) => (layers.length === 1 ? influence : influence.div(total))
   return layers.reduce<Node<'vec3'>>(
-    (mixed, { influence, normal }) => mixed.add(normal.sub(base).mul(shareOf(influence))),
+    (mixed, { influence, scale, normal }) =>
+      mixed.add(
+        normal
+          .mul(vec3(scale, scale, 1))
+          .sub(base)
+          .mul(shareOf(influence)),
+      ),
     base,
   )
 }
 
 /** The sum of the slopes of layers of detail. */
 function slopeOf(layers: readonly SampledLayer[]): Node<'vec2'> {
-  const slopes = layers.map(({ influence, normal }) => normal.xy.mul(influence.div(normal.z)))
+  const slopes = layers.map(({ influence, scale, normal }) =>
+    normal.xy.mul(influence.mul(scale).div(normal.z)),
+  )
   return slopes.reduce((total, slope) => total.add(slope)).toVar()
 }
 
