@@ -1,13 +1,9 @@
 import {
-  Box2,
   type BufferAttribute,
-  type BufferGeometry,
   type InterleavedBufferAttribute,
   type Material,
-  Matrix3,
   type Mesh,
   type MeshStandardMaterial,
-  type Texture,
   Vector2,
 } from 'three'
 
@@ -25,18 +21,18 @@ export interface Tiling {
  * @param material with a normal map.
  */
 export function tilingOf(meshes: readonly Mesh[], material: Material): Tiling {
-  const isAnyTiled = () => meshes.some((mesh) => isTiled(mesh, material))
-  const wasTiled = isAnyTiled()
   const matrixOf = () => (material as MeshStandardMaterial).normalMap!.matrix
-  const known = new Matrix3().copy(matrixOf())
+  const isFor = (mesh: Mesh) => wasTiled || !isTiled(mesh, material)
+  let wasTiled = false
+  wasTiled = !meshes.every(isFor)
+  const known = matrixOf().clone()
   return {
     isTiled: wasTiled,
-    isFor: (mesh) => wasTiled || !isTiled(mesh, material),
+    isFor,
     isCurrent() {
-      const matrix = matrixOf()
-      if (wasTiled || matrix.equals(known)) return true
-      known.copy(matrix)
-      return !isAnyTiled()
+      if (matrixOf().equals(known)) return true
+      known.copy(matrixOf())
+      return meshes.every(isFor)
     },
   }
 }
@@ -46,35 +42,35 @@ export function tilingOf(meshes: readonly Mesh[], material: Material): Tiling {
  * True of all that a rotated normal map may have so.
  */
 export function isTiled({ geometry }: Mesh, material: Material): boolean {
-  const { normalMap } = material as MeshStandardMaterial
-  const { min, max } = uvBounds(uvAttribute(geometry, normalMap))
-  if (normalMap?.matrixAutoUpdate) normalMap.updateMatrix()
-  const corners = [min, max, new Vector2(min.x, max.y), new Vector2(max.x, min.y)]
-  return corners.some((corner) => {
-    const { x, y } = normalMap ? corner.clone().applyMatrix3(normalMap.matrix) : corner
-    return Math.min(x, y) < 0 || Math.max(x, y) > 1
-  })
+  const map = (material as MeshStandardMaterial).normalMap!
+  if (map.matrixAutoUpdate) map.updateMatrix()
+  const [us, vs] = uvRanges(geometry.getAttribute(map.channel ? `uv${map.channel}` : 'uv'))
+  return us.some((u) =>
+    vs.some((v) => {
+      const { x, y } = new Vector2(u, v).applyMatrix3(map.matrix)
+      return Math.min(x, y) < 0 || Math.max(x, y) > 1
+    }),
+  )
 }
 
 type AnyAttribute = BufferAttribute | InterleavedBufferAttribute
+type Range = [least: number, largest: number]
 
-/** The texture coordinates that a normal map is read at. */
-export function uvAttribute(geometry: BufferGeometry, normalMap: Texture | null): AnyAttribute {
-  return geometry.getAttribute(normalMap?.channel ? `uv${normalMap.channel}` : 'uv')
+const knownRanges = new WeakMap<AnyAttribute, [Range, Range]>()
+
+/** Of u and v; found once for all meshes of a crowd. */
+function uvRanges(attribute: AnyAttribute): [Range, Range] {
+  const ranges = knownRanges.get(attribute) ?? [rangeOf(attribute, 0), rangeOf(attribute, 1)]
+  knownRanges.set(attribute, ranges)
+  return ranges
 }
 
-const boundsOf = new WeakMap<AnyAttribute, Box2>()
-
-/** Found once for all meshes of a crowd. */
-function uvBounds(attribute: AnyAttribute): Box2 {
-  let bounds = boundsOf.get(attribute)
-  if (!bounds) {
-    bounds = new Box2()
-    const uv = new Vector2()
-    for (let i = 0; i < attribute.count; i++) {
-      bounds.expandByPoint(uv.fromBufferAttribute(attribute as never, i))
-    }
-    boundsOf.set(attribute, bounds)
+function rangeOf(attribute: AnyAttribute, axis: number): Range {
+  const range: Range = [Infinity, -Infinity]
+  for (let i = 0; i < attribute.count; i++) {
+    const coordinate = attribute.getComponent(i, axis)
+    range[0] = Math.min(range[0], coordinate)
+    range[1] = Math.max(range[1], coordinate)
   }
-  return bounds
+  return range
 }

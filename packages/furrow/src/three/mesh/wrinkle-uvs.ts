@@ -1,5 +1,4 @@
 import { type Material, type Mesh, type MeshStandardMaterial, Vector2 } from 'three'
-import { uvAttribute } from './tiling.ts'
 
 /**
  * Texture coordinates of the areas and layers, which are those of the normal map, its `KHR_texture_transform` applied.
@@ -8,7 +7,7 @@ import { uvAttribute } from './tiling.ts'
  */
 export function wrinkleUvs({ geometry }: Mesh, material: Material): Float64Array {
   const { normalMap } = material as MeshStandardMaterial
-  const attribute = uvAttribute(geometry, normalMap)
+  const attribute = geometry.getAttribute(normalMap?.channel ? `uv${normalMap.channel}` : 'uv')
   const uvs = new Float64Array(2 * attribute.count)
   const uv = new Vector2()
   normalMap?.updateMatrix()
