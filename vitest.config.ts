@@ -44,7 +44,13 @@ export default defineConfig({
       { resolve, ssr, test: { name: 'heavy', include: [HEAVY], ...SOON, ...ALL_CORES } },
       {
         // Beside each other like the unit tests: they mostly wait for npm.
-        test: { name: 'packages', include: ['test/packages/**/*.test.ts'], ...LATE, ...ALL_CORES },
+        test: {
+          name: 'packages',
+          include: ['test/packages/**/*.test.ts'],
+          globalSetup: 'test/packages/tarballs.ts',
+          ...LATE,
+          ...ALL_CORES,
+        },
       },
       pagesProject('pages', 'test/pages/**/*.test.ts', [HEAVY_PAGES]),
       pagesProject('heavy-pages', HEAVY_PAGES),
