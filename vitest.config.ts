@@ -2,6 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { playwright } from '@vitest/browser-playwright'
 import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config'
 import { CHROMIUM_FLAGS } from './packages/cli/src/chromium-flags.ts'
+import { FILES_IN_DEPTH, inDepth } from './test/gpu/in-depth.ts'
 import { mtoonNodes } from './test/gpu/mtoon-nodes.ts'
 import { FILES_FOR_OLDEST, onOldestThree } from './test/gpu/oldest-three.ts'
 import { serveFaces } from './test/gpu/serve-faces.ts'
@@ -43,15 +44,21 @@ export default defineConfig({
       { resolve, ssr, test: { name: 'heavy', include: [HEAVY], ...SOON, ...ALL_CORES } },
       {
         // Beside each other like the unit tests: they mostly wait for npm.
-        test: { name: 'packages', include: ['test/packages/**/*.test.ts'], ...LATE, ...ALL_CORES },
+        test: {
+          name: 'packages',
+          include: ['test/packages/**/*.test.ts'],
+          globalSetup: 'test/packages/tarballs.ts',
+          ...LATE,
+          ...ALL_CORES,
+        },
       },
       pagesProject('pages', 'test/pages/**/*.test.ts', [HEAVY_PAGES]),
       pagesProject('heavy-pages', HEAVY_PAGES),
       gpuProject('gpu', ['test/gpu/**/*.test.ts'], [HEAVY_GPU]),
-      gpuProject('heavy-gpu', [HEAVY_GPU]),
+      inDepth(gpuProject('heavy-gpu', [HEAVY_GPU, ...FILES_IN_DEPTH])),
       pagesProject('batch', 'test/batch/**/*.test.ts'),
       pagesProject('site', 'test/site/**/*.test.ts'),
-      onOldestThree(gpuProject('gpu-oldest', FILES_FOR_OLDEST)),
+      inDepth(onOldestThree(gpuProject('gpu-oldest', FILES_FOR_OLDEST))),
     ],
   },
 })

@@ -3,7 +3,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import type { Face } from '../../stage/face.ts'
 import { largestDifference } from './difference.ts'
 import { faceScene, HEIGHT, loadUndriven, renderWith, uvMaterial, WIDTH } from './face.ts'
-import { createHarness, type Harness, RENDERERS } from './harness.ts'
+import { createHarness, type Harness, LONG_TEST_RENDERERS } from './harness.ts'
 
 /**
  * What a picture may differ by where nothing wrinkles: compilers of graphics cards fuse a multiplication and an addition in one program that they
@@ -11,7 +11,7 @@ import { createHarness, type Harness, RENDERERS } from './harness.ts'
  */
 const roundingOf = ({ adapter }: Harness) => (/swiftshader/i.test(adapter) ? 0 : 1e-6)
 
-describe.each(RENDERERS)('areas of the shipped face on %s', (name) => {
+describe.each(LONG_TEST_RENDERERS)('areas of the shipped face on %s', (name) => {
   let harness: Harness
   let face: Face
   let set: WrinkleSet

@@ -15,13 +15,25 @@ import {
   WebGLRenderTarget,
 } from 'three'
 import { WebGPURenderer } from 'three/webgpu'
+import { inject } from 'vitest'
 
 /** The three rendering paths. All of them are tested; a missing one fails. */
 export const RENDERERS = ['webgl', 'webgpu', 'webgpu on webgl2'] as const
 export type RendererName = (typeof RENDERERS)[number]
 
-/** How many random cases are compared with the reference: fewer on the second renderer's other backend, which runs the same nodes. */
-export const casesOn = (name: RendererName) => (name === 'webgpu on webgl2' ? 50 : 200)
+/**
+ * The paths of tests that take long: on every change not the second renderer's other backend. It runs the same nodes, and shorter tests
+ * of the same materials, influence, relief and loaders draw with it.
+ */
+export const LONG_TEST_RENDERERS: readonly RendererName[] = inject('inDepth')
+  ? RENDERERS
+  : ['webgl', 'webgpu']
+
+/** The number of random cases that are compared with the reference, or the first of them. */
+export const casesIn = (all: number) => (inject('inDepth') ? all : Math.ceil(all / 4))
+
+/** The same by path: fewer on the second renderer's other backend, which runs the same nodes. */
+export const casesOn = (name: RendererName) => casesIn(name === 'webgpu on webgl2' ? 50 : 200)
 
 export interface Harness {
   name: RendererName

@@ -1,10 +1,11 @@
 import type { LayerKind } from 'furrow'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { seeded } from '../random.ts'
-import { createHarness, type Harness, RENDERERS, squareCamera } from './harness.ts'
+import { casesIn, createHarness, type Harness, RENDERERS, squareCamera } from './harness.ts'
 import { mixingCase } from './mixing.ts'
 
 const PIXELS = 32
+const CASES = casesIn(10)
 const KINDS: LayerKind[][] = [
   ['replace'],
   ['detail'],
@@ -25,7 +26,7 @@ describe.each(RENDERERS)('the default mode on %s', (name) => {
     const random = seeded(7)
     // Each case is disposed after the next is drawn, so that the renderer keeps their common program.
     let release = () => {}
-    for (let i = 0; i < 10; i++) {
+    for (let i = 0; i < CASES; i++) {
       const mixing = mixingCase(harness, random, kinds.filter(Boolean), { scale: 0.8, offset: 0.1 })
       for (const name of mixing.wrinkles.areaNames) mixing.wrinkles.setActivation(name, random() * 0.5)
       expect(await mixing.largestError(squareCamera(), PIXELS)).toBeLessThanOrEqual(2 / 255)

@@ -3,9 +3,9 @@
 import { cp } from 'node:fs/promises'
 import { join } from 'node:path'
 import type { Browser } from 'playwright-core'
-import { afterAll, beforeAll, expect, it } from 'vitest'
+import { afterAll, beforeAll, expect, inject, it } from 'vitest'
 import { openBrowser } from '../pages/browser.ts'
-import { createApp, DEPENDENCIES, pack, ROOT, remove, run, temporaryFolder } from './npm.ts'
+import { createApp, DEPENDENCIES, ROOT, remove, run, temporaryFolder } from './npm.ts'
 import { buildByEsbuild, buildByWebpack, titleOf } from './pages.ts'
 
 const AT_ONCE = 'morph 0.5; input 0.25'
@@ -18,7 +18,7 @@ let browser: Browser
 beforeAll(async () => {
   folder = await temporaryFolder()
   const { three, vite, webpack, esbuild } = DEPENDENCIES
-  app = await createApp(join(folder, 'app'), [await pack('furrow', folder), three, vite, webpack, esbuild])
+  app = await createApp(join(folder, 'app'), [inject('tarballs').furrow, three, vite, webpack, esbuild])
   await cp(join(ROOT, 'test/packages/apps/chunks'), app, { recursive: true })
   browser = await openBrowser()
 })

@@ -5,8 +5,8 @@ import { checkPackage, createPackageFromTarballData } from '@arethetypeswrong/co
 import { publint } from 'publint'
 import { formatMessage } from 'publint/utils'
 import ts from 'typescript'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
-import { pack, ROOT, remove, run, temporaryFolder } from './npm.ts'
+import { afterAll, beforeAll, describe, expect, inject, it } from 'vitest'
+import { ROOT, remove, run, temporaryFolder } from './npm.ts'
 
 /** The packages are ES modules: these two ways to resolve find CommonJS only. */
 const COMMONJS = ['node10', 'node16-cjs']
@@ -23,13 +23,13 @@ describe.each([
     name: 'furrow-cli',
     top: ['LICENSE', 'README.md', 'THIRD_PARTY_NOTICES.md', 'bin', 'dist', 'package.json'],
   },
-])('the tarball of $name', ({ name, top }) => {
+] as const)('the tarball of $name', ({ name, top }) => {
   let tarball: Buffer<ArrayBuffer>
   let content: string
   let files: string[]
 
   beforeAll(async () => {
-    const path = await pack(name, folder)
+    const path = inject('tarballs')[name]
     const target = join(folder, name)
     await mkdir(target)
     await run(target, 'tar', '-xzf', path)

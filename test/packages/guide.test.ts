@@ -4,14 +4,14 @@ import { cp, mkdir, readFile, writeFile } from 'node:fs/promises'
 import { dirname, join } from 'node:path'
 import type { Browser } from 'playwright-core'
 import sharp from 'sharp'
-import { afterAll, beforeAll, expect, it } from 'vitest'
+import { afterAll, beforeAll, expect, inject, it } from 'vitest'
 import { BARE_FACES } from '../bare-faces/bare-faces.ts'
 import { openBrowser, openPage } from '../pages/browser.ts'
 import { openPaused, playSurprise } from '../pages/paused-page.ts'
 import { contrast } from '../pages/pixels.ts'
 import { readCanvas } from '../pages/read-canvas.ts'
 import { startStaticServer } from '../pages/static-server.ts'
-import { DEPENDENCIES, pack, ROOT, remove, run, temporaryFolder } from './npm.ts'
+import { DEPENDENCIES, ROOT, remove, run, temporaryFolder } from './npm.ts'
 
 /** The scan where it is at hand, otherwise one of ours. */
 const AVATAR = BARE_FACES.at(-1)!.path
@@ -35,8 +35,7 @@ beforeAll(async () => {
   folder = await temporaryFolder()
   walk = join(folder, 'walk')
   tarballs = {
-    furrow: await pack('furrow', folder),
-    'furrow-cli': await pack('furrow-cli', folder),
+    ...inject('tarballs'),
     three: DEPENDENCIES.three,
     vite: DEPENDENCIES.vite,
   }

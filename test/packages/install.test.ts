@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs'
 import { readFile, writeFile } from 'node:fs/promises'
 import { join } from 'node:path'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
-import { createApp, DEPENDENCIES, pack, ROOT, remove, run, temporaryFolder } from './npm.ts'
+import { afterAll, beforeAll, describe, expect, inject, it } from 'vitest'
+import { createApp, DEPENDENCIES, ROOT, remove, run, temporaryFolder } from './npm.ts'
 
 const TSC = join(ROOT, 'node_modules/typescript/bin/tsc')
 const { dependencies } = JSON.parse(readFileSync(join(ROOT, 'packages/cli/package.json'), 'utf8'))
@@ -10,12 +10,10 @@ const THREE = [DEPENDENCIES.three, DEPENDENCIES.types]
 const GLTF_TRANSFORM = [`@gltf-transform/core@${dependencies['@gltf-transform/core']}`]
 
 let folder: string
-let furrow: string
-let cli: string
+const { furrow, 'furrow-cli': cli } = inject('tarballs')
 
 beforeAll(async () => {
   folder = await temporaryFolder()
-  ;[furrow, cli] = [await pack('furrow', folder), await pack('furrow-cli', folder)]
 })
 afterAll(() => remove(folder))
 

@@ -1,8 +1,9 @@
 import { cp } from 'node:fs/promises'
 import { join } from 'node:path'
 import type { Browser } from 'playwright-core'
+import { inject } from 'vitest'
 import { openBrowser } from '../pages/browser.ts'
-import { createApp, DEPENDENCIES, pack, previewServer, ROOT, remove, run, temporaryFolder } from './npm.ts'
+import { createApp, DEPENDENCIES, previewServer, ROOT, remove, run, temporaryFolder } from './npm.ts'
 
 /** An app that is served, and a browser to open it in. */
 export interface ServedApp {
@@ -19,8 +20,7 @@ export interface ServedApp {
 export async function serveApp(source: string, packages: readonly string[]): Promise<ServedApp> {
   const folder = await temporaryFolder()
   const { vite, typescript } = DEPENDENCIES
-  const tarball = await pack('furrow', folder)
-  const app = await createApp(join(folder, 'app'), [tarball, vite, typescript, ...packages])
+  const app = await createApp(join(folder, 'app'), [inject('tarballs').furrow, vite, typescript, ...packages])
   await cp(join(ROOT, 'test/packages/apps', source), app, { recursive: true })
   await cp(join(ROOT, 'faces/human.glb'), join(app, 'public/wrinkled.glb'))
   await run(app, 'npx', 'tsc')

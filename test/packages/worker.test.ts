@@ -3,9 +3,9 @@
 import { cp, readdir, readFile, writeFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import type { Browser } from 'playwright-core'
-import { afterAll, beforeAll, expect, it } from 'vitest'
+import { afterAll, beforeAll, expect, inject, it } from 'vitest'
 import { openBrowser } from '../pages/browser.ts'
-import { createApp, DEPENDENCIES, pack, ROOT, remove, run, temporaryFolder } from './npm.ts'
+import { createApp, DEPENDENCIES, ROOT, remove, run, temporaryFolder } from './npm.ts'
 import { buildByEsbuild, buildByWebpack, importOf, titleAt, titleOf } from './pages.ts'
 
 const MADE = '1 area, 262144 bytes, ends with done'
@@ -17,7 +17,7 @@ let browser: Browser
 beforeAll(async () => {
   folder = await temporaryFolder()
   const { vite, webpack, esbuild } = DEPENDENCIES
-  app = await createApp(join(folder, 'app'), [await pack('furrow', folder), vite, webpack, esbuild])
+  app = await createApp(join(folder, 'app'), [inject('tarballs').furrow, vite, webpack, esbuild])
   await cp(join(ROOT, 'test/packages/apps/worker'), app, { recursive: true })
   browser = await openBrowser()
 })

@@ -24,6 +24,14 @@ export async function plainHuman(): Promise<Document> {
   return document.transform(prune({ keepLeaves: true, keepAttributes: true, keepExtras: true }))
 }
 
+/** Writes `plain.glb` alone. */
+export async function writePlain(folder: string): Promise<void> {
+  writeFileSync(join(folder, 'plain.glb'), await io.writeBinary(await plainHuman()))
+}
+
+/** Writes none: the studio has faces of its own. */
+export async function writeNone(): Promise<void> {}
+
 /**
  * Writes `plain.glb`, `draco.glb`, `turned.vrm`, `broken.glb`, `model.fbx`, `separate/` with a `.gltf` whose textures are in a folder,
  * and `wrinkles/` with `face.glb`, one layer and one area.

@@ -27,21 +27,25 @@ export async function serveStudio(): Promise<{ server: ViteDevServer; address: s
 interface OpenedStudio {
   page: Page
   complaints: string[]
-  /** Has the files of `writeAvatars`. */
+  /** Has the avatars that were asked for. */
   folder: string
 }
 
 /**
  * Opens the studio for all tests of a file, which must not cause errors.
  *
+ * @param write makes the avatars that the tests bring.
  * @returns what is there once the tests begin.
  */
-export function openStudio(viewport: { width: number; height: number }): OpenedStudio {
+export function openStudio(
+  viewport: { width: number; height: number },
+  write: (folder: string) => Promise<void> = writeAvatars,
+): OpenedStudio {
   const studio = { folder: mkdtempSync(join(tmpdir(), 'furrow-studio-')) } as OpenedStudio
   let server: ViteDevServer
   let browser: Browser
   beforeAll(async () => {
-    await writeAvatars(studio.folder)
+    await write(studio.folder)
     const served = await serveStudio()
     server = served.server
     browser = await openBrowser()

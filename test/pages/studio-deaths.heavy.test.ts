@@ -2,6 +2,7 @@
 
 import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
+import { writePlain } from './avatars.ts'
 import { openStudio } from './opened-studio.ts'
 import {
   areaChoice,
@@ -33,7 +34,7 @@ declare global {
   interface Window extends Ending {}
 }
 
-const studio = openStudio({ width: 900, height: 600 })
+const studio = openStudio({ width: 900, height: 600 }, writePlain)
 let page: Page
 
 beforeAll(async () => {

@@ -2,10 +2,11 @@
 
 import type { Locator, Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
+import { writeNone } from './avatars.ts'
 import { openStudio } from './opened-studio.ts'
 import { areaChoice, expectValue, slider } from './studio-page.ts'
 
-const studio = openStudio({ width: 800, height: 500 })
+const studio = openStudio({ width: 800, height: 500 }, writeNone)
 let page: Page
 
 beforeAll(async () => {

@@ -3,12 +3,13 @@
 import type { Page } from 'playwright-core'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, test } from 'vitest'
+import { writeNone } from './avatars.ts'
 import { openStudio } from './opened-studio.ts'
 import { waitUntilReady } from './studio-page.ts'
 
 const WINDOW = { width: 1280, height: 800 }
 
-const studio = openStudio(WINDOW)
+const studio = openStudio(WINDOW, writeNone)
 let page: Page
 
 beforeAll(() => {

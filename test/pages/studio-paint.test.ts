@@ -1,6 +1,7 @@
 import type { Page } from 'playwright-core'
 import sharp from 'sharp'
 import { beforeAll, expect, test, vi } from 'vitest'
+import { writePlain } from './avatars.ts'
 import { openStudio } from './opened-studio.ts'
 import {
   areaChoice,
@@ -19,7 +20,7 @@ import {
 /** An automatic area of the forehead. */
 const AREA = 'foreheadInnerLeft'
 
-const studio = openStudio({ width: 900, height: 600 })
+const studio = openStudio({ width: 900, height: 600 }, writePlain)
 const { folder } = studio
 let page: Page
 /** Addresses of the workers that the page has started. */

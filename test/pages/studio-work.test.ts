@@ -6,11 +6,12 @@ import { strFromU8, unzipSync } from 'fflate'
 import type { Page } from 'playwright-core'
 import sharp from 'sharp'
 import { beforeAll, expect, test, vi } from 'vitest'
+import { writePlain } from './avatars.ts'
 import { openStudio } from './opened-studio.ts'
 import { runFurrow } from './run-furrow.ts'
 import { dropPaths, expectValue, meanPngDifference, shootStage, waitUntilReady } from './studio-page.ts'
 
-const studio = openStudio({ width: 800, height: 400 })
+const studio = openStudio({ width: 800, height: 400 }, writePlain)
 const { folder } = studio
 let page: Page
 

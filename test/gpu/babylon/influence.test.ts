@@ -6,10 +6,11 @@ import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest'
 import { randomSet } from '../../cases.ts'
 import { seeded } from '../../random.ts'
 import { STEP } from '../difference.ts'
+import { casesIn } from '../harness.ts'
 import { influenceDifference, type UvTransform } from '../influence-difference.ts'
 import { type BabylonHarness, createHarness, ENGINES, square } from './harness.ts'
 
-const CASES = 200
+const CASES = casesIn(200)
 const PIXELS = 32
 const AREA = 32
 
