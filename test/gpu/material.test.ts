@@ -1,8 +1,11 @@
 import {
   AmbientLight,
+  BackSide,
   BufferAttribute,
   DataTexture,
   DirectionalLight,
+  DoubleSide,
+  FrontSide,
   type Material,
   type Mesh,
   MeshLambertMaterial,
@@ -16,6 +19,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { layer, randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { normalMap } from './normal-map.ts'
 
 const MATERIALS = {
   MeshLambertMaterial,
@@ -60,6 +64,26 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
       expect(await picture(mesh)).toBe(plain)
       expect(material.normalMap).toBeNull()
     })
+  })
+
+  it.each([
+    { flatShading: false, side: DoubleSide },
+    { flatShading: true, side: FrontSide },
+    { flatShading: true, side: DoubleSide },
+    { flatShading: true, side: BackSide },
+  ])('looks the same while nothing is active: %j', async (sides) => {
+    const material = new MeshStandardMaterial({ ...sides, normalMap: normalMap(2, 16) })
+    const seen = (mesh: Mesh) => {
+      if (sides.side !== FrontSide) mesh.rotation.y = Math.PI
+      return picture(mesh)
+    }
+    const plain = await seen(square(material))
+    expect(new Set(plain.split(',')).size).toBeGreaterThan(50)
+    const { mesh, wrinkles } = wrinkled(material)
+    expect(await seen(mesh)).toBe(plain)
+    wrinkles.setActivation('area1', 1)
+    expect(await seen(mesh)).not.toBe(plain)
+    wrinkles.dispose()
   })
 
   it.each([

@@ -12,7 +12,8 @@ import type { InfluenceAtlas } from './atlas/influence-atlas.ts'
 import type { Appearance } from './fading/appearance.ts'
 import { FADE } from './fading/fade.ts'
 import { frameOf, type RendererFrame } from './frame.ts'
-import { checkMaterial, PatchedMaterial } from './material/patched-material.ts'
+import { checkMaterial } from './material/check-material.ts'
+import { PatchedMaterial } from './material/patched-material.ts'
 import type { RendererParts } from './material/renderer-parts.ts'
 import {
   createShaderInputs,

@@ -1,31 +1,18 @@
-import { type Material, type Mesh, ObjectSpaceNormalMap, type Texture } from 'three'
+import type { Material, Mesh, Texture } from 'three'
 import { FurrowError } from '../../core/error.ts'
 import { checkNotInstanced } from '../mesh/check-mesh.ts'
 import { instancesOf } from '../mesh/instances.ts'
 import { isMixed, type WrinkleMode } from '../options.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import type { AutoMode } from './auto/auto-mode.ts'
+import { patchedMaterials } from './check-material.ts'
 import type { InfluenceView } from './other-modes.ts'
 import type { Patch, PatchEvents, ShownMode } from './patch.ts'
 import type { RendererParts } from './renderer-parts.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
-import { readsNormalMap, surfaceOf, withSurface } from './surface.ts'
+import { withSurface } from './surface.ts'
 import { flatNormalTexture } from './textures.ts'
 import { cloneByClass, isToon, type WrinkleMaterial } from './wrinkle-material.ts'
-
-const patchedMaterials = new WeakSet<Material>()
-
-/**
- * The material of a mesh that shows its wrinkles.
- *
- * @throws FurrowError, which names the mesh, when it cannot, or shows others already.
- */
-export function checkMaterial(mesh: Mesh): WrinkleMaterial {
-  const material = surfaceOf(mesh) as WrinkleMaterial
-  const problem = problemOf(material)
-  if (!problem) return material
-  throw new FurrowError({ who: 'Wrinkles', value: mesh.name, ...problem })
-}
 
 interface PatchedMaterialOptions extends Pick<PatchEvents, 'onCompile'> {
   /** See `WrinklesOptions`. */
@@ -288,23 +275,4 @@ export class PatchedMaterial {
     this.show('off')
     others.use((modes) => modes.tellFault(this.#mesh, mode, fault))
   }
-}
-
-function problemOf(material: WrinkleMaterial): { what: string; remedy: string } | null {
-  if (!readsNormalMap(material)) {
-    return {
-      what: `material ${(material as Material | undefined)?.type} does not support normal maps`,
-      remedy: 'use a lit material such as MeshStandardMaterial',
-    }
-  }
-  if (material.normalMap && material.normalMapType === ObjectSpaceNormalMap) {
-    return { what: 'object-space normal map', remedy: 'bake it to tangent space' }
-  }
-  if (patchedMaterials.has(material)) {
-    return {
-      what: 'the material already shows wrinkles',
-      remedy: 'give the mesh its own: mesh.material = mesh.material.clone(), or dispose the other wrinkles',
-    }
-  }
-  return null
 }
