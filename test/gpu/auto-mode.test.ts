@@ -307,6 +307,7 @@ it.each(LONG_TEST_RENDERERS)(
     const harness = await createHarness(name)
     const { renderer } = harness
     const { wrinkles, scene, composed, mesh, shown: face } = faceOf(harness)
+    renderer.setSize(MAP, MAP, false)
     const pages: Promise<unknown>[] = []
     while (pages.length < 5 * FRAMES && !face.isComposed) {
       renderer.render(scene, squareCamera())

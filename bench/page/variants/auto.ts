@@ -3,7 +3,7 @@ import { callBeforeRender } from '../../../packages/furrow/src/three/mesh/before
 import { applyFurrow } from '../furrow.ts'
 import type { Variant } from '../variant.ts'
 
-/** Furrow's mode `auto`: a composed map while nothing moves; while something does, a dual map. */
+/** Furrow's mode `auto`: a composed map while nothing moves; while something does, that too in large pictures, in others a dual map. */
 export const variant: Variant = {
   canShow: () => true,
   sameAs: 'furrow',
@@ -15,7 +15,7 @@ export const variant: Variant = {
       const { normalMap } = mesh.material as MeshPhysicalMaterial
       // A composed map leaves nothing to mix in.
       const isMixed = reach.value.x < reach.value.z
-      isSettled = normalMap!.isRenderTargetTexture && isMixed !== still
+      isSettled = normalMap!.isRenderTargetTexture && !(still && isMixed)
     })
     return {
       setActivation: (area, value) => wrinkles.setActivation(area, value),

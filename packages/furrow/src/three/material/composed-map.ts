@@ -13,7 +13,7 @@ import {
   UnsignedByteType,
 } from 'three'
 import { type Bounds, widen } from '../../core/bounds.ts'
-import type { AreaSlot } from '../../runtime/area-slots.ts'
+import type { AreaSlot, AreaSlots } from '../../runtime/area-slots.ts'
 import { hasMoved } from '../../runtime/atlas-cells.ts'
 import type { AreaArray } from '../atlas/area-array.ts'
 import type { QuadMaterials } from '../atlas/quad-materials.ts'
@@ -232,6 +232,13 @@ export class ComposedMap {
     this.#quads.begin()
     this.#quads.put(0, 0, this.#span, 0)
   }
+}
+
+/** The part of a map, 0..1, that is redrawn at most when areas move. */
+export function shareOf({ slots, width, height }: AreaSlots): number {
+  const bounds = { x0: width, y0: height, x1: 0, y1: 0 }
+  for (const slot of slots) widen(bounds, slot.bounds)
+  return slots.length === 0 ? 0 : sizeOf(bounds) / (width * height)
 }
 
 /** The part of the map, 0..1, that an area affects: bilinear filtering spreads its outermost texels to the centres of their neighbours. */

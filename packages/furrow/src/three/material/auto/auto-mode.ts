@@ -35,7 +35,7 @@ interface Replaced {
 
 /**
  * Draws a face in the cheapest way that looks as the default mode does, with another map in place of its normal map: while it moves, with a dual
- * map, and while it holds still, with a composed one. Both have programs, which are compiled beside the frames, as the maps are drawn; until then it is
+ * map, and while it holds still, or covers many more pixels than are redrawn of it, with a composed one. Both have programs, which are compiled beside the frames, as the maps are drawn; until then it is
  * the default mode's. Any draw may be in any way. The map is the material's only during the draw. Of several renderers that draw the face in turns one has
  * maps, and the others the default mode: each could have maps, but nothing tells when one is no longer used.
  */
@@ -86,10 +86,10 @@ export class AutoMode {
     const { material, inputs } = this.#host
     const { normalMap } = material
     const base = isPossible && normalMap && isReplaceable(normalMap) ? normalMap : null
-    this.#dual?.step(renderer, base, this.#seen.pixels, this.#drawn)
     const isWhole = inputs.fade.value === 1
-    const hasChanged = this.#follow(values)
-    this.#composed.step(renderer, isWhole ? base : null, this.#seen, values, hasChanged, this.#drawn)
+    const hasMoved = this.#follow(values)
+    this.#composed.step(renderer, isWhole ? base : null, this.#seen, this.#values, hasMoved, this.#drawn)
+    this.#dual?.step(renderer, this.#composed.isRedrawn ? null : base, this.#seen.pixels, this.#drawn)
   }
 
   /** Called before a mesh is drawn, after everything else is up to date. */

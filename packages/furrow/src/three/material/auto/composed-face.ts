@@ -1,7 +1,7 @@
 import { type MeshStandardMaterial, RedFormat, type Texture } from 'three'
 import { nextTask } from '../../../runtime/next-task.ts'
 import type { AnyRenderer } from '../../renderer.ts'
-import { ComposedMap, composedSize, levelsOf, type Size } from '../composed-map.ts'
+import { ComposedMap, composedSize, levelsOf, type Size, shareOf } from '../composed-map.ts'
 import type { Edit } from '../patch.ts'
 import { ComposePolicy } from './compose-policy.ts'
 import { bytesOfTexel, composedType } from './composed-type.ts'
@@ -41,8 +41,9 @@ export interface View {
 }
 
 /**
- * What a face is drawn with while it holds still: a map of normals that are mixed already, and the material's own program. Where layers have
- * occlusion and blood, the map has these too, in blue and alpha, and a program is compiled that reads them.
+ * What a face is drawn with while it holds still, and while it moves where it covers many more pixels than its map has texels: a map of normals that
+ * are mixed already, and the material's own program. Where layers have occlusion and blood, the map has these too, in blue and alpha, and a program
+ * is compiled that reads them.
  */
 export class ComposedFace {
   readonly #host: FaceHost
@@ -51,6 +52,10 @@ export class ComposedFace {
   /** Whether the edit turned out not to be possible. */
   #isRefused = false
   #made: Made | null = null
+  #isRedrawn = false
+  /** What the influence map shows: what a page has changed since is not in it. */
+  #values: Float32Array = new Float32Array(0)
+  #version = 0
 
   constructor(host: FaceHost) {
     this.#host = host
@@ -61,7 +66,17 @@ export class ComposedFace {
     this.#edit = hasValues ? shaders.composedEdit(material, inputs, { patch, channels, refuse }) : null
   }
 
-  /** Called once in a frame, after `hasMoved` was found. */
+  /** Whether the face has a map, which is shown while it moves too. */
+  get isRedrawn(): boolean {
+    return this.#isRedrawn
+  }
+
+  /**
+   * Called once in a frame, when the influence map is up to date.
+   *
+   * @param values the activations that the influence map shows.
+   * @param hasMoved whether they have changed.
+   */
   step(
     renderer: AnyRenderer,
     base: Texture | null,
@@ -71,16 +86,26 @@ export class ComposedFace {
     meshes: DrawnMeshes,
   ): void {
     const isUsable = base !== null && this.#canCompose(base)
+    const { areas, textures } = this.#host.inputs
+    this.#values = values
+    this.#version = areas.version + textures.version
     const size = isUsable ? this.#sizeFor(base) : NO_SIZE
     const made = this.#made
     const isLost = made?.state === 'drawn' && !this.#host.hasContents(renderer, made.normals.target)
     const isFit = isUsable && (!made || this.#isKept(made, base, halvingsOf(size, side)))
-    if (!isFit || isLost) this.drop()
-    const isWanted = this.#policy.step(hasMoved || !isFit || isLost, pixels)
+    if (!isFit || isLost) {
+      this.drop()
+      this.#policy.reset()
+    }
+    const texels = this.#canRedraw ? size.width * size.height * shareOf(areas) : Infinity
+    const isWanted = this.#policy.step(hasMoved, pixels, texels)
     if (!isWanted && this.#made) this.#made.state = 'new'
-    if (!isWanted || !isUsable) return
-    this.#made ??= this.#make(base, size, side)
-    if (this.#made?.state === 'new') this.#draw(this.#made, renderer, values, meshes)
+    if (isWanted && isUsable) {
+      this.#made ??= this.#make(base, size, side)
+      if (this.#made?.state === 'new') this.#prepare(this.#made, renderer, meshes)
+      else if (this.#made?.state === 'drawn') this.#draw(this.#made, renderer)
+    }
+    this.#isRedrawn = this.#made !== null && this.#policy.isRedrawn(pixels, texels)
   }
 
   /** The maps to draw with, if they are fine enough for a view; null else. */
@@ -101,6 +126,12 @@ export class ComposedFace {
     normals.dispose()
     occlusion?.dispose()
     program?.dispose()
+  }
+
+  /** Whether the shader then saves something. */
+  get #canRedraw(): boolean {
+    const isRefused = this.#made?.state === 'drawn' && !this.#made.program?.isReady
+    return this.#host.hasOwnProgram && !isRefused
   }
 
   #sizeFor(base: Texture): Size {
@@ -167,16 +198,13 @@ export class ComposedFace {
   }
 
   /** After this frame, so that it does not wait for it; what cannot be drawn is not shown. */
-  #draw(made: Made, renderer: AnyRenderer, values: Float32Array, meshes: DrawnMeshes): void {
+  #prepare(made: Made, renderer: AnyRenderer, meshes: DrawnMeshes): void {
     made.state = 'drawing'
-    const { areas, textures } = this.#host.inputs
     const { normals, occlusion, program } = made
     const isCurrent = () => this.#made === made && made.state === 'drawing'
     const draw = () => {
       if (!isCurrent()) return
-      const version = areas.version + textures.version
-      normals.update(renderer, areas, values, 1, version)
-      occlusion?.update(renderer, areas, values, 1, version)
+      this.#draw(made, renderer)
       made.state = 'drawn'
     }
     const compile = async () => {
@@ -187,6 +215,12 @@ export class ComposedFace {
       if (isCurrent()) await program?.prepare(renderer, meshes)
     }
     compile().then(draw, () => {})
+  }
+
+  /** What has changed of it. */
+  #draw({ normals, occlusion }: Made, renderer: AnyRenderer): void {
+    const { areas } = this.#host.inputs
+    for (const map of [normals, occlusion]) map?.update(renderer, areas, this.#values, 1, this.#version)
   }
 
   /** Whether maps still serve. */

@@ -61,7 +61,7 @@ export class DualFace {
     const isUsable = base !== null && !this.#isRefused && isOfBytes(base, this.#host.material)
     const isCurrent = isUsable && (!this.#made || this.#isOf(this.#made.map, renderer, base))
     if (!isCurrent) this.drop()
-    if (!this.#policy.step(!isCurrent, pixels) || !isUsable || this.#isReady) return
+    if (!this.#policy.step(!isCurrent, pixels, Infinity) || !isUsable || this.#isReady) return
     this.#policy.reset()
     this.#made ??= this.#make(renderer, base)
     if (this.#made && !this.#made.isPending) this.#prepare(this.#made, renderer, meshes)
