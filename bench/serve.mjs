@@ -19,6 +19,7 @@ export async function serve() {
         'bench/files/page.html',
         'bench/cycles/page.html',
         'bench/cycles/babylon.html',
+        'bench/babylon/page.html',
       ],
       include: ['three', 'three/webgpu', 'three/tsl', 'three/addons/loaders/GLTFLoader.js'],
     },
