@@ -3,6 +3,9 @@ type Numbers = Float32Array | Uint8Array | number[]
 /** A step of 8 bits, and a twentieth: graphics cards filter and compute powers with fewer bits than software. */
 export const STEP = 1.05 / 255
 
+/** What pictures may differ by whose influence maps are in other cells of the atlas, where coordinates are rounded otherwise. */
+export const ROUNDING = 1e-5
+
 /** Largest absolute difference of two pictures, over all channels. */
 export function largestDifference(a: Numbers, b: Numbers): number {
   let largest = 0

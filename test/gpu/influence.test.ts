@@ -1,10 +1,29 @@
 import type { WrinkleSet } from 'furrow'
-import { MeshStandardMaterial } from 'three'
+import {
+  BufferAttribute,
+  BufferGeometry,
+  InstancedMesh,
+  Matrix4,
+  Mesh,
+  MeshStandardMaterial,
+  Scene,
+} from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { STEP } from './difference.ts'
-import { casesOn, createHarness, type Harness, RENDERERS, square } from './harness.ts'
+import {
+  AREA,
+  activationsOf,
+  centreOf,
+  edgeError,
+  edgeSet,
+  edgeSquares,
+  FACES,
+  PIXELS,
+  SCALE,
+} from './edges.ts'
+import { casesOn, createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
 import { influenceError } from './influence-error.ts'
 
 describe.each(RENDERERS)('influence on %s', (name) => {
@@ -35,7 +54,56 @@ describe.each(RENDERERS)('influence on %s', (name) => {
     release()
     expect(worst).toBeLessThanOrEqual(STEP)
   })
+
+  it.each(['meshes', 'instances'])(
+    'of %s is that of the reference at the edges of UV space',
+    async (kind) => {
+      const set = edgeSet()
+      const meshes = kind === 'meshes' ? FACES.map(edgeMesh) : [edgeInstances()]
+      const all = meshes.map((mesh) => new harness.Wrinkles(mesh, set, { areaSize: AREA }))
+      const materials = all.map((wrinkles) => wrinkles.createInfluenceMaterial() as MeshStandardMaterial)
+      for (const [i, mesh] of meshes.entries()) mesh.material = materials[i]
+      const scene = new Scene().add(...meshes)
+      const draw = (shownBy: (face: number) => number) => {
+        for (const face of FACES) {
+          const [wrinkles, instance] = kind === 'meshes' ? [all[face], 0] : [all[0], face]
+          for (const [i, value] of activationsOf(shownBy(face)).entries())
+            wrinkles.setActivation(set.areas[i].name, value, instance)
+        }
+        return harness.render(scene, squareCamera(), PIXELS)
+      }
+      // The cells of all but one are cleared, in which the other area was drawn before.
+      await draw((face) => face && face + 1)
+      const pixels = await draw((face) => face)
+      expect(edgeError(set, (i) => pixels[i * 4])).toBeLessThanOrEqual(STEP)
+      for (const own of [...materials, ...all, ...meshes.map(({ geometry }) => geometry)]) own.dispose()
+    },
+  )
 })
+
+function edgeGeometry(): BufferGeometry {
+  const { positions, uvs, triangles } = edgeSquares()
+  const geometry = new BufferGeometry()
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(positions), 3))
+  geometry.setAttribute('uv', new BufferAttribute(new Float32Array(uvs), 2))
+  geometry.setIndex(triangles)
+  geometry.computeVertexNormals()
+  return geometry
+}
+
+function edgeMesh(face: number): Mesh<BufferGeometry, MeshStandardMaterial> {
+  const mesh = new Mesh(edgeGeometry(), new MeshStandardMaterial())
+  mesh.position.set(...centreOf(face), 0)
+  mesh.scale.set(SCALE, SCALE, 1)
+  return mesh
+}
+
+function edgeInstances(): InstancedMesh<BufferGeometry, MeshStandardMaterial> {
+  const mesh = new InstancedMesh(edgeGeometry(), new MeshStandardMaterial(), FACES.length)
+  for (const face of FACES)
+    mesh.setMatrixAt(face, new Matrix4().makeScale(SCALE, SCALE, 1).setPosition(...centreOf(face), 0))
+  return mesh
+}
 
 async function largestError(
   harness: Harness,

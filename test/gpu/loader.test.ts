@@ -6,6 +6,7 @@ import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
 import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest'
 import { editGlb } from '../glb.ts'
+import { largestDifference, ROUNDING } from './difference.ts'
 import { createHarness, type Harness, RENDERERS } from './harness.ts'
 import { litPicture, loadFile } from './loaded.ts'
 import { driver, WEIGHTS, wrinkledFile } from './wrinkled-file.ts'
@@ -140,7 +141,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     expect(cloned.map((mesh) => wrinklesOf(mesh)!.getActivation('a'))).toEqual([1, 1])
     // The original looks like the copy with the same blendshape weights.
     for (const mesh of original) mesh.morphTargetInfluences![0] = 1
-    expect(await picture(gltf)).toEqual(moved)
+    expect(largestDifference(await picture(gltf), moved)).toBeLessThan(ROUNDING)
     // At most one texture more, for a larger atlas.
     expect((harness.renderer as WebGLRenderer).info.memory.textures).toBeLessThanOrEqual(textures + 1)
     gltf.userData.wrinkles[0].dispose()

@@ -14,6 +14,7 @@ import {
   vi,
 } from 'vitest'
 import type { DamagedFace } from './damaged-faces.ts'
+import { largestDifference, ROUNDING } from './difference.ts'
 import { createHarness, type Harness, squareCamera } from './harness.ts'
 
 describe('a loader and validate', () => {
@@ -73,7 +74,8 @@ describe('a loader and validate', () => {
       expect(warn.mock.calls).toEqual([])
       expect(fault).toBeNull()
       const picture = await pictureOf(beside)
-      expect(picture).toEqual(await pictureOf(await load(bytesOf(file).buffer)))
+      const inOne = await pictureOf(await load(bytesOf(file).buffer))
+      expect(largestDifference(picture, inOne)).toBeLessThan(ROUNDING)
       expect(picture).not.toEqual(await pictureOf(beside, 0))
       for (const address of addresses.values()) URL.revokeObjectURL(address)
     },

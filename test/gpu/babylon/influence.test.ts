@@ -1,4 +1,8 @@
 import { PBRMaterial } from '@babylonjs/core/Materials/PBR/pbrMaterial.js'
+import { Matrix } from '@babylonjs/core/Maths/math.vector.js'
+import '@babylonjs/core/Meshes/thinInstanceMesh.js'
+import { Mesh } from '@babylonjs/core/Meshes/mesh.js'
+import { VertexData } from '@babylonjs/core/Meshes/mesh.vertexData.js'
 import type { Scene } from '@babylonjs/core/scene.js'
 import type { GrayImage, WrinkleSet } from 'furrow'
 import { Wrinkles } from 'furrow/babylon'
@@ -6,6 +10,17 @@ import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest'
 import { randomSet } from '../../cases.ts'
 import { seeded } from '../../random.ts'
 import { STEP } from '../difference.ts'
+import {
+  activationsOf,
+  centreOf,
+  AREA as EDGE_AREA,
+  PIXELS as EDGE_PIXELS,
+  edgeError,
+  edgeSet,
+  edgeSquares,
+  FACES,
+  SCALE,
+} from '../edges.ts'
 import { casesIn } from '../harness.ts'
 import { influenceDifference, type UvTransform } from '../influence-difference.ts'
 import { type BabylonHarness, createHarness, ENGINES, square } from './harness.ts'
@@ -46,12 +61,59 @@ describe.each(ENGINES)('influence in Babylon.js on %s', (name) => {
     scene.dispose()
     expect(worst).toBeLessThanOrEqual(STEP)
   })
+
+  it.each(['meshes', 'thin instances'])(
+    'of %s is that of the reference at the edges of UV space',
+    async (kind) => {
+      const scene = harness.createScene()
+      const set = smooth(edgeSet())
+      const material = roughnessMaterial(scene)
+      const meshes = (kind === 'meshes' ? FACES : [0]).map(() => edgeMesh(scene, material))
+      const scale = Matrix.Scaling(SCALE, SCALE, 1)
+      const places = FACES.map((face) => scale.multiply(Matrix.Translation(...centreOf(face), 0)))
+      if (kind === 'meshes')
+        for (const [face, mesh] of meshes.entries()) mesh.bakeTransformIntoVertices(places[face])
+      else meshes[0].thinInstanceAdd(places)
+      const first = new Wrinkles(meshes[0], set, { areaSize: EDGE_AREA })
+      const all = [first, ...meshes.slice(1).map((mesh) => new Wrinkles(mesh, first))]
+      for (const face of FACES) {
+        const [wrinkles, instance] = kind === 'meshes' ? [all[face], 0] : [first, face]
+        for (const [i, value] of activationsOf(face).entries())
+          wrinkles.setActivation(set.areas[i].name, value, instance)
+      }
+      const pixels = await harness.render(scene, EDGE_PIXELS)
+      scene.dispose()
+      expect(edgeError(set, (i) => 1 - pixels[i * 4])).toBeLessThanOrEqual(STEP)
+    },
+  )
 })
+
+function edgeMesh(scene: Scene, material: PBRMaterial): Mesh {
+  const mesh = new Mesh('edges', scene)
+  const { positions, uvs, triangles } = edgeSquares()
+  const data = new VertexData()
+  // The camera looks along z.
+  Object.assign(data, {
+    positions,
+    uvs,
+    indices: triangles,
+    normals: positions.map((_, i) => (i % 3 === 2 ? -1 : 0)),
+  })
+  data.applyToMesh(mesh)
+  mesh.material = material
+  return mesh
+}
 
 /** Fully wrinkled skin has no roughness: what is left of the material's own is 1 less the influence. */
 function smooth({ layers: [layer], areas }: WrinkleSet): WrinkleSet {
   const { width, height } = layer.normal as GrayImage
   return { layers: [{ ...layer, roughness: { width, height, data: new Uint8Array(width * height) } }], areas }
+}
+
+/** Shows its roughness alone. */
+function roughnessMaterial(scene: Scene): PBRMaterial {
+  const material = new PBRMaterial('skin', scene)
+  return Object.assign(material, { metallic: 0, roughness: 1, debugMode: SHOW_ROUGHNESS, debugLimit: -1 })
 }
 
 async function largestError(
@@ -62,9 +124,7 @@ async function largestError(
   transform: UvTransform,
 ) {
   const mesh = square(scene, transform.scale, [...transform.offset])
-  const material = new PBRMaterial('skin', scene)
-  Object.assign(material, { metallic: 0, roughness: 1, debugMode: SHOW_ROUGHNESS, debugLimit: -1 })
-  mesh.material = material
+  mesh.material = roughnessMaterial(scene)
   const wrinkles = new Wrinkles(mesh, set, { areaSize: AREA })
   for (const [i, area] of set.areas.entries()) wrinkles.setActivation(area.name, activations[i])
   const pixels = await harness.render(scene, PIXELS)

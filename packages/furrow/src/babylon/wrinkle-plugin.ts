@@ -8,9 +8,9 @@ import type { UniformBuffer } from '@babylonjs/core/Materials/uniformBuffer.js'
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { SubMesh } from '@babylonjs/core/Meshes/subMesh.js'
 import type { Scene } from '@babylonjs/core/scene.js'
-import type { Cell } from '../runtime/atlas-cells.ts'
+import type { Cell, Four } from '../runtime/atlas-cells.ts'
 import { VALUE_KINDS, type ValueKind } from '../runtime/layer-maps.ts'
-import type { Reach } from '../runtime/reach.ts'
+import type { SkinMaterial } from './check-mesh.ts'
 import {
   fragmentInjections,
   type Injections,
@@ -19,29 +19,29 @@ import {
 } from './shaders/injections.ts'
 import { type MixedLayers, samplerOf } from './shaders/mixing.ts'
 import type { SharedSet } from './shared-set.ts'
+import { isTiled } from './tiling.ts'
 
 /** What a draw of a mesh needs to know of its face. */
 export interface DrawnFace {
   readonly shared: SharedSet
   readonly cells: readonly Cell[]
-  /** Texture coordinates outside of which there are no wrinkles now. */
-  readonly reach: Reach
   /** Whether the vertices of its instances tell their cells. */
   readonly hasCells: boolean
 }
 
 /** Uniforms, each of four numbers. */
 const UNIFORMS = [
+  'furrowPlace',
+  'furrowInside',
   'furrowGrid',
-  'furrowInset',
-  'furrowBounds',
+  'furrowLimit',
   'furrowNormalScale',
   'furrowOcclusionStrength',
   'furrowBloodAmplitude',
 ] as const
 
-/** Beyond all texture coordinates: no wrinkles. */
-const NOWHERE: Reach = { x: 1, y: 1, z: 0, w: 0 }
+/** Where the cell of the mesh that is drawn is. */
+const place: Four = { x: 0, y: 0, z: 1, w: 1 }
 
 /** Numbers of shader variants by their code: effects are told apart by their defines. */
 const variants = new Map<string, number>()
@@ -74,7 +74,7 @@ export class WrinklePlugin extends MaterialPluginBase {
 
   /** @param faceOf the face of a mesh; undefined for a mesh without. */
   constructor(material: Material, kind: ShaderKind, faceOf: (mesh: AbstractMesh) => DrawnFace | undefined) {
-    super(material, WrinklePlugin.NAME, 300, { FURROW: 0, FURROW_CELLS: false }, false)
+    super(material, WrinklePlugin.NAME, 300, { FURROW: 0, FURROW_CELLS: false, FURROW_TILED: false }, false)
     this.registerForExtraEvents = true
     this.doNotSerialize = true
     this.#kind = kind
@@ -117,6 +117,12 @@ export class WrinklePlugin extends MaterialPluginBase {
     defines.FURROW = this.#variant
     defines.FURROW_CELLS =
       this.#shared !== null && Boolean(defines.INSTANCES) && (this.#faceOf(mesh)?.hasCells ?? false)
+    const { bumpTexture } = this._material as SkinMaterial
+    const isWrapped = this.#shared !== null && bumpTexture !== null && isTiled(mesh, bumpTexture)
+    if (isWrapped === defines.FURROW_TILED) return
+    defines.FURROW_TILED = isWrapped
+    // Babylon.js looks for changes of its own only; a page may move the normal map.
+    defines.markAsUnprocessed()
   }
 
   override getAttributes(attributes: string[], _scene: Scene, mesh: AbstractMesh): void {
@@ -155,11 +161,14 @@ export class WrinklePlugin extends MaterialPluginBase {
     const shared = this.#shared
     if (!shared) return
     const face = this.#faceOf(subMesh.getMesh())
-    const { grid, width, height } = shared.atlas.cells
-    const { x, y, z, w } = face?.reach ?? NOWHERE
-    uniforms.updateFloat4('furrowGrid', grid.columns, grid.rows, face?.cells[0].index ?? 0, 0)
-    uniforms.updateFloat4('furrowInset', 0.5 / width, 0.5 / height, 0, 0)
-    uniforms.updateFloat4('furrowBounds', x, y, z, w)
+    const { cells } = shared.atlas
+    const { grid, inside, width, height } = cells
+    cells.locate(face?.cells[0].index ?? 0, place)
+    setVector(uniforms, 'furrowPlace', place)
+    setVector(uniforms, 'furrowInside', inside)
+    uniforms.updateFloat4('furrowGrid', grid.columns, grid.rows, 0.5 / width, 0.5 / height)
+    // A mesh without wrinkles may have the material too.
+    uniforms.updateFloat4('furrowLimit', face ? 1 : 0, 0, 0, 0)
     const { textures, normalScale, occlusionStrength, bloodAmplitude } = shared.textures
     setFour(uniforms, 'furrowNormalScale', normalScale)
     setFour(uniforms, 'furrowOcclusionStrength', occlusionStrength)
@@ -173,6 +182,10 @@ export class WrinklePlugin extends MaterialPluginBase {
   override hasTexture(texture: BaseTexture): boolean {
     return Object.values(this.#shared?.textures.textures ?? {}).includes(texture as never)
   }
+}
+
+function setVector(uniforms: UniformBuffer, name: string, { x, y, z, w }: Readonly<Four>): void {
+  uniforms.updateFloat4(name, x, y, z, w)
 }
 
 function setFour(uniforms: UniformBuffer, name: string, [x, y, z, w]: readonly number[]): void {

@@ -5,7 +5,6 @@ import '@babylonjs/core/Meshes/thinInstanceMesh.js'
 import type { Scene } from '@babylonjs/core/scene.js'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import type { Cell } from '../runtime/atlas-cells.ts'
-import { findReach, type Reach, reachAll } from '../runtime/reach.ts'
 import { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
 import { checkIsMesh, checkMaterial, checkMesh } from './check-mesh.ts'
 import { checkMode, checkOptions, type WrinkleMode, type WrinklesOptions } from './options.ts'
@@ -43,8 +42,6 @@ export class WrinklesBase extends WrinkleFaces<Scene> {
   readonly shared: SharedSet
   /** @internal */
   readonly cells: readonly Cell[]
-  /** @internal */
-  readonly reach: Reach = { x: 0, y: 0, z: 0, w: 0 }
   /** Gives a copy the drivers of this face. @internal */
   copyDrivers: ((copy: WrinklesBase) => void) | null = null
   readonly #meshes: AbstractMesh[] = []
@@ -187,8 +184,6 @@ export class WrinklesBase extends WrinkleFaces<Scene> {
   collectInfluence(): boolean {
     if (this.#mode === 'off') return false
     this.shared.atlas.cells.collect(this.cells)
-    if (this.#hasCells) reachAll(this.reach)
-    else findReach(this.shared.slices, this.faces[0].activations.values, this.reach)
     return true
   }
 

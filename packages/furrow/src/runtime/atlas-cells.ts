@@ -23,11 +23,24 @@ const SMALLEST_CHANGE = 1 / 510
 /** In texels. All WebGL 2 and WebGPU devices in use support textures of this size. */
 const LARGEST_SIDE = 8192
 
+/** Four numbers, as vectors of engines have them. */
+export interface Four {
+  x: number
+  y: number
+  z: number
+  w: number
+}
+
 /** The layout of an atlas of influence maps: a grid of cells of one size, and which of them must be redrawn. */
 export class AtlasCells {
   /** Size of a cell in texels, that of the faces' areas. */
   readonly width: number
   readonly height: number
+  /**
+   * Factors and offsets (x, y and z, w) that take texture coordinates to 0 at the centre of a cell's first texel, and to 1 at that of its last. Shaders
+   * clamp the result, so that samples do not reach the neighbours: a limit to 0..1 is part of a multiplication on graphics cards, another is not.
+   */
+  readonly inside: Readonly<Four>
   /** Columns and rows of cells. */
   readonly grid = { columns: 1, rows: 1 }
   /** The cells to redraw are the first `changes` of these: emptying the list would allocate. */
@@ -39,6 +52,9 @@ export class AtlasCells {
   constructor(width: number, height: number) {
     this.width = width
     this.height = height
+    // A cell of one texel is the same everywhere.
+    const [across, down] = [Math.max(width - 1, 1), Math.max(height - 1, 1)]
+    this.inside = { x: width / across, y: height / down, z: -0.5 / across, w: -0.5 / down }
   }
 
   get isEmpty(): boolean {
@@ -84,6 +100,16 @@ export class AtlasCells {
   /** Adds to `changed` those of some cells that must be redrawn. */
   collect(cells: readonly Cell[]): void {
     for (let i = 0; i < cells.length; i++) if (hasChanged(cells[i])) this.changed[this.changes++] = cells[i]
+  }
+
+  /** Finds the centre of a cell's first texel (x, y), and how far that of its last is (z, w), in 0..1 of the atlas. */
+  locate(index: number, place: Four): void {
+    const { width, height } = this
+    const { columns, rows } = this.grid
+    place.x = ((index % columns) + 0.5 / width) / columns
+    place.y = (Math.floor(index / columns) + 0.5 / height) / rows
+    place.z = (1 - 1 / width) / columns
+    place.w = (1 - 1 / height) / rows
   }
 
   /** Marks all cells stale: what was drawn is lost. */

@@ -98,7 +98,7 @@ function standard(d: Dialect, { baseColor, occlusion, blood }: Values): Injectio
   const one = `${vec3}(1.0)`
   /** Where there are no wrinkles, the colour stays as it is to the last bit. */
   const inLinear = (change: string) =>
-    `if (furrowLargest > 0.0) { baseColor=${vec4}(${toGamma}(${change}(${toLinear}(baseColor.rgb))),baseColor.a); }`
+    `if (dot(furrowInfluence, ${vec4}(1.0)) > 0.0) { baseColor=${vec4}(${toGamma}(${change}(${toLinear}(baseColor.rgb))),baseColor.a); }`
   const injections: Injections = {}
   if (baseColor) {
     const map = `baseColor=${texel(d, 'diffuse', 'Diffuse').replace('.xyz', '')};`

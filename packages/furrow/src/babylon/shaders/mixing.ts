@@ -25,7 +25,9 @@ export function mixing(d: Dialect, { kinds, normals, values }: MixedLayers): str
   return [
     sampledInfluence(d, kinds.length),
     ...texels.map(({ name }) => d.global(d.vec4, name, `${d.vec4}(0.0)`)),
-    ...[...new Set(texels.map(({ sampler }) => samplerOf(sampler)))].map(d.arrayOfMaps),
+    ...['normal' as const, ...new Set(texels.map(({ sampler }) => sampler))].map((kind) =>
+      sampledMaps(d, kind),
+    ),
     normalMixing(d, kinds, normals, texels),
     ...Object.entries(values).map(([kind, layers]) => valueMixing(d, kind as ValueKind, layers)),
     values.occlusion ? microShadow(d) : '',
@@ -34,48 +36,60 @@ export function mixing(d: Dialect, { kinds, normals, values }: MixedLayers): str
 }
 
 /**
- * The influence of each layer: one sample of the map, at coordinates whose derivatives are taken here, since the layers' maps are sampled
- * inside branches, where neighbouring pixels may diverge.
+ * The influence of each layer: one sample of the map. There are no branches between pixels, which cost graphics cards more than the samples that they
+ * save. Where texture coordinates wrap, the layers' maps are sampled with derivatives from before that.
  */
 function sampledInfluence(d: Dialect, layers: number): string {
   const { float, vec2, vec4 } = d
-  const [dx, dy] = d.derivatives('unwrapped')
-  const [grid, inset, bounds] = ['furrowGrid', 'furrowInset', 'furrowBounds'].map(d.uniform)
+  const [dx, dy] = d.derivatives('uv')
+  const names = ['furrowPlace', 'furrowInside', 'furrowGrid', 'furrowLimit']
+  const [place, inside, grid, limit] = names.map(d.uniform)
   const channels = CHANNELS.map((channel, i) => (i < layers ? `sampled.${channel}` : '0.0'))
-  const sampled = d.sampleTexture('furrowInfluenceMap', `(corner + inside) / ${grid}.xy`)
+  const sampled = d.sampleTexture('furrowInfluenceMap', `corner + inside * ${place}.zw`)
   const body = `
-  ${d.local(vec2, 'uv', `unwrapped - max(ceil(unwrapped) - 1.0, min(floor(unwrapped), ${vec2}(0.0)))`)}
-  furrowUv = uv;
+#ifdef FURROW_TILED
+  furrowUv = uv - max(ceil(uv) - 1.0, min(floor(uv), ${vec2}(0.0)));
   furrowDx = ${dx};
   furrowDy = ${dy};
-  if (uv.x < ${bounds}.x || uv.y < ${bounds}.y || uv.x > ${bounds}.z || uv.y > ${bounds}.w) { return 0.0; }
-#ifdef FURROW_CELLS
-  ${d.local(float, 'cell', `floor(${d.passed('vFurrowCell')} + 0.5)`)}
 #else
-  ${d.local(float, 'cell', `${grid}.z`)}
+  furrowUv = uv;
 #endif
-  ${d.local(float, 'row', `floor((cell + 0.5) / ${grid}.x)`)}
-  ${d.local(vec2, 'corner', `${vec2}(cell - row * ${grid}.x, row)`)}
-  ${d.local(vec2, 'inside', `clamp(uv, ${inset}.xy, 1.0 - ${inset}.xy)`)}
-  ${d.local(vec4, 'sampled', `min(${sampled}, ${vec4}(1.0))`)}
-  furrowInfluence = ${vec4}(${channels.join(', ')});
-  return max(max(furrowInfluence.x, furrowInfluence.y), max(furrowInfluence.z, furrowInfluence.w));`
+#ifdef FURROW_CELLS
+  ${d.local(float, 'index', `floor(${d.passed('vFurrowCell')} + 0.5)`)}
+  ${d.local(float, 'row', `floor((index + 0.5) / ${grid}.x)`)}
+  ${d.local(vec2, 'corner', `(${vec2}(index - row * ${grid}.x, row) + ${grid}.zw) / ${grid}.xy`)}
+#else
+  ${d.local(vec2, 'corner', `${place}.xy`)}
+#endif
+  ${d.local(vec2, 'inside', `clamp(furrowUv * ${inside}.xy + ${inside}.zw, ${vec2}(0.0), ${vec2}(1.0))`)}
+  ${d.local(vec4, 'sampled', `min(${sampled}, ${vec4}(${limit}.x))`)}
+  furrowInfluence = ${vec4}(${channels.join(', ')});`
   return `
 #ifdef FURROW_CELLS
 ${d.isWgsl ? 'varying vFurrowCell: f32;' : 'varying float vFurrowCell;'}
 #endif
 ${d.texture('furrowInfluenceMap')}
 ${d.global(vec4, 'furrowInfluence', `${vec4}(0.0)`)}
-${d.global(float, 'furrowLargest', '0.0')}
 ${d.global(vec2, 'furrowUv', `${vec2}(0.0)`)}
 ${d.global(vec2, 'furrowDx', `${vec2}(0.0)`)}
 ${d.global(vec2, 'furrowDy', `${vec2}(0.0)`)}
-${d.declare(float, 'furrowSampleInfluence', [[vec2, 'unwrapped']], body)}`
+${d.declare(null, 'furrowSampleInfluence', [[vec2, 'uv']], body)}`
+}
+
+/** Declares an array of maps, and `vec4 furrowSample_KIND(int slice)`. */
+function sampledMaps(d: Dialect, kind: 'normal' | ValueKind): string {
+  const body = `
+#ifdef FURROW_TILED
+  return ${d.sampleArrayBy(samplerOf(kind), 'furrowUv', 'slice', 'furrowDx', 'furrowDy')};
+#else
+  return ${d.sampleArray(samplerOf(kind), 'furrowUv', 'slice')};
+#endif`
+  return `${d.arrayOfMaps(samplerOf(kind))}\n${d.declare(d.vec4, `furrowSample_${kind}`, [[d.int, 'slice']], body)}`
 }
 
 /**
- * Declares `vec3 furrowMixNormals(vec3 stored, vec2 unwrapped)`: the normal as stored, 0..1, which stays as it is without influence. Shaders read
- * their normal map before the others, so that it reads the texels of these too.
+ * Declares `vec3 furrowMixNormals(vec3 stored, vec2 uv)`: the normal as stored, 0..1; what the material unpacks of it is the same to the bit without
+ * influence. Shaders read their normal map before the others, so that it reads the texels of these too.
  */
 function normalMixing(
   d: Dialect,
@@ -84,40 +98,45 @@ function normalMixing(
   texels: readonly ValueTexel[],
 ): string {
   const { float, vec2, vec3 } = d
-  const texture = samplerOf('normal')
   const scales = d.uniform('furrowNormalScale')
-  const layers = kinds.map((kind, layer) => {
-    const scale = `${scales}.${CHANNELS[layer]}`
-    const sampled = sample(d, texture, normals[layer]!)
+  const layers = kinds.map((_, layer) => {
+    // A z of exactly 0 would divide an influence of 0 by 0.
+    const normal = `furrowSample_normal(${normals[layer]!}).xyz * 2.0 - ${vec3}(1.0, 1.0, 0.9999999)`
     return `
-  ${d.local(vec3, `n${layer}`, kind === 'replace' ? 'base' : `${vec3}(0.0, 0.0, 1.0)`)}
-  if (${influenceOf(layer)} > 0.0) { n${layer} = (${sampled}.xyz * 2.0 - 1.0) * ${vec3}(${scale}, ${scale}, 1.0); }`
+  ${d.local(vec3, `n${layer}`, normal)}`
   })
-  const values = texels.map(({ name, sampler, slice, layers: owners }) => {
-    const isShown = owners.map(influenceOf).join(' + ')
-    return `
-  if (${isShown} > 0.0) { ${name} = ${sample(d, samplerOf(sampler), slice)}; }`
-  })
+  const values = texels.map(
+    ({ name, sampler, slice }) => `
+  ${name} = furrowSample_${sampler}(${slice});`,
+  )
+  const scaleOf = (layer: number) => `${scales}.${CHANNELS[layer]}`
   const replacing = indicesOf(kinds, 'replace')
   const details = indicesOf(kinds, 'detail')
-  const replaced = replacing.map((layer) => ` + (n${layer} - base) * ${influenceOf(layer)} / total`)
-  const slope = details.map((layer) => `n${layer}.xy / n${layer}.z * ${influenceOf(layer)}`).join(' + ')
+  const total = replacing.length > 1 ? ` / max(1.0, ${replacing.map(influenceOf).join(' + ')})` : ''
+  const replaced = replacing.map((layer) => {
+    const scaled = `n${layer} * ${vec3}(${scaleOf(layer)}, ${scaleOf(layer)}, 1.0)`
+    return ` + (${scaled} - base) * (${influenceOf(layer)}${total})`
+  })
+  const slope = details
+    .map((layer) => `n${layer}.xy * (${influenceOf(layer)} * ${scaleOf(layer)} / n${layer}.z)`)
+    .join(' + ')
+  // Multiplied out, see `reorientBy` of three.js's shaders: a slope of 0 leaves the normal as it is.
   const reoriented = `
-  ${d.local(vec3, 'turned', `normalize(normal) + ${vec3}(0.0, 0.0, 1.0)`)}
-  ${d.local(vec3, 'detail', `normalize(${vec3}(${slope}, 1.0)) * ${vec3}(-1.0, -1.0, 1.0)`)}
-  normal = turned * (dot(turned, detail) / turned.z) - detail;`
+  ${d.local(vec2, 'slope', slope)}
+  ${d.local(float, 'size', 'length(normal)')}
+  ${d.local(float, 'along', 'dot(normal.xy, slope)')}
+  ${d.local(float, 'kept', '1.0 - along / max(normal.z + size, 1e-6)')}
+  normal = ${vec3}(normal.xy * kept + slope * size, normal.z - along);`
   const body = `
-  furrowLargest = furrowSampleInfluence(unwrapped);
-  if (furrowLargest <= 0.0) { return stored; }
+  furrowSampleInfluence(uv);
   ${d.local(vec3, 'base', 'stored * 2.0 - 1.0')}${[...layers, ...values].join('')}
-  ${d.local(float, 'total', `max(1.0, ${[...replacing.map(influenceOf), '0.0'].join(' + ')})`)}
   ${d.local(vec3, 'normal', `base${replaced.join('')}`)}${details.length > 0 ? reoriented : ''}
   return normal * 0.5 + 0.5;`
   const parameters = [
     [vec3, 'stored'],
-    [vec2, 'unwrapped'],
+    [vec2, 'uv'],
   ] as const
-  return `${d.arrayOfMaps(texture)}\n${d.declare(vec3, 'furrowMixNormals', parameters, body)}`
+  return d.declare(vec3, 'furrowMixNormals', parameters, body)
 }
 
 /** How the values of a kind are read. */
@@ -154,10 +173,6 @@ function valueMixing(d: Dialect, kind: ValueKind, { slices, channel, sampler }: 
     kind === 'blood' ? bloodOf(d) : '',
     d.declare(vec3, `furrowMix_${kind}`, [[vec3, 'base']], body),
   ].join('\n')
-}
-
-function sample(d: Dialect, texture: string, slice: number): string {
-  return d.sampleArray(texture, 'furrowUv', String(slice), 'furrowDx', 'furrowDy')
 }
 
 /** See `bloodOf` in the reference. */

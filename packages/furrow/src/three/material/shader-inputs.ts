@@ -18,9 +18,11 @@ export interface ShaderInputs {
   readonly influence: { value: Texture }
   /** Columns and rows of its cells, and the index of this mesh's first cell. */
   readonly grid: { value: Vector3 }
-  /** Where that cell is, in 0..1 of the atlas: its corner, and the size of any cell. */
+  /** Where that cell is, see `AtlasCells.locate`. */
   readonly cell: { value: Vector4 }
-  /** Half a texel of a cell, in 0..1: samples are clamped to stay this far inside it. */
+  /** What takes texture coordinates there, see `AtlasCells.inside`. */
+  readonly inside: { value: Vector4 }
+  /** Half a texel of a cell, in 0..1. */
   readonly inset: { value: Vector2 }
   /** Texture coordinates outside which there are no wrinkles now: u0, v0, u1, v1. Empty where all are faded out. */
   readonly reach: { value: Vector4 }
@@ -51,6 +53,7 @@ export function createShaderInputs(
     influence: { value: target.texture },
     grid: { value: new Vector3() },
     cell: { value: new Vector4() },
+    inside: { value: new Vector4().copy(cells.inside as Vector4) },
     inset: { value: new Vector2(0.5 / cells.width, 0.5 / cells.height) },
     reach: { value: new Vector4() },
     fade: { value: 1 },
@@ -85,7 +88,7 @@ export function locateCells(
   const { columns, rows } = atlas.cells.grid
   const { index, face } = cells[0]
   grid.value.set(columns, rows, index)
-  cell.value.set((index % columns) / columns, Math.floor(index / columns) / rows, 1 / columns, 1 / rows)
+  atlas.cells.locate(index, cell.value)
   if (fade.value === 0) reachNothing(reach.value)
   else if (cells.length === 1) findReach(areas, face.activations.values, reach.value)
   else reachAll(reach.value)

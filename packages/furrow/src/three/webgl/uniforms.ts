@@ -7,6 +7,7 @@ export function mapUniforms(inputs: ShaderInputs): Record<string, IUniform> {
     furrowInfluenceMap: inputs.influence,
     furrowGrid: inputs.grid,
     furrowCell: inputs.cell,
+    furrowInside: inputs.inside,
     furrowInset: inputs.inset,
     furrowBounds: inputs.reach,
     furrowFade: inputs.fade,

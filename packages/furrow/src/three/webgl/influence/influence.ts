@@ -36,11 +36,11 @@ vec2 furrowRepeat(vec2 uv) {
 const CELL = /* glsl */ `
 uniform highp sampler2D furrowInfluenceMap;
 uniform highp vec4 furrowCell;
-uniform highp vec2 furrowInset;
+uniform highp vec4 furrowInside;
 uniform highp float furrowFade;
 
 vec4 furrowSampleCell(vec2 uv, vec2 corner) {
-  vec2 inside = clamp(uv, furrowInset, 1.0 - furrowInset);
+  vec2 inside = clamp(uv * furrowInside.xy + furrowInside.zw, 0.0, 1.0);
   return min(textureLod(furrowInfluenceMap, corner + inside * furrowCell.zw, 0.0), 1.0) * furrowFade;
 }
 `
@@ -66,11 +66,12 @@ export const CORNER_OF_INSTANCE = /* glsl */ `
 #ifndef FURROW_CORNER
 #define FURROW_CORNER
 uniform highp vec3 furrowGrid;
+uniform highp vec2 furrowInset;
 
 vec2 furrowCornerOf(float instance) {
   float cell = furrowGrid.z + instance;
   float row = floor((cell + 0.5) / furrowGrid.x);
-  return vec2(cell - row * furrowGrid.x, row) / furrowGrid.xy;
+  return (vec2(cell - row * furrowGrid.x, row) + furrowInset) / furrowGrid.xy;
 }
 #endif
 `

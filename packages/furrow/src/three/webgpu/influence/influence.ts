@@ -37,14 +37,14 @@ export function influenceFromMap(
   isVertex = false,
 ): Node<'vec4'> {
   const cell = inputUniform<'vec4'>(inputs.cell)
-  const inset = inputUniform<'vec2'>(inputs.inset)
+  const { xy: factor, zw: offset } = inputUniform<'vec4'>(inputs.inside)
   const fade = inputUniform<'float'>(inputs.fade)
   const layers = inputs.textures.layers.length
   return Fn(() => {
     const influence = vec4(0).toVar()
     const sample = () => {
       const corner = instances ? varying(cornerOf(inputs, instanceOf(instances))) : cell.xy
-      const inside = uv.clamp(inset, inset.oneMinus())
+      const inside = uv.mul(factor).add(offset).saturate()
       const atlas = texture(inputs.influence.value, corner.add(inside.mul(cell.zw)))
       const sampled = (isVertex ? atlas.level(int(0)) : atlas).toVar()
       // Channels without a layer hold whatever the format gives them.
@@ -63,11 +63,13 @@ function isWithin(uv: Node<'vec2'>, bounds: Node<'vec4'>): Node<'bool'> {
 }
 
 /** Corner of an instance's cell, in 0..1 of the atlas; each has a cell, in the order of rows. */
-function cornerOf({ grid }: ShaderInputs, instance: Node<'float'>): Node<'vec2'> {
+function cornerOf({ grid, inset }: ShaderInputs, instance: Node<'float'>): Node<'vec2'> {
   const { x: columns, xy: size, z: first } = inputUniform<'vec3'>(grid)
   const cell = first.add(instance)
   const row = cell.add(0.5).div(columns).floor()
-  return vec2(cell.sub(row.mul(columns)), row).div(size)
+  return vec2(cell.sub(row.mul(columns)), row)
+    .add(inputUniform<'vec2'>(inset))
+    .div(size)
 }
 
 /** Index of the instance that is drawn. A batch draws its visible instances in an order of its own, which is in a texture. */
