@@ -22,7 +22,7 @@ import { frameView } from '../../stage/views.ts'
 import { randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { drawn, FRAMES, faceOf, MAP, UNSEEN, useFaces, watchShaders } from './auto-face.ts'
-import { largestDifference } from './difference.ts'
+import { largestDifference, shareBeyond } from './difference.ts'
 import { createHarness, type Harness, LONG_TEST_RENDERERS, square, squareCamera } from './harness.ts'
 import { loseContext } from './lose-context.ts'
 import { normalMap } from './normal-map.ts'
@@ -64,6 +64,7 @@ describe.each(LONG_TEST_RENDERERS)('the mode auto on %s', (name) => {
         isComposed = material.normalMap !== own
       }
       const wrinkles = new faces.harness.Wrinkles(skin, set, { mode: 'default' })
+      faces.disposers.push(() => wrinkles.dispose())
       for (const [i, area] of wrinkles.areaNames.entries()) wrinkles.setActivation(area, 0.4 + 0.1 * (i % 6))
       const picture = () => faces.harness.renderBytes(scene, camera, 320)
       const wanted = (await picture()).slice()
@@ -80,9 +81,10 @@ describe.each(LONG_TEST_RENDERERS)('the mode auto on %s', (name) => {
       expect(isComposed).toBe(true)
       expect(compiled.length).toBeGreaterThan(30)
       const composed = (await picture()).slice()
-      expect(largestDifference(composed, wanted)).toBeLessThanOrEqual(UNSEEN)
+      // On a graphics card, which filters with fewer bits, 7 of 409,600 values differ by up to 5.
+      expect(shareBeyond(UNSEEN, composed, wanted)).toBeLessThan(1e-4)
+      expect(largestDifference(composed, wanted)).toBeLessThanOrEqual(4 * UNSEEN)
       expect(material.normalMap).toBe(own)
-      wrinkles.dispose()
       // The first one draws to the canvas for the first time.
       expect(compiled.slice(1).every((count) => count === 0)).toBe(true)
     },

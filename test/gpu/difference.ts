@@ -6,6 +6,13 @@ export const STEP = 1.05 / 255
 /** What pictures may differ by whose influence maps are in other cells of the atlas, where coordinates are rounded otherwise. */
 export const ROUNDING = 1e-5
 
+/** Part of the values of two pictures that differ by more than a limit. */
+export function shareBeyond(limit: number, a: Numbers, b: Numbers): number {
+  let count = 0
+  for (let i = 0; i < a.length; i++) if (Math.abs(a[i] - b[i]) > limit) count++
+  return count / a.length
+}
+
 /** Largest absolute difference of two pictures, over all channels. */
 export function largestDifference(a: Numbers, b: Numbers): number {
   let largest = 0
