@@ -10,6 +10,7 @@ import { Wrinkles } from 'furrow/babylon'
 import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest'
 import { layer, randomAreas, randomNormals } from '../../cases.ts'
 import { seeded } from '../../random.ts'
+import { largestDifference } from '../difference.ts'
 import { type BabylonHarness, createHarness, ENGINES, square } from './harness.ts'
 
 const PIXELS = 32
@@ -66,6 +67,39 @@ describe.each(ENGINES)('normals in Babylon.js on %s', (name) => {
       expect((mesh.material as PBRMaterial).bumpTexture !== null).toBe(hasMap)
       scene.dispose()
     }
+  })
+
+  it('follow a normal map that the page moves beyond the edges of the layers, and back', async () => {
+    const moved = (uOffset: number) => {
+      const random = seeded(7)
+      const scene = harness.createScene()
+      const { mesh } = skin(scene, random, true, shownByPbr)
+      const map = (mesh.material as PBRMaterial).bumpTexture as RawTexture
+      map.uScale = map.vScale = 0.5
+      map.uOffset = uOffset
+      const wrinkles = new Wrinkles(mesh, randomLayers(random, ['replace', 'detail']), { areaSize: MAP })
+      wrinkles.setActivation('area0', 1)
+      return { scene, map }
+    }
+    // In the canvas: each target of its own has shaders of its own.
+    const picture = async ({ scene }: { scene: Scene }) => {
+      const { engine } = harness
+      await scene.whenReadyAsync()
+      engine.beginFrame()
+      scene.render()
+      const pixels = engine.readPixels(0, 0, engine.getRenderWidth(), engine.getRenderHeight())
+      engine.endFrame()
+      return new Uint8Array((await pixels).buffer.slice(0))
+    }
+    const [face, beyond] = [moved(0.1), moved(0.8)]
+    const before = await picture(face)
+    face.map.uOffset = 0.8
+    const shown = await picture(face)
+    expect(largestDifference(shown, before)).toBeGreaterThan(10)
+    expect(largestDifference(shown, await picture(beyond))).toBe(0)
+    face.map.uOffset = 0.1
+    expect(largestDifference(await picture(face), before)).toBe(0)
+    for (const { scene } of [face, beyond]) scene.dispose()
   })
 })
 

@@ -6,6 +6,7 @@ import {
   type MeshStandardMaterial,
   Vector2,
 } from 'three'
+import { isTiledBy, type UvRanges, uvRanges } from '../../runtime/uv-ranges.ts'
 
 /** Whether texture coordinates wrap somewhere on a face, as its shader was made for. */
 export interface Tiling {
@@ -37,40 +38,22 @@ export function tilingOf(meshes: readonly Mesh[], material: Material): Tiling {
   }
 }
 
-/**
- * Whether texture coordinates leave 0..1 somewhere on a mesh, and so wrap: neighbouring pixels may then be at opposite edges of its maps.
- * True of all that a rotated normal map may have so.
- */
+/** Whether texture coordinates wrap somewhere on a mesh, see `isTiledBy`. */
 export function isTiled({ geometry }: Mesh, material: Material): boolean {
   const map = (material as MeshStandardMaterial).normalMap!
   if (map.matrixAutoUpdate) map.updateMatrix()
-  const [us, vs] = uvRanges(geometry.getAttribute(map.channel ? `uv${map.channel}` : 'uv'))
-  return us.some((u) =>
-    vs.some((v) => {
-      const { x, y } = new Vector2(u, v).applyMatrix3(map.matrix)
-      return Math.min(x, y) < 0 || Math.max(x, y) > 1
-    }),
-  )
+  const ranges = rangesOf(geometry.getAttribute(map.channel ? `uv${map.channel}` : 'uv'))
+  return isTiledBy(ranges, (u, v) => new Vector2(u, v).applyMatrix3(map.matrix))
 }
 
 type AnyAttribute = BufferAttribute | InterleavedBufferAttribute
-type Range = [least: number, largest: number]
 
-const knownRanges = new WeakMap<AnyAttribute, [Range, Range]>()
+const knownRanges = new WeakMap<AnyAttribute, UvRanges>()
 
-/** Of u and v; found once for all meshes of a crowd. */
-function uvRanges(attribute: AnyAttribute): [Range, Range] {
-  const ranges = knownRanges.get(attribute) ?? [rangeOf(attribute, 0), rangeOf(attribute, 1)]
+/** Found once for all meshes of a crowd. */
+function rangesOf(attribute: AnyAttribute): UvRanges {
+  const ranges =
+    knownRanges.get(attribute) ?? uvRanges(attribute.count, (i, axis) => attribute.getComponent(i, axis))
   knownRanges.set(attribute, ranges)
   return ranges
-}
-
-function rangeOf(attribute: AnyAttribute, axis: number): Range {
-  const range: Range = [Infinity, -Infinity]
-  for (let i = 0; i < attribute.count; i++) {
-    const coordinate = attribute.getComponent(i, axis)
-    range[0] = Math.min(range[0], coordinate)
-    range[1] = Math.max(range[1], coordinate)
-  }
-  return range
 }
