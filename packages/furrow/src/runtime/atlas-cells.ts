@@ -53,7 +53,7 @@ export class AtlasCells {
     this.width = width
     this.height = height
     // A cell of one texel is the same everywhere.
-    const [across, down] = [Math.max(width - 1, 1), Math.max(height - 1, 1)]
+    const [across, down] = [width - 1 || 1, height - 1 || 1]
     this.inside = { x: width / across, y: height / down, z: -0.5 / across, w: -0.5 / down }
   }
 

@@ -4,20 +4,17 @@ type Range = [least: number, largest: number]
 export type UvRanges = readonly [u: Range, v: Range]
 
 /** @param read one coordinate of a vertex: 0 is u, 1 is v. */
-export function uvRanges(vertices: number, read: (vertex: number, axis: 0 | 1) => number): UvRanges {
-  const ranges: UvRanges = [
-    [Infinity, -Infinity],
-    [Infinity, -Infinity],
-  ]
-  for (const axis of [0, 1] as const) {
-    const range = ranges[axis]
+export function uvRanges(vertices: number, read: (vertex: number, axis: number) => number): UvRanges {
+  const rangeOf = (axis: number) => {
+    const range: Range = [Infinity, -Infinity]
     for (let i = 0; i < vertices; i++) {
       const coordinate = read(i, axis)
       range[0] = Math.min(range[0], coordinate)
       range[1] = Math.max(range[1], coordinate)
     }
+    return range
   }
-  return ranges
+  return [rangeOf(0), rangeOf(1)]
 }
 
 /**
