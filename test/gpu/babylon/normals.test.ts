@@ -69,6 +69,21 @@ describe.each(ENGINES)('normals in Babylon.js on %s', (name) => {
     }
   })
 
+  it('are shown of a mesh whose vertices are on the GPU only', async () => {
+    const pictures: Float32Array[] = []
+    for (const isCleared of [false, true]) {
+      const random = seeded(8)
+      const scene = harness.createScene()
+      const { mesh } = skin(scene, random, true, shownByPbr)
+      const wrinkles = new Wrinkles(mesh, randomLayers(random, ['replace', 'detail']), { areaSize: MAP })
+      wrinkles.setActivation('area0', 1)
+      if (isCleared) scene.clearCachedVertexData()
+      pictures.push(await harness.render(scene, PIXELS))
+      scene.dispose()
+    }
+    expect(largestDifference(pictures[0], pictures[1])).toBeLessThanOrEqual(1 / 255)
+  })
+
   it('follow a normal map that the page moves beyond the edges of the layers, and back', async () => {
     const moved = (uOffset: number) => {
       const random = seeded(7)

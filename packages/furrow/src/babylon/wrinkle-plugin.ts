@@ -115,10 +115,10 @@ export class WrinklePlugin extends MaterialPluginBase {
 
   override prepareDefines(defines: MaterialDefines, _scene: Scene, mesh: AbstractMesh): void {
     defines.FURROW = this.#variant
-    defines.FURROW_CELLS =
-      this.#shared !== null && Boolean(defines.INSTANCES) && (this.#faceOf(mesh)?.hasCells ?? false)
+    const face = this.#shared && this.#faceOf(mesh)
+    defines.FURROW_CELLS = Boolean(defines.INSTANCES) && (face?.hasCells ?? false)
     const { bumpTexture } = this._material as SkinMaterial
-    const isWrapped = this.#shared !== null && bumpTexture !== null && isTiled(mesh, bumpTexture)
+    const isWrapped = Boolean(face && bumpTexture && isTiled(mesh, bumpTexture))
     if (isWrapped === defines.FURROW_TILED) return
     defines.FURROW_TILED = isWrapped
     // Babylon.js looks for changes of its own only; a page may move the normal map.

@@ -19,18 +19,24 @@ export function uvRanges(vertices: number, read: (vertex: number, axis: number) 
 
 /**
  * Whether texture coordinates leave 0..1 somewhere on a mesh, and so wrap: neighbouring pixels may then be at opposite edges of its maps.
- * True of all that a rotated map may have so.
- *
- * @param place where a map has the coordinates u and v.
+ * True of all that a rotated map may have so. A map has the coordinates u and v at a u + b v + c and d u + e v + f.
  */
 export function isTiledBy(
-  [us, vs]: UvRanges,
-  place: (u: number, v: number) => Readonly<{ x: number; y: number }>,
+  ranges: UvRanges,
+  a: number,
+  b: number,
+  c: number,
+  d: number,
+  e: number,
+  f: number,
 ): boolean {
-  return us.some((u) =>
-    vs.some((v) => {
-      const { x, y } = place(u, v)
-      return Math.min(x, y) < 0 || Math.max(x, y) > 1
-    }),
-  )
+  // Without closures: Babylon.js asks in every frame.
+  for (let corner = 0; corner < 4; corner++) {
+    const u = ranges[0][corner & 1]
+    const v = ranges[1][corner >> 1]
+    const x = a * u + b * v + c
+    const y = d * u + e * v + f
+    if (Math.min(x, y) < 0 || Math.max(x, y) > 1) return true
+  }
+  return false
 }

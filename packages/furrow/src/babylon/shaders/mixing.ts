@@ -126,7 +126,11 @@ function normalMixing(
   ${d.local(float, 'size', 'length(normal)')}
   ${d.local(float, 'along', 'dot(normal.xy, slope)')}
   ${d.local(float, 'kept', '1.0 - along / max(normal.z + size, 1e-6)')}
-  normal = ${vec3}(normal.xy * kept + slope * size, normal.z - along);`
+  normal = ${vec3}(normal.xy * kept + slope * size, normal.z - along);
+#ifdef DETAIL
+  // Babylon.js lays its own map of details onto a normal of unit length; elsewhere it makes it so itself.
+  normal = normal * (size / length(normal));
+#endif`
   const body = `
   furrowSampleInfluence(uv);
   ${d.local(vec3, 'base', 'stored * 2.0 - 1.0')}${[...layers, ...values].join('')}

@@ -1,11 +1,4 @@
-import {
-  type BufferAttribute,
-  type InterleavedBufferAttribute,
-  type Material,
-  type Mesh,
-  type MeshStandardMaterial,
-  Vector2,
-} from 'three'
+import type { BufferAttribute, InterleavedBufferAttribute, Material, Mesh, MeshStandardMaterial } from 'three'
 import { isTiledBy, type UvRanges, uvRanges } from '../../runtime/uv-ranges.ts'
 
 /** Whether texture coordinates wrap somewhere on a face, as its shader was made for. */
@@ -43,7 +36,8 @@ export function isTiled({ geometry }: Mesh, material: Material): boolean {
   const map = (material as MeshStandardMaterial).normalMap!
   if (map.matrixAutoUpdate) map.updateMatrix()
   const ranges = rangesOf(geometry.getAttribute(map.channel ? `uv${map.channel}` : 'uv'))
-  return isTiledBy(ranges, (u, v) => new Vector2(u, v).applyMatrix3(map.matrix))
+  const [a, d, , b, e, , c, f] = map.matrix.elements
+  return isTiledBy(ranges, a, b, c, d, e, f)
 }
 
 type AnyAttribute = BufferAttribute | InterleavedBufferAttribute

@@ -1,5 +1,6 @@
 import { type MeshStandardMaterial, RedFormat, type Texture } from 'three'
 import { nextTask } from '../../../runtime/next-task.ts'
+import type { AreaArray } from '../../atlas/area-array.ts'
 import type { AnyRenderer } from '../../renderer.ts'
 import { ComposedMap, composedSize, levelsOf, type Size, shareOf } from '../composed-map.ts'
 import type { Edit } from '../patch.ts'
@@ -30,6 +31,8 @@ interface Made {
   /** What draws the face meanwhile; null where that is always the default mode's. */
   program: StandbyProgram | null
   state: 'new' | 'drawing' | 'drawn'
+  /** Whether its program could not be made when it was last prepared. */
+  isRefused: boolean
 }
 
 /** What the views of a frame need. */
@@ -54,8 +57,14 @@ export class ComposedFace {
   #made: Made | null = null
   #isRedrawn = false
   /** What the influence map shows: what a page has changed since is not in it. */
+  #areas: AreaArray | null = null
   #values: Float32Array = new Float32Array(0)
   #version = 0
+  /** Version of that map's texture, which is empty when it has grown. */
+  #atlasVersion = 0
+  /** Part of the map that areas of this version reach. */
+  #share = 0
+  #shareVersion = -1
 
   constructor(host: FaceHost) {
     this.#host = host
@@ -86,9 +95,7 @@ export class ComposedFace {
     meshes: DrawnMeshes,
   ): void {
     const isUsable = base !== null && this.#canCompose(base)
-    const { areas, textures } = this.#host.inputs
-    this.#values = values
-    this.#version = areas.version + textures.version
+    this.#note(values)
     const size = isUsable ? this.#sizeFor(base) : NO_SIZE
     const made = this.#made
     const isLost = made?.state === 'drawn' && !this.#host.hasContents(renderer, made.normals.target)
@@ -97,7 +104,7 @@ export class ComposedFace {
       this.drop()
       this.#policy.reset()
     }
-    const texels = this.#canRedraw ? size.width * size.height * shareOf(areas) : Infinity
+    const texels = this.#canRedraw ? size.width * size.height * this.#share : Infinity
     const isWanted = this.#policy.step(hasMoved, pixels, texels)
     if (!isWanted && this.#made) this.#made.state = 'new'
     if (isWanted && isUsable) {
@@ -105,7 +112,7 @@ export class ComposedFace {
       if (this.#made?.state === 'new') this.#prepare(this.#made, renderer, meshes)
       else if (this.#made?.state === 'drawn') this.#draw(this.#made, renderer)
     }
-    this.#isRedrawn = this.#made !== null && this.#policy.isRedrawn(pixels, texels)
+    this.#isRedrawn = isWanted && this.#made !== null && this.#policy.isRedrawn(pixels, texels)
   }
 
   /** The maps to draw with, if they are fine enough for a view; null else. */
@@ -130,8 +137,7 @@ export class ComposedFace {
 
   /** Whether the shader then saves something. */
   get #canRedraw(): boolean {
-    const isRefused = this.#made?.state === 'drawn' && !this.#made.program?.isReady
-    return this.#host.hasOwnProgram && !isRefused
+    return this.#host.hasOwnProgram && !this.#made?.isRefused
   }
 
   #sizeFor(base: Texture): Size {
@@ -194,6 +200,7 @@ export class ComposedFace {
       bytes,
       program,
       state: 'new',
+      isRefused: false,
     }
   }
 
@@ -204,8 +211,13 @@ export class ComposedFace {
     const isCurrent = () => this.#made === made && made.state === 'drawing'
     const draw = () => {
       if (!isCurrent()) return
-      this.#draw(made, renderer)
-      made.state = 'drawn'
+      made.isRefused = program !== null && !program.isReady
+      const isEmpty = this.#host.inputs.influence.value.version !== this.#atlasVersion
+      if (!isEmpty) this.#draw(made, renderer)
+      made.state = isEmpty ? 'new' : 'drawn'
+    }
+    const refuse = () => {
+      made.isRefused = true
     }
     const compile = async () => {
       await nextTask()
@@ -214,13 +226,26 @@ export class ComposedFace {
       if (isCurrent()) await occlusion?.compile(renderer)
       if (isCurrent()) await program?.prepare(renderer, meshes)
     }
-    compile().then(draw, () => {})
+    compile().then(draw, refuse)
+  }
+
+  /** Keeps what the influence map shows. */
+  #note(values: Float32Array): void {
+    const { areas, textures, influence } = this.#host.inputs
+    if (areas !== this.#areas || areas.version !== this.#shareVersion) {
+      this.#share = shareOf(areas)
+      this.#shareVersion = areas.version
+    }
+    this.#areas = areas
+    this.#values = values
+    this.#version = areas.version + textures.version
+    this.#atlasVersion = influence.value.version
   }
 
   /** What has changed of it. */
   #draw({ normals, occlusion }: Made, renderer: AnyRenderer): void {
-    const { areas } = this.#host.inputs
-    for (const map of [normals, occlusion]) map?.update(renderer, areas, this.#values, 1, this.#version)
+    normals.update(renderer, this.#areas!, this.#values, 1, this.#version)
+    occlusion?.update(renderer, this.#areas!, this.#values, 1, this.#version)
   }
 
   /** Whether maps still serve. */
