@@ -2,13 +2,11 @@
 // renderer, callable from this process.
 
 import { emulateBrowser } from './dawn.mjs'
-import { openPage } from './serve.mjs'
+import { launchTimed, openPage } from './serve.mjs'
 
 /** A browser, with every renderer. */
 export async function chromiumHost(server) {
-  const { launchBrowser } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
-  // Else timestamps of WebGPU are multiples of 0.1 ms.
-  const browser = await launchBrowser(['--enable-webgpu-developer-features'])
+  const browser = await launchTimed(server)
   return {
     async open() {
       const page = await openPage(server, browser, '/bench/page/page.html', 'bench')

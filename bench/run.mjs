@@ -5,6 +5,7 @@ import { join } from 'node:path'
 import { parseArgs } from 'node:util'
 import { measureCpu, measureCrowdCpu, measureLeastCpu } from './cpu.mjs'
 import { chromiumHost, nodeHost } from './hosts.mjs'
+import { parseRounds, parseSize } from './options.mjs'
 import { runServed, serve } from './serve.mjs'
 import { measureSizes } from './size.mjs'
 
@@ -108,18 +109,5 @@ function checkRenderers(names, allowed) {
   if (unknown === undefined) return names
   throw new Error(
     `bench: renderer not available here, got "${unknown}", allowed: ${allowed.join(', ')}; name one of these`,
-  )
-}
-
-function parseRounds(text) {
-  if (/^[1-9]\d?$/.test(text)) return Number(text)
-  throw new Error(`bench: --rounds, got "${text}", allowed: 1 to 99; write e.g. --rounds 5`)
-}
-
-function parseSize(text) {
-  const match = /^([1-9]\d{0,3})x([1-9]\d{0,3})$/.exec(text)
-  if (match) return { width: Number(match[1]), height: Number(match[2]) }
-  throw new Error(
-    `bench: invalid size, got "${text}", allowed: 1x1 to 9999x9999; write e.g. --size 3840x2160`,
   )
 }

@@ -41,6 +41,13 @@ export async function runServed(server, run) {
   }
 }
 
+/** Starts the browser that frames are timed in. */
+export async function launchTimed(server) {
+  const { launchBrowser } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
+  // Else timestamps of WebGPU are multiples of 0.1 ms.
+  return launchBrowser(['--enable-webgpu-developer-features'])
+}
+
 /** Opens a page and waits until it has set the global `ready`. */
 export async function openPage(server, browser, path, ready) {
   const { newPage } = await server.ssrLoadModule('/packages/cli/src/browser.ts')

@@ -14,6 +14,8 @@ import '@babylonjs/loaders/glTF/2.0/Extensions/KHR_texture_transform.js'
 import '@babylonjs/loaders/glTF/2.0/glTFLoader.js'
 import { registerWrinkleMaps, wrinklesOf } from 'furrow/babylon'
 import type { RendererKind } from '../../stage/stage.ts'
+import { changedFraction } from '../page/changed.ts'
+import { LIGHT_INTENSITY, LIGHTS } from '../page/lights.ts'
 import { type Clock, passClock, queryClock } from '../page/timestamps.ts'
 import { roundOrder } from '../statistics.ts'
 
@@ -110,17 +112,16 @@ async function createFace(engine: AnyEngine, isWrinkled: boolean) {
   const camera = new FreeCamera('camera', middle.add(new Vector3(0, 0.025, 1)), scene)
   camera.setTarget(middle.add(new Vector3(0, 0.025, 0)))
   Object.assign(camera, { fov: 0.1, minZ: 0.01, maxZ: 10 })
-  for (const from of LAMPS) {
-    new DirectionalLight('lamp', Vector3.FromArray(from).scale(-1).normalize(), scene).intensity = 1.2
+  for (const from of LIGHTS) {
+    const lamp = new DirectionalLight('lamp', Vector3.FromArray(from).scale(-1).normalize(), scene)
+    lamp.intensity = LIGHT_INTENSITY
   }
   new HemisphericLight('surroundings', Vector3.Up(), scene).intensity = 0.6
   const morphs = wrinkles.mesh.morphTargetManager!
+  const targets = BLENDSHAPES.map((name) => morphs.getTargetByName(name)!)
   const draw = (frame: number) => {
-    for (const [i, name] of BLENDSHAPES.entries()) {
-      const target = Array.from({ length: morphs.numTargets }, (_, k) => morphs.getTarget(k)).find(
-        (morph) => morph.name === name,
-      )
-      if (target) target.influence = 0.5 + 0.5 * Math.sin(frame * 0.37 + i * 2.4)
+    for (const [i, target] of targets.entries()) {
+      target.influence = 0.5 + 0.5 * Math.sin(frame * 0.37 + i * 2.4)
     }
     engine.beginFrame()
     scene.render()
@@ -139,17 +140,4 @@ async function createFace(engine: AnyEngine, isWrinkled: boolean) {
       return (await engine.readPixels(0, 0, engine.getRenderWidth(), engine.getRenderHeight())) as Uint8Array
     },
   }
-}
-
-const LAMPS = [
-  [-1, 1.35, 0.95],
-  [1.3, 0.1, 0.8],
-  [1.2, 1, -1.6],
-]
-
-function changedFraction(a: Uint8Array, b: Uint8Array): number {
-  let changed = 0
-  for (let i = 0; i < a.length; i += 4)
-    if (a[i] !== b[i] || a[i + 1] !== b[i + 1] || a[i + 2] !== b[i + 2]) changed++
-  return (4 * changed) / a.length
 }

@@ -5,13 +5,12 @@ import type { RendererKind } from '../../stage/stage.ts'
 import { activationOf, type Case, type Plan } from '../case.ts'
 import type { Measured } from '../report.ts'
 import { roundOrder } from '../statistics.ts'
+import { changedFraction, MIN_CHANGED } from './changed.ts'
 import { giveDistinctProgram } from './distinct-program.ts'
 import { createSet, createSkin } from './scene.ts'
 import type { TimedRenderer } from './timed-renderer.ts'
 import { type AppliedVariant, VARIANTS } from './variant.ts'
 
-/** Smallest fraction of pixels that wrinkles must change: a variant that shows none would be fast. */
-const MIN_CHANGED = 0.005
 /** Difference of channels between variants that must draw the same, of 255, and the fraction of channels that may differ by more. */
 const MAX_DIFFERENCE = 2
 const MAX_FRACTION = 1e-5
@@ -146,14 +145,6 @@ function checkSame(pictures: ReadonlyMap<string, Uint8Array>, benchCase: Case): 
 function differingFraction(a: Uint8Array, b: Uint8Array): number {
   const count = a.reduce((sum, value, i) => sum + Number(Math.abs(value - b[i]) > MAX_DIFFERENCE), 0)
   return count / a.length
-}
-
-function changedFraction(a: Uint8Array, b: Uint8Array): number {
-  let changed = 0
-  for (let i = 0; i < a.length; i += 4) {
-    if (a[i] !== b[i] || a[i + 1] !== b[i + 1] || a[i + 2] !== b[i + 2]) changed++
-  }
-  return changed / (a.length / 4)
 }
 
 /** Milliseconds per frame, the mean of enough frames to be timed well, after one frame that only sets their number. */

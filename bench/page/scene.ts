@@ -6,19 +6,13 @@ import {
   type MeshPhysicalMaterial,
   PerspectiveCamera,
   Scene,
-  type Vector3Tuple,
 } from 'three'
 import type { Face } from '../../stage/face.ts'
 import { frameView } from '../../stage/views.ts'
 import type { Case } from '../case.ts'
 import { divideAreas } from './areas.ts'
+import { LIGHT_INTENSITY, LIGHTS } from './lights.ts'
 import type { Bench } from './measure.ts'
-
-const LIGHTS: readonly Vector3Tuple[] = [
-  [-1, 1.35, 0.95],
-  [1.3, 0.1, 0.8],
-  [1.2, 1, -1.6],
-]
 
 /** Zoom over the stage's front view: the frame is full from the forehead to the mouth. */
 const ZOOM = 3.1
@@ -31,8 +25,8 @@ const CAMERA_RISE = 0.025
 export function createScene(face: Face, aspect: number): Pick<Bench, 'scene' | 'camera' | 'surroundings'> {
   const scene = new Scene()
   for (const from of LIGHTS) {
-    const light = new DirectionalLight(0xffffff, 1.2)
-    light.position.fromArray(from)
+    const light = new DirectionalLight(0xffffff, LIGHT_INTENSITY)
+    light.position.set(...from)
     scene.add(light)
   }
   const surroundings = new HemisphereLight(0xffffff, 0x664433, 0.6)

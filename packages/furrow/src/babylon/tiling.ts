@@ -2,7 +2,7 @@ import { VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
 import type { BaseTexture } from '@babylonjs/core/Materials/Textures/baseTexture.js'
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { Mesh } from '@babylonjs/core/Meshes/mesh.js'
-import { isTiledBy, type UvRanges, uvRanges } from '../runtime/uv-ranges.ts'
+import { isTiledBy, type UvRanges, uvRanges } from '../math/uv-ranges.ts'
 
 /** Found once for all meshes with the same texture coordinates; null where they are on the GPU only. */
 const knownRanges = new WeakMap<VertexBuffer, UvRanges | null>()

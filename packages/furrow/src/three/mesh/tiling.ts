@@ -1,5 +1,5 @@
 import type { BufferAttribute, InterleavedBufferAttribute, Material, Mesh, MeshStandardMaterial } from 'three'
-import { isTiledBy, type UvRanges, uvRanges } from '../../runtime/uv-ranges.ts'
+import { isTiledBy, type UvRanges, uvRanges } from '../../math/uv-ranges.ts'
 
 /** Whether texture coordinates wrap somewhere on a face, as its shader was made for. */
 export interface Tiling {
