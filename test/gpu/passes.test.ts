@@ -1,7 +1,15 @@
-import { DirectionalLight, Mesh, MeshStandardMaterial, PlaneGeometry, RenderTarget, Scene } from 'three'
+import {
+  DirectionalLight,
+  Mesh,
+  MeshStandardMaterial,
+  PlaneGeometry,
+  RenderTarget,
+  Scene,
+  type WebGLRenderer,
+} from 'three'
 import { mrt, normalView, output } from 'three/tsl'
 import type { WebGPURenderer } from 'three/webgpu'
-import { expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
@@ -10,7 +18,7 @@ import { createHarness, type Harness, RENDERERS, square, squareCamera } from './
 const SIDE = 32
 
 /** A square with wrinkles, and before it a mesh that is drawn first and receives its shadow. */
-function sceneOf(harness: Harness) {
+function sceneOf(harness: Harness, mesh = square(new MeshStandardMaterial())) {
   const light = new DirectionalLight('white', 3)
   light.position.set(0.5, 0.5, 1)
   light.castShadow = true
@@ -19,7 +27,6 @@ function sceneOf(harness: Harness) {
   Object.assign(light.shadow.camera, { left: -3, right: 3, top: 3, bottom: -3, near: 0.01, far: 10 })
   const front = new Mesh(new PlaneGeometry(0.2, 0.2), new MeshStandardMaterial())
   front.position.set(0.9, 0.9, 0.5)
-  const mesh = square(new MeshStandardMaterial())
   mesh.castShadow = mesh.receiveShadow = front.receiveShadow = true
   harness.renderer.shadowMap.enabled = true
   const wrinkles = new harness.Wrinkles(mesh, randomSet(seeded(4), 6, 8, 16), { areaSize: 8 })
@@ -74,3 +81,81 @@ it.each(RENDERERS.slice(1))(
     harness.dispose()
   },
 )
+
+describe('on WebGLRenderer, influence', () => {
+  it('is drawn before the picture begins, once the scene is known', async () => {
+    const harness = await createHarness('webgl')
+    const renderer = harness.renderer as WebGLRenderer
+    const { scene, wrinkles } = sceneOf(harness)
+    const gl = renderer.getContext()
+    /** What a frame draws into or clears, in its order; null is the canvas. */
+    const targets: (WebGLFramebuffer | null)[] = []
+    for (const method of ['clear', 'drawArrays', 'drawElements'] as const) {
+      const draw = gl[method].bind(gl) as (...parameters: unknown[]) => void
+      Object.assign(gl, {
+        [method](...parameters: unknown[]) {
+          targets.push(gl.getParameter(gl.FRAMEBUFFER_BINDING))
+          draw(...parameters)
+        },
+      })
+    }
+    /** Draws a frame with wrinkles that have moved; how often its picture is begun. */
+    const begun = (value: number) => {
+      for (const area of wrinkles.areaNames) wrinkles.setActivation(area, value)
+      targets.length = 0
+      renderer.render(scene, squareCamera())
+      return targets.filter((target, i) => target === null && targets[i - 1] !== null).length
+    }
+    const picture = async () => (await harness.renderBytes(scene, squareCamera(), SIDE)).slice()
+    expect(begun(0.1)).toBe(2)
+    expect([0.2, 0.3, 0.4].map(begun)).toEqual([1, 1, 1])
+    const shown = await picture()
+    // A page may take over what the scene calls, and call what was there or not.
+    for (const isCalled of [true, false]) {
+      const { onBeforeRender } = scene
+      let calls = 0
+      scene.onBeforeRender = (...drawn) => {
+        calls++
+        if (isCalled) onBeforeRender(...drawn)
+      }
+      begun(0.5)
+      expect([0.6, 0.3, 0.4].map(begun)).toEqual([1, 1, 1])
+      expect(calls).toBe(4)
+      expect(largestDifference(await picture(), shown)).toBe(0)
+    }
+    wrinkles.dispose()
+    harness.dispose()
+  })
+
+  it('leaves the scene as it was, when there are no wrinkles any more', async () => {
+    const harness = await createHarness('webgl')
+    const { scene, wrinkles } = sceneOf(harness)
+    const own = () => {}
+    scene.onBeforeRender = own
+    const draw = () => harness.renderer.render(scene, squareCamera())
+    draw()
+    expect(scene.onBeforeRender).not.toBe(own)
+    wrinkles.dispose()
+    draw()
+    expect(scene.onBeforeRender).toBe(own)
+    harness.dispose()
+  })
+
+  it('waits for what the page does before the mesh is drawn', async () => {
+    const harness = await createHarness('webgl')
+    const mesh = square(new MeshStandardMaterial())
+    let value = 0
+    mesh.onBeforeRender = () => {
+      for (const area of wrinkles.areaNames) wrinkles.setActivation(area, value)
+    }
+    const { scene, wrinkles } = sceneOf(harness, mesh)
+    const picture = async () => (await harness.renderBytes(scene, squareCamera(), SIDE)).slice()
+    const none = await picture()
+    value = 0.4
+    const some = await picture()
+    expect(largestDifference(some, none)).toBeGreaterThan(8)
+    expect(largestDifference(await picture(), some)).toBe(0)
+    wrinkles.dispose()
+    harness.dispose()
+  })
+})

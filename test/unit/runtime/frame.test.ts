@@ -58,6 +58,22 @@ function recorded(names: string[]) {
   }
 }
 
+/** What an engine calls that tells before it draws a picture. */
+function early({ frame, entries, engine, log }: ReturnType<typeof recorded>) {
+  let last = -1
+  return (...seen: string[]): string[] => {
+    log.length = 0
+    last = frame.beginImage(engine, last)
+    log.push('picture')
+    engine.pictures++
+    for (const name of seen) {
+      frame.begin(entries[name], engine)
+      log.push(`draw ${name}`)
+    }
+    return [...log]
+  }
+}
+
 /** All phases of some members. */
 const phases = (...names: string[]) => [
   ...['inputs', 'drivers', 'activations', 'influence'].flatMap((phase) =>
@@ -114,6 +130,38 @@ describe('a frame', () => {
       // A face that both draw.
       expect(drawOn(other, 'b', 'a')).toEqual([...phases('b'), 'draw b', ...phases('a'), 'draw a'])
       expect(draw('a')).toEqual([...phases('a'), 'draw a'])
+    }
+  })
+
+  it('begins before anything of a picture is drawn, where the engine tells', () => {
+    const all = recorded(['a', 'b', 'late'])
+    all.entries.late.isLate = true
+    const draw = early(all)
+    // Those that never ran too.
+    expect(draw('a', 'late')).toEqual([
+      ...phases('a', 'b'),
+      'picture',
+      'draw a',
+      ...phases('late'),
+      'draw late',
+    ])
+    expect(draw('a')).toEqual([...phases('a'), 'picture', 'draw a'])
+    expect(draw('a', 'b')).toEqual([...phases('a'), 'picture', 'draw a', ...phases('b'), 'draw b'])
+    expect(draw()).toEqual([...phases('a', 'b'), 'picture'])
+    // Out of sight.
+    expect(draw()).toEqual(['picture'])
+    expect(draw('b')).toEqual(['picture', ...phases('b'), 'draw b'])
+    expect(draw('b')).toEqual([...phases('b'), 'picture', 'draw b'])
+  })
+
+  it('is each scene its own, where an engine draws several in turns', () => {
+    const all = recorded(['a', 'b'])
+    const [first, second] = [early(all), early(all)]
+    first('a')
+    second('b')
+    for (let i = 0; i < 3; i++) {
+      expect(first('a')).toEqual([...phases('a'), 'picture', 'draw a'])
+      expect(second('b')).toEqual([...phases('b'), 'picture', 'draw b'])
     }
   })
 

@@ -24,6 +24,8 @@ export interface InfluenceTarget<Engine> {
 /** A member, and the numbers of the frames that it last took part in. */
 export interface FrameEntry<Engine> {
   readonly member: FrameMember<Engine>
+  /** Whether what it reads may change until it is drawn, so that its phases wait for that. */
+  isLate: boolean
   /** In which it was drawn. */
   seen: number
   /** In which its phases ran. */
@@ -42,7 +44,7 @@ interface Drawn {
 /**
  * Runs the phases of frames: inputs -> drivers -> activations -> influence -> draw, each for all faces before the next. The engine
  * draws, and calls `begin` before it draws a member: the first one in a frame runs the phases of all members that were drawn in the
- * frame before, or never ran. A member that comes into view later in a frame runs its phases then. Where several engines draw on one page,
+ * frame before, or never ran; `beginImage` does so before anything is drawn. A member that comes into view later in a frame runs its phases then. Where several engines draw on one page,
  * each has frames of its own: what one draws is not there for another.
  *
  * @typeParam Engine what draws, e.g. a renderer.
@@ -66,9 +68,13 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
 
   /** Adds a member; the entry is for the methods below. */
   add(member: FrameMember<Engine>): FrameEntry<Engine> {
-    const entry = { member, seen: -1, updated: -1, collected: -1 }
+    const entry = { member, isLate: false, seen: -1, updated: -1, collected: -1 }
     this.#entries.push(entry)
     return entry
+  }
+
+  get isEmpty(): boolean {
+    return this.#entries.length === 0
   }
 
   /** Removes a member. */
@@ -77,11 +83,27 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
     this.#due.length = 0
   }
 
+  /**
+   * To be called before an image is drawn in which members may be: what draws influence then interrupts nothing.
+   *
+   * @param last the frame of the image before of the same scene.
+   * @returns the number of the frame.
+   */
+  beginImage(engine: Engine, last: number): number {
+    this.#count = 0
+    const drawn = this.#drawnBy(engine)
+    this.#startNext(drawn, last, true)
+    if (this.#count > 0) this.#run(engine, drawn.number)
+    // The image itself is not counted yet.
+    drawn.renders = this.#renderCount(engine) + 1
+    return drawn.number
+  }
+
   /** To be called before a member is drawn. */
   begin(entry: FrameEntry<Engine>, engine: Engine): void {
     this.#count = 0
     const drawn = this.#drawnBy(engine)
-    if (this.#renderCount(engine) !== drawn.renders) this.#startNext(drawn)
+    if (this.#renderCount(engine) !== drawn.renders) this.#startNext(drawn, drawn.number, false)
     if (entry.updated !== drawn.number) this.#schedule(entry, drawn.number)
     entry.seen = drawn.number
     if (this.#count > 0) this.#run(engine, drawn.number)
@@ -118,11 +140,11 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
     for (let i = 0; i < count; i++) due[i].member.composeNormals(engine)
   }
 
-  #startNext(drawn: Drawn): void {
-    const last = drawn.number
+  #startNext(drawn: Drawn, last: number, isEarly: boolean): void {
     drawn.number = ++this.#number
     for (let i = 0; i < this.#entries.length; i++) {
       const entry = this.#entries[i]
+      if (isEarly && entry.isLate) continue
       if (entry.seen === last || entry.updated < 0) this.#schedule(entry, drawn.number)
     }
   }

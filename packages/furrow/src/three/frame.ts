@@ -1,11 +1,15 @@
-import { Frame } from '../runtime/frame.ts'
+import type { Scene } from 'three'
+import { Frame, type FrameEntry } from '../runtime/frame.ts'
 import { InfluenceAtlas } from './atlas/influence-atlas.ts'
 import type { QuadMaterials } from './atlas/quad-materials.ts'
+import { callBeforeRender } from './mesh/before-render.ts'
 import type { AnyRenderer } from './renderer.ts'
 
 /** The frames of one kind of renderer, and the atlases of their faces. */
 export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
   readonly #materials: QuadMaterials
+  /** What each scene calls before it is drawn. */
+  readonly #watched = new WeakMap<Scene, Scene['onBeforeRender']>()
 
   constructor(materials: QuadMaterials) {
     super(renderCount)
@@ -21,6 +25,25 @@ export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
     const atlas = new InfluenceAtlas(width, height, layers, this.#materials)
     this.targets.push(atlas)
     return atlas
+  }
+
+  /**
+   * Begins the frames of a scene before anything of it is drawn, on `WebGLRenderer`: there influence would be drawn in the midst of an image, which the
+   * GPUs of phones then write to memory and read again (Arm GPU Best Practices, "Efficient render passes"). `WebGPURenderer` submits it before.
+   *
+   * @param entry of a member that is being drawn in the scene.
+   */
+  watch(scene: Scene, { seen }: FrameEntry<AnyRenderer>): void {
+    if (!scene.isScene || this.#watched.get(scene) === scene.onBeforeRender) return
+    let last = seen
+    const stop = callBeforeRender(scene, (renderer, _camera, { overrideMaterial }) => {
+      // The page may have wrapped an earlier one, which is called too.
+      if (this.#watched.get(scene) !== watcher) return
+      if (this.isEmpty) stop()
+      else if (!overrideMaterial && !('setMRT' in renderer)) last = this.beginImage(renderer, last)
+    })
+    const watcher = scene.onBeforeRender
+    this.#watched.set(scene, watcher)
   }
 
   /** Frees an atlas if no face uses it any more. */

@@ -23,7 +23,7 @@ import {
   type ShaderInputs,
 } from './material/shader-inputs.ts'
 import { createTextures } from './material/wrinkle-textures.ts'
-import { callBeforeRender } from './mesh/before-render.ts'
+import { callBeforeRender, isPrepared } from './mesh/before-render.ts'
 import { checkIsMesh, checkMesh } from './mesh/check-mesh.ts'
 import { countFaces, instancesOf } from './mesh/instances.ts'
 import { type MeshPlace, placeOf } from './mesh/mesh-place.ts'
@@ -236,8 +236,11 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     checkIsMesh(mesh, 'Wrinkles.addMesh')
     this.#meshes.push(mesh)
     this.#material.follow(mesh)
-    const prepare = (renderer: AnyRenderer, camera: Camera, { overrideMaterial }: Scene) =>
-      this.prepare(renderer, camera, mesh, Boolean(overrideMaterial))
+    this.#entry.isLate ||= isPrepared(mesh)
+    const prepare = (renderer: AnyRenderer, camera: Camera, scene: Scene) => {
+      this.prepare(renderer, camera, mesh, Boolean(scene.overrideMaterial))
+      if (!('setMRT' in renderer)) this.#frame.watch(scene, this.#entry)
+    }
     if (mesh === this.mesh) exposeAreas(mesh, this)
     this.onDispose(callBeforeRender(mesh, prepare))
     this.onDispose(noteAdded(mesh, this))

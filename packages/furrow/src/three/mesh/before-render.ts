@@ -1,13 +1,21 @@
-import type { Camera, Material, Mesh, Scene } from 'three'
+import { type Camera, type Material, type Mesh, Object3D, type Scene } from 'three'
 import type { AnyRenderer } from '../renderer.ts'
 
 type Call = (renderer: AnyRenderer, camera: Camera, scene: Scene, drawn: object) => void
 
+/** Callbacks with nothing of the page's behind them. */
+const ours = new WeakSet<Mesh['onBeforeRender']>()
+
 /**
- * Calls a function before a mesh is drawn, or whatever has a material, behind what the mesh or material had for that. Returns what undoes it.
+ * Calls a function before a mesh or a scene is drawn, or whatever has a material, behind what it had for that. Returns what undoes it.
  */
-export function callBeforeRender(owner: Mesh | Material, prepare: Call): () => void {
+export function callBeforeRender(owner: Mesh | Scene | Material, prepare: Call): () => void {
   return callAround('onBeforeRender', owner as Mesh, prepare)
+}
+
+/** Whether the page itself does something before a mesh is drawn. */
+export function isPrepared({ onBeforeRender }: Mesh): boolean {
+  return onBeforeRender !== Object3D.prototype.onBeforeRender && !ours.has(onBeforeRender)
 }
 
 /** The same after a mesh is drawn. */
@@ -23,6 +31,7 @@ function callAround(event: 'onBeforeRender' | 'onAfterRender', owner: Mesh, call
     own.call(owner, renderer, scene, camera, geometry, drawn, group)
     call(renderer as AnyRenderer, camera, scene as Scene, drawn)
   }
+  if (event === 'onBeforeRender' && owner.isMesh && !isPrepared(owner)) ours.add(both)
   owner[event] = both
   return () => {
     if (owner[event] === both) owner[event] = own
