@@ -1,12 +1,4 @@
-import {
-  DirectionalLight,
-  Mesh,
-  MeshStandardMaterial,
-  PlaneGeometry,
-  RenderTarget,
-  Scene,
-  type WebGLRenderer,
-} from 'three'
+import { DirectionalLight, Mesh, MeshStandardMaterial, PlaneGeometry, RenderTarget, Scene } from 'three'
 import { mrt, normalView, output } from 'three/tsl'
 import type { WebGPURenderer } from 'three/webgpu'
 import { describe, expect, it } from 'vitest'
@@ -82,15 +74,17 @@ it.each(RENDERERS.slice(1))(
   },
 )
 
-describe('on WebGLRenderer, influence', () => {
+describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) => {
   it('is drawn before the picture begins, once the scene is known', async () => {
-    const harness = await createHarness('webgl')
-    const renderer = harness.renderer as WebGLRenderer
+    const harness = await createHarness(name)
+    const { renderer } = harness
     const { scene, wrinkles } = sceneOf(harness)
-    const gl = renderer.getContext()
-    /** What a frame draws into or clears, in its order; null is the canvas. */
+    // `WebGPURenderer` draws shadows in the midst itself.
+    renderer.shadowMap.enabled = false
+    const gl = renderer.getContext() as WebGL2RenderingContext
+    /** What a frame draws into or clears, in its order. */
     const targets: (WebGLFramebuffer | null)[] = []
-    for (const method of ['clear', 'drawArrays', 'drawElements'] as const) {
+    for (const method of ['clear', 'clearBufferfv', 'drawArrays', 'drawElements'] as const) {
       const draw = gl[method].bind(gl) as (...parameters: unknown[]) => void
       Object.assign(gl, {
         [method](...parameters: unknown[]) {
@@ -99,12 +93,13 @@ describe('on WebGLRenderer, influence', () => {
         },
       })
     }
-    /** Draws a frame with wrinkles that have moved; how often its picture is begun. */
+    /** Draws a frame with wrinkles that have moved; how often one of its targets is begun, at most. */
     const begun = (value: number) => {
       for (const area of wrinkles.areaNames) wrinkles.setActivation(area, value)
       targets.length = 0
       renderer.render(scene, squareCamera())
-      return targets.filter((target, i) => target === null && targets[i - 1] !== null).length
+      const runs = targets.filter((target, i) => target !== targets[i - 1])
+      return Math.max(...runs.map((target) => runs.filter((other) => other === target).length))
     }
     const picture = async () => (await harness.renderBytes(scene, squareCamera(), SIDE)).slice()
     expect(begun(0.1)).toBe(2)
@@ -128,7 +123,7 @@ describe('on WebGLRenderer, influence', () => {
   })
 
   it('leaves the scene as it was, when there are no wrinkles any more', async () => {
-    const harness = await createHarness('webgl')
+    const harness = await createHarness(name)
     const { scene, wrinkles } = sceneOf(harness)
     const own = () => {}
     scene.onBeforeRender = own
@@ -142,7 +137,7 @@ describe('on WebGLRenderer, influence', () => {
   })
 
   it('waits for what the page does before the mesh is drawn', async () => {
-    const harness = await createHarness('webgl')
+    const harness = await createHarness(name)
     const mesh = square(new MeshStandardMaterial())
     let value = 0
     mesh.onBeforeRender = () => {

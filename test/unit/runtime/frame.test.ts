@@ -59,13 +59,14 @@ function recorded(names: string[]) {
 }
 
 /** What an engine calls that tells before it draws a picture. */
-function early({ frame, entries, engine, log }: ReturnType<typeof recorded>) {
+function early({ frame, entries, engine, log }: ReturnType<typeof recorded>, isCounted = false) {
   let last = -1
   return (...seen: string[]): string[] => {
     log.length = 0
-    last = frame.beginImage(engine, last)
+    if (isCounted) engine.pictures++
+    last = frame.beginImage(engine, last, isCounted)
     log.push('picture')
-    engine.pictures++
+    if (!isCounted) engine.pictures++
     for (const name of seen) {
       frame.begin(entries[name], engine)
       log.push(`draw ${name}`)
@@ -133,10 +134,10 @@ describe('a frame', () => {
     }
   })
 
-  it('begins before anything of a picture is drawn, where the engine tells', () => {
+  it.each([false, true])('begins before anything of a picture is drawn, counted already: %s', (isCounted) => {
     const all = recorded(['a', 'b', 'late'])
     all.entries.late.isLate = true
-    const draw = early(all)
+    const draw = early(all, isCounted)
     // Those that never ran too.
     expect(draw('a', 'late')).toEqual([
       ...phases('a', 'b'),

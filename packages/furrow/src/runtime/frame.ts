@@ -87,15 +87,15 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
    * To be called before an image is drawn in which members may be: what draws influence then interrupts nothing.
    *
    * @param last the frame of the image before of the same scene.
+   * @param isCounted whether the engine has counted the image already.
    * @returns the number of the frame.
    */
-  beginImage(engine: Engine, last: number): number {
+  beginImage(engine: Engine, last: number, isCounted: boolean): number {
     this.#count = 0
     const drawn = this.#drawnBy(engine)
     this.#startNext(drawn, last, true)
     if (this.#count > 0) this.#run(engine, drawn.number)
-    // The image itself is not counted yet.
-    drawn.renders = this.#renderCount(engine) + 1
+    drawn.renders = this.#renderCount(engine) + Number(!isCounted)
     return drawn.number
   }
 

@@ -28,19 +28,19 @@ export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
   }
 
   /**
-   * Begins the frames of a scene before anything of it is drawn, on `WebGLRenderer`: there influence would be drawn in the midst of an image, which the
-   * GPUs of phones then write to memory and read again (Arm GPU Best Practices, "Efficient render passes"). `WebGPURenderer` submits it before.
+   * Begins the frames of a scene before anything of it is drawn. WebGL would draw influence in the midst of an image, which the GPUs of phones then
+   * write to memory and read again (Arm GPU Best Practices, "Efficient render passes"); on WebGPU it is submitted before the image anyway.
    *
    * @param entry of a member that is being drawn in the scene.
    */
-  watch(scene: Scene, { seen }: FrameEntry<AnyRenderer>): void {
-    if (!scene.isScene || this.#watched.get(scene) === scene.onBeforeRender) return
+  watch(scene: Scene, { seen }: FrameEntry<AnyRenderer>, renderer: AnyRenderer): void {
+    if (!drawsAtOnce(renderer) || !scene.isScene || this.#watched.get(scene) === scene.onBeforeRender) return
     let last = seen
-    const stop = callBeforeRender(scene, (renderer, _camera, { overrideMaterial }) => {
+    const stop = callBeforeRender(scene, (by, _camera, { overrideMaterial }) => {
       // The page may have wrapped an earlier one, which is called too.
       if (this.#watched.get(scene) !== watcher) return
       if (this.isEmpty) stop()
-      else if (!overrideMaterial && !('setMRT' in renderer)) last = this.beginImage(renderer, last)
+      else if (!overrideMaterial && drawsAtOnce(by)) last = this.beginImage(by, last, 'calls' in by.info)
     })
     const watcher = scene.onBeforeRender
     this.#watched.set(scene, watcher)
@@ -66,4 +66,13 @@ export function frameOf(materials: QuadMaterials): RendererFrame {
 /** Changes with every call of `render`, nested ones included. */
 function renderCount({ info }: AnyRenderer): number {
   return 'calls' in info ? info.calls : info.render.frame
+}
+
+/** Whether a renderer draws by WebGL, and draws: `compileAsync` of `WebGPURenderer` goes through scenes too. */
+function drawsAtOnce(renderer: AnyRenderer): boolean {
+  const { backend, _compilationPromises } = renderer as {
+    backend?: { isWebGPUBackend?: true }
+    _compilationPromises?: object | null
+  }
+  return !backend?.isWebGPUBackend && !_compilationPromises
 }

@@ -239,7 +239,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.#entry.isLate ||= isPrepared(mesh)
     const prepare = (renderer: AnyRenderer, camera: Camera, scene: Scene) => {
       this.prepare(renderer, camera, mesh, Boolean(scene.overrideMaterial))
-      if (!('setMRT' in renderer)) this.#frame.watch(scene, this.#entry)
+      this.#frame.watch(scene, this.#entry, renderer)
     }
     if (mesh === this.mesh) exposeAreas(mesh, this)
     this.onDispose(callBeforeRender(mesh, prepare))
