@@ -15,7 +15,7 @@ export interface PackedMaps {
 }
 
 /**
- * Packs the images of one kind.
+ * Packs the images of one kind. A single one is not copied, which would take as much memory again.
  *
  * @param maps of each layer, all of one size; undefined for a layer that has none.
  */
@@ -27,7 +27,7 @@ export function packMaps(
   const channels = kind === 'normal' || kind === 'baseColor' ? 4 : 1
   let next = 0
   return {
-    images: imageArray(present, channels),
+    images: present.length > 1 ? imageArray(present, channels) : { ...present[0], depth: 1, channels },
     slices: maps.map((map) => (map ? next++ : null)),
     channel: 0,
   }
