@@ -19,7 +19,7 @@ export class ComposePolicy {
    *
    * @param hasMoved whether the picture of the wrinkles has changed since the last call.
    * @param pixels that the face covers, at most.
-   * @param texels that are redrawn as it moves, at most.
+   * @param texels that are redrawn as it moves, at most, of all maps together.
    */
   step(hasMoved: boolean, pixels: number, texels: number): boolean {
     const isFit = pixels >= LEAST_PIXELS && (!hasMoved || this.isRedrawn(pixels, texels))

@@ -104,7 +104,9 @@ export class ComposedFace {
       this.drop()
       this.#policy.reset()
     }
-    const texels = this.#canRedraw ? size.width * size.height * this.#share : Infinity
+    // Occlusion and blood take as long as normals.
+    const maps = this.#host.hasValues ? 2 : 1
+    const texels = this.#canRedraw ? size.width * size.height * this.#share * maps : Infinity
     const isWanted = this.#policy.step(hasMoved, pixels, texels)
     if (!isWanted && this.#made) this.#made.state = 'new'
     if (isWanted && isUsable) {
