@@ -7,6 +7,7 @@ import { expect, it } from 'vitest'
 import { combinableTargets } from '../../../packages/furrow/src/three/sources/combined-targets.ts'
 import { layer, randomNormals } from '../../cases.ts'
 import { seeded } from '../../random.ts'
+import { frameOf } from './stub-renderer.ts'
 
 setFlagsFromString('--expose-gc')
 const collectGarbage = runInNewContext('gc') as () => void
@@ -23,6 +24,22 @@ it('allocates nothing per frame during a transition', () => {
   }
   player.play('surprised', 1)
   expect(bytesPerFrame(frames)).toBeLessThan(4)
+})
+
+it('allocates nothing per frame in which an area moves', () => {
+  const { mesh, wrinkles } = movingFace()
+  const draw = frameOf(mesh)
+  const areas = wrinkles.areaNames.slice(0, 1)
+  const values = new Float32Array(1)
+  const frames = (count: number) => {
+    for (let i = 0; i < count; i++) {
+      values[0] = (i % 4) / 4
+      wrinkles.setActivations(areas, values)
+      draw()
+    }
+  }
+  expect(bytesPerFrame(frames)).toBeLessThan(4)
+  expect(wrinkles.getActivation(areas[0])).toBe(0.75)
 })
 
 it("allocates nothing while it reads a VRM's combined blendshapes", () => {
@@ -74,5 +91,5 @@ function movingFace() {
     layers: [layer('skin', 'replace', randomNormals(seeded(1), 2))],
     areas: areas.map((name) => ({ name, weights })),
   })
-  return { player: new ExpressionPlayer(mesh, wrinkles), wrinkles }
+  return { mesh, player: new ExpressionPlayer(mesh, wrinkles), wrinkles }
 }

@@ -4,20 +4,15 @@ import { idleRenderer } from '../../../bench/idle-renderer.mjs'
 /** Returns a function that prepares meshes for a frame as a renderer does before it draws them. */
 export function frameOf(...meshes: Mesh[]): () => void {
   const renderer = idleRenderer()
+  const drawing = renderer as unknown as WebGLRenderer
   const scene = new Scene()
   const camera = new PerspectiveCamera()
   return () => {
     renderer.info.calls++
+    for (const mesh of meshes) mesh.updateWorldMatrix(true, true)
+    scene.onBeforeRender(drawing, scene, camera, null as never, null as never, null as never)
     for (const mesh of meshes) {
-      mesh.updateWorldMatrix(true, true)
-      mesh.onBeforeRender(
-        renderer as unknown as WebGLRenderer,
-        scene,
-        camera,
-        mesh.geometry,
-        mesh.material as never,
-        null as never,
-      )
+      mesh.onBeforeRender(drawing, scene, camera, mesh.geometry, mesh.material as never, null as never)
     }
   }
 }

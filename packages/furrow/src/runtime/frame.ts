@@ -73,10 +73,6 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
     return entry
   }
 
-  get isEmpty(): boolean {
-    return this.#entries.length === 0
-  }
-
   /** Removes a member. */
   remove(entry: FrameEntry<Engine>): void {
     this.#entries.splice(this.#entries.indexOf(entry), 1)

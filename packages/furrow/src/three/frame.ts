@@ -34,12 +34,17 @@ export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
    * @param entry of a member that is being drawn in the scene.
    */
   watch(scene: Scene, { seen }: FrameEntry<AnyRenderer>, renderer: AnyRenderer): void {
-    if (!drawsAtOnce(renderer) || !scene.isScene || this.#watched.get(scene) === scene.onBeforeRender) return
+    const isWatched = this.#watched.get(scene) === scene.onBeforeRender
+    if (!isWatched && scene.isScene && drawsAtOnce(renderer)) this.#watch(scene, seen)
+  }
+
+  /** What it makes for its callback would else be made in every frame. */
+  #watch(scene: Scene, seen: number): void {
     let last = seen
     const stop = callBeforeRender(scene, (by, _camera, { overrideMaterial }) => {
       // The page may have wrapped an earlier one, which is called too.
       if (this.#watched.get(scene) !== watcher) return
-      if (this.isEmpty) stop()
+      if (this.targets.length === 0) stop()
       else if (!overrideMaterial && drawsAtOnce(by)) last = this.beginImage(by, last, 'calls' in by.info)
     })
     const watcher = scene.onBeforeRender
