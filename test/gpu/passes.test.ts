@@ -153,4 +153,79 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     wrinkles.dispose()
     harness.dispose()
   })
+
+  it('is drawn once in an image, of all faces, whatever else of the scene is drawn', async () => {
+    const harness = await createHarness(name)
+    const { renderer } = harness
+    const { scene, wrinkles } = sceneOf(harness)
+    const other = new harness.Wrinkles(square(new MeshStandardMaterial()), wrinkles)
+    scene.add(other.mesh)
+    const drawn = () => ('calls' in renderer.info ? renderer.info.calls : renderer.info.render.frame)
+    const away = squareCamera()
+    away.position.x = 100
+    const overridden = new MeshStandardMaterial()
+    /** Images of a frame, those of influence included. */
+    const frame = (value: number, images: (() => void)[]) => {
+      for (const face of [wrinkles, other]) for (const area of face.areaNames) face.setActivation(area, value)
+      const before = drawn()
+      renderer.render(scene, squareCamera())
+      for (const image of images) image()
+      return drawn() - before
+    }
+    const aside = () => renderer.render(scene, away)
+    const override = () => {
+      scene.overrideMaterial = overridden
+      renderer.render(scene, squareCamera())
+      scene.overrideMaterial = null
+    }
+    for (const images of [[], [aside], [override], [override, aside], [aside, aside]]) {
+      for (const value of [0.1, 0.2]) frame(value, images)
+      const still = frame(0.2, images)
+      expect([0.3, 0.4].map((value) => frame(value, images) - still)).toEqual([1, 1])
+    }
+    for (const face of [other, wrinkles]) face.dispose()
+    harness.dispose()
+  })
+
+  it('is hooked a few times only by a scene that puts something in front each time', async () => {
+    const harness = await createHarness(name)
+    const { scene, wrinkles } = sceneOf(harness)
+    harness.renderer.shadowMap.enabled = false
+    let depth = 0
+    for (let i = 0; i < 40; i++) {
+      const { onBeforeRender } = scene
+      scene.onBeforeRender = (...drawn) => {
+        depth++
+        onBeforeRender.apply(scene, drawn)
+      }
+      const own = scene.onBeforeRender
+      harness.renderer.render(scene, squareCamera())
+      if (i > 20) expect(scene.onBeforeRender).toBe(own)
+    }
+    expect(depth).toBe((40 * 41) / 2)
+    wrinkles.dispose()
+    harness.dispose()
+  })
+
+  it('is in time for what the page puts before a mesh later', async () => {
+    const harness = await createHarness(name)
+    const { scene, wrinkles } = sceneOf(harness)
+    const { mesh } = wrinkles
+    const picture = async () => (await harness.renderBytes(scene, squareCamera(), SIDE)).slice()
+    const none = await picture()
+    await picture()
+    const { onBeforeRender } = mesh
+    let value = 0
+    mesh.onBeforeRender = (...drawn) => {
+      for (const area of wrinkles.areaNames) wrinkles.setActivation(area, value)
+      onBeforeRender.apply(mesh, drawn)
+    }
+    await picture()
+    value = 0.4
+    const some = await picture()
+    expect(largestDifference(some, none)).toBeGreaterThan(8)
+    expect(largestDifference(await picture(), some)).toBe(0)
+    wrinkles.dispose()
+    harness.dispose()
+  })
 })

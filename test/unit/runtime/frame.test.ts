@@ -58,17 +58,19 @@ function recorded(names: string[]) {
   }
 }
 
-/** What an engine calls that tells before it draws a picture. */
+/** What an engine calls that tells before it draws a picture of a scene. */
 function early({ frame, entries, engine, log }: ReturnType<typeof recorded>, isCounted = false) {
-  let last = -1
+  /** One that was drawn last, of the scene. */
+  let known: string | undefined
   return (...seen: string[]): string[] => {
     log.length = 0
     if (isCounted) engine.pictures++
-    last = frame.beginImage(engine, last, isCounted)
+    frame.beginImage(engine, known === undefined ? -1 : entries[known].seen, isCounted)
     log.push('picture')
     if (!isCounted) engine.pictures++
     for (const name of seen) {
       frame.begin(entries[name], engine)
+      known = name
       log.push(`draw ${name}`)
     }
     return [...log]
@@ -135,24 +137,39 @@ describe('a frame', () => {
   })
 
   it.each([false, true])('begins before anything of a picture is drawn, counted already: %s', (isCounted) => {
-    const all = recorded(['a', 'b', 'late'])
-    all.entries.late.isLate = true
+    const all = recorded(['a', 'b'])
     const draw = early(all, isCounted)
     // Those that never ran too.
-    expect(draw('a', 'late')).toEqual([
-      ...phases('a', 'b'),
-      'picture',
-      'draw a',
-      ...phases('late'),
-      'draw late',
-    ])
+    expect(draw('a')).toEqual([...phases('a', 'b'), 'picture', 'draw a'])
     expect(draw('a')).toEqual([...phases('a'), 'picture', 'draw a'])
     expect(draw('a', 'b')).toEqual([...phases('a'), 'picture', 'draw a', ...phases('b'), 'draw b'])
-    expect(draw()).toEqual([...phases('a', 'b'), 'picture'])
-    // Out of sight.
-    expect(draw()).toEqual(['picture'])
-    expect(draw('b')).toEqual(['picture', ...phases('b'), 'draw b'])
-    expect(draw('b')).toEqual([...phases('b'), 'picture', 'draw b'])
+    // A picture without them is none of theirs.
+    for (let i = 0; i < 2; i++) expect(draw()).toEqual([...phases('a', 'b'), 'picture'])
+    expect(draw('b', 'a')).toEqual([...phases('a', 'b'), 'picture', 'draw b', 'draw a'])
+  })
+
+  it('waits with members that must until the first is drawn, and takes them together', () => {
+    const all = recorded(['a', 'late', 'later'])
+    for (const name of ['late', 'later']) all.entries[name].isLate = true
+    const draw = early(all)
+    draw('a', 'late', 'later')
+    const lateOnes = phases('late', 'later')
+    expect(draw('late', 'later', 'a')).toEqual([
+      ...phases('a'),
+      'picture',
+      ...lateOnes,
+      ...['late', 'later', 'a'].map((name) => `draw ${name}`),
+    ])
+  })
+
+  it('takes members together in pictures that it is not told of, between those that it is', () => {
+    const all = recorded(['a', 'b'])
+    const draw = early(all)
+    draw('a', 'b')
+    for (let i = 0; i < 3; i++) {
+      expect(all.draw('b', 'a')).toEqual([...phases('a', 'b'), 'draw b', 'draw a'])
+      expect(draw('a', 'b').filter((call) => call === 'atlas')).toHaveLength(1)
+    }
   })
 
   it('is each scene its own, where an engine draws several in turns', () => {

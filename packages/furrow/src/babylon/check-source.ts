@@ -3,10 +3,11 @@ import { FurrowError } from '../core/error.ts'
 import { checkMapSizes } from '../core/map-sizes.ts'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import { checkWrinkleSet } from '../core/wrinkle-set.ts'
+import { copyMaps } from '../runtime/layer-maps.ts'
 import { WrinklesBase } from './wrinkles-base.ts'
 
 /**
- * Checks a set that a page made; those of files were checked as they were read.
+ * Checks a set that a page made, and copies its layers' maps; those of files were checked as they were read, and belong to nobody else.
  *
  * @throws FurrowError when it is malformed, maps of one kind differ in size, or its maps are in arrays of an engine.
  */
@@ -18,7 +19,8 @@ export function checkSource<T extends WrinkleSet<ArraySlice> | WrinklesBase>(sou
     ...source.layers.flatMap((layer) => Object.values(layer)),
     ...source.areas.map(({ weights }) => weights),
   ]
-  if (!maps.some((map) => typeof map === 'object' && isSlice(map))) return source
+  if (!maps.some((map) => typeof map === 'object' && isSlice(map)))
+    return { ...source, layers: source.layers.map(copyMaps) }
   throw new FurrowError({
     code: 'unsupported',
     who: 'Wrinkles',

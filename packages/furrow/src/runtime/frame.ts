@@ -24,7 +24,7 @@ export interface InfluenceTarget<Engine> {
 /** A member, and the numbers of the frames that it last took part in. */
 export interface FrameEntry<Engine> {
   readonly member: FrameMember<Engine>
-  /** Whether what it reads may change until it is drawn, so that its phases wait for that. */
+  /** Whether what it reads may change after an image has begun, so that its phases wait until a member is drawn. */
   isLate: boolean
   /** In which it was drawn. */
   seen: number
@@ -37,8 +37,12 @@ export interface FrameEntry<Engine> {
 /** The frame that an engine draws, or drew last. */
 interface Drawn {
   number: number
+  /** The one of which members are expected: the last in which one was drawn, of the same scene where that is known. */
+  last: number
   /** What its images were counted by when a member was last drawn. */
   renders: number
+  /** Whether its image has begun, and no member has been drawn in it. */
+  isEarly: boolean
 }
 
 /**
@@ -80,28 +84,33 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
   }
 
   /**
-   * To be called before an image is drawn in which members may be: what draws influence then interrupts nothing.
+   * To be called before an image is drawn in which members may be: what draws influence then interrupts nothing. Those that are not among them
+   * run their phases when the first member is drawn.
    *
-   * @param last the frame of the image before of the same scene.
+   * @param last the frame of which members are expected: that of the last image of the same scene.
    * @param isCounted whether the engine has counted the image already.
-   * @returns the number of the frame.
    */
-  beginImage(engine: Engine, last: number, isCounted: boolean): number {
+  beginImage(engine: Engine, last: number, isCounted: boolean): void {
     this.#count = 0
     const drawn = this.#drawnBy(engine)
-    this.#startNext(drawn, last, true)
+    drawn.number = ++this.#number
+    this.#scheduleOf(last, drawn.number, true)
     if (this.#count > 0) this.#run(engine, drawn.number)
+    drawn.isEarly = true
+    drawn.last = last
     drawn.renders = this.#renderCount(engine) + Number(!isCounted)
-    return drawn.number
   }
 
   /** To be called before a member is drawn. */
   begin(entry: FrameEntry<Engine>, engine: Engine): void {
     this.#count = 0
     const drawn = this.#drawnBy(engine)
-    if (this.#renderCount(engine) !== drawn.renders) this.#startNext(drawn, drawn.number, false)
+    const isNext = this.#renderCount(engine) !== drawn.renders
+    if (isNext) drawn.number = ++this.#number
+    if (isNext || drawn.isEarly) this.#scheduleOf(drawn.last, drawn.number, false)
     if (entry.updated !== drawn.number) this.#schedule(entry, drawn.number)
-    entry.seen = drawn.number
+    entry.seen = drawn.last = drawn.number
+    drawn.isEarly = false
     if (this.#count > 0) this.#run(engine, drawn.number)
     else if (entry.collected !== drawn.number) this.#collectLate(entry, engine, drawn.number)
     drawn.renders = this.#renderCount(engine)
@@ -117,7 +126,7 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
   #drawnBy(engine: Engine): Drawn {
     let drawn = this.#drawn.get(engine)
     if (!drawn) {
-      drawn = { number: 0, renders: -1 }
+      drawn = { number: 0, last: 0, renders: -1, isEarly: false }
       this.#drawn.set(engine, drawn)
     }
     return drawn
@@ -136,12 +145,12 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
     for (let i = 0; i < count; i++) due[i].member.composeNormals(engine)
   }
 
-  #startNext(drawn: Drawn, last: number, isEarly: boolean): void {
-    drawn.number = ++this.#number
+  /** Those that were drawn in a frame, or never ran. */
+  #scheduleOf(last: number, number: number, isEarly: boolean): void {
     for (let i = 0; i < this.#entries.length; i++) {
       const entry = this.#entries[i]
-      if (isEarly && entry.isLate) continue
-      if (entry.seen === last || entry.updated < 0) this.#schedule(entry, drawn.number)
+      if (entry.updated === number || (isEarly && entry.isLate)) continue
+      if (entry.seen === last || entry.updated < 0) this.#schedule(entry, number)
     }
   }
 

@@ -1,5 +1,6 @@
+import { isSlice } from '../core/check-areas.ts'
 import { type ImageArray, imageArray } from '../core/image-array.ts'
-import type { GrayImage, RgbaImage } from '../core/types.ts'
+import type { ArraySlice, GrayImage, Layer, RgbaImage } from '../core/types.ts'
 
 /** Kinds of maps that a layer may have besides its normals. */
 export const VALUE_KINDS = ['baseColor', 'roughness', 'occlusion', 'blood'] as const
@@ -31,4 +32,13 @@ export function packMaps(
     slices: maps.map((map) => (map ? next++ : null)),
     channel: 0,
   }
+}
+
+/** Copies a layer's images, whose texels may become those of textures. */
+export function copyMaps(layer: Layer<ArraySlice>): Layer<ArraySlice> {
+  const copies = (['normal', ...VALUE_KINDS] as const).flatMap((kind) => {
+    const map = layer[kind]
+    return map && !isSlice(map) ? [[kind, { ...map, data: new Uint8Array(map.data) }]] : []
+  })
+  return { ...layer, ...Object.fromEntries(copies) }
 }

@@ -1,8 +1,7 @@
-import { isSlice } from '../core/check-areas.ts'
 import { checkMapSizes } from '../core/map-sizes.ts'
-import type { ArraySlice, Layer, WrinkleSet } from '../core/types.ts'
+import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import { checkWrinkleSet } from '../core/wrinkle-set.ts'
-import { VALUE_KINDS } from '../runtime/layer-maps.ts'
+import { copyMaps } from '../runtime/layer-maps.ts'
 import { WrinklesBase } from './wrinkles-base.ts'
 
 /**
@@ -16,12 +15,4 @@ export function checkSource<T extends WrinkleSet<ArraySlice> | WrinklesBase>(sou
   checkWrinkleSet(source, 'Wrinkles')
   checkMapSizes(source.layers)
   return { ...source, layers: source.layers.map(copyMaps) }
-}
-
-function copyMaps(layer: Layer<ArraySlice>): Layer<ArraySlice> {
-  const copies = (['normal', ...VALUE_KINDS] as const).flatMap((kind) => {
-    const map = layer[kind]
-    return map && !isSlice(map) ? [[kind, { ...map, data: new Uint8Array(map.data) }]] : []
-  })
-  return { ...layer, ...Object.fromEntries(copies) }
 }

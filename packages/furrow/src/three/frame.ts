@@ -5,11 +5,29 @@ import type { QuadMaterials } from './atlas/quad-materials.ts'
 import { callBeforeRender } from './mesh/before-render.ts'
 import type { AnyRenderer } from './renderer.ts'
 
+/** How often a scene is hooked: a page that puts its own callback in front each time, or another copy of this library, would go on for ever. */
+const MOST_HOOKS = 8
+
+/** Images of a scene in a row that show no face, such as those of other cameras, after which faces are taken to be out of sight. */
+const MOST_IMAGES = 4
+
+/** A scene in which faces are drawn. */
+interface Watched {
+  /** What it calls before it is drawn. */
+  hook: Scene['onBeforeRender'] | null
+  /** How often it was hooked. */
+  hooks: number
+  /** Frame in which a face was drawn last, and by what. */
+  last: number
+  renderer: AnyRenderer
+  /** How many images have begun since. */
+  images: number
+}
+
 /** The frames of one kind of renderer, and the atlases of their faces. */
 export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
   readonly #materials: QuadMaterials
-  /** What each scene calls before it is drawn. */
-  readonly #watched = new WeakMap<Scene, Scene['onBeforeRender']>()
+  readonly #watched = new WeakMap<Scene, Watched>()
 
   constructor(materials: QuadMaterials) {
     super(renderCount)
@@ -34,21 +52,33 @@ export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
    * @param entry of a member that is being drawn in the scene.
    */
   watch(scene: Scene, { seen }: FrameEntry<AnyRenderer>, renderer: AnyRenderer): void {
-    const isWatched = this.#watched.get(scene) === scene.onBeforeRender
-    if (!isWatched && scene.isScene && drawsAtOnce(renderer)) this.#watch(scene, seen)
+    const watched = this.#watched.get(scene)
+    if (watched) {
+      watched.last = seen
+      watched.renderer = renderer
+      watched.images = 0
+      if (watched.hook === scene.onBeforeRender || watched.hooks === MOST_HOOKS) return
+    }
+    // three.js has an empty scene for what it draws without one.
+    if (scene.isScene && scene.children.length > 0 && drawsAtOnce(renderer)) this.#hook(scene, seen, renderer)
   }
 
   /** What it makes for its callback would else be made in every frame. */
-  #watch(scene: Scene, seen: number): void {
-    let last = seen
+  #hook(scene: Scene, last: number, renderer: AnyRenderer): void {
+    const hooks = (this.#watched.get(scene)?.hooks ?? 0) + 1
+    const watched: Watched = { hook: null, hooks, last, renderer, images: 0 }
     const stop = callBeforeRender(scene, (by, _camera, { overrideMaterial }) => {
       // The page may have wrapped an earlier one, which is called too.
-      if (this.#watched.get(scene) !== watcher) return
-      if (this.targets.length === 0) stop()
-      else if (!overrideMaterial && drawsAtOnce(by)) last = this.beginImage(by, last, 'calls' in by.info)
+      if (this.#watched.get(scene) !== watched) return
+      if (this.targets.length === 0) {
+        stop()
+        this.#watched.delete(scene)
+      } else if (by === watched.renderer && !overrideMaterial && drawsAtOnce(by)) {
+        if (++watched.images <= MOST_IMAGES) this.beginImage(by, watched.last, 'calls' in by.info)
+      }
     })
-    const watcher = scene.onBeforeRender
-    this.#watched.set(scene, watcher)
+    watched.hook = scene.onBeforeRender
+    this.#watched.set(scene, watched)
   }
 
   /** Frees an atlas if no face uses it any more. */

@@ -236,9 +236,9 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     checkIsMesh(mesh, 'Wrinkles.addMesh')
     this.#meshes.push(mesh)
     this.#material.follow(mesh)
-    this.#entry.isLate ||= isPrepared(mesh)
     const prepare = (renderer: AnyRenderer, camera: Camera, scene: Scene) => {
-      this.prepare(renderer, camera, mesh, Boolean(scene.overrideMaterial))
+      this.#entry.isLate ||= isPrepared(mesh)
+      if (!this.prepare(renderer, camera, mesh, Boolean(scene.overrideMaterial))) return
       this.#frame.watch(scene, this.#entry, renderer)
     }
     if (mesh === this.mesh) exposeAreas(mesh, this)
@@ -276,15 +276,16 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
    * Called before a mesh is drawn: runs the phases up to the influence, then sets what the mesh's shader reads.
    *
    * @param isOverridden whether the scene's material draws it, as a shadow's does: on `WebGPURenderer` in the midst of the mesh's own draw.
+   * @returns whether the phases ran.
    * @internal
    */
-  prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh, isOverridden = false): void {
-    if (this.isDisposed || this.#renderer.isCompiling?.(renderer)) return
+  prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh, isOverridden = false): boolean {
+    if (this.isDisposed || this.#renderer.isCompiling?.(renderer)) return false
     if (isRefused(renderer, this.#renderer.entry, 'Wrinkles')) {
       if (this.mode !== 'off') this.mode = 'off'
-      return
+      return false
     }
-    if (isOverridden && this.#material.auto?.isReplaced) return
+    if (isOverridden && this.#material.auto?.isReplaced) return false
     this.#material.auto?.end()
     this.#material.settle(renderer)
     if (!isOverridden) this.#inputs.fade.value = this.#fadeOf(mesh, camera, renderer)
@@ -293,9 +294,10 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     // After the drivers: relief by size depends on activations.
     this.#relief?.prepare(renderer, camera, mesh)
     // What a page draws with the same material is not told when it was drawn, and shows the default mode.
-    if (isOverridden) return
+    if (isOverridden) return true
     if (this.#meshes.includes(mesh)) this.#material.auto?.begin(renderer, camera, mesh)
     else this.#material.auto?.pause()
+    return true
   }
 
   /** Phase 4 of a frame, see `Frame`. @internal */

@@ -4,18 +4,23 @@ import type { AnyRenderer } from '../renderer.ts'
 type Call = (renderer: AnyRenderer, camera: Camera, scene: Scene, drawn: object) => void
 
 /** Callbacks with nothing of the page's behind them. */
-const ours = new WeakSet<Mesh['onBeforeRender']>()
+const ours = new WeakSet<Mesh['onBeforeRender']>([Object3D.prototype.onBeforeRender])
+
+/** Notes that a callback does nothing of the page's but what the one before it does. */
+export function replaces(before: Mesh['onBeforeRender'], after: Mesh['onBeforeRender']): void {
+  if (ours.has(before)) ours.add(after)
+}
+
+/** Whether the page itself does something before a mesh is drawn. */
+export function isPrepared({ onBeforeRender }: Mesh): boolean {
+  return !ours.has(onBeforeRender)
+}
 
 /**
  * Calls a function before a mesh or a scene is drawn, or whatever has a material, behind what it had for that. Returns what undoes it.
  */
 export function callBeforeRender(owner: Mesh | Scene | Material, prepare: Call): () => void {
   return callAround('onBeforeRender', owner as Mesh, prepare)
-}
-
-/** Whether the page itself does something before a mesh is drawn. */
-export function isPrepared({ onBeforeRender }: Mesh): boolean {
-  return onBeforeRender !== Object3D.prototype.onBeforeRender && !ours.has(onBeforeRender)
 }
 
 /** The same after a mesh is drawn. */
@@ -31,7 +36,7 @@ function callAround(event: 'onBeforeRender' | 'onAfterRender', owner: Mesh, call
     own.call(owner, renderer, scene, camera, geometry, drawn, group)
     call(renderer as AnyRenderer, camera, scene as Scene, drawn)
   }
-  if (event === 'onBeforeRender' && owner.isMesh && !isPrepared(owner)) ours.add(both)
+  replaces(own, both)
   owner[event] = both
   return () => {
     if (owner[event] === both) owner[event] = own
