@@ -30,15 +30,19 @@ export function callAfterRender(mesh: Mesh, restore: Call): () => void {
 
 /** Materials are called as meshes are, but with the object that is drawn instead of the material. */
 function callAround(event: 'onBeforeRender' | 'onAfterRender', owner: Mesh, call: Call): () => void {
-  const own = owner[event]
+  const own = Object.hasOwn(owner, event) ? owner[event] : null
   // All parameters by name: a rest parameter would allocate in every frame.
   const both: Mesh['onBeforeRender'] = (renderer, scene, camera, geometry, drawn, group) => {
-    own.call(owner, renderer, scene, camera, geometry, drawn, group)
+    // A page may set the class's own at any time.
+    const before = own ?? (Object.getPrototypeOf(owner) as Mesh)[event]
+    before.call(owner, renderer, scene, camera, geometry, drawn, group)
     call(renderer as AnyRenderer, camera, scene as Scene, drawn)
   }
-  replaces(own, both)
+  replaces(owner[event], both)
   owner[event] = both
   return () => {
-    if (owner[event] === both) owner[event] = own
+    if (owner[event] !== both) return
+    if (own) owner[event] = own
+    else delete (owner as Partial<Mesh>)[event]
   }
 }
