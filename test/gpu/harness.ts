@@ -110,6 +110,11 @@ export function squareCamera(): OrthographicCamera {
   return camera
 }
 
+/** How many images a renderer has drawn, nested ones included. */
+export function imagesOf({ info }: WebGLRenderer | WebGPURenderer): number {
+  return 'calls' in info ? info.calls : info.render.frame
+}
+
 async function readBack(
   renderer: WebGLRenderer | WebGPURenderer,
   target: RenderTarget,

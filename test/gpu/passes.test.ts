@@ -5,7 +5,7 @@ import { describe, expect, it } from 'vitest'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { createHarness, type Harness, imagesOf, RENDERERS, square, squareCamera } from './harness.ts'
 
 const SIDE = 32
 
@@ -22,15 +22,21 @@ function sceneOf(harness: Harness, mesh = square(new MeshStandardMaterial())) {
   mesh.castShadow = mesh.receiveShadow = front.receiveShadow = true
   harness.renderer.shadowMap.enabled = true
   const wrinkles = new harness.Wrinkles(mesh, randomSet(seeded(4), 6, 8, 16), { areaSize: 8 })
-  return { scene: new Scene().add(mesh, front, light), wrinkles }
+  const scene = new Scene().add(mesh, front, light)
+  return {
+    scene,
+    wrinkles,
+    /** Activates all areas. */
+    set(value: number) {
+      for (const area of wrinkles.areaNames) wrinkles.setActivation(area, value)
+    },
+    picture: async () => (await harness.renderBytes(scene, squareCamera(), SIDE)).slice(),
+  }
 }
 
 /** A picture of it, and the same after what it shows was drawn beside frames. */
 async function expectWrinkles(harness: Harness, shoot: (scene: Scene) => Promise<Uint8Array>) {
-  const { scene, wrinkles } = sceneOf(harness)
-  const set = (value: number) => {
-    for (const area of wrinkles.areaNames) wrinkles.setActivation(area, value)
-  }
+  const { scene, wrinkles, set } = sceneOf(harness)
   set(0.4)
   const shown = await shoot(scene)
   for (const value of [0, 0.4]) {
@@ -78,7 +84,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
   it('is drawn before the picture begins, once the scene is known', async () => {
     const harness = await createHarness(name)
     const { renderer } = harness
-    const { scene, wrinkles } = sceneOf(harness)
+    const { scene, wrinkles, picture, set } = sceneOf(harness)
     // `WebGPURenderer` draws shadows in the midst itself.
     renderer.shadowMap.enabled = false
     const gl = renderer.getContext() as WebGL2RenderingContext
@@ -95,13 +101,12 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     }
     /** Draws a frame with wrinkles that have moved; how often one of its targets is begun, at most. */
     const begun = (value: number) => {
-      for (const area of wrinkles.areaNames) wrinkles.setActivation(area, value)
+      set(value)
       targets.length = 0
       renderer.render(scene, squareCamera())
       const runs = targets.filter((target, i) => target !== targets[i - 1])
       return Math.max(...runs.map((target) => runs.filter((other) => other === target).length))
     }
-    const picture = async () => (await harness.renderBytes(scene, squareCamera(), SIDE)).slice()
     expect(begun(0.1)).toBe(2)
     expect([0.2, 0.3, 0.4].map(begun)).toEqual([1, 1, 1])
     const shown = await picture()
@@ -141,10 +146,9 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     const mesh = square(new MeshStandardMaterial())
     let value = 0
     mesh.onBeforeRender = () => {
-      for (const area of wrinkles.areaNames) wrinkles.setActivation(area, value)
+      set(value)
     }
-    const { scene, wrinkles } = sceneOf(harness, mesh)
-    const picture = async () => (await harness.renderBytes(scene, squareCamera(), SIDE)).slice()
+    const { wrinkles, picture, set } = sceneOf(harness, mesh)
     const none = await picture()
     value = 0.4
     const some = await picture()
@@ -160,17 +164,16 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     const { scene, wrinkles } = sceneOf(harness)
     const other = new harness.Wrinkles(square(new MeshStandardMaterial()), wrinkles)
     scene.add(other.mesh)
-    const drawn = () => ('calls' in renderer.info ? renderer.info.calls : renderer.info.render.frame)
     const away = squareCamera()
     away.position.x = 100
     const overridden = new MeshStandardMaterial()
     /** Images of a frame, those of influence included. */
     const frame = (value: number, images: (() => void)[]) => {
       for (const face of [wrinkles, other]) for (const area of face.areaNames) face.setActivation(area, value)
-      const before = drawn()
+      const before = imagesOf(renderer)
       renderer.render(scene, squareCamera())
       for (const image of images) image()
-      return drawn() - before
+      return imagesOf(renderer) - before
     }
     const aside = () => renderer.render(scene, away)
     const override = () => {
@@ -209,15 +212,14 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
 
   it('is in time for what the page puts before a mesh later', async () => {
     const harness = await createHarness(name)
-    const { scene, wrinkles } = sceneOf(harness)
+    const { wrinkles, picture, set } = sceneOf(harness)
     const { mesh } = wrinkles
-    const picture = async () => (await harness.renderBytes(scene, squareCamera(), SIDE)).slice()
     const none = await picture()
     await picture()
     const { onBeforeRender } = mesh
     let value = 0
     mesh.onBeforeRender = (...drawn) => {
-      for (const area of wrinkles.areaNames) wrinkles.setActivation(area, value)
+      set(value)
       onBeforeRender.apply(mesh, drawn)
     }
     await picture()

@@ -4,7 +4,14 @@ import { expect, it } from 'vitest'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
-import { createHarness, type Harness, LONG_TEST_RENDERERS, square, squareCamera } from './harness.ts'
+import {
+  createHarness,
+  type Harness,
+  imagesOf,
+  LONG_TEST_RENDERERS,
+  square,
+  squareCamera,
+} from './harness.ts'
 import { normalMap } from './normal-map.ts'
 
 /** Of pictures: no more than the mode auto asks for. */
@@ -30,10 +37,6 @@ function faceOn(
   }
   set(0.4)
   const picture = async () => (await harness.renderBytes(scene, squareCamera(), SIDE)).slice()
-  const drawn = () => {
-    const { info } = harness.renderer
-    return 'calls' in info ? info.calls : info.render.frame
-  }
   return {
     set,
     wrinkles,
@@ -41,9 +44,9 @@ function faceOn(
     picture,
     /** How many images a picture takes. */
     async images() {
-      const before = drawn()
+      const before = imagesOf(harness.renderer)
       await picture()
-      return drawn() - before
+      return imagesOf(harness.renderer) - before
     },
   }
 }

@@ -9,7 +9,7 @@ import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { SubMesh } from '@babylonjs/core/Meshes/subMesh.js'
 import type { Scene } from '@babylonjs/core/scene.js'
 import type { Cell, Four } from '../runtime/atlas-cells.ts'
-import { VALUE_KINDS, type ValueKind } from '../runtime/layer-maps.ts'
+import { MAP_KINDS, VALUE_KINDS, type ValueKind } from '../runtime/layer-maps.ts'
 import type { SkinMaterial } from './check-mesh.ts'
 import {
   fragmentInjections,
@@ -132,7 +132,7 @@ export class WrinklePlugin extends MaterialPluginBase {
   override getSamplers(samplers: string[]): void {
     // Of all kinds: the list is made once, and the material may show another set later.
     samplers.push('furrowInfluenceMap')
-    for (const kind of ['normal', ...VALUE_KINDS] as const) {
+    for (const kind of MAP_KINDS) {
       samplers.push(samplerOf(kind))
     }
   }

@@ -48,8 +48,8 @@ interface Drawn {
 /**
  * Runs the phases of frames: inputs -> drivers -> activations -> influence -> draw, each for all faces before the next. The engine
  * draws, and calls `begin` before it draws a member: the first one in a frame runs the phases of all members that were drawn in the
- * frame before, or never ran; `beginImage` does so before anything is drawn. A member that comes into view later in a frame runs its phases then. Where several engines draw on one page,
- * each has frames of its own: what one draws is not there for another.
+ * frame before, or never ran; `beginImage` does so before anything is drawn. A member that comes into view later in a frame runs its
+ * phases then. Where several engines draw on one page, each has frames of its own: what one draws is not there for another.
  *
  * @typeParam Engine what draws, e.g. a renderer.
  * @typeParam Target what it draws influence maps into.

@@ -6,6 +6,9 @@ import type { ArraySlice, GrayImage, Layer, RgbaImage } from '../core/types.ts'
 export const VALUE_KINDS = ['baseColor', 'roughness', 'occlusion', 'blood'] as const
 export type ValueKind = (typeof VALUE_KINDS)[number]
 
+/** All kinds of maps that shaders mix. */
+export const MAP_KINDS = ['normal', ...VALUE_KINDS] as const
+
 /** The images of one kind of map, of all layers, as one array. */
 export interface PackedMaps {
   images: ImageArray
@@ -36,7 +39,7 @@ export function packMaps(
 
 /** Copies a layer's images, whose texels may become those of textures. */
 export function copyMaps(layer: Layer<ArraySlice>): Layer<ArraySlice> {
-  const copies = (['normal', ...VALUE_KINDS] as const).flatMap((kind) => {
+  const copies = MAP_KINDS.flatMap((kind) => {
     const map = layer[kind]
     return map && !isSlice(map) ? [[kind, { ...map, data: new Uint8Array(map.data) }]] : []
   })

@@ -7,7 +7,7 @@ import type { Area, ArraySlice, GrayImage, Layer, WrinkleSet } from '../../core/
 import type { WrinkleMaps } from '../../drivers/parse.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 import { readUsualMaps } from '../../drivers/usual-maps.ts'
-import { VALUE_KINDS, type ValueKind } from '../layer-maps.ts'
+import { MAP_KINDS, type ValueKind } from '../layer-maps.ts'
 import type { ArraySource } from './array-source.ts'
 import { fileError } from './file-error.ts'
 import { MapSource, once, UNREADABLE } from './map-source.ts'
@@ -117,7 +117,7 @@ async function readLayer(maps: WrinkleMapsLayer, source: Source): Promise<Layer<
     else if (map === 'baseColor') layer.baseColor = await source.colours(texture, 'colours')
     else layer[map] = await source.gray(texture, CHANNEL[map], 'maps')
   }
-  await Promise.all((['normal', ...VALUE_KINDS] as const).map(readMap))
+  await Promise.all(MAP_KINDS.map(readMap))
   if (occlusionTexture) layer.occlusionStrength = occlusionTexture.strength
   if (bloodTexture) layer.bloodAmplitude = bloodTexture.amplitude
   return layer

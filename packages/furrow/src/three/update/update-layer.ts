@@ -5,13 +5,9 @@ import { isSlice } from '../../core/check-areas.ts'
 import { FurrowError } from '../../core/error.ts'
 import { checkImage } from '../../core/image.ts'
 import type { ArraySlice, GrayImage, Layer, RgbaImage } from '../../core/types.ts'
+import { MAP_KINDS } from '../../runtime/layer-maps.ts'
 import { checkWrinkles } from '../check-wrinkles.ts'
-import {
-  type LayerMaps,
-  listTextures,
-  VALUE_KINDS,
-  type WrinkleTextures,
-} from '../material/wrinkle-textures.ts'
+import { type LayerMaps, listTextures, type WrinkleTextures } from '../material/wrinkle-textures.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { compressed } from './compressed.ts'
 import { channelsOf, firstLevel } from './mip-chain.ts'
@@ -27,8 +23,7 @@ export interface LayerImages {
   blood?: GrayImage
 }
 
-const KINDS = ['normal', ...VALUE_KINDS] as const
-type Kind = (typeof KINDS)[number]
+type Kind = (typeof MAP_KINDS)[number]
 
 /**
  * Gives maps of a layer new pixels, which the next frame shows: on these wrinkles, and on all that use the same textures. Only a rectangle
@@ -76,8 +71,8 @@ interface Update {
 function kindsOf(images: LayerImages): Kind[] {
   const given = isObject(images) ? Object.entries(images) : []
   const names = given.flatMap(([name, image]) => (image === undefined ? [] : name))
-  if (names.length > 0 && names.every((name) => KINDS.includes(name as Kind))) return names as Kind[]
-  throw wrongArgument(WHO, 'images', isObject(images) ? names.join(', ') : images, KINDS.join(', '))
+  if (names.length > 0 && names.every((name) => MAP_KINDS.includes(name as Kind))) return names as Kind[]
+  throw wrongArgument(WHO, 'images', isObject(images) ? names.join(', ') : images, MAP_KINDS.join(', '))
 }
 
 /** @throws FurrowError when a layer's map cannot be replaced by the image. */
@@ -149,7 +144,7 @@ function missing(who: string, layer: Layer<ArraySlice>): FurrowError {
     code: 'unsupported',
     who,
     what: 'the layer has no such map',
-    limit: KINDS.filter((kind) => layer[kind]).join(', '),
+    limit: MAP_KINDS.filter((kind) => layer[kind]).join(', '),
     remedy: 'create the wrinkles anew, from layers with it',
   })
 }
