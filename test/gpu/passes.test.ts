@@ -80,6 +80,13 @@ it.each(RENDERERS.slice(1))(
   },
 )
 
+/** Expects wrinkles that have just been activated in the next picture already. */
+async function expectAtOnce(picture: () => Promise<Uint8Array>, none: Uint8Array): Promise<void> {
+  const some = await picture()
+  expect(largestDifference(some, none)).toBeGreaterThan(8)
+  expect(largestDifference(await picture(), some)).toBe(0)
+}
+
 describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) => {
   it('is drawn before the picture begins, once the scene is known', async () => {
     const harness = await createHarness(name)
@@ -151,9 +158,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     const { wrinkles, picture, set } = sceneOf(harness, mesh)
     const none = await picture()
     value = 0.4
-    const some = await picture()
-    expect(largestDifference(some, none)).toBeGreaterThan(8)
-    expect(largestDifference(await picture(), some)).toBe(0)
+    await expectAtOnce(picture, none)
     wrinkles.dispose()
     harness.dispose()
   })
@@ -224,9 +229,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     }
     await picture()
     value = 0.4
-    const some = await picture()
-    expect(largestDifference(some, none)).toBeGreaterThan(8)
-    expect(largestDifference(await picture(), some)).toBe(0)
+    await expectAtOnce(picture, none)
     wrinkles.dispose()
     harness.dispose()
   })
