@@ -1,3 +1,4 @@
+import { wrinklesOf } from 'furrow/three'
 import { DirectionalLight, Mesh, MeshStandardMaterial, PlaneGeometry, RenderTarget, Scene } from 'three'
 import { mrt, normalView, output } from 'three/tsl'
 import type { WebGPURenderer } from 'three/webgpu'
@@ -6,6 +7,8 @@ import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
 import { createHarness, type Harness, imagesOf, RENDERERS, square, squareCamera } from './harness.ts'
+import { loadFile } from './loaded.ts'
+import { wrinkledFile } from './wrinkled-file.ts'
 
 const SIDE = 32
 
@@ -87,6 +90,28 @@ async function expectAtOnce(picture: () => Promise<Uint8Array>, none: Uint8Array
   expect(largestDifference(await picture(), some)).toBe(0)
 }
 
+/** Returns how often a target that a function draws into or clears is begun, at most. */
+function watchTargets(renderer: Harness['renderer']): (draw: () => void) => number {
+  const gl = renderer.getContext() as WebGL2RenderingContext
+  /** In the order in which they are drawn into. */
+  const targets: (WebGLFramebuffer | null)[] = []
+  for (const method of ['clear', 'clearBufferfv', 'drawArrays', 'drawElements'] as const) {
+    const draw = gl[method].bind(gl) as (...parameters: unknown[]) => void
+    Object.assign(gl, {
+      [method](...parameters: unknown[]) {
+        targets.push(gl.getParameter(gl.FRAMEBUFFER_BINDING))
+        draw(...parameters)
+      },
+    })
+  }
+  return (draw) => {
+    targets.length = 0
+    draw()
+    const runs = targets.filter((target, i) => target !== targets[i - 1])
+    return Math.max(...runs.map((target) => runs.filter((other) => other === target).length))
+  }
+}
+
 describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) => {
   it('is drawn before the picture begins, once the scene is known', async () => {
     const harness = await createHarness(name)
@@ -94,25 +119,10 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     const { scene, wrinkles, picture, set } = sceneOf(harness)
     // `WebGPURenderer` draws shadows in the midst itself.
     renderer.shadowMap.enabled = false
-    const gl = renderer.getContext() as WebGL2RenderingContext
-    /** What a frame draws into or clears, in its order. */
-    const targets: (WebGLFramebuffer | null)[] = []
-    for (const method of ['clear', 'clearBufferfv', 'drawArrays', 'drawElements'] as const) {
-      const draw = gl[method].bind(gl) as (...parameters: unknown[]) => void
-      Object.assign(gl, {
-        [method](...parameters: unknown[]) {
-          targets.push(gl.getParameter(gl.FRAMEBUFFER_BINDING))
-          draw(...parameters)
-        },
-      })
-    }
-    /** Draws a frame with wrinkles that have moved; how often one of its targets is begun, at most. */
+    const mostBegun = watchTargets(renderer)
     const begun = (value: number) => {
       set(value)
-      targets.length = 0
-      renderer.render(scene, squareCamera())
-      const runs = targets.filter((target, i) => target !== targets[i - 1])
-      return Math.max(...runs.map((target) => runs.filter((other) => other === target).length))
+      return mostBegun(() => renderer.render(scene, squareCamera()))
     }
     expect(begun(0.1)).toBe(2)
     expect([0.2, 0.3, 0.4].map(begun)).toEqual([1, 1, 1])
@@ -131,6 +141,28 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
       expect(largestDifference(await picture(), shown)).toBe(0)
     }
     wrinkles.dispose()
+    harness.dispose()
+  })
+
+  it('is drawn before the picture begins for meshes that a page makes with the material of a loaded face', async () => {
+    const harness = await createHarness(name)
+    const { scene: loaded } = await loadFile(harness, await wrinkledFile())
+    const meshes = loaded.getObjectByName('face')!.children.map((child) => {
+      const { geometry, material, morphTargetDictionary, morphTargetInfluences } = child as Mesh
+      return Object.assign(new Mesh(), { geometry, material, morphTargetDictionary, morphTargetInfluences })
+    })
+    // What is drawn before a face needs not have wrinkles.
+    const front = new Mesh(new PlaneGeometry(0.2, 0.2), new MeshStandardMaterial())
+    front.position.z = 0.5
+    const scene = new Scene().add(front, ...meshes)
+    const mostBegun = watchTargets(harness.renderer)
+    const begun = (value: number) => {
+      meshes[0].morphTargetInfluences![0] = value
+      return mostBegun(() => harness.renderer.render(scene, squareCamera()))
+    }
+    expect(begun(0.5)).toBe(2)
+    expect([0.6, 0.7, 0.8].map(begun)).toEqual([1, 1, 1])
+    wrinklesOf(meshes[0])!.dispose()
     harness.dispose()
   })
 

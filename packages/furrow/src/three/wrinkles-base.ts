@@ -236,13 +236,10 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     checkIsMesh(mesh, 'Wrinkles.addMesh')
     this.#meshes.push(mesh)
     this.#material.follow(mesh)
-    const prepare = (renderer: AnyRenderer, camera: Camera, scene: Scene) => {
-      this.#entry.isLate ||= isPrepared(mesh)
-      if (!this.prepare(renderer, camera, mesh, Boolean(scene.overrideMaterial))) return
-      this.#frame.watch(scene, this.#entry, renderer)
-    }
     if (mesh === this.mesh) exposeAreas(mesh, this)
-    this.onDispose(callBeforeRender(mesh, prepare))
+    this.onDispose(
+      callBeforeRender(mesh, (renderer, camera, scene) => this.prepareIn(scene, renderer, camera, mesh)),
+    )
     this.onDispose(noteAdded(mesh, this))
   }
 
@@ -270,6 +267,13 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   /** Lets the wrinkles appear in the next frames. @internal */
   appear(appearance: Appearance): void {
     this.#appearance = appearance
+  }
+
+  /** Called before a mesh of a scene is drawn: `prepare`, and what lets the scene's next frame begin before anything is drawn. @internal */
+  prepareIn(scene: Scene, renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
+    this.#entry.isLate ||= isPrepared(mesh)
+    if (!this.prepare(renderer, camera, mesh, Boolean(scene.overrideMaterial))) return
+    this.#frame.watch(scene, this.#entry, renderer)
   }
 
   /**

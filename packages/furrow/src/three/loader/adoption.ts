@@ -1,4 +1,4 @@
-import type { Camera, Material, Mesh } from 'three'
+import type { Camera, Material, Mesh, Scene } from 'three'
 import { surfaceOf, withSurface } from '../material/surface.ts'
 import { instancesOf } from '../mesh/instances.ts'
 import { isReliefMesh } from '../relief/is-relief-mesh.ts'
@@ -12,7 +12,7 @@ import type { WrinklesBase } from '../wrinkles-base.ts'
  */
 export type WatchDraws = (
   material: Material,
-  onDraw: (mesh: Mesh, renderer: AnyRenderer, camera: Camera) => void,
+  onDraw: (mesh: Mesh, renderer: AnyRenderer, camera: Camera, scene: Scene) => void,
 ) => () => void
 
 /** What adopting a mesh takes. */
@@ -64,7 +64,9 @@ export class Adoption {
     this.#meshes = meshes
     this.#parts = parts
     this.#copyOf = copyOf
-    this.#unwatch = parts.watch(material, (mesh, renderer, camera) => this.#onDraw(mesh, renderer, camera))
+    this.#unwatch = parts.watch(material, (mesh, renderer, camera, scene) =>
+      this.#onDraw(mesh, renderer, camera, scene),
+    )
   }
 
   /** Begins to adopt, until the face is disposed of. */
@@ -93,7 +95,7 @@ export class Adoption {
     return this.#face && this.#meshes.some((own) => movesAs(own, mesh)) ? this.#face : undefined
   }
 
-  #onDraw(mesh: Mesh, renderer: AnyRenderer, camera: Camera): void {
+  #onDraw(mesh: Mesh, renderer: AnyRenderer, camera: Camera, scene: Scene): void {
     if (isReliefMesh(mesh)) return
     if (this.#meshes.includes(mesh)) {
       this.#isShown = true
@@ -105,7 +107,7 @@ export class Adoption {
       afterFrame(() => this.#separate(mesh))
       return
     }
-    face.prepare(renderer, camera, mesh)
+    face.prepareIn(scene, renderer, camera, mesh)
     if (this.#copyOf && !this.#guests.has(mesh)) this.#host(mesh, face, this.#copyOf)
   }
 

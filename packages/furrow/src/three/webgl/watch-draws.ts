@@ -4,6 +4,6 @@ import { callBeforeRender } from '../mesh/before-render.ts'
 
 /** Watches a material as `WebGLRenderer` draws. */
 export const watchDraws: WatchDraws = (material, onDraw) =>
-  callBeforeRender(material, (renderer, camera, _scene, drawn) => {
-    if ((drawn as Mesh).isMesh) onDraw(drawn as Mesh, renderer, camera)
+  callBeforeRender(material, (renderer, camera, scene, drawn) => {
+    if ((drawn as Mesh).isMesh) onDraw(drawn as Mesh, renderer, camera, scene)
   })

@@ -17,9 +17,10 @@ export const watchDraws: WatchDraws = (material, onDraw) => {
 /** Plain materials carry this too: the renderer copies it to the node material that it makes. It stays, and does nothing unwatched. */
 function addEvent(material: Material): void {
   const setupVertex = function (this: NodeMaterial, builder: NodeBuilder) {
-    OnBeforeObjectUpdate(({ material: drawn, object, renderer, camera }) => {
+    OnBeforeObjectUpdate(({ material: drawn, object, renderer, camera, scene }) => {
       const onDraw = drawn && watchers.get(drawn)
-      if (onDraw && (object as Mesh).isMesh) onDraw(object as Mesh, renderer as WebGPURenderer, camera!)
+      if (onDraw && (object as Mesh).isMesh)
+        onDraw(object as Mesh, renderer as WebGPURenderer, camera!, scene!)
     })
     return Object.getPrototypeOf(this).setupVertex.call(this, builder)
   }
