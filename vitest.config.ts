@@ -20,6 +20,7 @@ const ALL_CORES = { maxWorkers: '100%' }
 const HEAVY = 'test/unit/**/*.heavy.test.ts'
 const HEAVY_GPU = 'test/gpu/**/*.heavy.test.ts'
 const HEAVY_PAGES = 'test/pages/**/*.heavy.test.ts'
+const HEAVY_PACKAGES = 'test/packages/**/*.heavy.test.ts'
 
 export default defineConfig({
   test: {
@@ -42,16 +43,8 @@ export default defineConfig({
         },
       },
       { resolve, ssr, test: { name: 'heavy', include: [HEAVY], ...SOON, ...ALL_CORES } },
-      {
-        // Beside each other like the unit tests: they mostly wait for npm.
-        test: {
-          name: 'packages',
-          include: ['test/packages/**/*.test.ts'],
-          globalSetup: 'test/packages/tarballs.ts',
-          ...LATE,
-          ...ALL_CORES,
-        },
-      },
+      packagesProject('packages', 'test/packages/**/*.test.ts', [HEAVY_PACKAGES]),
+      packagesProject('heavy-packages', HEAVY_PACKAGES),
       pagesProject('pages', 'test/pages/**/*.test.ts', [HEAVY_PAGES]),
       pagesProject('heavy-pages', HEAVY_PAGES),
       gpuProject('gpu', ['test/gpu/**/*.test.ts'], [HEAVY_GPU]),
@@ -62,6 +55,16 @@ export default defineConfig({
     ],
   },
 })
+
+/** Applications that install what npm publishes, beside each other like the unit tests: they mostly wait for npm. */
+function packagesProject(
+  name: string,
+  include: string,
+  exclude: string[] = [],
+): TestProjectInlineConfiguration {
+  const globalSetup = 'test/packages/tarballs.ts'
+  return { test: { name, include: [include], exclude, globalSetup, ...LATE, ...ALL_CORES } }
+}
 
 /** Whole pages and commands, one at a time. */
 function pagesProject(name: string, include: string, exclude: string[] = []): TestProjectInlineConfiguration {

@@ -11,7 +11,7 @@ import { setUp } from './lib/set-up.mjs'
 
 /** Vitest's projects in `npm test` and in `npm run test:heavy`. */
 const ALWAYS = ['unit', 'packages', 'gpu', 'pages']
-const HEAVY = ['heavy', 'heavy-pages', 'heavy-gpu', 'gpu-oldest']
+const HEAVY = ['heavy', 'heavy-packages', 'heavy-pages', 'heavy-gpu', 'gpu-oldest']
 
 /** Tests that were left out are named, as far as this many. */
 const LISTED = 20
