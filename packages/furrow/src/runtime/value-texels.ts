@@ -15,8 +15,6 @@ export interface ValueTexel {
   name: string
   sampler: ValueKind
   slice: number
-  /** The layers that have it, of any kind. */
-  layers: readonly number[]
 }
 
 /** The texels of all kinds, each slice of an array once. */
@@ -26,20 +24,11 @@ export function listTexels(values: Readonly<Partial<Record<ValueKind, ValueLayer
   return samplers.flatMap((sampler) => {
     const sharing = all.filter((other) => other.sampler === sampler).map(({ slices }) => slices)
     const slices = new Set(sharing.flat().filter((slice) => slice !== null))
-    return [...slices].map((slice) => ({
-      name: texelOf(sampler, slice),
-      sampler,
-      slice,
-      layers: layersOf(sharing, slice),
-    }))
+    return [...slices].map((slice) => ({ name: texelOf(sampler, slice), sampler, slice }))
   })
 }
 
 /** The variable of a slice's texel. */
 export function texelOf(sampler: ValueKind, slice: number): string {
   return `furrowTexel_${sampler}_${slice}`
-}
-
-function layersOf(kinds: readonly (readonly (number | null)[])[], slice: number): number[] {
-  return kinds[0].flatMap((_, layer) => (kinds.some((slices) => slices[layer] === slice) ? [layer] : []))
 }

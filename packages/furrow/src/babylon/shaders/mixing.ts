@@ -159,20 +159,19 @@ const VALUES: Record<ValueKind, { scales?: string; decode(stored: string, scale:
 
 /** Declares `vec3 furrowMix_KIND(vec3 base)`; single values are in all three components. */
 function valueMixing(d: Dialect, kind: ValueKind, { slices, channel, sampler }: ValueLayers): string {
-  const { float, vec3 } = d
+  const { vec3 } = d
   const { scales, decode } = VALUES[kind]
   const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
-  const total = layers.map(({ layer }) => influenceOf(layer)).join(' + ')
+  // The influence of one layer is 1 at most.
+  const total =
+    layers.length > 1 ? ` / max(1.0, ${layers.map(({ layer }) => influenceOf(layer)).join(' + ')})` : ''
   const mixed = layers.map(({ slice, layer }) => {
     const stored = `${texelOf(sampler, slice)}.${kind === 'baseColor' ? 'xyz' : CHANNELS[channel]}`
     const value = decode(stored, scales ? `${d.uniform(scales)}.${CHANNELS[layer]}` : '')
-    return `
-  value += (${vec3}(${value}) - base) * (${influenceOf(layer)} / total);`
+    return ` + (${vec3}(${value}) - base) * (${influenceOf(layer)}${total})`
   })
   const body = `
-  ${d.local(vec3, 'value', 'base')}
-  ${d.local(float, 'total', `max(1.0, ${total})`)}${mixed.join('')}
-  return value;`
+  return base${mixed.join('')};`
   return [
     kind === 'blood' ? bloodOf(d) : '',
     d.declare(vec3, `furrowMix_${kind}`, [[vec3, 'base']], body),

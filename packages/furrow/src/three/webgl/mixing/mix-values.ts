@@ -96,19 +96,18 @@ void furrowReadValues() {
 export function valueMixing(kind: ValueKind, { slices, channel, sampler }: ValueLayers): string {
   const { type, swizzle, uniform, decode, functions = '' } = VALUES[kind]
   const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
-  const total = layers.map(({ layer }) => `furrowInfluence[${layer}]`).join(' + ')
-  const mixed = layers.map(({ slice, layer }) => {
+  const influences = layers.map(({ layer }) => `furrowInfluence[${layer}]`)
+  // That of one layer is 1 at most.
+  const total = layers.length > 1 ? ` / max(1.0, ${influences.join(' + ')})` : ''
+  const mixed = layers.map(({ slice, layer }, i) => {
     const stored = `${texelOf(sampler, slice)}${swizzle(channel)}`
     const value = decode ? decode(stored, `${uniform}[${layer}]`) : stored
-    return /* glsl */ `
-  value += (${value} - base) * (furrowInfluence[${layer}] / total);`
+    return ` + (${value} - base) * (${influences[i]}${total})`
   })
   return /* glsl */ `
 ${functions}${uniform ? `uniform vec4 ${uniform};` : ''}
 ${type} furrowMix_${kind}(${type} base) {
-  ${type} value = base;
-  float total = max(1.0, ${total});${mixed.join('')}
-  return value;
+  return base${mixed.join('')};
 }
 `
 }

@@ -40,19 +40,21 @@ export function influenceFromMap(
   const { xy: factor, zw: offset } = inputUniform<'vec4'>(inputs.inside)
   const fade = inputUniform<'float'>(inputs.fade)
   const layers = inputs.textures.layers.length
+  const sample = () => {
+    const corner = instances ? varying(cornerOf(inputs, instanceOf(instances))) : cell.xy
+    const inside = uv.mul(factor).add(offset).saturate()
+    const atlas = texture(inputs.influence.value, corner.add(inside.mul(cell.zw)))
+    const sampled = isVertex ? atlas.level(int(0)) : atlas
+    // Channels without a layer hold whatever the format gives them.
+    const [x, y, z, w] = CHANNELS.map((channel, i) => (i < layers ? sampled[channel] : float(0)))
+    return min(vec4(x, y, z, w), vec4(1)).mul(fade)
+  }
+  if (!isVertex) return sample().toVar()
   return Fn(() => {
     const influence = vec4(0).toVar()
-    const sample = () => {
-      const corner = instances ? varying(cornerOf(inputs, instanceOf(instances))) : cell.xy
-      const inside = uv.mul(factor).add(offset).saturate()
-      const atlas = texture(inputs.influence.value, corner.add(inside.mul(cell.zw)))
-      const sampled = (isVertex ? atlas.level(int(0)) : atlas).toVar()
-      // Channels without a layer hold whatever the format gives them.
-      const [x, y, z, w] = CHANNELS.map((channel, i) => (i < layers ? sampled[channel] : float(0)))
-      influence.assign(min(vec4(x, y, z, w), vec4(1)).mul(fade))
-    }
-    if (isVertex) If(isWithin(uv, inputUniform<'vec4'>(inputs.reach)), sample)
-    else sample()
+    If(isWithin(uv, inputUniform<'vec4'>(inputs.reach)), () => {
+      influence.assign(sample())
+    })
     return influence
   })()
 }

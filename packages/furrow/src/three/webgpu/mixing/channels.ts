@@ -1,17 +1,16 @@
 import type { MeshStandardMaterial } from 'three'
-import { float, max, vec2, vec3, vec4 } from 'three/tsl'
+import { float, max, vec2, vec4 } from 'three/tsl'
 import type { Node, NodeMaterial } from 'three/webgpu'
 import { BLOOD_AT_REST } from '../../../core/blood.ts'
 import type { Channels } from '../../material/channels.ts'
 import type { ShaderInputs } from '../../material/shader-inputs.ts'
 import { valueTextures } from '../../material/value-textures.ts'
 import { isToon } from '../../material/wrinkle-material.ts'
-import type { ValueKind } from '../../material/wrinkle-textures.ts'
 import { CHANNELS as COMPONENTS, inputUniform, materialProperty } from '../node.ts'
 import type { Added, Patched } from '../patch/patch-nodes.ts'
 import { shadowHighlights } from './micro-shadow.ts'
 import type { LayerInfluence } from './mix-normals.ts'
-import { bloodColour, bloodOf, mixValues, texelReader, toonColour } from './mix-values.ts'
+import { bloodColour, bloodOf, toonColour, valueMixer } from './mix-values.ts'
 
 /** What adds nodes for the layers' other maps, and for materials that light in steps. */
 export interface NodeChannels extends Channels {
@@ -45,24 +44,22 @@ function add(
 ): void {
   const { baseColor, roughness, occlusion, blood } = inputs.textures.values
   const { roughnessMap, aoMap } = material as Partial<MeshStandardMaterial>
-  const read = texelReader(layers)
-  const mixInto = (kind: ValueKind, own: Node<'vec3'>) => mixValues(kind, own, inputs, layers.influence, read)
+  const { mixColour, mixValue } = valueMixer(inputs, layers)
   if (baseColor || blood || isToon(material)) {
     const own = ownColourOf(material)
-    const mapped = baseColor ? mixInto('baseColor', own.rgb) : own.rgb
+    const mapped = baseColor ? mixColour(own.rgb) : own.rgb
     const unflushed = materialProperty('color', 'color', material).mul(mapped)
-    const colour = blood ? bloodColour(unflushed, mixInto('blood', vec3(0)).x) : unflushed
+    const colour = blood ? bloodColour(unflushed, mixValue('blood', float(0))) : unflushed
     added.colorNode = vec4(isToon(material) ? toonColour(colour, ownNormal, mixed) : colour, own.a)
   }
   if (roughness && 'roughness' in material) {
-    const own = roughnessMap ? vec3(materialProperty('roughnessMap', 'texture', material).g) : vec3(1)
-    const value = mixInto('roughness', own).x
-    added.roughnessNode = materialProperty('roughness', 'float', material).mul(value)
+    const own = roughnessMap ? materialProperty('roughnessMap', 'texture', material).g : float(1)
+    added.roughnessNode = materialProperty('roughness', 'float', material).mul(mixValue('roughness', own))
   }
   if (occlusion && 'aoMap' in material) {
-    const own = aoMap ? vec3(ownOcclusion ?? materialProperty('aoMap', 'texture', material).r) : vec3(1)
-    const value = mixInto('occlusion', own).x
-    addOcclusion(added, material, value, aoMap ? mixInto('occlusion', vec3(1)).x : value)
+    const visibility = mixValue('occlusion', float(1))
+    const own = () => ownOcclusion ?? materialProperty('aoMap', 'texture', material).r
+    addOcclusion(added, material, aoMap ? mixValue('occlusion', own()) : visibility, visibility)
   }
 }
 
@@ -87,19 +84,17 @@ function addStored(added: Added, material: Patched, inputs: ShaderInputs, stored
 
 function storedValues(inputs: ShaderInputs, layers: LayerInfluence): Node<'vec2'> {
   const { occlusion, blood } = inputs.textures.values
-  const read = texelReader(layers)
-  const mixInto = (kind: ValueKind, own: number) =>
-    mixValues(kind, vec3(own), inputs, layers.influence, read).x
-  const share = blood ? mixInto('blood', 0).div(bloodRange(inputs)).clamp(-1, 1) : float(0)
+  const { mixValue } = valueMixer(inputs, layers)
+  const share = blood ? mixValue('blood', float(0)).div(bloodRange(inputs)).clamp(-1, 1) : float(0)
   const stored = share
     .mul(255 - BLOOD_AT_REST)
     .add(BLOOD_AT_REST)
     .div(255)
-  return vec2(occlusion ? mixInto('occlusion', 1) : 1, stored)
+  return vec2(occlusion ? mixValue('occlusion', float(1)) : 1, stored)
 }
 
 function mixOcclusion(own: Node<'float'>, inputs: ShaderInputs, layers: LayerInfluence): Node<'float'> {
-  return mixValues('occlusion', vec3(own), inputs, layers.influence, texelReader(layers)).x
+  return valueMixer(inputs, layers).mixValue('occlusion', own)
 }
 
 /** Colours of the material's own map. */

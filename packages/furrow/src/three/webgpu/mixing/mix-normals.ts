@@ -1,5 +1,5 @@
 /** The layers' normals mixed into the material's own, in TSL; the same formulas as the GLSL of `webgl/` and the reference. */
-import { Fn, float, max, vec3 } from 'three/tsl'
+import { float, max, vec3 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
 import type { LayerKind } from '../../../core/types.ts'
 import type { ShaderInputs } from '../../material/shader-inputs.ts'
@@ -50,24 +50,22 @@ export function mixNormals(
 ): Node<'vec3'> {
   const { kinds, normals } = inputs.textures
   const scales = inputUniform<'vec4'>(inputs.normalScale)
-  return Fn(() => {
-    const own = base.toVar()
-    const influences = influence.toVar()
-    const sample = sampler(uv)
-    // A z of exactly 0 would divide an influence of 0 by 0.
-    const one = vec3(1, 1, 0.9999999)
-    const layers = kinds.map((kind, layer) => ({
-      kind,
-      influence: influences[CHANNELS[layer]],
-      scale: scales[CHANNELS[layer]],
-      normal: sample(normals.texture, normals.slices[layer]!).xyz.mul(2).sub(one).toVar(),
-    }))
-    const replacing = ofKind('replace', layers)
-    const details = ofKind('detail', layers)
-    const replaced = replaceNormal(own, replacing).toVar()
-    const size = isUnit && replacing.length === 0 ? float(1) : replaced.length()
-    return details.length === 0 ? replaced : reorientBy(replaced, size.toVar(), slopeOf(details), float(1))
-  })()
+  const own = base.toVar()
+  const sample = sampler(uv)
+  // A z of exactly 0 would divide an influence of 0 by 0.
+  const one = vec3(1, 1, 0.9999999)
+  const layers = kinds.map((kind, layer) => ({
+    kind,
+    influence: influence[CHANNELS[layer]],
+    scale: scales[CHANNELS[layer]],
+    normal: sample(normals.texture, normals.slices[layer]!).xyz.mul(2).sub(one).toVar(),
+  }))
+  const replacing = ofKind('replace', layers)
+  const details = ofKind('detail', layers)
+  const replaced = replaceNormal(own, replacing)
+  if (details.length === 0) return replaced
+  const size = isUnit && replacing.length === 0 ? float(1) : replaced.length().toVar()
+  return reorientBy(replaced, size, slopeOf(details), float(1))
 }
 
 interface SampledLayer {
@@ -90,18 +88,26 @@ export function unpack(stored: Node<'vec3'>): Node<'vec3'> {
 /** Mixes layers that replace into the base by their influence, normalised where their sum exceeds 1. */
 function replaceNormal(base: Node<'vec3'>, layers: readonly SampledLayer[]): Node<'vec3'> {
   if (layers.length === 0) return base
-  const total = max(float(1), sum(layers.map(({ influence }) => influence))).toVar()
-  const shareOf = (influence: Node<'float'>) => (layers.length === 1 ? influence : influence.div(total))
-  return layers.reduce<Node<'vec3'>>(
-    (mixed, { influence, scale, normal }) =>
-      mixed.add(
-        normal
-          .mul(vec3(scale, scale, 1))
-          .sub(base)
-          .mul(shareOf(influence)),
-      ),
-    base,
-  )
+  const shares = sharesOf(layers.map(({ influence }) => influence))
+  return layers
+    .reduce<Node<'vec3'>>(
+      (mixed, { scale, normal }, i) =>
+        mixed.add(
+          normal
+            .mul(vec3(scale, scale, 1))
+            .sub(base)
+            .mul(shares[i]),
+        ),
+      base,
+    )
+    .toVar()
+}
+
+/** The shares of layers in what they are mixed into: their influence, and less where its sum exceeds 1, which that of one layer does not. */
+export function sharesOf(influences: readonly Node<'float'>[]): readonly Node<'float'>[] {
+  if (influences.length < 2) return influences
+  const total = max(float(1), sum(influences)).toVar()
+  return influences.map((influence) => influence.div(total))
 }
 
 /** The sum of the slopes of layers of detail. */
@@ -112,6 +118,6 @@ function slopeOf(layers: readonly SampledLayer[]): Node<'vec2'> {
   return slopes.reduce((total, slope) => total.add(slope)).toVar()
 }
 
-export function sum(values: readonly Node<'float'>[]): Node<'float'> {
-  return values.reduce<Node<'float'>>((total, value) => total.add(value), float(0))
+function sum(values: readonly Node<'float'>[]): Node<'float'> {
+  return values.reduce((total, value) => total.add(value))
 }

@@ -2,7 +2,7 @@
  * The layers' other maps mixed into the material's own, in TSL; the same formulas as the GLSL of `webgl/` and the reference. No select, which TSL
  * makes a branch: software rasterisers pay a tenth of the plain face for the first one.
  */
-import { Fn, float, max, mix, step, vec3 } from 'three/tsl'
+import { max, mix, step, vec3 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
 import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from '../../../core/blood.ts'
 import { TOON_LINE } from '../../../core/toon-line.ts'
@@ -10,59 +10,63 @@ import type { ArrayTexture } from '../../material/array-texture.ts'
 import type { ShaderInputs } from '../../material/shader-inputs.ts'
 import type { ValueKind } from '../../material/wrinkle-textures.ts'
 import { CHANNELS, inputUniform } from '../node.ts'
-import { type LayerInfluence, sum } from './mix-normals.ts'
+import { type LayerInfluence, sharesOf } from './mix-normals.ts'
 
-/** Reads texels of a slice of an array. */
-export type TexelReader = (texture: ArrayTexture, slice: number) => Node<'vec4'>
+/** Kinds of single values. */
+type SingleKind = Exclude<ValueKind, 'baseColor'>
+
+/** Mixes the layers' other maps into a material's own values, see `mixValues` in the reference. */
+export interface ValueMixer {
+  /** @param own base colour of the material's own map, 1 where it has none. */
+  mixColour(own: Node<'vec3'>): Node<'vec3'>
+  /** @param own value of the material's own map, 1 where it has none, 0 of blood. */
+  mixValue(kind: SingleKind, own: Node<'float'>): Node<'float'>
+}
 
 /** Reads each slice once, whatever number of kinds its channels hold, and however often they are mixed in. */
-export function texelReader({ uv, sampler }: LayerInfluence): TexelReader {
+export function valueMixer(
+  { textures, occlusionStrength, bloodAmplitude }: ShaderInputs,
+  { influence, uv, sampler }: LayerInfluence,
+): ValueMixer {
   const sample = sampler(uv)
   const known = new Map<string, Node<'vec4'>>()
-  return (texture, slice) => {
+  const read = (texture: ArrayTexture, slice: number) => {
     const key = `${texture.id} ${slice}`
-    const texel = known.get(key) ?? sample(texture, slice).toVar()
+    const texel = known.get(key) ?? sample(texture, slice)
     known.set(key, texel)
     return texel
   }
-}
-
-/**
- * Mixes one kind of the layers' other maps into the material's own value, see `mixValues` in the reference.
- *
- * @param base the value of the material's own map, 1 where it has none, 0 of blood; single values in all three components.
- * @returns the mixed value; single values in x.
- */
-export function mixValues(
-  kind: ValueKind,
-  base: Node<'vec3'>,
-  { textures, occlusionStrength, bloodAmplitude }: ShaderInputs,
-  influence: Node<'vec4'>,
-  read: TexelReader,
-): Node<'vec3'> {
-  const { texture, slices, channel } = textures.values[kind]!
-  const scales = inputUniform<'vec4'>(kind === 'blood' ? bloodAmplitude : occlusionStrength)
-  const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
-  return Fn(() => {
-    const own = base.toVar()
-    const value = own.toVar()
-    const influences = influence.toVar()
-    const influenceOf = (layer: number) => influences[CHANNELS[layer]]
-    const total = max(float(1), sum(layers.map(({ layer }) => influenceOf(layer)))).toVar()
-    for (const { slice, layer } of layers) {
-      const texel = read(texture, slice).toVar()
-      const stored = kind === 'baseColor' ? texel.rgb : vec3(texel[CHANNELS[channel]])
-      const sampled = decode(kind, stored, scales[CHANNELS[layer]])
-      value.addAssign(sampled.sub(own).mul(influenceOf(layer).div(total)))
-    }
-    return value
-  })()
-}
-
-/** The value of what is stored in a map, and the scale of its layer. */
-function decode(kind: ValueKind, stored: Node<'vec3'>, scale: Node<'float'>): Node<'vec3'> {
-  if (kind === 'occlusion') return stored.sub(1).mul(scale).add(1)
-  return kind === 'blood' ? vec3(bloodOf(stored.x).mul(scale)) : stored
+  const scales = {
+    occlusion: inputUniform<'vec4'>(occlusionStrength),
+    blood: inputUniform<'vec4'>(bloodAmplitude),
+  }
+  const layersOf = (kind: ValueKind) => {
+    const { texture, slices, channel } = textures.values[kind]!
+    const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
+    const shares = sharesOf(layers.map(({ layer }) => influence[CHANNELS[layer]]))
+    return layers.map(({ slice, layer }, i) => {
+      const texel = read(texture, slice)
+      return { texel, stored: texel[CHANNELS[channel]], layer, share: shares[i] }
+    })
+  }
+  /** The value of what is stored in a layer's map. */
+  const decode = (kind: SingleKind, stored: Node<'float'>, layer: number) => {
+    if (kind === 'roughness') return stored
+    const scale = scales[kind][CHANNELS[layer]]
+    return kind === 'blood' ? bloodOf(stored).mul(scale) : stored.sub(1).mul(scale).add(1)
+  }
+  return {
+    mixColour: (own) =>
+      layersOf('baseColor').reduce<Node<'vec3'>>(
+        (mixed, { texel, share }) => mixed.add(texel.rgb.sub(own).mul(share)),
+        own,
+      ),
+    mixValue: (kind, own) =>
+      layersOf(kind).reduce<Node<'float'>>(
+        (mixed, { stored, layer, share }) => mixed.add(decode(kind, stored, layer).sub(own).mul(share)),
+        own,
+      ),
+  }
 }
 
 /** See `bloodOf` in the reference. */
