@@ -26,25 +26,43 @@ function texelsOf(wrinkles: WrinklesBase): Uint8Array[] {
   )
 }
 
-it('maps of a file are in memory once, those of their textures', () => {
-  const set = createSet()
-  const wrinkles = new WebGLWrinkles(face(), set)
-  const [{ normal, occlusion }] = set.layers
-  const [normals, occlusions] = texelsOf(wrinkles)
-  expect(normals).toBe(normal.data)
-  expect(occlusions).toBe(occlusion!.data)
-  wrinkles.dispose()
-})
+/** With another layer, whose maps share arrays with those of the first. */
+const createLayered = (): WrinkleSet => {
+  const { layers, areas } = createSet()
+  const second = { name: 'pores', kind: 'replace' as const, normal: map(254, 4), occlusion: map(201, 1) }
+  return { layers: [...layers, second], areas }
+}
 
-it('maps of a set that a page made remain its own', () => {
-  const set = createSet()
+it.each([createSet, createLayered])(
+  'maps of a file are in memory once, those of their textures',
+  (create) => {
+    const set = create()
+    const values = set.layers.map(({ normal, occlusion }) => [normal.data[0], occlusion!.data[0]])
+    const wrinkles = new WebGLWrinkles(face(), set)
+    const [normals, occlusions] = texelsOf(wrinkles)
+    for (const [i, { normal, occlusion }] of set.layers.entries()) {
+      expect(normal.data).toEqual(normals.subarray(16 * i, 16 * (i + 1)))
+      expect(occlusion!.data).toEqual(occlusions.subarray(4 * i, 4 * (i + 1)))
+      expect(normal.data.buffer).toBe(normals.buffer)
+      expect(occlusion!.data.buffer).toBe(occlusions.buffer)
+      expect([normal.data[0], occlusion!.data[0]]).toEqual(values[i])
+    }
+    wrinkles.dispose()
+  },
+)
+
+it.each([createSet, createLayered])('maps of a set that a page made remain its own', (create) => {
+  const set = create()
+  const images = set.layers.flatMap(({ normal, occlusion }) => [normal, occlusion!])
+  const given = images.map(({ data }) => data)
   const wrinkles = new Wrinkles(face(), set)
-  const [{ normal, occlusion }] = set.layers
-  normal.data.fill(1)
-  occlusion!.data.fill(1)
+  for (const [i, { data }] of images.entries()) {
+    expect(data).toBe(given[i])
+    data.fill(1)
+  }
   expect(texelsOf(wrinkles).map(([first]) => first)).toEqual([255, 200])
   updateLayer(wrinkles, 'skin', { normal: map(128, 4), occlusion: map(100, 1) })
   expect(texelsOf(wrinkles).map(([first]) => first)).toEqual([128, 100])
-  expect([normal.data[0], occlusion!.data[0]]).toEqual([1, 1])
+  expect(images.every(({ data }) => data.every((value) => value === 1))).toBe(true)
   wrinkles.dispose()
 })

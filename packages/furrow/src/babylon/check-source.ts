@@ -3,7 +3,7 @@ import { FurrowError } from '../core/error.ts'
 import { checkMapSizes } from '../core/map-sizes.ts'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import { checkWrinkleSet } from '../core/wrinkle-set.ts'
-import { copyMaps } from '../runtime/layer-maps.ts'
+import { copyLayers } from '../runtime/layer-maps.ts'
 import { WrinklesBase } from './wrinkles-base.ts'
 
 /**
@@ -20,7 +20,7 @@ export function checkSource<T extends WrinkleSet<ArraySlice> | WrinklesBase>(sou
     ...source.areas.map(({ weights }) => weights),
   ]
   if (!maps.some((map) => typeof map === 'object' && isSlice(map)))
-    return { ...source, layers: source.layers.map(copyMaps) }
+    return { ...source, layers: copyLayers(source.layers) }
   throw new FurrowError({
     code: 'unsupported',
     who: 'Wrinkles',

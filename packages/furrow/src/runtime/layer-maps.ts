@@ -19,7 +19,7 @@ export interface PackedMaps {
 }
 
 /**
- * Packs the images of one kind. A single one is not copied, which would take as much memory again.
+ * Packs the images of one kind. Their texels are those of the array then, since a copy would take as much memory again.
  *
  * @param maps of each layer, all of one size; undefined for a layer that has none.
  */
@@ -29,19 +29,27 @@ export function packMaps(
 ): PackedMaps {
   const present = maps.filter((map) => map !== undefined)
   const channels = kind === 'normal' || kind === 'baseColor' ? 4 : 1
+  const images: ImageArray =
+    present.length > 1 ? imageArray(present, channels) : { ...present[0], depth: 1, channels }
+  const bytes = images.data.length / present.length
+  for (const [i, map] of present.entries()) map.data = images.data.subarray(i * bytes, (i + 1) * bytes)
   let next = 0
   return {
-    images: present.length > 1 ? imageArray(present, channels) : { ...present[0], depth: 1, channels },
+    images,
     slices: maps.map((map) => (map ? next++ : null)),
     channel: 0,
   }
 }
 
-/** Copies a layer's images, whose texels may become those of textures. */
-export function copyMaps(layer: Layer<ArraySlice>): Layer<ArraySlice> {
-  const copies = MAP_KINDS.flatMap((kind) => {
-    const map = layer[kind]
-    return map && !isSlice(map) ? [[kind, { ...map, data: new Uint8Array(map.data) }]] : []
+/** Copies layers for `packMaps`. Texels are copied of images that are alone in their kind, since those of others are when they are packed. */
+export function copyLayers(layers: readonly Layer<ArraySlice>[]): Layer<ArraySlice>[] {
+  const isAlone = (kind: (typeof MAP_KINDS)[number]) => layers.filter((layer) => layer[kind]).length === 1
+  return layers.map((layer) => {
+    const copies = MAP_KINDS.flatMap((kind) => {
+      const map = layer[kind]
+      if (!map || isSlice(map)) return []
+      return [[kind, { ...map, data: isAlone(kind) ? new Uint8Array(map.data) : map.data }]]
+    })
+    return { ...layer, ...Object.fromEntries(copies) }
   })
-  return { ...layer, ...Object.fromEntries(copies) }
 }

@@ -1,7 +1,7 @@
 import { checkMapSizes } from '../core/map-sizes.ts'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import { checkWrinkleSet } from '../core/wrinkle-set.ts'
-import { copyMaps } from '../runtime/layer-maps.ts'
+import { copyLayers } from '../runtime/layer-maps.ts'
 import { WrinklesBase } from './wrinkles-base.ts'
 
 /**
@@ -14,5 +14,5 @@ export function checkSource<T extends WrinkleSet<ArraySlice> | WrinklesBase>(sou
   if (source instanceof WrinklesBase) return source
   checkWrinkleSet(source, 'Wrinkles')
   checkMapSizes(source.layers)
-  return { ...source, layers: source.layers.map(copyMaps) }
+  return { ...source, layers: copyLayers(source.layers) }
 }
