@@ -10,18 +10,14 @@ declare module 'vitest' {
 /** Tests that leave something out on every change: renderers (`LONG_TEST_RENDERERS`) or random cases (`casesOn`). */
 export const FILES_IN_DEPTH = [
   'arrays',
-  'auto-loader',
-  'auto-mode',
   'babylon/influence',
   'blood',
   'conformance/three',
-  'dual-map',
   'features',
   'figures',
   'influence',
   'layers',
   'paper',
-  'relief/face',
   'relief/relief',
   'several-renderers',
 ].map((name) => `test/gpu/${name}.test.ts`)

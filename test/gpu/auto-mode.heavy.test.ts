@@ -23,7 +23,7 @@ import { randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { drawn, FRAMES, faceOf, MAP, UNSEEN, useFaces, watchShaders } from './auto-face.ts'
 import { largestDifference, shareBeyond } from './difference.ts'
-import { createHarness, type Harness, LONG_TEST_RENDERERS, square, squareCamera } from './harness.ts'
+import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
 import { loseContext } from './lose-context.ts'
 import { normalMap } from './normal-map.ts'
 
@@ -37,7 +37,7 @@ function oneTexel(): DataTexture {
   return map
 }
 
-describe.each(LONG_TEST_RENDERERS)('the mode auto on %s', (name) => {
+describe.each(RENDERERS)('the mode auto on %s', (name) => {
   const { others } = name === 'webgl' ? WEBGL : WEBGPU
   const faces = useFaces(name)
   const { face } = faces
@@ -264,7 +264,7 @@ describe.each(LONG_TEST_RENDERERS)('the mode auto on %s', (name) => {
   })
 })
 
-it.each(LONG_TEST_RENDERERS)(
+it.each(RENDERERS)(
   'a still face is drawn by the own program of its material on %s, unless other meshes have that',
   async (name) => {
     const harness = await createHarness(name)
@@ -303,7 +303,7 @@ it.each(LONG_TEST_RENDERERS)(
   },
 )
 
-it.each(LONG_TEST_RENDERERS)(
+it.each(RENDERERS)(
   'a face that moves and holds still in turns is compiled once on %s, beside what the page compiles',
   async (name) => {
     const harness = await createHarness(name)
@@ -339,7 +339,7 @@ it.each(LONG_TEST_RENDERERS)(
   },
 )
 
-it.each(LONG_TEST_RENDERERS)(
+it.each(RENDERERS)(
   'a still face that casts shadows keeps its wrinkles on %s, whose maps are drawn during its own draw',
   async (name) => {
     const harness = await createHarness(name)

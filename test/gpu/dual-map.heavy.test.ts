@@ -6,7 +6,7 @@ import { layer, randomImage, randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { FRAMES, faceOf, MAP, UNSEEN, useFaces } from './auto-face.ts'
 import { largestDifference } from './difference.ts'
-import { createHarness, LONG_TEST_RENDERERS, squareCamera } from './harness.ts'
+import { createHarness, RENDERERS, squareCamera } from './harness.ts'
 import { loseContext } from './lose-context.ts'
 import { normalMap } from './normal-map.ts'
 
@@ -69,7 +69,7 @@ const SETS: [string, WrinkleSet][] = [
   ['blood', setWith({ ...layer('skin', 'replace', normals(5)), blood: gray(10), bloodAmplitude: 1.5 })],
 ]
 
-describe.each(LONG_TEST_RENDERERS)('maps of the mode auto on %s', (name) => {
+describe.each(RENDERERS)('maps of the mode auto on %s', (name) => {
   const faces = useFaces(name)
   const { face, disposers } = faces
 

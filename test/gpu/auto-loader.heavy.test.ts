@@ -18,12 +18,12 @@ import {
   withoutTargets,
 } from './bare-sheet.ts'
 import { largestDifference } from './difference.ts'
-import { createHarness, type Harness, LONG_TEST_RENDERERS } from './harness.ts'
+import { createHarness, type Harness, RENDERERS } from './harness.ts'
 
 const SIZE = 64
 const AUTO = { size: 256, areaSize: 32 }
 
-describe.each(LONG_TEST_RENDERERS)('a file without wrinkles on %s', (name) => {
+describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
   let harness: Harness
   beforeAll(async () => {
     harness = await createHarness(name)
