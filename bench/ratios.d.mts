@@ -1,4 +1,5 @@
-export function measureRatios(): Promise<Record<string, number>>
+export function measureRatios(wanted?: readonly string[] | null): Promise<Record<string, number>>
+export function measureTwice(): Promise<Record<string, number>>
 export function readFigures(): Record<string, number>
 export function writeFigures(ratios: Record<string, number>): void
 export function warnings(ratios: Record<string, number>, figures: Record<string, number>): string[]

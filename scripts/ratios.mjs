@@ -7,8 +7,8 @@ import { setUp } from './lib/set-up.mjs'
 await main(async () => {
   await setUp()
   // These need what it installs.
-  const { measureRatios, readFigures, warnings, writeFigures } = await import('../bench/ratios.mjs')
-  const ratios = await measureRatios()
+  const { measureTwice, readFigures, warnings, writeFigures } = await import('../bench/ratios.mjs')
+  const ratios = await measureTwice()
   const figures = readFigures()
   for (const [name, ratio] of Object.entries(ratios))
     say(

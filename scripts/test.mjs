@@ -80,8 +80,8 @@ async function checkRatios() {
   say('frame')
   const start = performance.now()
   // It needs what `setUp` installs.
-  const { measureRatios, readFigures, warnings } = await import('../bench/ratios.mjs')
-  const grown = await measureRatios().then(
+  const { measureTwice, readFigures, warnings } = await import('../bench/ratios.mjs')
+  const grown = await measureTwice().then(
     (ratios) => warnings(ratios, readFigures()),
     ({ message }) => [message],
   )

@@ -20,7 +20,7 @@ describe('the guard of the frame', () => {
     const names = Object.keys(readFigures())
     for (const renderer of ['webgl', 'webgpu']) {
       for (const variant of ['furrow', 'composed', 'auto']) {
-        expect(names).toContain(`${renderer}, ${variant}, still`)
+        expect(names).toContain(`${renderer}, ${variant}, moving`)
       }
     }
   })
