@@ -1,4 +1,4 @@
-import type { WrinkleSet } from 'furrow'
+import type { RgbaImage, WrinkleSet } from 'furrow'
 import { updateLayer, Wrinkles } from 'furrow/three'
 import { type DataArrayTexture, Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
 import { expect, it } from 'vitest'
@@ -64,5 +64,17 @@ it.each([createSet, createLayered])('maps of a set that a page made remain its o
   updateLayer(wrinkles, 'skin', { normal: map(128, 4), occlusion: map(100, 1) })
   expect(texelsOf(wrinkles).map(([first]) => first)).toEqual([128, 100])
   expect(images.every(({ data }) => data.every((value) => value === 1))).toBe(true)
+  wrinkles.dispose()
+})
+
+it('an image that two layers have is not changed where one of them is', () => {
+  const { layers, areas } = createLayered()
+  for (const layer of layers) layer.normal = layers[0].normal
+  const wrinkles = new WebGLWrinkles(face(), { layers, areas })
+  updateLayer(wrinkles, 'pores', { normal: map(128, 4) })
+  const { textures } = wrinkles.editable('test').inputs
+  expect(textures.layers.map(({ normal }) => (normal as RgbaImage).data[0])).toEqual([255, 128])
+  updateLayer(wrinkles, 'skin', { normal: map(64, 4) })
+  expect(textures.layers.map(({ normal }) => (normal as RgbaImage).data[0])).toEqual([64, 128])
   wrinkles.dispose()
 })

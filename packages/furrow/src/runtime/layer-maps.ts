@@ -19,7 +19,7 @@ export interface PackedMaps {
 }
 
 /**
- * Packs the images of one kind. Their texels are those of the array then, since a copy would take as much memory again.
+ * Packs the images of one kind. Their texels are those of the array then, since a copy would take as much memory again; but not those of an image that several layers have.
  *
  * @param maps of each layer, all of one size; undefined for a layer that has none.
  */
@@ -32,7 +32,10 @@ export function packMaps(
   const images: ImageArray =
     present.length > 1 ? imageArray(present, channels) : { ...present[0], depth: 1, channels }
   const bytes = images.data.length / present.length
-  for (const [i, map] of present.entries()) map.data = images.data.subarray(i * bytes, (i + 1) * bytes)
+  for (const [i, map] of present.entries()) {
+    const isShared = present.indexOf(map) !== present.lastIndexOf(map)
+    if (!isShared) map.data = images.data.subarray(i * bytes, (i + 1) * bytes)
+  }
   let next = 0
   return {
     images,
