@@ -18,8 +18,8 @@ function variantsIn({ still, maps }) {
   return still ? ['furrow', 'auto'] : ['furrow', 'auto', 'composed']
 }
 
-/** Ratios to the plain face by renderer, variant and whether areas move; of cases with one of these names, by default of all. */
-export async function measureRatios(wanted = null) {
+/** Ratios to the plain face by renderer, variant and whether areas move, of cases with a name that is wanted. */
+async function measureRatios(isWanted) {
   const server = await serve()
   try {
     const { listCases, RENDERER_KINDS } = await server.ssrLoadModule('/bench/case.ts')
@@ -33,13 +33,9 @@ export async function measureRatios(wanted = null) {
       for (const benchCase of listCases(true)) {
         const variants = variantsIn(benchCase)
         const nameOf = (variant) => nameRatio(renderer, variant, benchCase)
-        if (!variants.some((variant) => wanted?.includes(nameOf(variant)) ?? true)) continue
-        const plan = { rounds: ROUNDS, variants: ['plain', ...variants] }
-        for (const { variant, ratioToPlain } of toResults(
-          benchCase,
-          setup,
-          await page.measure(benchCase, plan),
-        )) {
+        if (!variants.some((variant) => isWanted(nameOf(variant)))) continue
+        const measured = await page.measure(benchCase, { rounds: ROUNDS, variants: ['plain', ...variants] })
+        for (const { variant, ratioToPlain } of toResults(benchCase, setup, measured)) {
           if (variant !== 'plain') ratios[nameOf(variant)] = Number(ratioToPlain.toFixed(3))
         }
       }
@@ -57,11 +53,11 @@ function nameRatio(renderer, variant, { still, maps }) {
 }
 
 /** Ratios, of which those that seem to have grown are measured twice: other work of the machine slows one variant and not the next. */
-export async function measureTwice() {
-  const once = await measureRatios()
-  const suspect = grownNames(once, readFigures())
+export async function measureTwice(figures) {
+  const once = await measureRatios(() => true)
+  const suspect = grownNames(once, figures)
   if (suspect.length === 0) return once
-  const again = await measureRatios(suspect)
+  const again = await measureRatios((name) => suspect.includes(name))
   return Object.fromEntries(
     Object.entries(once).map(([name, ratio]) => [name, Math.min(ratio, again[name] ?? ratio)]),
   )

@@ -8,8 +8,8 @@ await main(async () => {
   await setUp()
   // These need what it installs.
   const { measureTwice, readFigures, warnings, writeFigures } = await import('../bench/ratios.mjs')
-  const ratios = await measureTwice()
   const figures = readFigures()
+  const ratios = await measureTwice(figures)
   for (const [name, ratio] of Object.entries(ratios))
     say(
       `${name.padEnd(24)} ${ratio.toFixed(2)} (${figures[name] ? `${figures[name].toFixed(2)} before` : 'new'})`,

@@ -81,8 +81,9 @@ async function checkRatios() {
   const start = performance.now()
   // It needs what `setUp` installs.
   const { measureTwice, readFigures, warnings } = await import('../bench/ratios.mjs')
-  const grown = await measureTwice().then(
-    (ratios) => warnings(ratios, readFigures()),
+  const figures = readFigures()
+  const grown = await measureTwice(figures).then(
+    (ratios) => warnings(ratios, figures),
     ({ message }) => [message],
   )
   const seconds = (performance.now() - start) / 1000

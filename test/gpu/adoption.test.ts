@@ -1,11 +1,10 @@
 import { wrinklesOf } from 'furrow/three'
-import { Group, type Material, Mesh } from 'three'
-import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
+import { Group, type Material } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { largestDifference, ROUNDING } from './difference.ts'
 import { createHarness, type Harness, RENDERERS } from './harness.ts'
-import { litPicture, loadFile } from './loaded.ts'
-import { wrinkledFile } from './wrinkled-file.ts'
+import { litPicture, loadFile, pageMesh } from './loaded.ts'
+import { faceMeshes, wrinkledFile } from './wrinkled-file.ts'
 
 describe.each(RENDERERS)('a mesh that a page makes with the material of a loaded face, on %s', (name) => {
   let harness: Harness
@@ -16,29 +15,18 @@ describe.each(RENDERERS)('a mesh that a page makes with the material of a loaded
 
   const load = async () => loadFile(harness, await wrinkledFile())
   const picture = (root: Group) => litPicture(harness, root)
-  const loadedMeshes = ({ scene }: GLTF) => scene.getObjectByName('face')!.children as Mesh[]
-  /** As R3F makes `<mesh geometry={} material={} morphTargetInfluences={} />`. */
-  const made = (loaded: Mesh, influences: number[], material = loaded.material) => {
-    const mesh = new Mesh()
-    return Object.assign(mesh, {
-      geometry: loaded.geometry,
-      material,
-      morphTargetDictionary: loaded.morphTargetDictionary,
-      morphTargetInfluences: influences,
-    })
-  }
   /** The picture of the loaded face itself, at rest and moved. */
   const expected = async (weight: number) => {
     const gltf = await load()
-    for (const mesh of loadedMeshes(gltf)) mesh.morphTargetInfluences![0] = weight
+    for (const mesh of faceMeshes(gltf.scene)) mesh.morphTargetInfluences![0] = weight
     return picture(gltf.scene)
   }
 
   it('is the same face where it has its blendshape weights, from the first frame on', async () => {
     const gltf = await load()
     const [face] = wrinklesOf(gltf)
-    const loaded = loadedMeshes(gltf)
-    const meshes = loaded.map((mesh) => made(mesh, mesh.morphTargetInfluences!))
+    const loaded = faceMeshes(gltf.scene)
+    const meshes = loaded.map((mesh) => pageMesh(mesh, mesh.morphTargetInfluences!))
     for (const mesh of meshes) mesh.morphTargetInfluences![0] = 1
     expect(meshes.map((mesh) => wrinklesOf(mesh))).toEqual([face, face])
     const root = new Group().add(...meshes)
@@ -53,8 +41,8 @@ describe.each(RENDERERS)('a mesh that a page makes with the material of a loaded
   it('wrinkles by itself where it has its own, until it is removed', async () => {
     const gltf = await load()
     const [face] = wrinklesOf(gltf)
-    const loaded = loadedMeshes(gltf)
-    const meshes = loaded.map((mesh) => made(mesh, [1]))
+    const loaded = faceMeshes(gltf.scene)
+    const meshes = loaded.map((mesh) => pageMesh(mesh, [1]))
     const root = new Group().add(...meshes)
     await picture(root)
     const shared = loaded[0].material
@@ -77,7 +65,9 @@ describe.each(RENDERERS)('a mesh that a page makes with the material of a loaded
 
   it('wrinkles with a copy of the material, and can be removed and added again', async () => {
     const gltf = await load()
-    const meshes = loadedMeshes(gltf).map((mesh) => made(mesh, [1], (mesh.material as Material).clone()))
+    const meshes = faceMeshes(gltf.scene).map((mesh) =>
+      pageMesh(mesh, [1], (mesh.material as Material).clone()),
+    )
     const root = new Group().add(...meshes)
     await picture(root)
     expect(largestDifference(await picture(root), await expected(1))).toBeLessThan(ROUNDING)

@@ -1,4 +1,4 @@
-import { DirectionalLight, type Object3D, Scene } from 'three'
+import { DirectionalLight, Mesh, type Object3D, Scene } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { type Harness, squareCamera } from './harness.ts'
 
@@ -13,4 +13,13 @@ export function litPicture(harness: Harness, root: Object3D): Promise<Float32Arr
   const light = new DirectionalLight(0xffffff, 2)
   light.position.set(1, 1, 1)
   return harness.render(new Scene().add(root, light), squareCamera(), 32)
+}
+
+/** A mesh that a page makes with the geometry of a loaded one, as R3F makes `<mesh geometry={} material={} morphTargetInfluences={} />`. */
+export function pageMesh(
+  { geometry, material: own, morphTargetDictionary }: Mesh,
+  morphTargetInfluences: number[],
+  material = own,
+): Mesh {
+  return Object.assign(new Mesh(), { geometry, material, morphTargetDictionary, morphTargetInfluences })
 }

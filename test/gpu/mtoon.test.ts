@@ -21,6 +21,7 @@ import { randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { createHarness, type Harness, RENDERERS, type RendererName, square, squareCamera } from './harness.ts'
 import { vrmFile } from './vrm-file.ts'
+import { faceMeshes } from './wrinkled-file.ts'
 
 const SIZE = 32
 
@@ -110,9 +111,8 @@ describe.each(
     const loader = plugins.reduce((all, register) => register(all), new GLTFLoader())
     return loader.parseAsync((await vrmFile(hasOutline)).buffer, '')
   }
-  const meshesOf = (root: Object3D) => root.getObjectByName('face')!.children as Mesh[]
   const move = (root: Object3D, weight: number) => {
-    for (const { morphTargetInfluences } of meshesOf(root)) morphTargetInfluences![0] = weight
+    for (const { morphTargetInfluences } of faceMeshes(root)) morphTargetInfluences![0] = weight
   }
   const picture = (root: Object3D) => pictureOf(harness, root)
 
@@ -124,7 +124,7 @@ describe.each(
     const plain = await load(vrm)
     const gltf = await load(...plugins)
     expect(gltf.userData.vrm).toBeDefined()
-    const meshes = meshesOf(gltf.scene)
+    const meshes = faceMeshes(gltf.scene)
     for (const { material } of meshes) expect([material].flat()).toHaveLength(hasOutline ? 2 : 1)
     const [face, ...others] = wrinklesOf(gltf)
     expect(others).toEqual([])
@@ -163,7 +163,7 @@ describe.each(
     const rest = await picture(gltf.scene)
     const copy = cloneSkinned(gltf.scene) as Group
     const made = copy.clone(false)
-    const loaded = meshesOf(gltf.scene)
+    const loaded = faceMeshes(gltf.scene)
     for (const { geometry, material, morphTargetDictionary } of loaded) {
       const morphs = { morphTargetDictionary, morphTargetInfluences: [1] }
       made.add(Object.assign(new Mesh(geometry), { material, ...morphs }))

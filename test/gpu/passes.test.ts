@@ -7,8 +7,8 @@ import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
 import { createHarness, type Harness, imagesOf, RENDERERS, square, squareCamera } from './harness.ts'
-import { loadFile } from './loaded.ts'
-import { wrinkledFile } from './wrinkled-file.ts'
+import { loadFile, pageMesh } from './loaded.ts'
+import { faceMeshes, wrinkledFile } from './wrinkled-file.ts'
 
 const SIDE = 32
 
@@ -147,10 +147,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
   it('is drawn before the picture begins for meshes that a page makes with the material of a loaded face', async () => {
     const harness = await createHarness(name)
     const { scene: loaded } = await loadFile(harness, await wrinkledFile())
-    const meshes = loaded.getObjectByName('face')!.children.map((child) => {
-      const { geometry, material, morphTargetDictionary, morphTargetInfluences } = child as Mesh
-      return Object.assign(new Mesh(), { geometry, material, morphTargetDictionary, morphTargetInfluences })
-    })
+    const meshes = faceMeshes(loaded).map((mesh) => pageMesh(mesh, mesh.morphTargetInfluences!))
     // What is drawn before a face needs not have wrinkles.
     const front = new Mesh(new PlaneGeometry(0.2, 0.2), new MeshStandardMaterial())
     front.position.z = 0.5

@@ -9,7 +9,7 @@ import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { createHarness, type Harness } from './harness.ts'
 import { createReactScene, type ReactScene } from './react-root.ts'
-import { wrinkledFile } from './wrinkled-file.ts'
+import { faceMeshes, wrinkledFile } from './wrinkled-file.ts'
 
 const SIZE = 16
 
@@ -94,8 +94,7 @@ describe('the state of wrinkles in React', () => {
       const brows = () => (gltf.scene.getObjectByName('face')!.children[0] as Mesh).morphTargetInfluences![0]
       await react.show(element({}))
       await react.advance(1)
-      for (const mesh of gltf.scene.getObjectByName('face')!.children as Mesh[])
-        mesh.morphTargetInfluences![0] = 0.5
+      for (const mesh of faceMeshes(gltf.scene)) mesh.morphTargetInfluences![0] = 0.5
       await react.advance(3)
       expect(brows()).toBe(0.5)
       await react.show(element({ expression: 'raised' }))
@@ -186,7 +185,7 @@ describe('the state of wrinkles in React', () => {
     expect(warn).not.toHaveBeenCalled()
     await react.show(element({ ...state, expression: 'surprised' }))
     await react.advance(5)
-    const [mesh] = plain.scene.getObjectByName('face')!.children as Mesh[]
+    const [mesh] = faceMeshes(plain.scene)
     expect(mesh.morphTargetInfluences![0]).toBeGreaterThan(0.5)
     expect(warn.mock.calls.map(([text]) => String(text))).toEqual([
       expect.stringMatching(/lacks blendshapes/),

@@ -1,13 +1,13 @@
 import { type VRM, VRMLoaderPlugin, VRMUtils } from '@pixiv/three-vrm'
 import { WrinkleLoaderPlugin, wrinklesOf, wrinklesReady } from 'furrow/three'
-import { type Mesh, type Object3D, Scene } from 'three'
+import { type Object3D, Scene } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
 import { bareSheet } from './bare-sheet.ts'
 import { createHarness, type Harness, squareCamera } from './harness.ts'
 import { asVrm, vrmFile } from './vrm-file.ts'
-import { driver } from './wrinkled-file.ts'
+import { driver, faceMeshes } from './wrinkled-file.ts'
 
 /** Names of the face's blendshapes. One is called as an expression that moves another too. */
 const SHAPES = ['browInnerUp', 'other', 'sad']
@@ -54,12 +54,12 @@ describe.each([
   }
   const combine = (gltf: GLTF) => {
     VRMUtils.combineMorphs(gltf.userData.vrm)
-    for (const mesh of meshesOf(gltf.scene))
+    for (const mesh of faceMeshes(gltf.scene))
       expect(Object.keys(mesh.morphTargetDictionary!)).not.toContain('other')
   }
   const draw = (root: Object3D) => harness.renderBytes(new Scene().add(root), squareCamera(), 8)
   const activations = (root: Object3D) => {
-    const wrinkles = wrinklesOf(meshesOf(root)[0])!
+    const wrinkles = wrinklesOf(faceMeshes(root)[0])!
     return ['a', 'c', 'd'].map((area) => wrinkles.getActivation(area))
   }
   /** Those of each expression, then of some together. */
@@ -108,7 +108,7 @@ describe.each([
     const early = isBefore && cloneSkinned(gltf.scene)
     combine(gltf)
     const copy = early || cloneSkinned(gltf.scene)
-    const [{ morphTargetDictionary, morphTargetInfluences }] = meshesOf(copy)
+    const [{ morphTargetDictionary, morphTargetInfluences }] = faceMeshes(copy)
     const index = morphTargetDictionary![isBefore ? 'browInnerUp' : 'happy']
     morphTargetInfluences![index] = isBefore ? 0.5 : 1
     await draw(copy)
@@ -143,10 +143,6 @@ it('automatic wrinkles that are done after combineMorphs follow expressions too'
   expect(await shown(true)).toEqual(expected)
   harness.dispose()
 })
-
-function meshesOf(root: Object3D): Mesh[] {
-  return root.getObjectByName('face')!.children as Mesh[]
-}
 
 // biome-ignore lint/suspicious/noExplicitAny: the JSON of a file
 function vrm1(json: any) {

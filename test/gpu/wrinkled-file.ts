@@ -1,5 +1,6 @@
 import { Document, type Material as FileMaterial, WebIO } from '@gltf-transform/core'
 import { FurrowWrinkleMaps } from 'furrow/gltf'
+import type { Mesh, Object3D } from 'three'
 import { randomNormals } from '../cases.ts'
 import { editGlb } from '../glb.ts'
 import { seeded } from '../random.ts'
@@ -96,4 +97,9 @@ function quad(document: Document, x: number, material: FileMaterial) {
         .createPrimitiveTarget('browInnerUp')
         .setAttribute('POSITION', accessor('VEC3', new Float32Array(12))),
     )
+}
+
+/** Its two quads in the scene of a loaded file, or in a copy of it. */
+export function faceMeshes(root: Object3D): Mesh[] {
+  return root.getObjectByName('face')!.children as Mesh[]
 }

@@ -22,6 +22,10 @@ describe('the guard of the frame', () => {
       for (const variant of ['furrow', 'composed', 'auto']) {
         expect(names).toContain(`${renderer}, ${variant}, moving`)
       }
+      for (const variant of ['furrow', 'auto']) {
+        expect(names).toContain(`${renderer}, ${variant}, still`)
+        expect(names).toContain(`${renderer}, ${variant}, moving, all maps`)
+      }
     }
   })
 })

@@ -2,6 +2,7 @@
 import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from '../../core/blood.ts'
 import type { LayerKind } from '../../core/types.ts'
 import type { ValueKind } from '../../runtime/layer-maps.ts'
+import { sharesOf } from '../../runtime/layer-shares.ts'
 import { listTexels, texelOf, type ValueLayers, type ValueTexel } from '../../runtime/value-texels.ts'
 import type { Dialect } from './dialect.ts'
 
@@ -112,10 +113,10 @@ function normalMixing(
   const scaleOf = (layer: number) => `${scales}.${CHANNELS[layer]}`
   const replacing = indicesOf(kinds, 'replace')
   const details = indicesOf(kinds, 'detail')
-  const total = replacing.length > 1 ? ` / max(1.0, ${replacing.map(influenceOf).join(' + ')})` : ''
-  const replaced = replacing.map((layer) => {
+  const shares = sharesOf(replacing.map(influenceOf))
+  const replaced = replacing.map((layer, i) => {
     const scaled = `n${layer} * ${vec3}(${scaleOf(layer)}, ${scaleOf(layer)}, 1.0)`
-    return ` + (${scaled} - base) * (${influenceOf(layer)}${total})`
+    return ` + (${scaled} - base) * (${shares[i]})`
   })
   const slope = details
     .map((layer) => `n${layer}.xy * (${influenceOf(layer)} * ${scaleOf(layer)} / n${layer}.z)`)
@@ -162,13 +163,11 @@ function valueMixing(d: Dialect, kind: ValueKind, { slices, channel, sampler }: 
   const { vec3 } = d
   const { scales, decode } = VALUES[kind]
   const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
-  // The influence of one layer is 1 at most.
-  const total =
-    layers.length > 1 ? ` / max(1.0, ${layers.map(({ layer }) => influenceOf(layer)).join(' + ')})` : ''
-  const mixed = layers.map(({ slice, layer }) => {
+  const shares = sharesOf(layers.map(({ layer }) => influenceOf(layer)))
+  const mixed = layers.map(({ slice, layer }, i) => {
     const stored = `${texelOf(sampler, slice)}.${kind === 'baseColor' ? 'xyz' : CHANNELS[channel]}`
     const value = decode(stored, scales ? `${d.uniform(scales)}.${CHANNELS[layer]}` : '')
-    return ` + (${vec3}(${value}) - base) * (${influenceOf(layer)}${total})`
+    return ` + (${vec3}(${value}) - base) * (${shares[i]})`
   })
   const body = `
   return base${mixed.join('')};`

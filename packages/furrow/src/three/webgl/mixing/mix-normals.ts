@@ -1,4 +1,5 @@
 import type { LayerKind } from '../../../core/types.ts'
+import { sharesOf } from '../../../runtime/layer-shares.ts'
 
 /** The layers' normals, as a program depends on them. */
 export interface NormalLayers {
@@ -19,9 +20,9 @@ export function normalMixing({ kinds, normals }: NormalLayers): string {
   )
   const replacing = indicesOf(kinds, 'replace')
   const details = indicesOf(kinds, 'detail')
-  const total = replacing.length > 1 ? ` / max(1.0, ${replacing.map(influence).join(' + ')})` : ''
+  const shares = sharesOf(replacing.map(influence))
   const scaled = (layer: number) => `n${layer} * vec3(vec2(furrowNormalScale[${layer}]), 1.0)`
-  const replaced = replacing.map((layer) => ` + (${scaled(layer)} - base) * (${influence(layer)}${total})`)
+  const replaced = replacing.map((layer, i) => ` + (${scaled(layer)} - base) * (${shares[i]})`)
   const slope = details
     .map((layer) => `n${layer}.xy * (${influence(layer)} * furrowNormalScale[${layer}] / n${layer}.z)`)
     .join(' + ')

@@ -1,6 +1,7 @@
 /** The layers' other maps, and lines of materials that light in steps, in GLSL. */
 import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from '../../../core/blood.ts'
 import { TOON_LINE } from '../../../core/toon-line.ts'
+import { sharesOf } from '../../../runtime/layer-shares.ts'
 import { listTexels, texelOf, type ValueLayers } from '../../../runtime/value-texels.ts'
 import type { ValueKind } from '../../material/wrinkle-textures.ts'
 import type { Values } from './value-layers.ts'
@@ -96,13 +97,11 @@ void furrowReadValues() {
 export function valueMixing(kind: ValueKind, { slices, channel, sampler }: ValueLayers): string {
   const { type, swizzle, uniform, decode, functions = '' } = VALUES[kind]
   const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
-  const influences = layers.map(({ layer }) => `furrowInfluence[${layer}]`)
-  // That of one layer is 1 at most.
-  const total = layers.length > 1 ? ` / max(1.0, ${influences.join(' + ')})` : ''
+  const shares = sharesOf(layers.map(({ layer }) => `furrowInfluence[${layer}]`))
   const mixed = layers.map(({ slice, layer }, i) => {
     const stored = `${texelOf(sampler, slice)}${swizzle(channel)}`
     const value = decode ? decode(stored, `${uniform}[${layer}]`) : stored
-    return ` + (${value} - base) * (${influences[i]}${total})`
+    return ` + (${value} - base) * (${shares[i]})`
   })
   return /* glsl */ `
 ${functions}${uniform ? `uniform vec4 ${uniform};` : ''}

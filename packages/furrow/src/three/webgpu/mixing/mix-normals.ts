@@ -106,7 +106,8 @@ function replaceNormal(base: Node<'vec3'>, layers: readonly SampledLayer[]): Nod
 /** The shares of layers in what they are mixed into: their influence, and less where its sum exceeds 1, which that of one layer does not. */
 export function sharesOf(influences: readonly Node<'float'>[]): readonly Node<'float'>[] {
   if (influences.length < 2) return influences
-  const total = max(float(1), sum(influences)).toVar()
+  const sum = influences.reduce((total, influence) => total.add(influence))
+  const total = max(float(1), sum).toVar()
   return influences.map((influence) => influence.div(total))
 }
 
@@ -116,8 +117,4 @@ function slopeOf(layers: readonly SampledLayer[]): Node<'vec2'> {
     normal.xy.mul(influence.mul(scale).div(normal.z)),
   )
   return slopes.reduce((total, slope) => total.add(slope)).toVar()
-}
-
-function sum(values: readonly Node<'float'>[]): Node<'float'> {
-  return values.reduce((total, value) => total.add(value))
 }
