@@ -96,16 +96,7 @@ describe.each(ENGINES)('normals in Babylon.js on %s', (name) => {
       wrinkles.setActivation('area0', 1)
       return { scene, map }
     }
-    // In the canvas: each target of its own has shaders of its own.
-    const picture = async ({ scene }: { scene: Scene }) => {
-      const { engine } = harness
-      await scene.whenReadyAsync()
-      engine.beginFrame()
-      scene.render()
-      const pixels = engine.readPixels(0, 0, engine.getRenderWidth(), engine.getRenderHeight())
-      engine.endFrame()
-      return new Uint8Array((await pixels).buffer.slice(0))
-    }
+    const picture = ({ scene }: { scene: Scene }) => canvasPicture(harness, scene)
     const [face, beyond] = [moved(0.1), moved(0.8)]
     const before = await picture(face)
     face.map.uOffset = 0.8
@@ -116,7 +107,36 @@ describe.each(ENGINES)('normals in Babylon.js on %s', (name) => {
     expect(largestDifference(await picture(face), before)).toBe(0)
     for (const { scene } of [face, beyond]) scene.dispose()
   })
+
+  it('are the same when another face joins one that was alone in its influence map', async () => {
+    const random = seeded(9)
+    const scene = harness.createScene()
+    const { mesh } = skin(scene, random, true, shownByPbr)
+    const wrinkles = new Wrinkles(mesh, randomLayers(random, ['replace', 'detail']), { areaSize: MAP })
+    const plain = await canvasPicture(harness, scene)
+    wrinkles.setActivation('area0', 1)
+    const alone = await canvasPicture(harness, scene)
+    expect(largestDifference(alone, plain)).toBeGreaterThan(10)
+    const other = square(scene)
+    other.position.x = 9
+    other.material = mesh.material!.clone('other')
+    const shared = new Wrinkles(other, wrinkles)
+    expect(largestDifference(await canvasPicture(harness, scene), alone)).toBeLessThanOrEqual(1)
+    shared.dispose()
+    expect(largestDifference(await canvasPicture(harness, scene), alone)).toBeLessThanOrEqual(1)
+    scene.dispose()
+  })
 })
+
+/** In the canvas, where a material keeps its shaders: each target of its own has others. */
+async function canvasPicture({ engine }: BabylonHarness, scene: Scene): Promise<Uint8Array> {
+  await scene.whenReadyAsync()
+  engine.beginFrame()
+  scene.render()
+  const pixels = engine.readPixels(0, 0, engine.getRenderWidth(), engine.getRenderHeight())
+  engine.endFrame()
+  return new Uint8Array((await pixels).buffer.slice(0))
+}
 
 /** How a material shows its normal, and what is to be seen of a normal in tangent space. */
 interface Shown {

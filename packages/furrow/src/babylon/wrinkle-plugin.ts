@@ -60,6 +60,9 @@ const ALL_KINDS: MixedLayers = {
   values: Object.fromEntries(VALUE_KINDS.map((kind) => [kind, ONE(kind)])),
 }
 
+/** What tells apart the programs of a set: whether instances have cells, the atlas is one cell, and texture coordinates wrap. */
+const FLAGS = { FURROW_CELLS: false, FURROW_ALONE: false, FURROW_TILED: false }
+
 /** Name of the vertex attribute with the cell of an instance. */
 export const CELL = 'furrowCell'
 
@@ -74,7 +77,7 @@ export class WrinklePlugin extends MaterialPluginBase {
 
   /** @param faceOf the face of a mesh; undefined for a mesh without. */
   constructor(material: Material, kind: ShaderKind, faceOf: (mesh: AbstractMesh) => DrawnFace | undefined) {
-    super(material, WrinklePlugin.NAME, 300, { FURROW: 0, FURROW_CELLS: false, FURROW_TILED: false }, false)
+    super(material, WrinklePlugin.NAME, 300, { FURROW: 0, ...FLAGS }, false)
     this.registerForExtraEvents = true
     this.doNotSerialize = true
     this.#kind = kind
@@ -119,9 +122,10 @@ export class WrinklePlugin extends MaterialPluginBase {
     defines.FURROW_CELLS = Boolean(defines.INSTANCES) && (face?.hasCells ?? false)
     const { bumpTexture } = this._material as SkinMaterial
     const isWrapped = Boolean(face && bumpTexture && isTiled(mesh, bumpTexture))
-    if (isWrapped === defines.FURROW_TILED) return
-    defines.FURROW_TILED = isWrapped
-    // Babylon.js looks for changes of its own only; a page may move the normal map.
+    const isAlone = !defines.FURROW_CELLS && (this.#shared?.atlas.cells.isSingle ?? false)
+    if (isWrapped === defines.FURROW_TILED && isAlone === defines.FURROW_ALONE) return
+    Object.assign(defines, { FURROW_TILED: isWrapped, FURROW_ALONE: isAlone })
+    // Babylon.js looks for changes of its own only; a page may move the normal map, or add a face.
     defines.markAsUnprocessed()
   }
 

@@ -61,6 +61,11 @@ export class AtlasCells {
     return this.#used === 0
   }
 
+  /** Whether there is one cell, which is all of the atlas: shaders then sample it at texture coordinates as they are. */
+  get isSingle(): boolean {
+    return this.grid.columns * this.grid.rows === 1
+  }
+
   /** Whether all cells that are used are to be redrawn. */
   get isWhole(): boolean {
     return this.changes === this.#used

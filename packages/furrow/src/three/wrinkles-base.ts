@@ -108,6 +108,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
       // another call of it would take.
       onCompile: (own) => queueMicrotask(() => this.isDisposed || this.#atlas.compile(own)),
     })
+    if (this.#inputs.isAlone()) this.#atlas.onShared = () => this.#material.share()
     this.#place = placeOf(mesh)
     this.addMesh(mesh)
     this.relief = allOptions.relief

@@ -46,7 +46,10 @@ function sampledInfluence(d: Dialect, layers: number): string {
   const names = ['furrowPlace', 'furrowInside', 'furrowGrid', 'furrowLimit']
   const [place, inside, grid, limit] = names.map(d.uniform)
   const channels = CHANNELS.map((channel, i) => (i < layers ? `sampled.${channel}` : '0.0'))
-  const sampled = d.sampleTexture('furrowInfluenceMap', `corner + inside * ${place}.zw`)
+  const sampledAt = (at: string) => {
+    const sampled = d.sampleTexture('furrowInfluenceMap', at)
+    return d.local(vec4, 'sampled', `min(${sampled}, ${vec4}(${limit}.x))`)
+  }
   const body = `
 #ifdef FURROW_TILED
   furrowUv = uv - max(ceil(uv) - 1.0, min(floor(uv), ${vec2}(0.0)));
@@ -55,6 +58,9 @@ function sampledInfluence(d: Dialect, layers: number): string {
 #else
   furrowUv = uv;
 #endif
+#ifdef FURROW_ALONE
+  ${sampledAt('furrowUv')}
+#else
 #ifdef FURROW_CELLS
   ${d.local(float, 'index', `floor(${d.passed('vFurrowCell')} + 0.5)`)}
   ${d.local(float, 'row', `floor((index + 0.5) / ${grid}.x)`)}
@@ -63,7 +69,8 @@ function sampledInfluence(d: Dialect, layers: number): string {
   ${d.local(vec2, 'corner', `${place}.xy`)}
 #endif
   ${d.local(vec2, 'inside', `clamp(furrowUv * ${inside}.xy + ${inside}.zw, ${vec2}(0.0), ${vec2}(1.0))`)}
-  ${d.local(vec4, 'sampled', `min(${sampled}, ${vec4}(${limit}.x))`)}
+  ${sampledAt(`corner + inside * ${place}.zw`)}
+#endif
   furrowInfluence = ${vec4}(${channels.join(', ')});`
   return `
 #ifdef FURROW_CELLS
@@ -100,11 +107,11 @@ function normalMixing(
 ): string {
   const { float, vec2, vec3 } = d
   const scales = d.uniform('furrowNormalScale')
-  const layers = kinds.map((_, layer) => {
-    // A z of exactly 0 would divide an influence of 0 by 0.
-    const normal = `furrowSample_normal(${normals[layer]!}).xyz * 2.0 - ${vec3}(1.0, 1.0, 0.9999999)`
+  const layers = kinds.map((kind, layer) => {
+    // Of detail, x and y as stored, which are unpacked with their factor, and half of z: exactly 0 would divide an influence of 0 by 0.
+    const unpacked = kind === 'detail' ? `- ${vec3}(0.0, 0.0, 0.4999999)` : '* 2.0 - 1.0'
     return `
-  ${d.local(vec3, `n${layer}`, normal)}`
+  ${d.local(vec3, `n${layer}`, `furrowSample_normal(${normals[layer]!}).xyz ${unpacked}`)}`
   })
   const values = texels.map(
     ({ name, sampler, slice }) => `
@@ -118,15 +125,17 @@ function normalMixing(
     const scaled = `n${layer} * ${vec3}(${scaleOf(layer)}, ${scaleOf(layer)}, 1.0)`
     return ` + (${scaled} - base) * (${shares[i]})`
   })
-  const slope = details
-    .map((layer) => `n${layer}.xy * (${influenceOf(layer)} * ${scaleOf(layer)} / n${layer}.z)`)
-    .join(' + ')
-  // Multiplied out, see `reorientBy` of three.js's shaders: a slope of 0 leaves the normal as it is.
-  const reoriented = `
+  const factors = details.map(
+    (layer) => `
+  ${d.local(float, `k${layer}`, `${influenceOf(layer)} * ${scaleOf(layer)} / n${layer}.z`)}`,
+  )
+  const slope = details.map((layer) => `n${layer}.xy * k${layer} - 0.5 * k${layer}`).join(' + ')
+  // Multiplied out, see `reorientBy` of three.js's shaders: a slope of 0 leaves the normal as it is. What is added to the length keeps z + size from 0.
+  const reoriented = `${factors.join('')}
   ${d.local(vec2, 'slope', slope)}
-  ${d.local(float, 'size', 'length(normal)')}
+  ${d.local(float, 'size', 'sqrt(dot(normal, normal) + 1e-6)')}
   ${d.local(float, 'along', 'dot(normal.xy, slope)')}
-  ${d.local(float, 'kept', '1.0 - along / max(normal.z + size, 1e-6)')}
+  ${d.local(float, 'kept', '1.0 - along / (normal.z + size)')}
   normal = ${vec3}(normal.xy * kept + slope * size, normal.z - along);
 #ifdef DETAIL
   // Babylon.js lays its own map of details onto a normal of unit length; elsewhere it makes it so itself.

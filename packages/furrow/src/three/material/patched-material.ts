@@ -157,6 +157,11 @@ export class PatchedMaterial {
     if (this.#shown?.isFor?.(mesh) === false) this.#apply(this.mode)
   }
 
+  /** Called when the influence map is no longer that of the face alone, for which its program may be made. */
+  share(): void {
+    if (isMixed(this.mode)) this.#apply(this.mode)
+  }
+
   /** Copies the material without wrinkles. */
   clone(): Material {
     this.#unpatch()

@@ -16,6 +16,8 @@ export interface ShaderInputs {
   readonly areaTexture: { value: Texture }
   /** The atlas of influence maps. */
   readonly influence: { value: Texture }
+  /** Whether that is the map of one face, see `AtlasCells.isSingle`. */
+  isAlone(): boolean
   /** Columns and rows of its cells, and the index of this mesh's first cell. */
   readonly grid: { value: Vector3 }
   /** Where that cell is, see `AtlasCells.locate`. */
@@ -51,6 +53,7 @@ export function createShaderInputs(
     areas,
     areaTexture: { value: areas.texture },
     influence: { value: target.texture },
+    isAlone: () => cells.isSingle,
     grid: { value: new Vector3() },
     cell: { value: new Vector4() },
     inside: { value: new Vector4().copy(cells.inside as Vector4) },

@@ -27,17 +27,18 @@ const patch: RendererParts['patch'] = (material, inputs, meshes, { refuse, onCom
   const { textures } = inputs
   const instances = instancesOf(meshes[0])
   const { isTiled, isFor, isCurrent } = tilingOf(meshes, material)
+  const cell = inputs.isAlone() ? 'only' : 'mesh'
   const variant: ShaderVariant = {
     kinds: textures.kinds,
     normals: textures.normals.slices,
     values: valueLayers(textures.values),
-    instances,
+    cell: instances ? 'instances' : cell,
     isTiled,
     sampling: samplingOf(isTiled, textures.normals.texture.anisotropy),
     isToon: isToon(material),
   }
   const edit: ShaderEdit = {
-    key: JSON.stringify(variant),
+    key: JSON.stringify({ ...variant, instances }),
     uniforms: { ...mapUniforms(inputs), ...layerUniforms(inputs) },
     apply(shader) {
       shader.fragmentShader = defaultFragment(shader.fragmentShader, variant, PARTS.channels.value)

@@ -3,13 +3,14 @@
  * and software rasterisers pay as much for one as for the sample that it saves. `furrowSampleInfluence` is called first in `main`; the other
  * functions read the globals that it sets, `furrowDx` and `furrowDy` only where coordinates wrap.
  *
+ * @param cell which one: that of the mesh, of each of its instances, or the only one that there is.
  * @param isTiled whether texture coordinates leave 0..1, and so wrap.
  */
-export function influenceFromMap(layers: number, isInstanced: boolean, isTiled: boolean): string {
+export function influenceFromMap(layers: number, cell: SampledCell, isTiled: boolean): string {
   // What the texture lacks is 0 in a sample, but alpha is 1.
   const alpha = layers < 4 ? '0.0' : 'influence.a'
-  return /* glsl */ `${CELL}${isTiled ? REPEAT : ''}
-${isInstanced ? 'flat in highp vec2 vFurrowCorner;' : ''}
+  return /* glsl */ `${cell === 'only' ? MAP : CELL}${isTiled ? REPEAT : ''}
+${cell === 'instances' ? 'flat in highp vec2 vFurrowCorner;' : ''}
 vec4 furrowInfluence = vec4(0.0);
 vec2 furrowUv;
 vec2 furrowDx;
@@ -19,10 +20,19 @@ void furrowSampleInfluence(vec2 uv) {
   furrowUv = ${isTiled ? 'furrowRepeat(uv)' : 'uv'};
   furrowDx = dFdx(uv);
   furrowDy = dFdy(uv);
-  vec4 influence = furrowSampleCell(furrowUv, ${isInstanced ? 'vFurrowCorner' : 'furrowCell.xy'});
+  vec4 influence = ${SAMPLE_CELL[cell]};
   furrowInfluence = vec4(influence.rgb, ${alpha});
 }
 `
+}
+
+/** The cell of the atlas that a shader samples. */
+export type SampledCell = 'mesh' | 'instances' | 'only'
+
+const SAMPLE_CELL: Record<SampledCell, string> = {
+  mesh: 'furrowSampleCell(furrowUv, furrowCell.xy)',
+  instances: 'furrowSampleCell(furrowUv, vFurrowCorner)',
+  only: 'furrowSampleMap(furrowUv)',
 }
 
 /** Wraps texture coordinates into 0..1, see `repeat` in core; those already within stay exactly as they are. */
@@ -32,16 +42,24 @@ vec2 furrowRepeat(vec2 uv) {
 }
 `
 
-/** Declares `vec4 furrowSampleCell(vec2 uv, vec2 corner)`: the influence of the cell at a corner, at texture coordinates within 0..1. */
-const CELL = /* glsl */ `
+/** Declares `vec4 furrowSampleMap(vec2 at)`: the influence at a point of the atlas, 0..1. */
+const MAP = /* glsl */ `
 uniform highp sampler2D furrowInfluenceMap;
+uniform highp float furrowFade;
+
+vec4 furrowSampleMap(vec2 at) {
+  return min(textureLod(furrowInfluenceMap, at, 0.0), 1.0) * furrowFade;
+}
+`
+
+/** Declares `vec4 furrowSampleCell(vec2 uv, vec2 corner)` besides: the influence of the cell at a corner, at texture coordinates within 0..1. */
+const CELL = /* glsl */ `${MAP}
 uniform highp vec4 furrowCell;
 uniform highp vec4 furrowInside;
-uniform highp float furrowFade;
 
 vec4 furrowSampleCell(vec2 uv, vec2 corner) {
   vec2 inside = clamp(uv * furrowInside.xy + furrowInside.zw, 0.0, 1.0);
-  return min(textureLod(furrowInfluenceMap, corner + inside * furrowCell.zw, 0.0), 1.0) * furrowFade;
+  return furrowSampleMap(corner + inside * furrowCell.zw);
 }
 `
 

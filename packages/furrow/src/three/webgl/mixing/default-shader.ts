@@ -1,9 +1,9 @@
 import { REVISION, ShaderChunk } from 'three'
-import type { Instances } from '../../mesh/instances.ts'
 import { requireInternal } from '../../three-version.ts'
 import {
   CORNER_OF_INSTANCE,
   influenceFromMap,
+  type SampledCell,
   type SliceSampling,
   sliceSampling,
 } from '../influence/influence.ts'
@@ -15,7 +15,7 @@ import type { ShaderChannels, Values } from './value-layers.ts'
 export interface ShaderVariant extends NormalLayers {
   /** The layers' other maps, by kind. */
   values: Values
-  instances: Instances
+  cell: SampledCell
   /** Whether texture coordinates leave 0..1, and so wrap. */
   isTiled: boolean
   sampling: SliceSampling
@@ -41,11 +41,11 @@ export function defaultFragment(
   const [, uv] = shader.match(MAP_READ) ?? []
   const [scaled, normal] = shader.match(NORMAL_SCALED) ?? []
   if (!uv || !scaled) throw new Error((uv ? NORMAL_SCALED : MAP_READ).source)
-  const { kinds, instances, isTiled, sampling } = variant
+  const { kinds, cell, isTiled, sampling } = variant
   const isBuiltIn = uv === BUILT_IN_UV
   const values = isBuiltIn ? variant.values : {}
   const added = channels?.add(values, { ...variant, normal })
-  const influence = influenceFromMap(kinds.length, instances !== null, isTiled)
+  const influence = influenceFromMap(kinds.length, cell, isTiled)
   const sample = `furrowSampleInfluence(${uv});`
   const mixed = [
     isBuiltIn ? '' : sample,

@@ -9,48 +9,56 @@ export interface NormalLayers {
 }
 
 /**
- * Declares `vec3 furrowMixNormals(vec3 base)`: `mixNormals` of the reference, of any length, since whoever uses it normalises it; the base
- * itself, bit by bit, where the influence of all layers is 0. All layers are sampled: a graphics card pays more for the branches.
+ * Declares `vec3 furrowMixNormals(vec3 base)`: `mixNormals` of the reference, of any length, since whoever uses it normalises it; in the direction of
+ * the base where the influence of all layers is 0. All layers are sampled: a graphics card pays more for the branches.
  */
 export function normalMixing({ kinds, normals }: NormalLayers): string {
   const influence = (layer: number) => `furrowInfluence[${layer}]`
-  const sampled = normals.map(
-    (slice, layer) =>
-      `\n  vec3 n${layer} = furrowSampleSlice(furrowNormals, ${slice}.0).xyz * 2.0 - FURROW_ONE;`,
-  )
+  const sampled = kinds.map((kind, layer) => `\n  vec3 n${layer} = ${layerNormal(kind, normals[layer]!)};`)
   const replacing = indicesOf(kinds, 'replace')
   const details = indicesOf(kinds, 'detail')
   const shares = sharesOf(replacing.map(influence))
   const scaled = (layer: number) => `n${layer} * vec3(vec2(furrowNormalScale[${layer}]), 1.0)`
   const replaced = replacing.map((layer, i) => ` + (${scaled(layer)} - base) * (${shares[i]})`)
-  const slope = details
-    .map((layer) => `n${layer}.xy * (${influence(layer)} * furrowNormalScale[${layer}] / n${layer}.z)`)
-    .join(' + ')
   const mixed = `base${replaced.join('')}`
+  // The normal of a single one need not be divided by its z, which takes the longest.
+  const isOne = details.length === 1
+  const factors = details.map(
+    (layer) =>
+      `\n  float k${layer} = ${influence(layer)} * furrowNormalScale[${layer}]${isOne ? '' : ` / n${layer}.z`};`,
+  )
+  const slope = details.map((layer) => `n${layer}.xy * k${layer} - 0.5 * k${layer}`).join(' + ')
+  const depth = isOne ? `abs(n${details[0]}.z)` : '1.0'
   return /* glsl */ `
 uniform highp sampler2DArray furrowNormals;
 uniform vec4 furrowNormalScale;
-${ONE}${details.length > 0 ? REORIENT : ''}
+${details.length > 0 ? DETAILS : ''}
 vec3 furrowMixNormals(vec3 base) {
-${sampled.join('')}
-  return ${details.length > 0 ? `furrowReorient(${mixed}, ${slope})` : mixed};
+${sampled.join('')}${factors.join('')}
+  return ${details.length > 0 ? `furrowReorient(${mixed}, ${slope}, ${depth})` : mixed};
 }
 `
 }
 
-/** A z of exactly 0 would divide an influence of 0 by 0. */
-const ONE = 'const vec3 FURROW_ONE = vec3(1.0, 1.0, 0.9999999);'
+/** The normal of a layer: of one of detail, x and y as stored, which are unpacked with their factor, and half of z. */
+export function layerNormal(kind: LayerKind, slice: number): string {
+  return `furrowSampleSlice(furrowNormals, ${slice}.0).xyz ${kind === 'detail' ? '- FURROW_FLAT' : '* 2.0 - 1.0'}`
+}
 
 /**
- * Reoriented normal mapping, see `reorientNormal` in the reference: the same direction, of a base of any length and the slopes of the detail.
- * With the base's length l, t = (x, y, z + l) and r = (-slope, 1), t dot(t, r) / t.z - l r is multiplied out, so that a slope of 0 leaves the base
- * as it is without a choice between the two.
+ * A z of exactly 0 would leave no normal, or divide an influence of 0 by 0; it never comes out of this.
+ *
+ * Reoriented normal mapping, see `reorientNormal` in the reference: the same direction, of a base of any length, and of a detail with this slope times
+ * its depth. With the base's length l, t = (x, y, z + l) and r = (-slope, depth), t dot(t, r) / t.z - l r is multiplied out, so that a slope of 0 leaves
+ * the base's direction. What is added to the length keeps z + l from 0; a limit would be one step more.
  */
-const REORIENT = /* glsl */ `
-vec3 furrowReorient(vec3 base, vec2 slope) {
-  float size = length(base);
+const DETAILS = /* glsl */ `
+const vec3 FURROW_FLAT = vec3(0.0, 0.0, 0.4999999);
+
+vec3 furrowReorient(vec3 base, vec2 slope, float depth) {
+  float size = sqrt(base.x * base.x + (base.y * base.y + (base.z * base.z + 1e-6)));
   float along = dot(base.xy, slope);
-  return vec3(base.xy * (1.0 - along / max(base.z + size, 1e-6)) + slope * size, base.z - along);
+  return vec3(base.xy * (depth - along / (base.z + size)) + slope * size, base.z * depth - along);
 }
 `
 

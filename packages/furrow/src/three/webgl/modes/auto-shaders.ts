@@ -3,6 +3,7 @@ import type { AutoShaders } from '../../material/auto/auto-shaders.ts'
 import type { FirstValues } from '../../material/auto/first-values.ts'
 import type { WrinkleTextures } from '../../material/wrinkle-textures.ts'
 import { QUAD_SETTINGS } from '../influence/quad-settings.ts'
+import { layerNormal } from '../mixing/mix-normals.ts'
 import { valueLayers } from '../mixing/value-layers.ts'
 import type { ShaderEdit } from '../patch/patch-shader.ts'
 import { MAIN, replace, replaceChunk } from '../patch/shader-text.ts'
@@ -79,9 +80,10 @@ void main() {
 
 /** Reads the first layer's normal from the texel of the material's own. Of another map than a dual one, it changes nothing. */
 function dualFragment(fragment: string, { kinds, normals }: WrinkleTextures): string {
-  const layer = `furrowSampleSlice(furrowNormals, ${normals.slices[0]}.0).xyz * 2.0 - FURROW_ONE`
-  const layers = replace(fragment, layer, 'furrowWithZ( furrowTexel.zw )')
-  const both = kinds.includes('replace') ? layers : layers.replace('size = length(base)', 'size = 1.0')
+  const [kind] = kinds
+  const withZ = kind === 'detail' ? 'furrowHalfWithZ' : 'furrowWithZ'
+  const layers = replace(fragment, layerNormal(kind, normals.slices[0]!), `${withZ}( furrowTexel.zw )`)
+  const both = kinds.includes('replace') ? layers : layers.replace(/size = sqrt\(.*\)/, 'size = 1.0')
   const shown = replace(both, SAMPLE, `${SAMPLE}\n\tfurrowInfluence *= furrowIsDual;`)
   return `uniform float furrowIsDual;${withTexel(shown)}`
 }
@@ -149,5 +151,10 @@ vec4 furrowTexel;
 vec3 furrowWithZ(vec2 stored) {
   vec2 xy = stored * 2.0 - 1.0;
   return vec3(xy, sqrt(max(1.0 - dot(xy, xy), 1e-6)));
+}
+
+vec3 furrowHalfWithZ(vec2 stored) {
+  vec2 xy = stored - 0.5;
+  return vec3(stored, sqrt(max(0.25 - dot(xy, xy), 1e-6)));
 }
 `

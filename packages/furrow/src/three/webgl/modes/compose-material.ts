@@ -23,7 +23,7 @@ export const composeMaterial: ComposeMaterial = (base, inputs, level, channels) 
     : 'vec4(mixed * 0.5 + 0.5, 1.0)'
   return quadMaterial('furrow composed', base, inputs, {
     declarations: [
-      influenceFromMap(kinds.length, false, false),
+      influenceFromMap(kinds.length, 'mesh', false),
       isTexelwise ? TEXELS : sliceSampling('sampler'),
       normalMixing({ kinds, normals: normals.slices }),
       added?.declarations,
@@ -32,7 +32,7 @@ export const composeMaterial: ComposeMaterial = (base, inputs, level, channels) 
     main: /* glsl */ `${added?.begin ?? ''}
   vec3 base = ${own}.xyz * 2.0 - 1.0;
   vec3 mixed = furrowMixNormals(base);
-  ${kinds.includes('detail') ? 'if (any(greaterThan(furrowInfluence, vec4(0.0)))) mixed = normalize(mixed);' : ''}
+  ${kinds.includes('detail') ? 'mixed = any(greaterThan(furrowInfluence, vec4(0.0))) ? normalize(mixed) : base;' : ''}
   composed = ${composed};`,
   })
 }
@@ -43,7 +43,7 @@ export function occlusionMaterial(aoMap: Texture, inputs: ShaderInputs, channels
   const added = addedTo(valueLayers(values), channels)!
   return quadMaterial('furrow occlusion', aoMap, inputs, {
     declarations: [
-      influenceFromMap(kinds.length, false, false),
+      influenceFromMap(kinds.length, 'mesh', false),
       sliceSampling('sampler'),
       added.declarations,
     ],

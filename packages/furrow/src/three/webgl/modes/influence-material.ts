@@ -32,7 +32,7 @@ const LARGEST = 'diffuseColor.rgb *= vec3(max(max(influence.x, influence.y), max
 
 /** Makes an unlit material show the largest influence of any layer as gray, from the map. */
 function mapFragment(fragment: string, layers: number, isInstanced: boolean): string {
-  const declarations = influenceFromMap(layers, isInstanced, true)
+  const declarations = influenceFromMap(layers, isInstanced ? 'instances' : 'mesh', true)
   const started = replace(fragment, MAIN, `${declarations}\n${MAIN}\n\tfurrowSampleInfluence(vMapUv);`)
   return replaceChunk(started, 'map_fragment', () => `vec4 influence = furrowInfluence;\n\t${LARGEST}`)
 }

@@ -28,6 +28,7 @@ import { CHANNELS, inputUniform } from '../node.ts'
  * @param uv texture coordinates within 0..1, see `repeat`.
  * @param instances of the mesh, each of which has a cell of its own.
  * @param isVertex whether it is read by a vertex, which skips the sample outside of what active areas reach.
+ * @param isOnly whether the atlas is the map of that one face, which then need not be found in it.
  * @returns influence of layers 0..3 in x, y, z, w, each 0..1.
  */
 export function influenceFromMap(
@@ -35,15 +36,18 @@ export function influenceFromMap(
   uv: Node<'vec2'>,
   instances: Instances,
   isVertex = false,
+  isOnly = false,
 ): Node<'vec4'> {
   const cell = inputUniform<'vec4'>(inputs.cell)
   const { xy: factor, zw: offset } = inputUniform<'vec4'>(inputs.inside)
   const fade = inputUniform<'float'>(inputs.fade)
   const layers = inputs.textures.layers.length
-  const sample = () => {
+  const place = () => {
     const corner = instances ? varying(cornerOf(inputs, instanceOf(instances))) : cell.xy
-    const inside = uv.mul(factor).add(offset).saturate()
-    const atlas = texture(inputs.influence.value, corner.add(inside.mul(cell.zw)))
+    return corner.add(uv.mul(factor).add(offset).saturate().mul(cell.zw))
+  }
+  const sample = () => {
+    const atlas = texture(inputs.influence.value, isOnly ? uv : place())
     const sampled = isVertex ? atlas.level(int(0)) : atlas
     // Channels without a layer hold whatever the format gives them.
     const [x, y, z, w] = CHANNELS.map((channel, i) => (i < layers ? sampled[channel] : float(0)))

@@ -34,8 +34,10 @@ export function layersOf(
   isTiled: boolean,
 ): LayerInfluence {
   const uv = varying(mapUv(material))
+  const instances = instancesOf(mesh)
+  const isOnly = !instances && inputs.isAlone()
   return {
-    influence: influenceFromMap(inputs, isTiled ? repeat(uv).toVar() : uv, instancesOf(mesh)),
+    influence: influenceFromMap(inputs, isTiled ? repeat(uv).toVar() : uv, instances, false, isOnly),
     uv,
     sampler: isTiled ? byGradients : bySampler,
   }

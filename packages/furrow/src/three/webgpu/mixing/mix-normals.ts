@@ -15,14 +15,15 @@ export interface LayerInfluence {
 
 /** Reoriented normal mapping, see `reorientNormal` in the reference; unit vectors. */
 export function reorient(base: Node<'vec3'>, detail: Node<'vec3'>): Node<'vec3'> {
-  return reorientBy(base, float(1), detail.xy, detail.z)
+  return reorientBy(base, lengthOf(base), detail.xy, detail.z)
 }
 
 /**
  * The same direction, of vectors of any length. With t = (x, y, z + size) and r = (-slope, depth), t dot(t, r) / t.z - size r is multiplied out,
- * so that a slope of 0 at a depth of 1 leaves the base as it is without a choice between the two.
+ * so that a slope of 0 leaves the base's direction without a choice between the two.
  *
  * @param size length of the base.
+ * @param slope of the detail, times its depth.
  */
 function reorientBy(
   base: Node<'vec3'>,
@@ -31,8 +32,13 @@ function reorientBy(
   depth: Node<'float'>,
 ): Node<'vec3'> {
   const along = base.xy.dot(slope).toVar()
-  const shrunk = depth.sub(along.div(base.z.add(size).max(1e-6)))
+  const shrunk = depth.sub(along.div(base.z.add(size)))
   return vec3(base.xy.mul(shrunk).add(slope.mul(size)), base.z.mul(depth).sub(along))
+}
+
+/** What is added to it keeps the sum of z and the length from 0; a limit would be one step more. */
+function lengthOf(normal: Node<'vec3'>): Node<'float'> {
+  return normal.dot(normal).add(1e-6).sqrt()
 }
 
 /**
@@ -40,7 +46,7 @@ function reorientBy(
  *
  * @param base of the material's own map, unpacked.
  * @param isUnit whether that is of unit length.
- * @returns of any length, since whoever uses it normalises it; the base itself, bit by bit, where the influence of all layers is 0.
+ * @returns of any length, since whoever uses it normalises it; in the direction of the base where the influence of all layers is 0.
  */
 export function mixNormals(
   base: Node<'vec3'>,
@@ -52,20 +58,25 @@ export function mixNormals(
   const scales = inputUniform<'vec4'>(inputs.normalScale)
   const own = base.toVar()
   const sample = sampler(uv)
-  // A z of exactly 0 would divide an influence of 0 by 0.
-  const one = vec3(1, 1, 0.9999999)
-  const layers = kinds.map((kind, layer) => ({
-    kind,
-    influence: influence[CHANNELS[layer]],
-    scale: scales[CHANNELS[layer]],
-    normal: sample(normals.texture, normals.slices[layer]!).xyz.mul(2).sub(one).toVar(),
-  }))
-  const replacing = ofKind('replace', layers)
+  // A z of exactly 0 would leave no normal, or divide an influence of 0 by 0; it never comes out of this.
+  const flat = vec3(0, 0, 0.4999999)
+  const layers = kinds.map((kind, layer) => {
+    const stored = sample(normals.texture, normals.slices[layer]!).xyz
+    return {
+      kind,
+      influence: influence[CHANNELS[layer]],
+      scale: scales[CHANNELS[layer]],
+      normal: (kind === 'detail' ? stored.sub(flat) : unpack(stored)).toVar(),
+    }
+  })
+  const replaced = replaceNormal(own, ofKind('replace', layers))
   const details = ofKind('detail', layers)
-  const replaced = replaceNormal(own, replacing)
   if (details.length === 0) return replaced
-  const size = isUnit && replacing.length === 0 ? float(1) : replaced.length().toVar()
-  return reorientBy(replaced, size, slopeOf(details), float(1))
+  const size = isUnit && replaced === own ? float(1) : lengthOf(replaced).toVar()
+  // The normal of a single one need not be divided by its z, which takes the longest.
+  const isOne = details.length === 1
+  const depth = isOne ? details[0].normal.z.abs() : float(1)
+  return reorientBy(replaced, size, slopeOf(details, isOne), depth)
 }
 
 interface SampledLayer {
@@ -73,6 +84,7 @@ interface SampledLayer {
   influence: Node<'float'>
   /** Of x and y of the normal. */
   scale: Node<'float'>
+  /** Of one of detail, x and y as stored, which are unpacked with their factor, and half of z. */
   normal: Node<'vec3'>
 }
 
@@ -111,10 +123,16 @@ export function sharesOf(influences: readonly Node<'float'>[]): readonly Node<'f
   return influences.map((influence) => influence.div(total))
 }
 
-/** The sum of the slopes of layers of detail. */
-function slopeOf(layers: readonly SampledLayer[]): Node<'vec2'> {
-  const slopes = layers.map(({ influence, scale, normal }) =>
-    normal.xy.mul(influence.mul(scale).div(normal.z)),
-  )
+/**
+ * The sum of the slopes of layers of detail.
+ *
+ * @param isFlat whether they are left times the depth of the normal, half of its z.
+ */
+function slopeOf(layers: readonly SampledLayer[], isFlat: boolean): Node<'vec2'> {
+  const slopes = layers.map(({ influence, scale, normal }) => {
+    const share = influence.mul(scale)
+    const factor = (isFlat ? share : share.div(normal.z)).toVar()
+    return normal.xy.mul(factor).sub(factor.mul(0.5))
+  })
   return slopes.reduce((total, slope) => total.add(slope)).toVar()
 }

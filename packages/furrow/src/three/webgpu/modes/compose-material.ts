@@ -27,7 +27,7 @@ export const composeMaterial: ComposeMaterial = (base, inputs, level, channels) 
     )
   }
   const hasDetails = inputs.textures.kinds.includes('detail')
-  const shown = hasDetails ? select(influence.greaterThan(vec4(0)).any(), mixed.normalize(), mixed) : mixed
+  const shown = hasDetails ? select(influence.greaterThan(vec4(0)).any(), mixed.normalize(), normal) : mixed
   return quadMaterial('composed', vec4(shown.mul(0.5).add(0.5), 1))
 }
 
