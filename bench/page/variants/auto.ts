@@ -1,6 +1,6 @@
 import type { MeshPhysicalMaterial } from 'three'
 import { callBeforeRender } from '../../../packages/furrow/src/three/mesh/before-render.ts'
-import { applyFurrow } from '../furrow.ts'
+import { applyAlone } from '../furrow.ts'
 import type { Variant } from '../variant.ts'
 
 /** Furrow's mode `auto`: a composed map while nothing moves; while something does, that too in large pictures, in others a dual map. */
@@ -8,7 +8,7 @@ export const variant: Variant = {
   canShow: () => true,
   sameAs: 'furrow',
   apply(mesh, set, renderer, { still }) {
-    const wrinkles = applyFurrow(mesh, set, renderer, { mode: 'auto' })
+    const wrinkles = applyAlone(mesh, set, renderer, { mode: 'auto' })
     const { reach } = wrinkles.editable('bench').inputs
     let isSettled = false
     callBeforeRender(mesh, () => {

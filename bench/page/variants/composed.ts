@@ -1,8 +1,8 @@
-import { applyFurrow } from '../furrow.ts'
+import { applyAlone } from '../furrow.ts'
 import type { Variant } from '../variant.ts'
 
 /** Furrow's composed mode: draws normals into a map, which the plain material shows. */
 export const variant: Variant = {
   canShow: ({ maps }) => maps === 'normals',
-  apply: (mesh, set, renderer) => applyFurrow(mesh, set, renderer, { mode: 'composed' }),
+  apply: (mesh, set, renderer) => applyAlone(mesh, set, renderer, { mode: 'composed' }),
 }

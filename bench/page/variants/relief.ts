@@ -1,4 +1,4 @@
-import { applyFurrow } from '../furrow.ts'
+import { applyAlone } from '../furrow.ts'
 import { autoHeights } from '../heights.ts'
 import type { Variant } from '../variant.ts'
 
@@ -7,7 +7,7 @@ export const variant: Variant = {
   canShow: ({ areas, layers, maps }) => areas === 8 && layers === 1 && maps === 'normals',
   apply: (mesh, { areas, layers }, renderer) => {
     const raised = layers.map((layer) => ({ ...layer, ...autoHeights(mesh) }))
-    const wrinkles = applyFurrow(mesh, { areas, layers: raised }, renderer, { relief: 'on' })
+    const wrinkles = applyAlone(mesh, { areas, layers: raised }, renderer, { relief: 'on' })
     return Object.assign(wrinkles, { ready: wrinkles.reliefReady() })
   },
 }

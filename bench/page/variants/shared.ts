@@ -1,0 +1,22 @@
+import { type Material, Mesh } from 'three'
+import { applyAlone, applyFurrow } from '../furrow.ts'
+import type { Variant } from '../variant.ts'
+
+/** Furrow's default mode of a face that shares its influence map with another, which is not drawn. */
+export const variant: Variant = {
+  canShow: ({ areas }) => areas === 8,
+  sameAs: 'furrow',
+  apply: (mesh, set, renderer) => {
+    const wrinkles = applyAlone(mesh, set, renderer, { mode: 'default' })
+    const material = (mesh.material as Material).clone()
+    const other = applyFurrow(new Mesh(mesh.geometry, material), set, renderer, { mode: 'default' })
+    return {
+      setActivation: (area, value) => wrinkles.setActivation(area, value),
+      dispose() {
+        other.dispose()
+        wrinkles.dispose()
+        material.dispose()
+      },
+    }
+  },
+}
