@@ -6,10 +6,10 @@ import { faceScene, HEIGHT, loadUndriven, renderWith, uvMaterial, WIDTH } from '
 import { createHarness, type Harness, LONG_TEST_RENDERERS } from './harness.ts'
 
 /**
- * What a picture may differ by where nothing wrinkles: compilers of graphics cards fuse a multiplication and an addition in one program that they
- * do not in another.
+ * What a picture may differ by where nothing wrinkles, a 4,000th of a step of 8 bits: the base is mixed at another length there, and compilers of
+ * graphics cards fuse a multiplication and an addition in one program that they do not in another.
  */
-const roundingOf = ({ adapter }: Harness) => (/swiftshader/i.test(adapter) ? 0 : 1e-6)
+const ROUNDING = 1e-6
 
 describe.each(LONG_TEST_RENDERERS)('areas of the shipped face on %s', (name) => {
   let harness: Harness
@@ -24,53 +24,49 @@ describe.each(LONG_TEST_RENDERERS)('areas of the shipped face on %s', (name) => 
   it.each([
     { area: 'foreheadLeft', view: 'front' },
     { area: 'crowsFeetLeft', view: 'three-quarter' },
-  ] as const)(
-    '$area alone changes pixels within its reach, and not one bit elsewhere',
-    async ({ area, view }) => {
-      const stage = faceScene(face, view)
-      const picture = () => harness.render(stage.scene, stage.camera, WIDTH, HEIGHT)
-      const rounding = roundingOf(harness)
-      const plain = await picture()
-      const wrinkles = new harness.Wrinkles(face.skin, set)
-      expect(largestDifference(await picture(), plain), 'nothing active').toBeLessThanOrEqual(rounding)
-      wrinkles.setActivation(area, 1)
-      const shown = await picture()
-      const influence = await renderWith(harness, face, stage, wrinkles.createInfluenceMaterial())
-      const uvs = await renderWith(harness, face, stage, uvMaterial(harness))
-      wrinkles.dispose()
+  ] as const)('$area alone changes pixels within its reach, and none elsewhere', async ({ area, view }) => {
+    const stage = faceScene(face, view)
+    const picture = () => harness.render(stage.scene, stage.camera, WIDTH, HEIGHT)
+    const plain = await picture()
+    const wrinkles = new harness.Wrinkles(face.skin, set)
+    expect(largestDifference(await picture(), plain), 'nothing active').toBeLessThanOrEqual(ROUNDING)
+    wrinkles.setActivation(area, 1)
+    const shown = await picture()
+    const influence = await renderWith(harness, face, stage, wrinkles.createInfluenceMaterial())
+    const uvs = await renderWith(harness, face, stage, uvMaterial(harness))
+    wrinkles.dispose()
 
-      const counts = {
-        untouched: 0,
-        untouchedChanged: 0,
-        core: 0,
-        coreSame: 0,
-        otherSide: 0,
-        otherSideChanged: 0,
+    const counts = {
+      untouched: 0,
+      untouchedChanged: 0,
+      core: 0,
+      coreSame: 0,
+      otherSide: 0,
+      otherSideChanged: 0,
+    }
+    for (let i = 0; i < WIDTH * HEIGHT; i++) {
+      if (uvs[i * 4 + 2] !== 1) continue
+      const changed = [0, 1, 2].some((c) => Math.abs(shown[i * 4 + c] - plain[i * 4 + c]) > ROUNDING)
+      if (influence[i * 4] === 0) {
+        counts.untouched++
+        if (changed) counts.untouchedChanged++
       }
-      for (let i = 0; i < WIDTH * HEIGHT; i++) {
-        if (uvs[i * 4 + 2] !== 1) continue
-        const changed = [0, 1, 2].some((c) => Math.abs(shown[i * 4 + c] - plain[i * 4 + c]) > rounding)
-        if (influence[i * 4] === 0) {
-          counts.untouched++
-          if (changed) counts.untouchedChanged++
-        }
-        if (influence[i * 4] > 0.9) {
-          counts.core++
-          if (!changed) counts.coreSame++
-        }
-        // The person's left is u > 0.5; the areas of both sides blend within 5% of the middle.
-        if (uvs[i * 4] < 0.45) {
-          counts.otherSide++
-          if (changed) counts.otherSideChanged++
-        }
+      if (influence[i * 4] > 0.9) {
+        counts.core++
+        if (!changed) counts.coreSame++
       }
-      expect(counts.untouched).toBeGreaterThan(1000)
-      expect(counts.untouchedChanged).toBe(0)
-      expect(counts.core).toBeGreaterThan(area === 'foreheadLeft' ? 300 : 30)
-      // Between two lines the skin stays smooth.
-      expect(counts.coreSame / counts.core).toBeLessThan(0.35)
-      expect(counts.otherSide).toBeGreaterThan(1000)
-      expect(counts.otherSideChanged).toBe(0)
-    },
-  )
+      // The person's left is u > 0.5; the areas of both sides blend within 5% of the middle.
+      if (uvs[i * 4] < 0.45) {
+        counts.otherSide++
+        if (changed) counts.otherSideChanged++
+      }
+    }
+    expect(counts.untouched).toBeGreaterThan(1000)
+    expect(counts.untouchedChanged).toBe(0)
+    expect(counts.core).toBeGreaterThan(area === 'foreheadLeft' ? 300 : 30)
+    // Between two lines the skin stays smooth.
+    expect(counts.coreSame / counts.core).toBeLessThan(0.35)
+    expect(counts.otherSide).toBeGreaterThan(1000)
+    expect(counts.otherSideChanged).toBe(0)
+  })
 })

@@ -146,15 +146,16 @@ const OWN = /texture2D\( *normalMap, *vNormalMapUv *\)\.xyz \* 2\.0 - 1\.0/
 
 const READ = /\bnormalMap\s*,/
 
+/** Of x and y that are longer than 1, by rounding, z is the root of what they exceed it by: a limit would be one step more. */
 const TEXEL = /* glsl */ `
 vec4 furrowTexel;
 vec3 furrowWithZ(vec2 stored) {
   vec2 xy = stored * 2.0 - 1.0;
-  return vec3(xy, sqrt(max(1.0 - dot(xy, xy), 1e-6)));
+  return vec3(xy, sqrt(abs(1.0000002 - dot(xy, xy))));
 }
 
 vec3 furrowHalfWithZ(vec2 stored) {
   vec2 xy = stored - 0.5;
-  return vec3(stored, sqrt(max(0.25 - dot(xy, xy), 1e-6)));
+  return vec3(stored, sqrt(abs(0.2500001 - dot(xy, xy))));
 }
 `
