@@ -187,6 +187,9 @@ describe.each(RENDERERS)('the mode auto on %s', (name) => {
     await first.moved()
     await first.composed()
     const second = face(options)
+    // Programs of the first are others once it is not alone in its influence map, and its maps are made anew.
+    await first.moved()
+    await first.composed()
     await second.frames()
     expect(second.shown).toMatchObject({ isComposed: false, isDual: false })
     first.wrinkles.dispose()

@@ -1,15 +1,9 @@
 import type { WrinkleSet } from 'furrow'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import type { Face } from '../../stage/face.ts'
-import { largestDifference } from './difference.ts'
+import { largestDifference, ROUNDING } from './difference.ts'
 import { faceScene, HEIGHT, loadUndriven, renderWith, uvMaterial, WIDTH } from './face.ts'
 import { createHarness, type Harness, LONG_TEST_RENDERERS } from './harness.ts'
-
-/**
- * What a picture may differ by where nothing wrinkles, a 4,000th of a step of 8 bits: the base is mixed at another length there, and compilers of
- * graphics cards fuse a multiplication and an addition in one program that they do not in another.
- */
-const ROUNDING = 1e-6
 
 describe.each(LONG_TEST_RENDERERS)('areas of the shipped face on %s', (name) => {
   let harness: Harness

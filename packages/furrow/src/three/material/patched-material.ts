@@ -157,7 +157,7 @@ export class PatchedMaterial {
     if (this.#shown?.isFor?.(mesh) === false) this.#apply(this.mode)
   }
 
-  /** Called when the influence map is no longer that of the face alone, for which its program may be made. */
+  /** Called when the influence map is no longer that of the face alone, for which its program may be made. Maps of the mode `auto` are made anew. */
   share(): void {
     if (isMixed(this.mode)) this.#apply(this.mode)
   }
