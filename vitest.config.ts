@@ -47,7 +47,9 @@ export default defineConfig({
       packagesProject('heavy-packages', HEAVY_PACKAGES),
       pagesProject('pages', 'test/pages/**/*.test.ts', [HEAVY_PAGES]),
       pagesProject('heavy-pages', HEAVY_PAGES),
-      gpuProject('gpu', ['test/gpu/**/*.test.ts'], [HEAVY_GPU]),
+      // In two browsers, side by side: each has one test after the other, which keeps one core busy.
+      gpuProject('gpu', ['test/gpu/*.test.ts'], [HEAVY_GPU]),
+      gpuProject('gpu-rooms', ['test/gpu/*/**/*.test.ts'], [HEAVY_GPU]),
       inDepth(gpuProject('heavy-gpu', [HEAVY_GPU, ...FILES_IN_DEPTH])),
       pagesProject('batch', 'test/batch/**/*.test.ts'),
       pagesProject('site', 'test/site/**/*.test.ts'),

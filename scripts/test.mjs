@@ -10,7 +10,7 @@ import { Failure, main, run, say } from './lib/run.mjs'
 import { setUp } from './lib/set-up.mjs'
 
 /** Vitest's projects in `npm test` and in `npm run test:heavy`. */
-const ALWAYS = ['unit', 'packages', 'gpu', 'pages']
+const ALWAYS = ['unit', 'packages', 'gpu', 'gpu-rooms', 'pages']
 const HEAVY = ['heavy', 'heavy-packages', 'heavy-pages', 'heavy-gpu', 'gpu-oldest']
 
 /** Tests that were left out are named, as far as this many. */

@@ -46,10 +46,10 @@ export function layerNormal(kind: LayerKind, slice: number): string {
 }
 
 /**
- * A z of exactly 0 would leave no normal, or divide an influence of 0 by 0; it never comes out of this.
+ * `FURROW_FLAT` takes half of z from what is stored, but for a little: a z of exactly 0 would leave no normal, or divide an influence of 0 by 0.
  *
- * Reoriented normal mapping, see `reorientNormal` in the reference: the same direction, of a base of any length, and of a detail with this slope times
- * its depth. With the base's length l, t = (x, y, z + l) and r = (-slope, depth), t dot(t, r) / t.z - l r is multiplied out, so that a slope of 0 leaves
+ * `furrowReorient` is reoriented normal mapping, see `reorientNormal` in the reference: the same direction, of a base of any length, and of a detail with
+ * this slope times its depth. With the base's length l, t = (x, y, z + l) and r = (-slope, depth), t dot(t, r) / t.z - l r is multiplied out, so that a slope of 0 leaves
  * the base's direction. What is added to the length keeps z + l from 0; a limit would be one step more.
  */
 const DETAILS = /* glsl */ `
