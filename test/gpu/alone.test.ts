@@ -1,6 +1,5 @@
 import {
   AmbientLight,
-  DataTexture,
   DirectionalLight,
   type Material,
   MeshPhysicalMaterial,
@@ -12,6 +11,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { layer, randomAreas, randomImage, randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference, ROUNDING } from './difference.ts'
+import { mapOf } from './face.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
 
 const SIZE = 64
@@ -68,8 +68,7 @@ describe.each(RENDERERS)('normals of layers that point into the surface, on %s',
   it('leave the skin as it is where nothing wrinkles', async () => {
     const harness = await createHarness(name)
     const random = seeded(5)
-    const base = randomNormals(random, 16)
-    const material = new MeshPhysicalMaterial({ normalMap: mapOf(base.data) })
+    const material = new MeshPhysicalMaterial({ normalMap: mapOf(randomNormals(random, 16)) })
     const scene = (own: Material) => {
       const mesh = square(own)
       return { mesh, scene: new Scene().add(mesh, new DirectionalLight(), new AmbientLight()) }
@@ -95,9 +94,3 @@ describe.each(RENDERERS)('normals of layers that point into the surface, on %s',
 
 /** What renderers leave where nothing was baked. */
 const BLACK = { width: 16, height: 16, data: new Uint8Array(4 * 16 * 16) }
-
-function mapOf(data: Uint8Array): DataTexture {
-  const map = new DataTexture(data, 16, 16)
-  map.needsUpdate = true
-  return map
-}

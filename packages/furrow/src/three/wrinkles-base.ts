@@ -101,7 +101,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.#atlas = this.#frame.atlasFor(areas.width, areas.height, layers.length)
     this.#cells = this.#atlas.add(this.faces)
     this.#entry = this.#frame.add(this)
-    this.#inputs = createShaderInputs(textures, areas, this.#atlas)
+    this.#inputs = createShaderInputs(textures, areas, this.#atlas, instancesOf(mesh) !== null)
     this.#material = new PatchedMaterial(this.#meshes, material, this.#inputs, renderer, {
       textureBudget: allOptions.textureBudget,
       // Also after a first frame without wrinkles, so that the first one with them waits for no program. Not within `compile`, whose lights

@@ -16,7 +16,7 @@ export interface ShaderInputs {
   readonly areaTexture: { value: Texture }
   /** The atlas of influence maps. */
   readonly influence: { value: Texture }
-  /** Whether that is the map of one face, see `AtlasCells.isSingle`. */
+  /** Whether that is the map of one face, which is no instance, see `AtlasCells.isSingle`. */
   isAlone(): boolean
   /** Columns and rows of its cells, and the index of this mesh's first cell. */
   readonly grid: { value: Vector3 }
@@ -45,6 +45,7 @@ export function createShaderInputs(
   textures: WrinkleTextures,
   areas: AreaArray,
   atlas: InfluenceAtlas,
+  isInstanced: boolean,
 ): ShaderInputs {
   const { cells, target } = atlas
   for (const texture of [areas.texture, ...listTextures(textures)]) retain(texture)
@@ -53,7 +54,7 @@ export function createShaderInputs(
     areas,
     areaTexture: { value: areas.texture },
     influence: { value: target.texture },
-    isAlone: () => cells.isSingle,
+    isAlone: () => !isInstanced && cells.isSingle,
     grid: { value: new Vector3() },
     cell: { value: new Vector4() },
     inside: { value: new Vector4().copy(cells.inside as Vector4) },

@@ -34,10 +34,9 @@ export function layersOf(
   isTiled: boolean,
 ): LayerInfluence {
   const uv = varying(mapUv(material))
-  const instances = instancesOf(mesh)
-  const isOnly = !instances && inputs.isAlone()
+  const within = isTiled ? repeat(uv).toVar() : uv
   return {
-    influence: influenceFromMap(inputs, isTiled ? repeat(uv).toVar() : uv, instances, false, isOnly),
+    influence: influenceFromMap(inputs, within, instancesOf(mesh), false, inputs.isAlone()),
     uv,
     sampler: isTiled ? byGradients : bySampler,
   }
