@@ -3,11 +3,8 @@
 import { mkdir, writeFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import { parseArgs } from 'node:util'
-import { measureCpu, measureCrowdCpu, measureLeastCpu } from './cpu.mjs'
-import { chromiumHost, nodeHost } from './hosts.mjs'
+import { setUp } from '../scripts/lib/set-up.mjs'
 import { parseRounds, parseSize } from './options.mjs'
-import { runServed, serve } from './serve.mjs'
-import { measureSizes } from './size.mjs'
 
 const { values: options } = parseArgs({
   options: {
@@ -20,6 +17,13 @@ const { values: options } = parseArgs({
     node: { type: 'boolean', default: false },
   },
 })
+
+await setUp()
+// These need what it installs and builds.
+const { measureCpu, measureCrowdCpu, measureLeastCpu } = await import('./cpu.mjs')
+const { chromiumHost, nodeHost } = await import('./hosts.mjs')
+const { runServed, serve } = await import('./serve.mjs')
+const { measureSizes } = await import('./size.mjs')
 
 const server = await serve()
 await runServed(server, run)
@@ -51,7 +55,10 @@ async function run() {
       const setup = { width, height, renderer, ...(await page.open(renderer, width, height, face)) }
       for (const [k, benchCase] of cases.entries()) {
         found.push(...toResults(benchCase, setup, await page.measure(benchCase, plan)))
-        progress(i * cases.length + k + 1, renderers.length * cases.length)
+        const [done, total] = [i * cases.length + k + 1, renderers.length * cases.length]
+        progress(done, total)
+        // There is no bar in a log, where lines do no harm.
+        if (!process.stderr.isTTY) process.stderr.write(`bench: ${done} of ${total} cases\n`)
       }
       updates.push([renderer, await page.measureUpdates(plan)])
       await page.close()
