@@ -20,6 +20,10 @@ export interface Plan {
   rounds: number
   /** Names of the variants, all by default; the plain face must be one. */
   variants?: readonly string[]
+  /** Called after each round. */
+  onRound?: () => void
+  /** Ends it early. */
+  signal?: AbortSignal
 }
 
 export const PLANS = {

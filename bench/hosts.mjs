@@ -1,5 +1,5 @@
-// Hosts in which the benchmark's page runs. A host's `open` returns the functions of a page (`BenchPage` in page/page.ts) for one
-// renderer, callable from this process.
+// Hosts in which the benchmark's page runs. A host's `name` has its version and system; `open` returns the functions of a page (`BenchPage`
+// in page/page.ts) for one renderer, callable from this process.
 
 import { emulateBrowser } from './dawn.mjs'
 import { launchTimed, openPage } from './serve.mjs'
@@ -8,6 +8,7 @@ import { launchTimed, openPage } from './serve.mjs'
 export async function chromiumHost(server) {
   const browser = await launchTimed(server)
   return {
+    name: `Chromium ${browser.version()}, ${process.platform}`,
     async open() {
       const page = await openPage(server, browser, '/bench/page/page.html', 'bench')
       const call =
@@ -25,6 +26,7 @@ export async function nodeHost(server) {
   await emulateBrowser()
   await server.ssrLoadModule('/bench/page/page.ts')
   return {
+    name: `Dawn in Node ${process.versions.node}, ${process.platform}`,
     async open() {
       const call =
         (name) =>

@@ -32,6 +32,7 @@ if (options.node) process.exit()
 
 async function run() {
   const { listCases, PLANS, RENDERER_KINDS } = await server.ssrLoadModule('/bench/case.ts')
+  const { toLine } = await server.ssrLoadModule('/bench/line.ts')
   const { toPlot } = await server.ssrLoadModule('/bench/plot.ts')
   const { toResults, toTable } = await server.ssrLoadModule('/bench/report.ts')
   const { CROWD_KINDS, CROWD_PICTURE } = await server.ssrLoadModule('/bench/page/crowd.ts')
@@ -100,6 +101,8 @@ async function run() {
   for (const [what, { gzip, brotli }] of Object.entries(await measureSizes())) {
     process.stdout.write(`download: ${what}: ${kilobytes(gzip)} by gzip, ${kilobytes(brotli)} by Brotli\n`)
   }
+  const line = toLine(results, { browser: host.name, date: new Date() })
+  process.stdout.write(`\nto send what was measured here, paste this line into an issue:\n\n${line}\n`)
 }
 
 /** Writes one plot per renderer. */

@@ -20,6 +20,8 @@ const MAX_WARM_UP = 2000
 const MIN_MS = 20
 /** Frames to time at once: each has up to a dozen passes, and a clock has room for 2048. */
 const MAX_FRAMES = 64
+/** How often each variant is timed in a round, in turns; the quickest counts, since other processes only ever slow down. */
+const TURNS = 3
 
 export interface Bench {
   renderer: RendererKind
@@ -38,10 +40,10 @@ interface Candidate {
 }
 
 /**
- * Times every variant that can show a case, in rounds of one turn each. Every round compiles all of them anew: a rasteriser's compiler makes
- * code of the same shader that is slower by a tenth or two now and then.
+ * Times every variant that can show a case, in rounds. Every round compiles all of them anew: a rasteriser's compiler makes code of the
+ * same shader that is slower by a tenth or two now and then.
  *
- * @throws Error if a variant shows no wrinkles.
+ * @throws Error if a variant shows no wrinkles; the signal's reason when it is aborted, with nothing left behind.
  */
 export async function measure(bench: Bench, benchCase: Case, plan: Plan): Promise<Measured[]> {
   const set = createSet(bench.face, benchCase)
@@ -51,19 +53,19 @@ export async function measure(bench: Bench, benchCase: Case, plan: Plan): Promis
     const candidates = createCandidates(bench, benchCase, set, plan)
     try {
       await Promise.all(candidates.map(({ applied }) => applied.ready))
-      for (const candidate of candidates) await warmUp(bench, benchCase, candidate)
+      for (const candidate of candidates) {
+        plan.signal?.throwIfAborted()
+        await warmUp(bench, benchCase, candidate)
+      }
       if (round === 0) {
         const changed = await changedFractions(bench, benchCase, candidates)
         measured.push(
           ...candidates.map(({ name }, i) => ({ variant: name, rounds: [], changed: changed[i] })),
         )
       }
-      const order = roundOrder(candidates.length, round)
-      // Whoever comes first also waits for what is left of setting up all of them.
-      await time(bench, benchCase, candidates[order[0]], round)
-      for (const i of order) {
-        measured[i].rounds.push(await time(bench, benchCase, candidates[i], round))
-      }
+      const times = await timeInTurns(bench, benchCase, candidates, round, plan.signal)
+      for (const [i, ms] of times.entries()) measured[i].rounds.push(ms)
+      plan.onRound?.()
     } finally {
       for (const { mesh, applied } of candidates) {
         applied.dispose()
@@ -147,15 +149,34 @@ function differingFraction(a: Uint8Array, b: Uint8Array): number {
   return count / a.length
 }
 
-/** Milliseconds per frame, the mean of enough frames to be timed well, after one frame that only sets their number. */
-async function time(bench: Bench, benchCase: Case, candidate: Candidate, start: number): Promise<number> {
-  let index = start
-  const frames = (count: number) => () => {
-    for (let i = 0; i < count; i++) drawFrame(bench, benchCase, candidate, index++)
+/** Milliseconds per frame of each variant: the quickest of its turns, each the mean of enough frames to be timed well. */
+async function timeInTurns(
+  bench: Bench,
+  benchCase: Case,
+  candidates: readonly Candidate[],
+  round: number,
+  signal?: AbortSignal,
+): Promise<number[]> {
+  let index = round
+  const time = (candidate: Candidate, count: number) =>
+    bench.timedRenderer.time(() => {
+      for (let i = 0; i < count; i++) drawFrame(bench, benchCase, candidate, index++)
+    })
+  const counts: number[] = []
+  // Whoever comes first also waits for what is left of setting up all of them.
+  await time(candidates[0], 1)
+  for (const candidate of candidates) {
+    const first = await time(candidate, 1)
+    counts.push(Math.min(Math.max(Math.ceil(MIN_MS / first), 1), MAX_FRAMES))
   }
-  const first = await bench.timedRenderer.time(frames(1))
-  const count = Math.min(Math.max(Math.ceil(MIN_MS / first), 1), MAX_FRAMES)
-  return (await bench.timedRenderer.time(frames(count))) / count
+  const quickest = candidates.map(() => Number.POSITIVE_INFINITY)
+  for (let turn = 0; turn < TURNS; turn++) {
+    for (const i of roundOrder(candidates.length, round + turn)) {
+      signal?.throwIfAborted()
+      quickest[i] = Math.min(quickest[i], (await time(candidates[i], counts[i])) / counts[i])
+    }
+  }
+  return quickest
 }
 
 /** Draws one frame with one variant only. */

@@ -25,6 +25,8 @@ export interface TimedRenderer {
   time: Clock
   /** Pixels of the last frame, RGBA bytes. */
   read(): Promise<Uint8Array>
+  /** Gives the adapter's memory back. */
+  dispose(): void
 }
 
 /** @throws Error if WebGPU is missing, so that the fallback to WebGL 2 is not measured under its name. */
@@ -56,6 +58,11 @@ async function createWebGL(width: number, height: number): Promise<TimedRenderer
       renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels)
       return pixels
     },
+    dispose() {
+      renderer.dispose()
+      // Browsers keep a few contexts only, until they collect garbage.
+      renderer.forceContextLoss()
+    },
   }
 }
 
@@ -79,6 +86,7 @@ async function createWebGPU(width: number, height: number): Promise<TimedRendere
     update: (wrinkles) => wrinkles.update(renderer),
     time: clock ?? fenceClock(() => device.queue.onSubmittedWorkDone()),
     read: async () => (await renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height)) as Uint8Array,
+    dispose: () => renderer.dispose(),
   }
 }
 

@@ -1,4 +1,5 @@
 import { fileURLToPath } from 'node:url'
+import { defaultClientConditions } from 'vite'
 import { repositoryAddress } from '../places.mjs'
 import { NAVIGATION, sidebar } from './contents.mjs'
 import { indentedCode } from './indented-code.mjs'
@@ -52,6 +53,8 @@ export default {
     externalLinkIcon: true,
   },
   vite: {
+    // Sources, not builds: the benchmark reaches into them, and two copies of the library know nothing of each other's faces.
+    resolve: { conditions: ['furrow-source', ...defaultClientConditions] },
     cacheDir: folder('../../node_modules/.vite/site'),
     worker: { format: 'es' },
     build: { chunkSizeWarningLimit: 2500 },

@@ -1,53 +1,78 @@
 /** The quick benchmark of bench/, on the visitor's own GPU. */
 
-import { listCases, PLANS, RENDERER_KINDS } from '../../bench/case.ts'
+import { listCases, RENDERER_KINDS } from '../../bench/case.ts'
+import { LINE_VARIANTS, toLine } from '../../bench/line.ts'
 import { measure } from '../../bench/page/measure.ts'
 import { createScene } from '../../bench/page/scene.ts'
 import { createTimedRenderer } from '../../bench/page/timed-renderer.ts'
-import { type Result, toResults, toTable } from '../../bench/report.ts'
+import { type Result, toResults } from '../../bench/report.ts'
 import { loadFace } from '../../stage/face.ts'
 import type { RendererKind } from '../../stage/stage.ts'
+import { browserName } from './browser-name.ts'
 
-const SIZE = { width: 800, height: 600 }
+/** Most pages fill less, and small pictures are where wrinkles cost most beside the plain face. */
+const SIZE = { width: 1280, height: 720 }
+/** Graphics cards make the same program of a shader each time, unlike rasterisers. */
+const ROUNDS = 3
+
+export interface BenchmarkRun {
+  results: Result[]
+  /** What can be sent: a row of the table in bench/machines.md. */
+  line: string
+  /** What could not be measured, and why. */
+  notes: string[]
+}
 
 /**
- * Measures, and returns what can be pasted into an issue: adapters, browser and a table in Markdown.
+ * Measures what the visitor's browser has.
  *
  * @param face address of `faces/human.glb`.
  * @param progress called with the fraction that is done, 0..1.
- * @throws Error if nothing could be measured.
+ * @throws Error if nothing could be measured; the signal's reason when it is aborted.
  */
-export async function runBenchmark(face: string, progress: (fraction: number) => void): Promise<string> {
-  const kinds = RENDERER_KINDS.filter((kind) => kind === 'webgl' || 'gpu' in navigator)
-  const cases = listCases(true)
+export async function runBenchmark(
+  face: string,
+  progress: (fraction: number) => void,
+  signal: AbortSignal,
+): Promise<BenchmarkRun> {
   const results: Result[] = []
   const notes: string[] = []
-  for (const [i, kind] of kinds.entries()) {
+  for (const [i, kind] of RENDERER_KINDS.entries()) {
+    const report = (fraction: number) => progress((i + fraction) / RENDERER_KINDS.length)
     try {
-      const report = (k: number) => progress((i + k / cases.length) / kinds.length)
-      results.push(...(await runOn(kind, face, report)))
+      results.push(...(await runOn(kind, face, report, signal)))
     } catch (error) {
+      signal.throwIfAborted()
       notes.push(`${kind}: ${(error as Error).message}`)
     }
   }
   if (results.length === 0) throw new Error(notes.join('; '))
-  const adapters = results.map(
-    ({ renderer, adapter, timing }) => `${renderer}: ${adapter}, timed by ${timing}`,
-  )
-  return [...new Set(adapters), ...notes, navigator.userAgent, '', toTable(results)].join('\n')
+  return { results, notes, line: toLine(results, { browser: await browserName(), date: new Date() }) }
 }
 
-async function runOn(renderer: RendererKind, url: string, report: (done: number) => void): Promise<Result[]> {
+async function runOn(
+  renderer: RendererKind,
+  url: string,
+  report: (fraction: number) => void,
+  signal: AbortSignal,
+): Promise<Result[]> {
   const { width, height } = SIZE
   const face = await loadFace(url)
   const timedRenderer = await createTimedRenderer(renderer, width, height)
-  const { adapter, timing } = timedRenderer
-  const bench = { renderer, timedRenderer, face, ...createScene(face, width / height) }
-  const results: Result[] = []
-  for (const [k, benchCase] of listCases(true).entries()) {
-    const measured = await measure(bench, benchCase, PLANS.quick)
-    results.push(...toResults(benchCase, { width, height, renderer, adapter, timing }, measured))
-    report(k + 1)
+  try {
+    const { adapter, timing } = timedRenderer
+    const bench = { renderer, timedRenderer, face, ...createScene(face, width / height) }
+    const cases = listCases(true)
+    const results: Result[] = []
+    let done = 0
+    const onRound = () => report(++done / (cases.length * ROUNDS))
+    const plan = { rounds: ROUNDS, variants: LINE_VARIANTS, onRound, signal }
+    for (const benchCase of cases) {
+      const measured = await measure(bench, benchCase, plan)
+      results.push(...toResults(benchCase, { width, height, renderer, adapter, timing }, measured))
+    }
+    return results
+  } finally {
+    timedRenderer.dispose()
   }
-  return results
 }

@@ -1,0 +1,81 @@
+import { REVISION } from 'three'
+import { version } from '../packages/furrow/package.json'
+import type { RendererKind } from '../stage/stage.ts'
+import { RENDERER_KINDS } from './case.ts'
+import type { Result } from './report.ts'
+
+/** What a run was measured with, besides the adapter. */
+export interface Machine {
+  /** The browser, or what stands for it, with its version and its system. */
+  browser: string
+  date: Date
+}
+
+/** Ratios in a line, in its order. */
+const RATIOS: readonly { title: string; variant: string; maps: Result['maps'] }[] = [
+  ...['furrow', 'auto', 'stripped', 'jimenez', 'o3de'].map(
+    (variant) => ({ title: variant, variant, maps: 'normals' }) as const,
+  ),
+  ...['furrow', 'auto', 'stripped'].map(
+    (variant) => ({ title: `all maps: ${variant}`, variant, maps: 'all' }) as const,
+  ),
+]
+
+/** Variants that a line is made of. */
+export const LINE_VARIANTS: readonly string[] = ['plain', ...new Set(RATIOS.map(({ variant }) => variant))]
+
+const TITLES = [
+  'date',
+  'adapter',
+  'browser',
+  'picture',
+  'timed by',
+  'plain, ms',
+  ...RATIOS.map(({ title }) => title),
+  'versions',
+]
+
+/** The heading of a table of lines, in Markdown. */
+export const LINE_HEADING: string = [TITLES, TITLES.map(() => '---')].map(toRow).join('\n')
+
+/**
+ * A run in one line, to be sent: a row of the table in bench/machines.md, in Markdown. It has the cases of 8 areas and one layer: of WebGL,
+ * and after a semicolon of WebGPU; ratios to the plain face where areas move, and after a comma where they stand. What was not measured
+ * is a dash.
+ */
+export function toLine(results: readonly Result[], { browser, date }: Machine): string {
+  const shown = results.filter(({ areas, active, layers }) => areas === 8 && active === 8 && layers === 1)
+  const [{ width, height }] = shown
+  const find = (renderer: RendererKind, variant: string, maps: Result['maps'], still: boolean) =>
+    shown.find(
+      (result) =>
+        result.renderer === renderer &&
+        result.variant === variant &&
+        result.maps === maps &&
+        result.still === still,
+    )
+  const distinct = (name: 'adapter' | 'timing') =>
+    [...new Set(shown.map((result) => result[name]))].join('; ')
+  const ofEach = (value: (renderer: RendererKind) => string) => RENDERER_KINDS.map(value).join('; ')
+  return toRow([
+    date.toISOString().slice(0, 10),
+    distinct('adapter'),
+    browser,
+    `${width} x ${height}`,
+    distinct('timing'),
+    ofEach((renderer) => find(renderer, 'plain', 'normals', false)?.medianMs.toFixed(2) ?? '-'),
+    ...RATIOS.map(({ variant, maps }) =>
+      ofEach((renderer) =>
+        [false, true]
+          .map((still) => find(renderer, variant, maps, still)?.ratioToPlain.toFixed(3) ?? '-')
+          .join(', '),
+      ),
+    ),
+    `furrow ${version}, three.js r${REVISION}`,
+  ])
+}
+
+/** A row of a table, whose cells may hold what would end them. */
+function toRow(cells: readonly string[]): string {
+  return `| ${cells.map((cell) => cell.replaceAll(/\s+/g, ' ').replaceAll('|', '\\|')).join(' | ')} |`
+}

@@ -1,0 +1,38 @@
+import type { Result } from '../../bench/report.ts'
+
+/** What wrinkles that move add to the plain face's frame, on one renderer. */
+export interface ExtraCosts {
+  renderer: string
+  adapter: string
+  plainMs: number
+  bars: Bar[]
+}
+
+export interface Bar {
+  name: string
+  /** Of the plain face's time. */
+  extra: number
+  /** Of the longest bar of all renderers, 0..1. */
+  length: number
+}
+
+const TITLES = { webgl: 'WebGL 2', webgpu: 'WebGPU' }
+const MAPS = { normals: '', all: ', all maps' }
+
+/** Bars of each renderer that was measured, in the order of the results. */
+export function extraCosts(results: readonly Result[]): ExtraCosts[] {
+  const moving = results.filter(({ still }) => !still)
+  const longest = Math.max(...moving.map(({ ratioToPlain }) => ratioToPlain - 1))
+  return [...new Set(moving.map(({ renderer }) => renderer))].map((kind) => {
+    const own = moving.filter(({ renderer }) => renderer === kind)
+    const [{ renderer, adapter, medianMs: plainMs }] = own.filter(({ variant }) => variant === 'plain')
+    const bars = own
+      .filter(({ variant }) => variant !== 'plain')
+      .map(({ variant, maps, ratioToPlain }) => {
+        const extra = ratioToPlain - 1
+        // Noise makes some a little quicker than the plain face.
+        return { name: variant + MAPS[maps], extra, length: Math.max(0, extra) / longest }
+      })
+    return { renderer: TITLES[renderer], adapter, plainMs, bars }
+  })
+}
