@@ -2,10 +2,10 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { playwright } from '@vitest/browser-playwright'
 import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config'
 import { CHROMIUM_FLAGS } from './packages/cli/src/chromium-flags.ts'
-import { FILES_IN_DEPTH, inDepth } from './test/gpu/in-depth.ts'
 import { mtoonNodes } from './test/gpu/mtoon-nodes.ts'
 import { FILES_FOR_OLDEST, onOldestThree } from './test/gpu/oldest-three.ts'
 import { serveFaces } from './test/gpu/serve-faces.ts'
+import { GPU_FILES_IN_DEPTH, inDepth, UNIT_FILES_IN_DEPTH } from './test/in-depth.ts'
 
 // Sources, not builds: the `furrow-source` condition of the packages' exports.
 const resolve = { conditions: ['furrow-source', 'module', 'browser', 'development|production'] }
@@ -33,16 +33,20 @@ export default defineConfig({
       {
         resolve,
         ssr,
-        // What meets Node itself; arithmetic and damaged input are the same on every release.
+        // What meets Node itself; arithmetic, damaged input and what files mean are the same on every release.
         test: {
           name: 'lts',
           include: ['test/unit/{auto,cli,core,gltf,runtime}/**/*.test.ts', 'test/unit/scripts.test.ts'],
-          exclude: [HEAVY, '**/fuzz.test.ts', '**/bad-input.test.ts'],
+          exclude: [HEAVY, '**/{fuzz,bad-input,validate,vrm}.test.ts'],
           ...SOON,
           ...ALL_CORES,
         },
       },
-      { resolve, ssr, test: { name: 'heavy', include: [HEAVY], ...SOON, ...ALL_CORES } },
+      inDepth({
+        resolve,
+        ssr,
+        test: { name: 'heavy', include: [HEAVY, ...UNIT_FILES_IN_DEPTH], ...SOON, ...ALL_CORES },
+      }),
       packagesProject('packages', 'test/packages/**/*.test.ts', [HEAVY_PACKAGES]),
       packagesProject('heavy-packages', HEAVY_PACKAGES),
       pagesProject('pages', 'test/pages/**/*.test.ts', [HEAVY_PAGES]),
@@ -50,7 +54,7 @@ export default defineConfig({
       // In two browsers, side by side: each has one test after the other, which keeps one core busy.
       gpuProject('gpu', ['test/gpu/*.test.ts'], [HEAVY_GPU]),
       gpuProject('gpu-rooms', ['test/gpu/*/**/*.test.ts'], [HEAVY_GPU]),
-      inDepth(gpuProject('heavy-gpu', [HEAVY_GPU, ...FILES_IN_DEPTH])),
+      inDepth(gpuProject('heavy-gpu', [HEAVY_GPU, ...GPU_FILES_IN_DEPTH])),
       pagesProject('batch', 'test/batch/**/*.test.ts'),
       pagesProject('site', 'test/site/**/*.test.ts'),
       inDepth(onOldestThree(gpuProject('gpu-oldest', FILES_FOR_OLDEST))),

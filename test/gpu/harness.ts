@@ -29,6 +29,9 @@ export const LONG_TEST_RENDERERS: readonly RendererName[] = inject('inDepth')
   ? RENDERERS
   : ['webgl', 'webgpu']
 
+/** Those of tests that take longest: on every change the first one alone. */
+export const LONGEST_TEST_RENDERERS: readonly RendererName[] = inject('inDepth') ? RENDERERS : ['webgl']
+
 /** The number of random cases that are compared with the reference, or the first of them. */
 export const casesIn = (all: number) => (inject('inDepth') ? all : Math.ceil(all / 4))
 

@@ -6,7 +6,7 @@ import { layer } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { drawn, FRAMES, MAP, UNSEEN, useFaces } from './auto-face.ts'
 import { largestDifference } from './difference.ts'
-import { LONG_TEST_RENDERERS, squareCamera } from './harness.ts'
+import { LONGEST_TEST_RENDERERS, squareCamera } from './harness.ts'
 import { normalMap } from './normal-map.ts'
 
 /** Sides of pictures with sixteen pixels for each texel, and with one. */
@@ -63,7 +63,7 @@ function ownMap(seed: number): DataTexture {
   return map
 }
 
-describe.each(LONG_TEST_RENDERERS)(
+describe.each(LONGEST_TEST_RENDERERS)(
   'a face in the mode auto that is seen large while it moves, on %s',
   (name) => {
     const faces = useFaces(name)

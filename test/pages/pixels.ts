@@ -11,6 +11,10 @@ export interface Region {
 /** A whole picture. */
 export const WHOLE: Region = { left: 0, top: 0, right: 1, bottom: 1 }
 
+/** The shipped face's forehead from the front, and a region that its wrinkles do not reach. */
+export const FOREHEAD: Region = { left: 0.42, top: 0.18, right: 0.58, bottom: 0.34 }
+export const CHIN: Region = { left: 0.42, top: 0.62, right: 0.58, bottom: 0.74 }
+
 /** Largest difference in any channel of two pictures of equal size within a region. */
 export function largestDifference(a: CanvasPixels, b: CanvasPixels, region: Region): number {
   let largest = 0

@@ -1,13 +1,13 @@
 import { mkdtempSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import { beforeAll, expect, test } from 'vitest'
+import { beforeAll, expect, inject, test } from 'vitest'
 import { bundle } from '../../../scripts/lib/bundle.mjs'
 import { COMMANDS } from '../../fuzz/cases.ts'
 import { fuzz } from '../../fuzz/fuzz.ts'
 
 // More: `npm run fuzz -- --count 5000 --seed 2 --command auto`.
-const COUNT = 50
+const COUNT = inject('inDepth') ? 100 : 30
 const SEED = 1
 
 let child = ''

@@ -3,7 +3,7 @@ import { parseWrinkleMaps, type WrinkleMaps } from 'furrow'
 import { describe, expect, it } from 'vitest'
 import { IDENTITY } from '../../../packages/furrow/src/drivers/curve.ts'
 import { readUsualMaps } from '../../../packages/furrow/src/drivers/usual-maps.ts'
-import { mutate, mutation } from '../gltf/mutations.ts'
+import { MUTATED, mutate, mutation } from '../gltf/mutations.ts'
 
 const TEXTURES = 6
 const FILE = {
@@ -61,7 +61,7 @@ describe('readUsualMaps', () => {
     expect(readUsualMaps(still, FILE)).toEqual(parseWrinkleMaps(still, TEXTURES))
   })
 
-  it('reads all 100,000 mutated documents as that does, or not at all', () => {
+  it('reads all mutated documents as that does, or not at all', () => {
     const text = JSON.stringify(usual)
     let [read, left, refused] = [0, 0, 0]
     fc.assert(
@@ -73,11 +73,11 @@ describe('readUsualMaps', () => {
         else left++
         if (maps) expect(maps).toEqual(parsed)
       }),
-      { numRuns: 100_000, seed: 5 },
+      { numRuns: MUTATED, seed: 5 },
     )
     // Of those that are sound few are left: slices, and drivers of other types.
-    expect(read).toBeGreaterThan(5_000)
-    expect(refused).toBeGreaterThan(30_000)
+    expect(read).toBeGreaterThan(MUTATED / 20)
+    expect(refused).toBeGreaterThan(0.3 * MUTATED)
     expect(left).toBeLessThan(read / 4)
   })
 

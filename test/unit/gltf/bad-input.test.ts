@@ -2,7 +2,7 @@ import type { JSONDocument } from '@gltf-transform/core'
 import fc from 'fast-check'
 import { FurrowError, parseWrinkleMaps, type WrinkleMaps } from 'furrow'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { mutate, mutation } from './mutations.ts'
+import { MUTATED, mutate, mutation } from './mutations.ts'
 import { createIO, createSample, NAME } from './sample.ts'
 
 // biome-ignore lint/suspicious/noExplicitAny: invalid on purpose
@@ -148,7 +148,7 @@ function isValid({ layers, areas, drivers }: WrinkleMaps, textures: number): boo
 }
 
 describe('parseWrinkleMaps', () => {
-  it('returns a valid set or throws a FurrowError, for 100,000 mutated documents', () => {
+  it('returns a valid set or throws a FurrowError, for mutated documents', () => {
     const text = JSON.stringify(valid)
     let [accepted, refused] = [0, 0]
     fc.assert(
@@ -164,11 +164,11 @@ describe('parseWrinkleMaps', () => {
         accepted++
         return isValid(maps, 10)
       }),
-      { numRuns: 100_000, seed: 3 },
+      { numRuns: MUTATED, seed: 3 },
     )
     // Both outcomes must occur, or the mutations prove nothing.
-    expect(accepted).toBeGreaterThan(5_000)
-    expect(refused).toBeGreaterThan(50_000)
+    expect(accepted).toBeGreaterThan(MUTATED / 20)
+    expect(refused).toBeGreaterThan(MUTATED / 2)
   })
 
   it('parses its own output to the same set', () => {

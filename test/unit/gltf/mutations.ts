@@ -1,4 +1,8 @@
 import fc from 'fast-check'
+import { inject } from 'vitest'
+
+/** Documents that are tried. */
+export const MUTATED: number = inject('inDepth') ? 100_000 : 25_000
 
 // biome-ignore lint/suspicious/noExplicitAny: invalid on purpose
 type Anything = any

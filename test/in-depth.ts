@@ -8,7 +8,7 @@ declare module 'vitest' {
 }
 
 /** Tests that leave something out on every change: renderers (`LONG_TEST_RENDERERS`) or random cases (`casesOn`). */
-export const FILES_IN_DEPTH = [
+export const GPU_FILES_IN_DEPTH = [
   'arrays',
   'babylon/influence',
   'blood',
@@ -17,10 +17,18 @@ export const FILES_IN_DEPTH = [
   'figures',
   'influence',
   'layers',
+  'maps',
   'paper',
+  'redrawn',
   'relief/relief',
   'several-renderers',
+  'update',
 ].map((name) => `test/gpu/${name}.test.ts`)
+
+/** The same in Node: three random cases in four. */
+export const UNIT_FILES_IN_DEPTH = ['cli/fuzz', 'drivers/usual-maps', 'gltf/bad-input'].map(
+  (name) => `test/unit/${name}.test.ts`,
+)
 
 /** Runs a project's tests in full. */
 export function inDepth(project: TestProjectInlineConfiguration): TestProjectInlineConfiguration {

@@ -1,0 +1,55 @@
+/** What the studio does with the shipped face, on either renderer. */
+
+import type { Page } from 'playwright-core'
+import { expect } from 'vitest'
+import { brightnessDeviation, expectValue, meanPngDifference, shootStage, slider } from './studio-page.ts'
+
+/** Expects that each look is another picture, and that they leave nothing behind. */
+export async function showsLooks(page: Page, backend: string): Promise<void> {
+  expect(await page.textContent('#backend')).toBe(backend)
+  expect(await page.textContent('#adapter')).not.toBe('')
+  const shaded = await shootStage(page)
+  expect(await brightnessDeviation(shaded)).toBeGreaterThan(30)
+  const show = page.getByRole('group', { name: 'Show' })
+  for (const look of ['Normals', 'Areas', 'Wires']) {
+    await show.getByText(look).click()
+    expect(await meanPngDifference(shaded, await shootStage(page)), look).toBeGreaterThan(2)
+  }
+  await show.getByText('Areas').click()
+  const all = await shootStage(page)
+  await page.getByLabel('Area', { exact: true }).selectOption('nose')
+  expect(await meanPngDifference(all, await shootStage(page)), 'one area').toBeGreaterThan(0.5)
+  await show.getByText('Shaded').click()
+  expect(await meanPngDifference(shaded, await shootStage(page)), 'shaded again').toBe(0)
+}
+
+/** Expects that expressions and sliders move the face, and areas what follows them. */
+export async function movesFace(page: Page): Promise<void> {
+  await page.getByRole('button', { name: 'Surprised' }).click()
+  const surprised = await shootStage(page)
+  await page.getByRole('button', { name: 'Happy' }).click()
+  await expectValue(slider(page, 'crowsFeetLeft'), 1)
+  await expectValue(slider(page, 'foreheadLeft'), 0)
+  const happy = await shootStage(page)
+  expect(await meanPngDifference(surprised, happy)).toBeGreaterThan(0.2)
+
+  await slider(page, 'foreheadLeft').fill('1')
+  const creased = await shootStage(page)
+  expect(await meanPngDifference(happy, creased)).toBeGreaterThan(0.01)
+  const filter = page.getByLabel('Filter blendshapes')
+  await filter.fill('jawOpen')
+  await slider(page, 'jawOpen').fill('0.6')
+  expect(await meanPngDifference(creased, await shootStage(page))).toBeGreaterThan(0.2)
+  // Areas follow only the blendshapes that drive them: here 0.8 of one, by a curve from 0.15 to 1.
+  await filter.fill('browOuterUpRight')
+  await slider(page, 'browOuterUpRight').fill('1')
+  await expectValue(slider(page, 'foreheadRight'), (0.8 - 0.15) / 0.85)
+  await expectValue(slider(page, 'foreheadLeft'), 1)
+
+  await page.getByRole('button', { name: 'Reset all areas' }).click()
+  await expectValue(slider(page, 'crowsFeetLeft'), 0)
+  await page.getByRole('button', { name: 'Surprised' }).click()
+  await expectValue(slider(page, 'jawOpen'), 0.25)
+  await filter.fill('')
+  expect(await meanPngDifference(surprised, await shootStage(page)), 'surprised again').toBe(0)
+}
