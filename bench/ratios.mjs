@@ -10,7 +10,7 @@ const FIGURES = new URL('ratios.json', import.meta.url)
 const ALLOWED = 0.05
 
 const SIZE = { width: 400, height: 300 }
-const ROUNDS = 3
+const ROUNDS = 2
 
 /** What is watched in a case of the quick benchmark's. The default mode draws a face that stands as it does one that moves, and with all maps all modes do. */
 function variantsIn({ still, maps }) {

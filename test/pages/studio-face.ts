@@ -1,6 +1,7 @@
 /** What the studio does with the shipped face, on either renderer. */
 
 import type { Page } from 'playwright-core'
+import sharp from 'sharp'
 import { expect } from 'vitest'
 import { brightnessDeviation, expectValue, meanPngDifference, shootStage, slider } from './studio-page.ts'
 
@@ -52,4 +53,18 @@ export async function movesFace(page: Page): Promise<void> {
   await expectValue(slider(page, 'jawOpen'), 0.25)
   await filter.fill('')
   expect(await meanPngDifference(surprised, await shootStage(page)), 'surprised again').toBe(0)
+}
+
+/** Expects that the picture is saved as it is shown. */
+export async function savesPicture(page: Page): Promise<void> {
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Screenshot' }).click(),
+  ])
+  expect(download.suggestedFilename()).toMatch(/^furrow-human-.*\.png$/)
+  const file = await download.path()
+  const { format, width } = await sharp(file).metadata()
+  expect(format).toBe('png')
+  expect(width).toBe(await page.evaluate(() => document.querySelector('canvas')!.width))
+  expect(await brightnessDeviation(await sharp(file).toBuffer())).toBeGreaterThan(30)
 }

@@ -4,7 +4,7 @@ import type { ViteDevServer } from 'vite'
 import { afterAll, afterEach, beforeAll, describe, expect, test } from 'vitest'
 import { openBrowser, openPage } from './browser.ts'
 import { serveStudio } from './opened-studio.ts'
-import { movesFace, showsLooks } from './studio-face.ts'
+import { movesFace, savesPicture, showsLooks } from './studio-face.ts'
 import {
   blackPng,
   brightnessDeviation,
@@ -160,29 +160,7 @@ describe('the studio on WebGL', () => {
   test('fits a phone without horizontal scrolling, with large touch targets', () => fitsPhone(studio.page))
 })
 
-describe('the studio on WebGPU, switched to from WebGL', () => {
-  test('keeps the settings', async () => {
-    const { page } = studio
-    await page.getByRole('button', { name: 'Surprised' }).click()
-    await slider(page, 'glabella').fill('0.7')
-    await page.getByText('WebGPU', { exact: true }).click()
-    await waitUntilReady(page, 'WebGPU')
-    await expectValue(slider(page, 'glabella'), 0.7)
-    await expectValue(slider(page, 'foreheadLeft'), 1)
-  })
-
-  test('saves the picture as a PNG', () => savesPicture(studio.page))
-})
-
-describe('the studio back on WebGL', () => {
-  test('shows what it showed before', async () => {
-    const { page } = studio
-    await page.getByText('WebGL', { exact: true }).click()
-    await waitUntilReady(page, 'WebGL 2')
-    await expectValue(slider(page, 'foreheadLeft'), 1)
-    expect(await brightnessDeviation(await shootStage(page))).toBeGreaterThan(30)
-  })
-
+describe('the studio without WebGPU', () => {
   test('stays on WebGL with a message if WebGPU is missing', async () => {
     const { page } = studio
     await page.evaluate(() => Object.defineProperty(navigator, 'gpu', { value: undefined }))
@@ -192,19 +170,6 @@ describe('the studio back on WebGL', () => {
     expect(await brightnessDeviation(await shootStage(page))).toBeGreaterThan(30)
   })
 })
-
-async function savesPicture(page: Page): Promise<void> {
-  const [download] = await Promise.all([
-    page.waitForEvent('download'),
-    page.getByRole('button', { name: 'Screenshot' }).click(),
-  ])
-  expect(download.suggestedFilename()).toMatch(/^furrow-human-.*\.png$/)
-  const file = await download.path()
-  const { format, width } = await sharp(file).metadata()
-  expect(format).toBe('png')
-  expect(width).toBe(await page.evaluate(() => document.querySelector('canvas')!.width))
-  expect(await brightnessDeviation(await sharp(file).toBuffer())).toBeGreaterThan(30)
-}
 
 /** A template as that of `furrow uv`: islands with lines over the base colour, nothing round them. */
 async function savesUvLayout(page: Page): Promise<void> {
