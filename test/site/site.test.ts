@@ -215,14 +215,19 @@ describe('the pages', () => {
     })
   })
 
-  it('start the benchmark', async () => {
+  it('start the benchmark, and cancel it', async () => {
     await withPage('bench/', { viewport: DESKTOP }, async (page) => {
-      await page.getByRole('button', { name: 'Run the benchmark here' }).click()
+      const run = page.getByRole('button', { name: 'Run the benchmark here' })
+      await run.click()
       await expect
         .poll(() => page.locator('.benchmark progress').evaluate((bar: HTMLProgressElement) => bar.value), {
           timeout: 240_000,
         })
         .toBeGreaterThan(0)
+      expect(await run.isDisabled()).toBe(true)
+      await page.getByRole('button', { name: 'Cancel' }).click()
+      await expect.poll(() => run.isEnabled(), { timeout: 120_000 }).toBe(true)
+      expect(await page.locator('.benchmark [role=status]').innerText()).toBe('')
     })
   })
 
