@@ -12,7 +12,10 @@ const ALLOWED = 0.05
 const SIZE = { width: 400, height: 300 }
 const ROUNDS = 2
 
-/** What is watched in a case of the quick benchmark's. The default mode draws a face that stands as it does one that moves, and with all maps all modes do. */
+/**
+ * What is watched in a case of the quick benchmark's. The default mode draws a face that stands as it does one that moves; with all maps
+ * only faces that move are watched.
+ */
 function variantsIn({ still, maps }) {
   if (maps === 'all') return still ? [] : ['furrow', 'auto']
   return still ? ['auto'] : ['furrow', 'auto', 'composed']

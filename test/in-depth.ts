@@ -25,7 +25,7 @@ export const GPU_FILES_IN_DEPTH = [
   'update',
 ].map((name) => `test/gpu/${name}.test.ts`)
 
-/** The same in Node: three random cases in four. */
+/** The same in Node: random cases (`MUTATED` of gltf/mutations.ts, and `COUNT` of cli/fuzz). */
 export const UNIT_FILES_IN_DEPTH = ['cli/fuzz', 'drivers/usual-maps', 'gltf/bad-input'].map(
   (name) => `test/unit/${name}.test.ts`,
 )

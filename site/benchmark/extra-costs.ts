@@ -23,9 +23,9 @@ const MAPS = { normals: '', all: ', all maps' }
 export function extraCosts(results: readonly Result[]): ExtraCosts[] {
   const moving = results.filter(({ still }) => !still)
   const longest = Math.max(...moving.map(({ ratioToPlain }) => ratioToPlain - 1))
-  return [...new Set(moving.map(({ renderer }) => renderer))].map((kind) => {
-    const own = moving.filter(({ renderer }) => renderer === kind)
-    const [{ renderer, adapter, medianMs: plainMs }] = own.filter(({ variant }) => variant === 'plain')
+  return [...new Set(moving.map(({ renderer }) => renderer))].map((renderer) => {
+    const own = moving.filter((result) => result.renderer === renderer)
+    const { adapter, medianMs: plainMs } = own.find(({ variant }) => variant === 'plain')!
     const bars = own
       .filter(({ variant }) => variant !== 'plain')
       .map(({ variant, maps, ratioToPlain }) => {

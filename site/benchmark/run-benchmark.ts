@@ -35,10 +35,11 @@ export async function runBenchmark(
   progress: (fraction: number) => void,
   signal: AbortSignal,
 ): Promise<BenchmarkRun> {
+  const kinds = RENDERER_KINDS.filter((kind) => kind === 'webgl' || 'gpu' in navigator)
   const results: Result[] = []
   const notes: string[] = []
-  for (const [i, kind] of RENDERER_KINDS.entries()) {
-    const report = (fraction: number) => progress((i + fraction) / RENDERER_KINDS.length)
+  for (const [i, kind] of kinds.entries()) {
+    const report = (fraction: number) => progress((i + fraction) / kinds.length)
     try {
       results.push(...(await runOn(kind, face, report, signal)))
     } catch (error) {
