@@ -15,7 +15,7 @@ export const FILES_FOR_OLDEST = [
   'paper',
   'crowd',
   'normals',
-  'loader',
+  'loader/loader',
   'mtoon',
   'update',
   'compile',

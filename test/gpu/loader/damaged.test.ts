@@ -4,12 +4,12 @@ import { Mesh, type WebGLRenderer } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { afterAll, beforeAll, describe, expect, it, onTestFinished } from 'vitest'
-import { editGlb } from '../glb.ts'
-import { createHarness, type Harness, RENDERERS } from './harness.ts'
-import { grayPng } from './images.ts'
-import { litPicture, loadFile } from './loaded.ts'
-import { quietConsole } from './quiet-console.ts'
-import { driver, wrinkledFile } from './wrinkled-file.ts'
+import { editGlb } from '../../glb.ts'
+import { createHarness, type Harness, RENDERERS } from '../harness.ts'
+import { grayPng } from '../images.ts'
+import { litPicture, loadFile } from '../loaded.ts'
+import { quietConsole } from '../quiet-console.ts'
+import { driver, wrinkledFile } from '../wrinkled-file.ts'
 
 const written = quietConsole()
 

@@ -5,11 +5,11 @@ import type { Mesh, WebGLRenderer } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
 import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest'
-import { editGlb } from '../glb.ts'
-import { largestDifference, ROUNDING } from './difference.ts'
-import { createHarness, type Harness, RENDERERS } from './harness.ts'
-import { litPicture, loadFile } from './loaded.ts'
-import { driver, WEIGHTS, wrinkledFile } from './wrinkled-file.ts'
+import { editGlb } from '../../glb.ts'
+import { largestDifference, ROUNDING } from '../difference.ts'
+import { createHarness, type Harness, RENDERERS } from '../harness.ts'
+import { litPicture, loadFile } from '../loaded.ts'
+import { driver, WEIGHTS, wrinkledFile } from '../wrinkled-file.ts'
 
 const SIZE = 16
 

@@ -4,10 +4,10 @@ import { type Object3D, Scene } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
+import { createHarness, type Harness, squareCamera } from '../harness.ts'
+import { asVrm, vrmFile } from '../vrm-file.ts'
+import { driver, faceMeshes } from '../wrinkled-file.ts'
 import { bareSheet } from './bare-sheet.ts'
-import { createHarness, type Harness, squareCamera } from './harness.ts'
-import { asVrm, vrmFile } from './vrm-file.ts'
-import { driver, faceMeshes } from './wrinkled-file.ts'
 
 /** Names of the face's blendshapes. One is called as an expression that moves another too. */
 const SHAPES = ['browInnerUp', 'other', 'sad']

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest'
-import { decodeBytes } from '../../packages/furrow/src/runtime/file/decode-image.ts'
-import { readImage } from '../../packages/furrow/src/runtime/file/read-image.ts'
-import { seeded } from '../random.ts'
-import { png } from './images.ts'
+import { decodeBytes } from '../../../packages/furrow/src/runtime/file/decode-image.ts'
+import { readImage } from '../../../packages/furrow/src/runtime/file/read-image.ts'
+import { seeded } from '../../random.ts'
+import { png } from '../images.ts'
 
 /** Random pixels, some rows of which are smooth. */
 function pixels(channels: number): Uint8Array {

@@ -1,6 +1,6 @@
 import { type Accessor, Document, WebIO } from '@gltf-transform/core'
 import { KHRMaterialsUnlit, KHRMeshQuantization } from '@gltf-transform/extensions'
-import { sheet } from '../unit/author/auto/sheet.ts'
+import { sheet } from '../../unit/author/auto/sheet.ts'
 
 /** Squares per side. */
 const N = 24

@@ -4,7 +4,9 @@ import { WrinkleLoaderPlugin as WebGPUPlugin } from 'furrow/webgpu'
 import { DirectionalLight, type Mesh, type Object3D, OrthographicCamera, Scene } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
-import { Appearance } from '../../packages/furrow/src/three/fading/appearance.ts'
+import { Appearance } from '../../../packages/furrow/src/three/fading/appearance.ts'
+import { largestDifference, ROUNDING } from '../difference.ts'
+import { createHarness, type Harness, RENDERERS } from '../harness.ts'
 import {
   bareSheet,
   HALF,
@@ -17,8 +19,6 @@ import {
   withoutIndex,
   withoutTargets,
 } from './bare-sheet.ts'
-import { largestDifference, ROUNDING } from './difference.ts'
-import { createHarness, type Harness, RENDERERS } from './harness.ts'
 
 const SIZE = 64
 const AUTO = { size: 256, areaSize: 32 }

@@ -2,9 +2,9 @@ import { wrinklesOf } from 'furrow/three'
 import { AmbientLight, type BufferGeometry, Mesh, type MeshStandardMaterial, Scene } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { describe, expect, it } from 'vitest'
-import { alive } from './alive.ts'
-import { createHarness, type Harness, squareCamera } from './harness.ts'
-import { wrinkledFile } from './wrinkled-file.ts'
+import { alive } from '../alive.ts'
+import { createHarness, type Harness, squareCamera } from '../harness.ts'
+import { wrinkledFile } from '../wrinkled-file.ts'
 
 const LOADS = 40
 

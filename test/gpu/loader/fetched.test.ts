@@ -2,11 +2,11 @@ import { type WrinkleMode, type WrinklesBase, wrinklesOf } from 'furrow/three'
 import { DirectionalLight, type Mesh, Scene } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { afterAll, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
-import { FADE } from '../../packages/furrow/src/three/fading/fade.ts'
-import { PARTS as WEBGL } from '../../packages/furrow/src/three/webgl/webgl-wrinkles.ts'
-import { PARTS as WEBGPU } from '../../packages/furrow/src/three/webgpu/webgpu-wrinkles.ts'
-import { createHarness, type Harness, RENDERERS, squareCamera } from './harness.ts'
-import { wrinkledFile } from './wrinkled-file.ts'
+import { FADE } from '../../../packages/furrow/src/three/fading/fade.ts'
+import { PARTS as WEBGL } from '../../../packages/furrow/src/three/webgl/webgl-wrinkles.ts'
+import { PARTS as WEBGPU } from '../../../packages/furrow/src/three/webgpu/webgpu-wrinkles.ts'
+import { createHarness, type Harness, RENDERERS, squareCamera } from '../harness.ts'
+import { wrinkledFile } from '../wrinkled-file.ts'
 
 /** As on a page that imports the loader alone. */
 describe.each(RENDERERS)('modes that are fetched, on %s', (name) => {

@@ -2,9 +2,9 @@ import { areaWeights, FurrowError } from 'furrow'
 import { decodeImage, ExpressionPlayer, loadWrinkleSet, toGray, Wrinkles } from 'furrow/three'
 import { DataTexture, Mesh, MeshBasicMaterial, MeshStandardMaterial, PlaneGeometry } from 'three'
 import { describe, expect, it, vi } from 'vitest'
-import { randomImage, randomSet } from '../cases.ts'
-import { seeded } from '../random.ts'
-import { grayPng, png } from './images.ts'
+import { randomImage, randomSet } from '../../cases.ts'
+import { seeded } from '../../random.ts'
+import { grayPng, png } from '../images.ts'
 
 describe('images', () => {
   it('reads 8 bits exactly', async () => {

@@ -1,9 +1,9 @@
 import type { Mesh } from 'three'
 import { describe, expect, it } from 'vitest'
-import { disposeAvatar, faceOf, openAvatar } from '../../studio/src/open/avatar.ts'
-import { quietConsole } from './quiet-console.ts'
-import { vrmFile } from './vrm-file.ts'
-import { wrinkledFile } from './wrinkled-file.ts'
+import { disposeAvatar, faceOf, openAvatar } from '../../../studio/src/open/avatar.ts'
+import { quietConsole } from '../quiet-console.ts'
+import { vrmFile } from '../vrm-file.ts'
+import { wrinkledFile } from '../wrinkled-file.ts'
 
 // Two quads as one face: see `wrinkledFile`.
 

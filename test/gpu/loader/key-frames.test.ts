@@ -4,7 +4,7 @@ import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { clone } from 'three/addons/utils/SkeletonUtils.js'
 import { afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
-import { editGlb } from '../glb.ts'
+import { editGlb } from '../../glb.ts'
 
 const NOSE = 3
 const TIMES = [0, 0.5, 2]

@@ -1,10 +1,10 @@
 import { DataTexture, DirectionalLight, type Mesh, MeshStandardMaterial, RepeatWrapping, Scene } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
-import { randomNormals, randomSet } from '../cases.ts'
-import { seeded } from '../random.ts'
-import { largestDifference } from './difference.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
-import { quietConsole } from './quiet-console.ts'
+import { randomNormals, randomSet } from '../../cases.ts'
+import { seeded } from '../../random.ts'
+import { largestDifference } from '../difference.ts'
+import { createHarness, type Harness, RENDERERS, square, squareCamera } from '../harness.ts'
+import { quietConsole } from '../quiet-console.ts'
 
 const MODES = ['default', 'auto', 'composed'] as const
 

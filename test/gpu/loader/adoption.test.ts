@@ -1,10 +1,10 @@
 import { wrinklesOf } from 'furrow/three'
 import { Group, type Material } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
-import { largestDifference, ROUNDING } from './difference.ts'
-import { createHarness, type Harness, RENDERERS } from './harness.ts'
-import { litPicture, loadFile, pageMesh } from './loaded.ts'
-import { faceMeshes, wrinkledFile } from './wrinkled-file.ts'
+import { largestDifference, ROUNDING } from '../difference.ts'
+import { createHarness, type Harness, RENDERERS } from '../harness.ts'
+import { litPicture, loadFile, pageMesh } from '../loaded.ts'
+import { faceMeshes, wrinkledFile } from '../wrinkled-file.ts'
 
 describe.each(RENDERERS)('a mesh that a page makes with the material of a loaded face, on %s', (name) => {
   let harness: Harness
