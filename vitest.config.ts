@@ -74,7 +74,13 @@ function packagesProject(
 
 /** Whole pages and commands, one at a time. */
 function pagesProject(name: string, include: string, exclude: string[] = []): TestProjectInlineConfiguration {
-  return { resolve, ssr, test: { name, include: [include], exclude, ...LATE, fileParallelism: false } }
+  // What a page shows comes when it has been drawn, which a busy machine takes more than a second for.
+  const poll = { timeout: 120_000 }
+  return {
+    resolve,
+    ssr,
+    test: { name, include: [include], exclude, ...LATE, expect: { poll }, fileParallelism: false },
+  }
 }
 
 /** The modules of Babylon.js that are imported: each by its path, as its applications do. */

@@ -8,8 +8,6 @@ import { DRAWING, waitUntilReady } from './studio-page.ts'
 
 /** Keys until something is given up: more than the page has controls. */
 const MOST_KEYS = 500
-/** Milliseconds: a run of automatic wrinkles on a busy machine. */
-const LONG = { timeout: 120_000, interval: 200 }
 
 const studio = openStudio({ width: 1280, height: 800 })
 let page: Page
@@ -111,7 +109,7 @@ test('makes the wrinkles older', async () => {
   await tabTo('Age')
   await press('End')
   expect(await value()).toBe('80')
-  await expect.poll(isUndoable, LONG).toBe(true)
+  await expect.poll(isUndoable).toBe(true)
   await areMade()
 })
 
@@ -120,7 +118,7 @@ test('chooses a line, moves its points and deletes one, and the line', async () 
   await press('ArrowRight')
   expect((await focused()).name).toBe('Edit')
   // A worker finds the skin that lines are drawn on.
-  await expect.poll(shown, DRAWING).toBe(true)
+  await expect.poll(shown).toBe(true)
   await tabTo('Line')
   const lines = await page.getByLabel('Line', { exact: true }).locator('option').count()
   await press('f', 'o', 'r', 'e', 'h')
@@ -223,7 +221,7 @@ test('exports, and copies the code', async () => {
   await unfold('Export')
   await tabTo('Make the file')
   await press('Enter')
-  await page.getByText('Copy the code').waitFor(LONG)
+  await page.getByText('Copy the code').waitFor(DRAWING)
   await tabTo('Copy the code')
   await press('Enter')
   await page.getByText('Copied the code').waitFor()
@@ -259,12 +257,12 @@ test('undoes all, and does all again', async () => {
   await tabTo('Undo')
   for (let i = 0; (await isUndoable()) && i < MOST_KEYS; i++) await press('Enter')
   expect((await focused()).name).toBe('Undo')
-  await expect.poll(areas, LONG).toEqual(names)
+  await expect.poll(areas).toEqual(names)
   const redo = page.getByRole('button', { name: 'Redo' })
   await tabTo('Redo')
   for (let i = 0; (await redo.isEnabled()) && i < MOST_KEYS; i++) await press('Enter')
   expect((await focused()).name).toBe('Redo')
-  await expect.poll(areas, LONG).toEqual(after)
+  await expect.poll(areas).toEqual(after)
 })
 
 test('removes an area, and the focus is on the next one', async () => {
