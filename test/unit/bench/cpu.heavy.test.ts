@@ -12,7 +12,10 @@ const SCRIPT = `
   console.log(JSON.stringify({ measured, types: Object.keys(OTHER_DRIVERS) }))
 `
 
-it('drivers allocate nothing per frame, except the number that the default clock returns', async () => {
+// On a busy machine code is optimised late, now and then; what allocates in every frame does so each time.
+it('drivers allocate nothing per frame, except the number that the default clock returns', {
+  retry: 2,
+}, async () => {
   const args = ['--input-type=module', '-e', SCRIPT]
   const { stdout, stderr } = await promisify(execFile)(process.execPath, args)
   const { measured, types } = JSON.parse(stdout)
