@@ -113,6 +113,12 @@ async function pngOf({ glb }: WrinkledFile, info: TextureReference, who: string)
 
 /** The weights of an area as an 8-bit gray PNG file; in the paper's convention white = no wrinkles. */
 function encodeWeights({ width, height, data }: GrayImage, whiteIsVisible: boolean): Promise<Uint8Array> {
-  const gray = whiteIsVisible ? data : data.map((weight) => 255 - weight)
-  return encodeMap({ width, height, channels: 1, data: gray })
+  return encodeMap({ width, height, channels: 1, data: whiteIsVisible ? data : inverted(data) })
+}
+
+/** Without a call for each of up to 67 million texels, which would take ten times as long. */
+function inverted(weights: Uint8Array): Uint8Array {
+  const out = new Uint8Array(weights.length)
+  for (let i = 0; i < weights.length; i++) out[i] = 255 - weights[i]
+  return out
 }
