@@ -28,6 +28,8 @@ export interface BoundActivation {
 /** Evaluates area activations in order. `addTo` allocates nothing, unless a registered rule does. */
 export class ActivationSum {
   readonly #activations: readonly BoundActivation[]
+  /** By driver: whether it adds up single inputs, as most do. */
+  readonly #areSums: readonly boolean[]
   /** By driver and link: index of its input; -1 if that is an area or not just one value, or has a curve. */
   readonly #sources: readonly Int32Array[]
   /** The same: its weight. To read these of the links takes twice as long. */
@@ -43,6 +45,7 @@ export class ActivationSum {
     this.#sources = activations.map(({ links }) => Int32Array.from(links, sourceOf))
     this.#weights = activations.map(({ links }) => Float64Array.from(links, ({ weight }) => weight))
     this.#linkValues = activations.map(({ links }) => new Float64Array(links.length))
+    this.#areSums = activations.map(({ rule }, i) => rule === 'sum' && !this.#sources[i].includes(-1))
   }
 
   /**
@@ -54,7 +57,7 @@ export class ActivationSum {
   addTo(areas: Float32Array, inputs: Float64Array): void {
     for (let i = 0; i < this.#activations.length; i++) {
       const { area, points } = this.#activations[i]
-      this.#combine(i, areas, inputs)
+      if (!this.#areSums[i] || !this.#sum(i, inputs)) this.#combine(i, areas, inputs)
       areas[area] = Math.min(1, areas[area] + outputOf(points, this.#value[0]))
     }
   }
@@ -63,6 +66,16 @@ export class ActivationSum {
   evaluate(index: number, areas: Float32Array, inputs: Float64Array): { links: number[]; combined: number } {
     this.#combine(index, areas, inputs)
     return { links: [...this.#linkValues[index]], combined: this.#value[0] }
+  }
+
+  /** As `#combine`, of single inputs. Returns false where one is NaN. */
+  #sum(index: number, inputs: Float64Array): boolean {
+    const sources = this.#sources[index]
+    const weights = this.#weights[index]
+    let sum = 0
+    for (let i = 0; i < sources.length; i++) sum += inputs[sources[i]] * weights[i]
+    this.#value[0] = sum
+    return !Number.isNaN(sum)
   }
 
   #combine(index: number, areas: Float32Array, inputs: Float64Array): void {

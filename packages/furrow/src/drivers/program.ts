@@ -125,18 +125,23 @@ export class DriverProgram {
 
   /** Computes `activations` from this frame's `inputs`, `resting` and `seconds`. Allocates nothing. */
   evaluate(state: DriverState): void {
-    const { values, resting, activations, previous, seconds } = state
+    const { values, resting, activations } = state
     for (let i = 0; i < this.#inputFilters.length; i++) this.#inputFilters[i](values)
     activations.set(resting)
     this.#sum.addTo(activations, values)
+    if (this.#activationFilters.length > 0) this.#filter(state)
+    else state.isSettled = true
+  }
+
+  #filter(state: DriverState): void {
+    const { activations, previous, seconds } = state
     if (!state.hasRun) previous.set(activations)
     state.hasRun = true
     this.#before.set(previous)
     for (let i = 0; i < this.#activationFilters.length; i++) {
       this.#activationFilters[i](activations, previous, seconds)
     }
-    state.isSettled =
-      this.#activationFilters.length === 0 || (seconds[0] > 0 && isSame(previous, this.#before))
+    state.isSettled = seconds[0] > 0 && isSame(previous, this.#before)
   }
 
   /**

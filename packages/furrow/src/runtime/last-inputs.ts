@@ -30,7 +30,7 @@ export class LastInputs {
     const start = face * this.#count
     for (let i = 0; i < values.length; i++) {
       if (values[i] === this.#values[start + i]) continue
-      this.#values.set(values, start)
+      for (; i < values.length; i++) this.#values[start + i] = values[i]
       this.isDue[face] = 1
       return
     }
