@@ -31,6 +31,8 @@ export async function decodeImage(
 
 /** By libvips, a part of the image at a time; see the function of this name for browsers. */
 export async function checkWhole(bytes: Uint8Array, name: string, who: string): Promise<void> {
-  const { image } = await openImage(bytes, name, who)
-  await withImageErrors(name, who, () => image.stats())
+  const { image, width, height } = await openImage(bytes, name, who)
+  // For it all rows above are decoded too. To compute statistics of all takes ten times as long.
+  const lastRow = image.extract({ left: 0, top: height - 1, width, height: 1 })
+  await withImageErrors(name, who, () => lastRow.raw().toBuffer())
 }
