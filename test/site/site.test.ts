@@ -64,6 +64,11 @@ async function withPage(path: string, options: object, work: (page: Page) => Pro
   }
 }
 
+/** Waits until the page answers: until then it is only text and pictures. */
+async function mounted(page: Page): Promise<void> {
+  await page.waitForFunction(() => '__vue_app__' in document.getElementById('app')!)
+}
+
 /** Picture of the face's square on the first page. */
 async function faceOf(page: Page): Promise<CanvasPixels> {
   return pixelsOf(await page.locator('.stage .face').screenshot())
@@ -131,6 +136,7 @@ describe('the first page', () => {
     await withPage('', { viewport: DESKTOP }, async (page) => {
       // Until then the poster is seen, and nothing is drawn.
       expect(await page.locator('canvas.drawn').count()).toBe(0)
+      await mounted(page)
       const { x, y, width, height } = (await page.locator('.stage .face').boundingBox())!
       await page.mouse.move(x + width / 2, y + height / 2)
       await page.locator('canvas.drawn').waitFor()
@@ -150,6 +156,7 @@ describe('the first page', () => {
 
   it('makes wrinkles for an avatar of the visitor, with the keyboard alone', async () => {
     await withPage('', { viewport: DESKTOP }, async (page) => {
+      await mounted(page)
       await page.getByLabel('Open an avatar of your own').setInputFiles(BARE_FACES[0].path)
       await expect
         .poll(() => page.locator('.stage .message').innerText(), { timeout: 240_000, interval: 500 })
@@ -167,6 +174,7 @@ describe('the first page', () => {
   it('says what is wrong with a file that is no avatar, and keeps the face', async () => {
     await withPage('', { viewport: DESKTOP }, async (page) => {
       const file = { name: 'notes.glb', mimeType: 'model/gltf-binary', buffer: Buffer.from('not a face') }
+      await mounted(page)
       await page.getByLabel('Open an avatar of your own').setInputFiles(file)
       await page.getByText('notes.glb cannot be opened').waitFor()
       expect(contrast(await settled(page))).toBeGreaterThan(100)
@@ -179,6 +187,7 @@ describe('the first page', () => {
       HTMLCanvasElement.prototype.getContext = () => null
     })
     await page.goto(site.address)
+    await mounted(page)
     await page.mouse.move(10, 10)
     await page.getByText('The face cannot be drawn here').waitFor()
     expect(contrast(await faceOf(page))).toBeGreaterThan(100)
