@@ -48,7 +48,7 @@ async function makeFiles() {
 async function runEngines() {
   const report = await reported((file) => {
     const reporters = ['--reporter=default', '--reporter=json', `--outputFile.json=${file}`]
-    return run(['npx', 'vitest', 'run', '--project', 'gpu-rooms', 'test/gpu/conformance', ...reporters])
+    return run(['npx', 'vitest', 'run', '--project', 'heavy-gpu', 'test/gpu/conformance', ...reporters])
   })
   return resultsOf(report)
 }

@@ -12,6 +12,7 @@ export const GPU_FILES_IN_DEPTH = [
   'arrays',
   'babylon/influence',
   'blood',
+  'conformance/babylon',
   'conformance/three',
   'features',
   'figures',

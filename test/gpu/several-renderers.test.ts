@@ -8,7 +8,7 @@ import {
   createHarness,
   type Harness,
   imagesOf,
-  LONG_TEST_RENDERERS,
+  LONGEST_TEST_RENDERERS,
   square,
   squareCamera,
 } from './harness.ts'
@@ -51,7 +51,7 @@ function faceOn(
   }
 }
 
-it.each(LONG_TEST_RENDERERS)(
+it.each(LONGEST_TEST_RENDERERS)(
   'faces of two renderers on one page do not disturb each other on %s',
   async (name) => {
     const harnesses = [await createHarness(name), await createHarness(name)]
@@ -78,7 +78,7 @@ it.each(LONG_TEST_RENDERERS)(
   },
 )
 
-it.each(LONG_TEST_RENDERERS)('faces of two renderers settle in the mode auto on %s', async (name) => {
+it.each(LONGEST_TEST_RENDERERS)('faces of two renderers settle in the mode auto on %s', async (name) => {
   const harnesses = [await createHarness(name), await createHarness(name)]
   const faces = harnesses.map((harness) => faceOn(harness, { mode: 'auto' }))
   const composed = new Set()
@@ -100,7 +100,7 @@ it.each(LONG_TEST_RENDERERS)('faces of two renderers settle in the mode auto on 
   for (const { dispose } of harnesses) dispose()
 })
 
-it.each(LONG_TEST_RENDERERS)(
+it.each(LONGEST_TEST_RENDERERS)(
   'a face that two renderers draw in turns settles in the mode auto on %s',
   async (name) => {
     const harnesses = [await createHarness(name), await createHarness(name)]
