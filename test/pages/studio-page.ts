@@ -59,6 +59,14 @@ export async function shootStage(page: Page): Promise<Buffer> {
   }
 }
 
+/** The shipped face at rest, without wrinkles: as its plain copies look. */
+export async function shootPlainHuman(page: Page): Promise<Buffer> {
+  await page.getByRole('button', { name: 'Neutral' }).click()
+  await expectValue(slider(page, 'foreheadLeft'), 0)
+  await page.getByRole('slider', { name: /^Divider/ }).press('End')
+  return shootStage(page)
+}
+
 /** The stage without the outlines of the brush and of the focus, nor what is hovered. */
 export async function shootAside(page: Page): Promise<Buffer> {
   await page.mouse.move(page.viewportSize()!.width - 10, 5)

@@ -1,0 +1,20 @@
+import { join } from 'node:path'
+import { expect, test } from 'vitest'
+import { openStudio } from './opened-studio.ts'
+import { dropPaths, meanPngDifference, shootPlainHuman, shootStage } from './studio-page.ts'
+
+const studio = openStudio({ width: 800, height: 400 })
+
+test('avatars in other formats are shown when they are dropped, framed at the face', async () => {
+  const { page, folder } = studio
+  const human = await shootPlainHuman(page)
+  const dropped = [
+    ['draco.glb', 'Draco'],
+    // A .gltf in a folder with its textures.
+    ['separate', 'Avatar'],
+  ]
+  for (const [path, name] of dropped) {
+    await dropPaths(page, [join(folder, path)], name)
+    expect(await meanPngDifference(human, await shootStage(page)), path).toBeLessThan(1)
+  }
+})
