@@ -26,7 +26,7 @@ export const FRAMES = 40
 const AT_ONCE = 28
 
 /** Milliseconds within which a map must be shown: a guard, which slow machines do not meet. */
-const SOON = 60_000
+export const SOON = 60_000
 
 /** What nobody sees: two steps of 8 bits. */
 export const UNSEEN = 2
