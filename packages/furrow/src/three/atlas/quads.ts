@@ -55,11 +55,14 @@ export class Quads {
     const data = this.#data
     let at = this.#used.count
     const source = (slice * CHANNELS + channel) * LAYERS + layer
+    // Of a texel, in 0..1 of the atlas.
+    const texelWidth = 1 / (width * grid.columns)
+    const texelHeight = 1 / (height * grid.rows)
     for (let corner = 0; corner < CORNERS; corner++) {
       const x = corner & 1 ? bounds.x1 : bounds.x0
       const y = corner & 2 ? bounds.y1 : bounds.y0
-      data[at] = (column * width + x) / (width * grid.columns)
-      data[at + 1] = (row * height + y) / (height * grid.rows)
+      data[at] = (column * width + x) * texelWidth
+      data[at + 1] = (row * height + y) * texelHeight
       data[at + 2] = x
       data[at + 3] = y
       data[at + 4] = activation
