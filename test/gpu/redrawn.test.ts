@@ -1,7 +1,7 @@
 import type { GrayImage, RgbaImage, WrinkleSet } from 'furrow'
 import type { WrinklesOptions } from 'furrow/three'
 import { type DataTexture, MeshPhysicalMaterial } from 'three'
-import { describe, expect, it } from 'vitest'
+import { describe, expect, it, vi } from 'vitest'
 import { layer } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { drawn, FRAMES, MAP, SOON, UNSEEN, useFaces } from './auto-face.ts'
@@ -93,14 +93,11 @@ describe.each(LONGEST_TEST_RENDERERS)(
         }
       }
       /** Draws them until it is shown so: what is compiled beside them takes some time. */
-      const framesUntil = async (side: number, how: Partial<typeof face.shown>, isMoving = true) => {
-        const isSo = () =>
-          Object.entries(how).every(([key, is]) => face.shown[key as keyof typeof how] === is)
-        const end = performance.now() + SOON
-        do await frames(side, 2 * FRAMES, isMoving)
-        while (!isSo() && performance.now() < end)
-        expect(face.shown).toMatchObject(how)
-      }
+      const framesUntil = (side: number, how: Partial<typeof face.shown>, isMoving = true) =>
+        vi.waitFor(async () => {
+          await frames(side, 2 * FRAMES, isMoving)
+          expect(face.shown).toMatchObject(how)
+        }, SOON)
       const difference = async (side: number) => {
         const picture = (await faces.harness.renderBytes(face.scene, squareCamera(), side)).slice()
         return largestDifference(picture, await faces.harness.renderBytes(wanted.scene, squareCamera(), side))

@@ -208,9 +208,7 @@ describe('the pages', () => {
       expect(await page.locator('.language-html').innerText()).toContain('WrinkleLoaderPlugin')
       const canvas = page.frameLocator('.live iframe').locator('canvas')
       await canvas.waitFor()
-      await expect
-        .poll(async () => contrast(await pixelsOf(await canvas.screenshot())), { timeout: 120_000 })
-        .toBeGreaterThan(100)
+      await expect.poll(async () => contrast(await pixelsOf(await canvas.screenshot()))).toBeGreaterThan(100)
     })
   })
 
@@ -235,7 +233,7 @@ describe('the pages', () => {
         .toBeGreaterThan(0)
       expect(await run.isDisabled()).toBe(true)
       await page.getByRole('button', { name: 'Cancel' }).click()
-      await expect.poll(() => run.isEnabled(), { timeout: 120_000 }).toBe(true)
+      await expect.poll(() => run.isEnabled()).toBe(true)
       expect(await page.locator('.benchmark [role=status]').innerText()).toBe('')
     })
   })

@@ -1,5 +1,6 @@
-import type { GrayImage, WrinkleSetDocument } from 'furrow'
+import type { WrinkleSetDocument } from 'furrow'
 import { fileNamesOf, isFileName, type StrokesDocument } from 'furrow/author'
+import { paintedArea } from '../../../packages/cli/src/images/painted-area.ts'
 import type { Pixels } from '../../../packages/cli/src/images/pixels.ts'
 import { addressOf, WRINKLES_FILE } from '../../../packages/cli/src/wrinkles/folder-document.ts'
 import {
@@ -50,7 +51,7 @@ export async function folderFiles(
   const layers = layerFiles(document, drawn, await flatNormal(document, drawn, encode))
   const areaNames = fileNamesOf(document.areas.map(({ name }) => name))
   const areaPaths = areaNames.map((name) => `areas/${name}.png`)
-  const areaImages = await Promise.all(document.areas.map(({ weights }) => encode(painted(weights))))
+  const areaImages = await Promise.all(document.areas.map(({ weights }) => encode(paintedArea(weights))))
   const images = [...layers.images, ...areaPaths.map((path, i) => ({ path, content: areaImages[i] }))]
   const strokes = strokesOf(document)
   const set: WrinkleSetDocument = {
@@ -148,11 +149,6 @@ async function flatNormal(
   for (let i = 2; i < data.length; i += 3) data[i] = 255
   const bytes = await encode({ width: mapSize, height: mapSize, channels: 3, data })
   return { mimeType: 'image/png', bytes }
-}
-
-/** An area as it is painted: black where it is fully visible. */
-function painted({ width, height, data }: GrayImage): Pixels {
-  return { width, height, channels: 1, data: data.map((weight) => 255 - weight) }
 }
 
 /** The document of strokes; undefined where there are none. Shapes that it could not have are left out: names no file can have, no strokes. */

@@ -1,6 +1,7 @@
 import type { GrayImage } from 'furrow'
 import type { HeightMap, NormalMap, RgbaImage } from 'furrow/author'
 import sharp, { type Sharp } from 'sharp'
+import { paintedArea } from './painted-area.ts'
 import type { Pixels } from './pixels.ts'
 
 /** Steps of a 16-bit height image per millimetre, and the value of 0 mm. */
@@ -70,6 +71,6 @@ export function encodeRgbaNormalMap({ width, height, data }: RgbaImage): Promise
 }
 
 /** The weights of an area as an 8-bit gray PNG file in the paper's convention: white = no wrinkles. */
-export function encodeArea({ width, height, data }: GrayImage): Promise<Uint8Array> {
-  return encodePng({ width, height, channels: 1, data: data.map((weight) => 255 - weight) })
+export function encodeArea(area: GrayImage): Promise<Uint8Array> {
+  return encodePng(paintedArea(area))
 }

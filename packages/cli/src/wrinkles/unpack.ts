@@ -6,6 +6,7 @@ import type { OutputFile } from '../files.ts'
 import { namesOfTarget } from '../gltf/target-names.ts'
 import { imageOf, isKtx2 } from '../gltf/texture-image.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
+import { paintedArea } from '../images/painted-area.ts'
 import { isOpaque, withoutAlpha } from '../images/pixels.ts'
 import { jsonFile } from '../json-file.ts'
 import type { Progress } from '../progress.ts'
@@ -112,13 +113,6 @@ async function pngOf({ glb }: WrinkledFile, info: TextureReference, who: string)
 }
 
 /** The weights of an area as an 8-bit gray PNG file; in the paper's convention white = no wrinkles. */
-function encodeWeights({ width, height, data }: GrayImage, whiteIsVisible: boolean): Promise<Uint8Array> {
-  return encodeMap({ width, height, channels: 1, data: whiteIsVisible ? data : inverted(data) })
-}
-
-/** Without a call for each of up to 67 million texels, which would take ten times as long. */
-function inverted(weights: Uint8Array): Uint8Array {
-  const out = new Uint8Array(weights.length)
-  for (let i = 0; i < weights.length; i++) out[i] = 255 - weights[i]
-  return out
+function encodeWeights(area: GrayImage, whiteIsVisible: boolean): Promise<Uint8Array> {
+  return encodeMap(whiteIsVisible ? { ...area, channels: 1 } : paintedArea(area))
 }
