@@ -1,5 +1,5 @@
 import { Clone } from '@react-three/drei/core/Clone'
-import { extendLoader, extendLoaderWith, useWrinkles, type WrinkleState, Wrinkles } from 'furrow/react'
+import { extendLoader, useWrinkles, type WrinkleState, Wrinkles } from 'furrow/react'
 import { type WrinklesBase, wrinklesOf } from 'furrow/three'
 import { createElement, type ReactNode } from 'react'
 import { type Mesh, MeshStandardMaterial, PlaneGeometry, type WebGLRenderer } from 'three'
@@ -133,14 +133,24 @@ describe('the state of wrinkles in React', () => {
 
   it('leaves out what a face cannot do, with one warning, and does the rest', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
-    const state = { mode: 'fancy' as never, inputs: { age: NaN, stress: 0.5 }, expression: 'unknown' }
+    const state = {
+      mode: 'fancy' as never,
+      inputs: { age: NaN, stress: 0.5 },
+      expression: 'unknown',
+      activation: { c: 1 },
+    }
     await react.show(createElement(Hooked, { state }))
     await react.advance(5)
     await react.show(createElement(Hooked, { state: { ...state } }))
     await react.advance(5)
     expect(face.inputs.get('stress')).toBe(0.5)
     const texts = warn.mock.calls.map(([text]) => String(text))
-    for (const fault of [/unknown mode, got "fancy"/, /"age" is NaN/, /expression.*got "unknown"/]) {
+    for (const fault of [
+      /unknown mode, got "fancy"/,
+      /"age" is NaN/,
+      /expression.*got "unknown"/,
+      /unknown option, got "activation".*did you mean "activations"/,
+    ]) {
       expect(
         texts.filter((text) => fault.test(text)),
         String(fault),
@@ -210,7 +220,7 @@ describe('the state of wrinkles in React', () => {
 
   it('has the options of the loader', async () => {
     const loader = new GLTFLoader()
-    extendLoaderWith({ mode: 'composed' })(loader)
+    extendLoader(loader, { mode: 'composed' })
     const file = await loader.parseAsync((await wrinkledFile()).buffer, '')
     expect(wrinklesOf(file)[0].mode).toBe('composed')
     wrinklesOf(file)[0].dispose()

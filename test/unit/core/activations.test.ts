@@ -36,7 +36,7 @@ describe('Activations', () => {
         what: 'unknown area',
         value: 'noze',
         limit: '"nose", "glabella"',
-        remedy: 'use the name of an area of this set, or add the area first',
+        remedy: 'did you mean "nose"?',
       }),
     )
     expect(activations.version).toBe(1)

@@ -48,7 +48,7 @@ describe('checkWrinkleSet', () => {
     [
       'an unknown layer',
       { ...good, areas: [{ name: 'nose', weights, layer: 'skim' }] },
-      'area "nose" is on an unknown layer, got "skim", allowed: "skin"; name one of the layers',
+      'area "nose" is on an unknown layer, got "skim", allowed: "skin"; did you mean "skin"?',
     ],
     [
       'a malformed area',

@@ -8,7 +8,7 @@ import { seeded } from '../../random.ts'
 import { frameOf } from './stub-renderer.ts'
 
 describe.each([WebGLPlugin, WebGPUPlugin])('the loader plugin', (Plugin) => {
-  const create = (options: object) => new Plugin({} as never, options)
+  const create = (options: object) => new Plugin({ json: {} } as never, options)
 
   it('takes the options of Wrinkles', () => {
     expect(() => create({ mode: 'composed', areaSize: 64, fadeBelow: 200, relief: 'auto' })).not.toThrow()

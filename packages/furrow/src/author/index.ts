@@ -7,12 +7,10 @@
 export type { Bounds } from '../core/bounds.ts'
 export { combineNormals } from '../core/normals/combine-normals.ts'
 export type { GrayImage, RgbaImage } from '../core/types.ts'
-export { AUTO_REGIONS, type AutoRegion } from './auto/anatomy/regions.ts'
+export { AUTO_REGIONS, type AutoRegion } from './auto/anatomy/region-names.ts'
 export {
-  AUTO_DEFAULTS,
   AUTO_STEPS,
   type AutoArea,
-  type AutoOptions,
   type AutoProgress,
   type AutoWrinkles,
   autoWrinkles,
@@ -21,6 +19,7 @@ export {
 export type { AutoBlood, BloodArea } from './auto/blood/draw-blood.ts'
 export type { MissingRegion } from './auto/fit/fit-driver.ts'
 export type { AutoFurrows, FurrowArea } from './auto/furrows/draw-net.ts'
+export { AUTO_DEFAULTS, type AutoOptions } from './auto/options.ts'
 export type { AutoLayer } from './auto/raster/draw-maps.ts'
 export { halfSide, heightLevels } from './auto/raster/half-side.ts'
 export { type StrainMap, strainMaps } from './auto/strain-map.ts'

@@ -1,7 +1,8 @@
 import type { AutoWrinkles } from '../author/auto/auto.ts'
 import type { Skin } from '../author/skin/surface.ts'
 import { buffersOf } from './buffers.ts'
-import { type AutoRunOptions, runWorker } from './run-worker.ts'
+import type { AutoRunOptions } from './run-options.ts'
+import { runWorker } from './run-worker.ts'
 
 /** Settings of `autoWrinklesInWorker`. */
 export interface AutoInWorkerOptions extends AutoRunOptions {

@@ -5,9 +5,10 @@
  */
 
 // Types only: a page without a bundler would fetch all of `furrow/author` for a constant.
-export type { AutoRegion } from '../author/auto/anatomy/regions.ts'
-export type { AutoArea, AutoOptions, AutoProgress, AutoWrinkles } from '../author/auto/auto.ts'
+export type { AutoRegion } from '../author/auto/anatomy/region-names.ts'
+export type { AutoArea, AutoProgress, AutoWrinkles } from '../author/auto/auto.ts'
+export type { AutoOptions } from '../author/auto/options.ts'
 export type { AutoLayer } from '../author/auto/raster/draw-maps.ts'
 export type { Skin, SkinTarget } from '../author/skin/surface.ts'
 export { type AutoInWorkerOptions, autoWrinklesInWorker } from './in-worker.ts'
-export type { AutoRunOptions } from './run-worker.ts'
+export type { AutoRunOptions } from './run-options.ts'

@@ -1,4 +1,5 @@
-import { type AutoOptions, type AutoProgress, type AutoWrinkles, autoWrinkles } from '../author/auto/auto.ts'
+import { type AutoProgress, type AutoWrinkles, autoWrinkles } from '../author/auto/auto.ts'
+import type { AutoOptions } from '../author/auto/options.ts'
 import { chooseSkin } from '../author/auto/surface/choose-skin.ts'
 import { autoWrinkleSet } from '../author/auto/wrinkle-set.ts'
 import { BLOOD_AT_REST } from '../core/blood.ts'

@@ -1,4 +1,5 @@
-import type { AutoOptions, AutoWrinkles } from '../author/auto/auto.ts'
+import type { AutoWrinkles } from '../author/auto/auto.ts'
+import type { AutoOptions } from '../author/auto/options.ts'
 import type { Skin } from '../author/skin/surface.ts'
 import type { ErrorParts } from '../core/error.ts'
 import type { CharacterData } from './character.ts'

@@ -1,21 +1,13 @@
-import type { AutoOptions, AutoProgress } from '../author/auto/auto.ts'
 import { FurrowError } from '../core/error.ts'
 import type { AutoJob, AutoReply, AutoRequest, AutoResults } from './messages.ts'
-
-/** Settings of `autoWrinkles`, and how the page follows it. */
-export interface AutoRunOptions extends AutoOptions {
-  /** Called before each step and at the end. */
-  progress?: AutoProgress
-  /** Ends the worker when it is aborted. */
-  signal?: AbortSignal
-}
+import { type AutoRunOptions, checkRunOptions } from './run-options.ts'
 
 /**
  * Runs a job in a worker of its own.
  *
  * @param transfer buffers to move to the worker instead of copying them.
  * @param who names the caller in errors.
- * @returns a promise that rejects with a FurrowError where the job throws it, where there are no workers, and where the worker cannot start or
+ * @returns a promise that rejects with a FurrowError where an option is unknown or out of range, where the job throws it, where there are no workers, and where the worker cannot start or
  *   dies; with the signal's reason when that is aborted.
  */
 export async function runWorker<Job extends AutoJob>(
@@ -24,6 +16,7 @@ export async function runWorker<Job extends AutoJob>(
   transfer: ArrayBuffer[],
   who: string,
 ): Promise<AutoResults[Job['type']]> {
+  checkRunOptions(options, who)
   signal?.throwIfAborted()
   if (typeof Worker === 'undefined') throw withoutWorkers(who)
   const { startWorker, version } = await import('./start-worker.ts')

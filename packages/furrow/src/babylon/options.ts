@@ -1,6 +1,7 @@
 import { isObject, wrongArgument } from '../core/argument.ts'
 import { FurrowError } from '../core/error.ts'
 import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE, MIN_AREA_SIZE } from '../core/limits.ts'
+import { didYouMean } from '../core/nearest-name.ts'
 
 /** `default` mixes normals and lights once; `off` shows no wrinkles. */
 export type WrinkleMode = 'default' | 'off'
@@ -40,15 +41,16 @@ export function checkMode(mode: WrinkleMode, who = 'Wrinkles.mode'): void {
  */
 export function checkOptions(options: WrinklesOptions, who: string): Required<WrinklesOptions> {
   if (!isObject(options)) throw wrongArgument(who, 'options', options, 'an object')
-  const unknown = Object.keys(options).find((name) => !(name in WRINKLES_DEFAULTS))
+  const known = Object.keys(WRINKLES_DEFAULTS)
+  const unknown = Object.keys(options).find((name) => !known.includes(name))
   if (unknown) {
     throw new FurrowError({
       code: 'unsupported',
       who,
       what: 'an option that Babylon.js does not have',
       value: unknown,
-      limit: Object.keys(WRINKLES_DEFAULTS).join(', '),
-      remedy: 'leave it out; docs/babylon.md lists what only three.js shows',
+      limit: known.join(', '),
+      remedy: didYouMean(unknown, known, 'leave it out; docs/babylon.md lists what only three.js shows'),
     })
   }
   const { mode, areaSize } = { ...WRINKLES_DEFAULTS, ...options }

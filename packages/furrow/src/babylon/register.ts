@@ -5,6 +5,7 @@ import {
 import { WRINKLE_MAPS } from '../core/maps/declared.ts'
 import { WrinkleMapsExtension } from './loader/wrinkle-maps-extension.ts'
 import { checkLoaderOptions, type LoaderOptions } from './options.ts'
+import { noteRegistered } from './registered.ts'
 
 /**
  * Lets Babylon.js load the wrinkles of glTF files, from the next file on. A loaded face wrinkles by itself as its morph targets move, and
@@ -14,6 +15,7 @@ import { checkLoaderOptions, type LoaderOptions } from './options.ts'
  */
 export function registerWrinkleMaps(options: LoaderOptions = {}): void {
   checkLoaderOptions(options, 'registerWrinkleMaps')
+  noteRegistered()
   unregisterGLTFExtension(WRINKLE_MAPS)
   // For files that do not declare the extension too, so that these are told of.
   registerGLTFExtension(WRINKLE_MAPS, false, (loader) => new WrinkleMapsExtension(loader, options))

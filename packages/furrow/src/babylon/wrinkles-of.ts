@@ -1,5 +1,8 @@
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { Node } from '@babylonjs/core/node.js'
+import { isObject, wrongArgument } from '../core/argument.ts'
+import type { FurrowError } from '../core/error.ts'
+import { warnIfUnregistered } from './registered.ts'
 import { addedTo, type WrinklesBase } from './wrinkles-base.ts'
 
 /** What Babylon.js returns of a file: an asset container, or what was imported of it; or a copy by `instantiateModelsToScene`. */
@@ -13,20 +16,39 @@ export type LoadedFile =
       readonly rootNodes: readonly Node[]
     }
 
-/** The wrinkles of a mesh, however they were added, or undefined. */
+/**
+ * The wrinkles of a mesh, however they were added, or undefined.
+ *
+ * @throws FurrowError when it is neither a mesh nor a loaded file.
+ */
 export function wrinklesOf(mesh: AbstractMesh): WrinklesBase | undefined
-/** The wrinkles of a file or a copy of it, one per face; none if it has none, or was loaded before `registerWrinkleMaps`. */
+/**
+ * The wrinkles of a file or a copy of it, one per face; none if it has none, or was loaded before `registerWrinkleMaps`. Warns once if that
+ * was never called.
+ *
+ * @throws FurrowError when it is neither a mesh nor a loaded file.
+ */
 export function wrinklesOf(file: LoadedFile): readonly WrinklesBase[]
 export function wrinklesOf(
   source: AbstractMesh | LoadedFile,
 ): WrinklesBase | undefined | readonly WrinklesBase[] {
+  if (!isObject(source)) throw wrongSource(source)
   if ('meshes' in source) return facesOf(source.meshes)
   if ('rootNodes' in source) {
     return facesOf(source.rootNodes.flatMap((root) => [root as AbstractMesh, ...root.getChildMeshes()]))
   }
+  if (typeof source.isVerticesDataPresent !== 'function')
+    throw wrongSource((source as object).constructor?.name)
   return addedTo(source)
 }
 
+function wrongSource(value: unknown): FurrowError {
+  const limit = 'what Babylon.js returned of a file, or a Mesh or InstancedMesh'
+  return wrongArgument('wrinklesOf', 'a loaded file or a mesh', value, limit)
+}
+
 function facesOf(meshes: readonly AbstractMesh[]): WrinklesBase[] {
-  return [...new Set(meshes.flatMap((mesh) => addedTo(mesh) ?? []))]
+  const faces = [...new Set(meshes.flatMap((mesh) => addedTo(mesh) ?? []))]
+  if (faces.length === 0) warnIfUnregistered()
+  return faces
 }

@@ -3,6 +3,7 @@ import { FurrowError } from './error.ts'
 import { checkImage } from './image.ts'
 import { MAX_AREAS } from './limits.ts'
 import { isName, NAME_RULE } from './name.ts'
+import { didYouMean } from './nearest-name.ts'
 import type { Area, ArraySlice } from './types.ts'
 
 /** Whether a map is a slice of an array instead of an image. */
@@ -58,15 +59,31 @@ export function layerIndex(
       what: `area "${area.name}" is on an unknown layer`,
       value: area.layer,
       limit: listNames(layers),
-      remedy: 'name one of the layers of the set',
+      remedy: didYouMean(area.layer, namesOf(layers), 'name one of the layers of the set'),
     })
   }
   return index
 }
 
+/** The error for a name that no area has. */
+export function unknownArea(name: string, areas: readonly string[], who: string): FurrowError {
+  return new FurrowError({
+    code: 'unknown-name',
+    who,
+    what: 'unknown area',
+    value: name,
+    limit: areas.map((area) => `"${area}"`).join(', '),
+    remedy: didYouMean(name, areas, 'use the name of an area of this set, or add the area first'),
+  })
+}
+
 /** The names of areas or layers, for errors. */
 export function listNames(named: readonly { name: string }[]): string {
   return named.map(({ name }) => `"${name}"`).join(', ')
+}
+
+function namesOf(named: readonly { name: string }[]): string[] {
+  return named.map(({ name }) => name)
 }
 
 export function checkCount(count: number, what: string, most: number, who: string): void {

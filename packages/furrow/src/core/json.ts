@@ -1,5 +1,6 @@
 import { type ErrorCode, FurrowError } from './error.ts'
 import { isName, NAME_RULE } from './name.ts'
+import { didYouMean } from './nearest-name.ts'
 
 /** A point of the texture: u to the right, v downwards, both 0..1. */
 export type Uv = [u: number, v: number]
@@ -24,7 +25,7 @@ export class JsonReader {
           `${path} has an unknown field`,
           key,
           known.join(', '),
-          'correct the name or remove it',
+          didYouMean(key, known, 'correct the name or remove it'),
           'unknown-name',
         )
       }

@@ -1,6 +1,6 @@
 import type { ReliefMode, WrinkleMode } from '../three/options.ts'
 import type { WrinklesBase } from '../three/wrinkles-base.ts'
-import type { WrinkleState } from './wrinkle-state.ts'
+import { checkState, type WrinkleState } from './wrinkle-state.ts'
 
 type Numbers = Readonly<Record<string, number>>
 
@@ -25,6 +25,7 @@ export class DeclaredFace {
     const [face, before, last] = [this.#face, this.#before, this.#state]
     if (face.isDisposed || state === last) return
     this.#state = state
+    this.#attempt(() => checkState(state))
     this.#attempt(() => {
       face.mode = state.mode ?? before.mode
     })

@@ -1,3 +1,4 @@
+import { checkOptionNames } from '../core/nearest-name.ts'
 import type { ExpressionChoice } from '../runtime/expression-mix.ts'
 import type { ReliefMode, WrinkleMode } from '../three/options.ts'
 
@@ -13,4 +14,18 @@ export interface WrinkleState {
   mode?: WrinkleMode
   /** Whether the layers' heights move the surface. */
   relief?: ReliefMode
+}
+
+/** Names of the properties. */
+const NAMES: Record<keyof WrinkleState, true> = {
+  activations: true,
+  inputs: true,
+  expression: true,
+  mode: true,
+  relief: true,
+}
+
+/** @throws FurrowError at the first property that does not exist. */
+export function checkState(state: WrinkleState): void {
+  checkOptionNames(state, Object.keys(NAMES), 'Wrinkles')
 }

@@ -1,6 +1,6 @@
 import { wrongArgument } from '../core/argument.ts'
-import { listNames } from '../core/check-areas.ts'
-import { FurrowError, sentence } from '../core/error.ts'
+import { unknownArea } from '../core/check-areas.ts'
+import { sentence } from '../core/error.ts'
 import { MAX_AREAS } from '../core/limits.ts'
 
 /** Of one activation, since a number that is passed may be boxed. */
@@ -101,14 +101,7 @@ export class Activations {
   #indexOf(name: string): number {
     const index = this.#indices.get(name)
     if (index !== undefined) return index
-    throw new FurrowError({
-      code: 'unknown-name',
-      who: this.#who,
-      what: 'unknown area',
-      value: name,
-      limit: listNames(this.names.map((name) => ({ name }))),
-      remedy: 'use the name of an area of this set, or add the area first',
-    })
+    throw unknownArea(name, this.names, this.#who)
   }
 
   #warn(name: string, value: number): void {

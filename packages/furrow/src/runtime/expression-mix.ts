@@ -1,5 +1,6 @@
 import { isObject, wrongArgument } from '../core/argument.ts'
 import { FurrowError } from '../core/error.ts'
+import { didYouMean } from '../core/nearest-name.ts'
 import type { Expression } from '../drivers/expression/expression.ts'
 
 /** Who errors name. */
@@ -160,13 +161,14 @@ export class ExpressionMix {
 
   #check(name: string, weight: number): void {
     if (!this.#expressions.has(name)) {
+      const names = [...this.#expressions.keys()]
       throw new FurrowError({
         code: 'unknown-name',
         who: 'ExpressionMix',
         what: 'unknown expression',
         value: name,
-        limit: [...this.#expressions.keys()].join(', '),
-        remedy: 'use one of these, or pass your own list of expressions',
+        limit: names.join(', '),
+        remedy: didYouMean(name, names, 'use one of these, or pass your own list of expressions'),
       })
     }
     if (weight >= 0 && weight <= 1) return

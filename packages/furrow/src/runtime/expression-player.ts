@@ -1,7 +1,7 @@
-import { isObject, wrongArgument } from '../core/argument.ts'
 import { sentence } from '../core/error.ts'
 import type { Expression } from '../drivers/expression/expression.ts'
 import { EXPRESSIONS } from '../drivers/expression/presets.ts'
+import { checkWrinkles } from './check-wrinkles.ts'
 import { type Easing, type ExpressionChoice, ExpressionMix } from './expression-mix.ts'
 import type { BindTargets, TargetBinding } from './target-binding.ts'
 import type { WrinkleFaces } from './wrinkle-faces.ts'
@@ -19,14 +19,7 @@ export class ExpressionPlayerBase {
    * @param expressions the first is the initial one; by default those of the file, or `EXPRESSIONS` if it has none.
    */
   constructor(wrinkles: WrinkleFaces | undefined, bind: BindTargets, expressions?: readonly Expression[]) {
-    if (wrinkles !== undefined && !isObject(wrinkles)) {
-      throw wrongArgument(
-        'ExpressionPlayer',
-        'the wrinkles of the face',
-        wrinkles,
-        'an object of class Wrinkles',
-      )
-    }
+    if (wrinkles !== undefined) checkWrinkles(wrinkles, 'ExpressionPlayer', 'the wrinkles of the face')
     const own = wrinkles?.expressions.length ? wrinkles.expressions : EXPRESSIONS
     this.#mix = new ExpressionMix(expressions ?? own)
     this.#wrinkles = wrinkles

@@ -1,5 +1,6 @@
 import { wrongArgument } from '../core/argument.ts'
-import { FurrowError } from '../core/error.ts'
+import { FurrowError, sentence } from '../core/error.ts'
+import { didYouMean } from '../core/nearest-name.ts'
 
 /**
  * Numbers that the application sets by name, for drivers of type `age` and `input`: the person's age, stress, cold, loudness. Each
@@ -7,6 +8,9 @@ import { FurrowError } from '../core/error.ts'
  */
 export class NamedInputs {
   readonly #values = new Map<string, Float64Array>()
+  /** Names that drivers read. */
+  readonly #read = new Set<string>()
+  readonly #warned = new Set<string>()
   readonly #faces: number
   readonly #checkInUse: (method: string) => void
 
@@ -25,7 +29,7 @@ export class NamedInputs {
   }
 
   /**
-   * Sets an input. The name may be one that no driver reads yet.
+   * Sets an input. The name may be one that no driver reads yet; warns once if the drivers read others.
    *
    * @param value in the unit that the drivers' curves expect, e.g. years.
    * @param instance index of an instance; all instances by default.
@@ -44,7 +48,8 @@ export class NamedInputs {
         remedy: 'set one, e.g. inputs.set("age", 40)',
       })
     }
-    const values = this.declare(name, 0)
+    if (this.#read.size > 0 && !this.#read.has(name)) this.#warn(name)
+    const values = this.#valuesOf(name, 0)
     if (instance === undefined) values.fill(value)
     else values[instance] = value
   }
@@ -61,18 +66,38 @@ export class NamedInputs {
   }
 
   /**
-   * Creates an input if it does not exist.
+   * Creates an input that a driver reads, if it does not exist.
    *
    * @param initial its value until it is set.
    * @returns its current value for each instance; always the same array.
    * @internal
    */
   declare(name: string, initial: number): Float64Array {
+    this.#read.add(name)
+    return this.#valuesOf(name, initial)
+  }
+
+  #valuesOf(name: string, initial: number): Float64Array {
     const known = this.#values.get(name)
     if (known) return known
     const values = new Float64Array(this.#faces).fill(initial)
     this.#values.set(name, values)
     return values
+  }
+
+  #warn(name: string): void {
+    if (this.#warned.has(name)) return
+    this.#warned.add(name)
+    const names = [...this.#read]
+    console.warn(
+      sentence({
+        who: 'Wrinkles.inputs',
+        what: 'no driver of this face reads the input',
+        value: name,
+        limit: names.join(', '),
+        remedy: didYouMean(name, names, 'it has no effect'),
+      }),
+    )
   }
 }
 

@@ -9,6 +9,7 @@ export { activationTrack } from './activation-track.ts'
 export { type FaceView, frameFace } from './camera/frame-face.ts'
 export { ExpressionPlayer } from './ExpressionPlayer.ts'
 export { FaceScores } from './FaceScores.ts'
+export type { ExtendableLoader } from './loader/extend-loader.ts'
 export { loadWrinkleSet } from './loader/load-wrinkle-set.ts'
 export { type LoadedWrinkles, readWrinkleMaps } from './loader/read-wrinkle-maps.ts'
 export {

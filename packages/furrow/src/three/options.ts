@@ -1,6 +1,7 @@
-import type { AutoRunOptions } from '../auto/run-worker.ts'
-import { wrongArgument } from '../core/argument.ts'
+import { type AutoRunOptions, checkRunOptions } from '../auto/run-options.ts'
+import { isObject, wrongArgument } from '../core/argument.ts'
 import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE, MIN_AREA_SIZE } from '../core/limits.ts'
+import { checkOptionNames } from '../core/nearest-name.ts'
 
 /**
  * `default` mixes normals and lights once; `paper` lights twice and mixes colours; `composed` draws the mixed normals into a texture
@@ -77,10 +78,9 @@ export function checkReliefMode(relief: ReliefMode, who = 'Wrinkles.relief'): vo
  * @param who the caller, in errors.
  * @throws FurrowError at the first option that is not what it must be.
  */
-export function checkOptions(
-  { mode, areaSize, fadeBelow, relief, textureBudget }: Required<WrinklesOptions>,
-  who: string,
-): void {
+export function checkOptions(options: Required<WrinklesOptions>, who: string): void {
+  checkOptionNames(options, Object.keys(WRINKLES_DEFAULTS), who)
+  const { mode, areaSize, fadeBelow, relief, textureBudget } = options
   checkMode(mode, who)
   checkReliefMode(relief, who)
   if (!(Number.isInteger(areaSize) && areaSize >= MIN_AREA_SIZE && areaSize <= MAX_IMAGE_SIDE)) {
@@ -90,4 +90,13 @@ export function checkOptions(
     throw wrongArgument(who, 'fadeBelow', fadeBelow, '0 pixels or more')
   }
   if (!(textureBudget >= 0)) throw wrongArgument(who, 'textureBudget', textureBudget, '0 bytes or more')
+}
+
+/** @throws FurrowError as `checkOptions` does, or when an option of `auto` is unknown or out of range. */
+export function checkLoaderOptions(options: WrinkleLoaderOptions, who: string): void {
+  if (!isObject(options)) throw wrongArgument(who, 'options', options, 'an object')
+  checkOptionNames(options, [...Object.keys(WRINKLES_DEFAULTS), 'auto'], who)
+  const { auto, ...others } = options
+  checkOptions({ ...WRINKLES_DEFAULTS, ...others }, who)
+  if (auto !== undefined) checkRunOptions(auto, `${who} auto`)
 }

@@ -4,11 +4,9 @@ import type { AgeDriver } from '../../drivers/age/definition.ts'
 import type { ExpressionDriver } from '../../drivers/expression/definition.ts'
 import { EXPRESSIONS } from '../../drivers/expression/presets.ts'
 import type { MorphDriver } from '../../drivers/morph/definition.ts'
-import type { TangentFrame } from '../relief/height-to-normal.ts'
 import type { Skin } from '../skin/surface.ts'
 import type { StrokesDocument } from '../strokes/document.ts'
 import { type OddMeasure, oddMeasures } from './anatomy/proportions.ts'
-import { AUTO_REGIONS, type AutoRegion } from './anatomy/regions.ts'
 import { type AutoBlood, drawBlood, withoutBlood } from './blood/draw-blood.ts'
 import { ageDriver } from './fit/age-driver.ts'
 import type { MissingRegion } from './fit/fit-driver.ts'
@@ -17,51 +15,11 @@ import { assignLayers } from './fit/layers.ts'
 import { type AutoFurrows, drawNet } from './furrows/draw-net.ts'
 import { planNet } from './furrows/plan-net.ts'
 import { layLines } from './lines/lay-lines.ts'
+import { AUTO_DEFAULTS, type AutoOptions, checkAutoOptions } from './options.ts'
 import { type AutoLayer, drawMaps } from './raster/draw-maps.ts'
 import { measureStrain } from './strain/measure-strain.ts'
 import type { Landmarks } from './surface/landmarks.ts'
 import { prepareSkin } from './surface/prepare-skin.ts'
-
-/** Settings of `autoWrinkles`; `AUTO_DEFAULTS` has the defaults. */
-export interface AutoOptions {
-  /** Years, 20..80: lines grow in number, length and depth. Where given, a face is so old at rest too, until its input `age` is set. */
-  age?: number
-  /** Multiplies the depth, 0..2. */
-  strength?: number
-  /** Side of the maps in texels. */
-  size?: number
-  /** Side of the areas in texels. */
-  areaSize?: number
-  /** Any whole number; the same one gives the same wrinkles. */
-  seed?: number
-  /** Of regions of a face that get other lines than `seed` gives them. The forehead has one, `foreheadInner`: its lines run through both. */
-  seeds?: Readonly<Partial<Record<AutoRegion, number>>>
-  /** Layers at most, 1..4; with fine furrows 2 or more. */
-  layers?: number
-  /** Areas with lines at most, 1..64; those with the least compression are left out. */
-  areas?: number
-  /** Parts of a face that may crease, all by default. Only a face has any. */
-  regions?: readonly AutoRegion[]
-  /** Whether a face gets a net of fine furrows too, on a layer of its own. Where a furrow is less than two texels wide there are none. */
-  furrows?: boolean
-  /** The frame in which renderers read the normal maps, see `heightToNormal`. */
-  frame?: TangentFrame
-}
-
-/** Defaults of `AutoOptions`. */
-export const AUTO_DEFAULTS = {
-  age: 45,
-  strength: 1,
-  size: 1024,
-  areaSize: 128,
-  seed: 1,
-  seeds: {},
-  layers: 4,
-  areas: 24,
-  regions: AUTO_REGIONS,
-  furrows: false,
-  frame: 'orthonormal',
-} as const satisfies AutoOptions
 
 /** An area and its driver. */
 export interface AutoArea {
@@ -117,13 +75,14 @@ export const AUTO_STEPS = ['face', 'lines', 'drivers', 'layers', 'maps'] as cons
  * input and seed give the same maps, bit for bit.
  *
  * @throws FurrowError when the skin has no targets, no UV area, or values that are NaN or infinite; when regions are chosen and no face is
- *   detected; when furrows are wanted and there is one layer.
+ *   detected; when furrows are wanted and there is one layer; when an option is unknown or out of range.
  */
 export function autoWrinkles(
   skin: Skin,
   options: AutoOptions = {},
   progress: AutoProgress = () => {},
 ): AutoWrinkles {
+  checkAutoOptions(options, 'autoWrinkles')
   const settings = { ...AUTO_DEFAULTS, ...options }
   const { age, areas: maxAreas } = settings
   const begin = (step: (typeof AUTO_STEPS)[number]) => {

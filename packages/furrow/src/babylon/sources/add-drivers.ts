@@ -3,7 +3,8 @@ import { FurrowError } from '../../core/error.ts'
 import { driversOf } from '../../drivers/of-type.ts'
 import { planDrivers } from '../../drivers/plan-drivers.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
-import { WrinklesBase } from '../wrinkles-base.ts'
+import { checkWrinkles } from '../../runtime/check-wrinkles.ts'
+import type { WrinklesBase } from '../wrinkles-base.ts'
 import { bindPlan, type InputBindings } from './bind-plan.ts'
 import { bindJoints } from './joint.ts'
 import { addMuscles } from './muscles.ts'
@@ -20,9 +21,7 @@ const BINDINGS: InputBindings = { target: bindTargets, joint: bindJoints, tensio
  * @throws FurrowError when `wrinkles` is not a `Wrinkles` or was disposed of, or a driver is not as `parseDrivers` reads it.
  */
 export function addDrivers(wrinkles: WrinklesBase, drivers: readonly WrinkleDriver[]): void {
-  if (!(wrinkles instanceof WrinklesBase)) {
-    throw wrongArgument('addDrivers', 'wrinkles', wrinkles, 'an object of class Wrinkles')
-  }
+  checkWrinkles(wrinkles, 'addDrivers')
   if (!Array.isArray(drivers) || !drivers.every((driver) => typeof driver?.type === 'string')) {
     throw wrongArgument('addDrivers', 'drivers', drivers, 'a list of objects with a type')
   }

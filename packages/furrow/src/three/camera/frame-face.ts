@@ -1,5 +1,6 @@
 import { Box3, type Object3D, type PerspectiveCamera, Quaternion, Vector3 } from 'three'
 import { FurrowError } from '../../core/error.ts'
+import { checkOptionNames } from '../../core/nearest-name.ts'
 import { rootOf } from '../mesh/root-of.ts'
 import { wrinklesOf } from '../wrinkles-of.ts'
 import { type DrawnMesh, drawnMeshes } from './drawn-mesh.ts'
@@ -38,11 +39,9 @@ const UP = new Vector3(0, 1, 0)
  * @returns the point that the camera looks at, in world space: the target of `OrbitControls`.
  * @throws FurrowError when there are no triangles.
  */
-export function frameFace(
-  camera: PerspectiveCamera,
-  face: Object3D,
-  { yaw = 0, pitch = 0, zoom = 1 }: FaceView = {},
-): Vector3 {
+export function frameFace(camera: PerspectiveCamera, face: Object3D, view: FaceView = {}): Vector3 {
+  checkOptionNames(view, ['yaw', 'pitch', 'zoom'], 'frameFace')
+  const { yaw = 0, pitch = 0, zoom = 1 } = view
   updateWorldMatrices(face)
   const all = drawnMeshes(face)
   const wrinkled = all.filter(({ mesh }) => wrinklesOf(mesh))

@@ -1,7 +1,8 @@
 import type { Material, Mesh } from 'three'
 import type { GLTF, GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
-import type { AutoRunOptions } from '../../auto/run-worker.ts'
-import { isObject, wrongArgument } from '../../core/argument.ts'
+import type { AutoRunOptions } from '../../auto/run-options.ts'
+import { isObject } from '../../core/argument.ts'
+import { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { WrinkleMaps } from '../../drivers/parse.ts'
@@ -17,7 +18,7 @@ import type { RendererParts } from '../material/renderer-parts.ts'
 import { surfaceOf } from '../material/surface.ts'
 import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
 import {
-  checkOptions,
+  checkLoaderOptions,
   isMixed,
   WRINKLES_DEFAULTS,
   type WrinkleLoaderOptions,
@@ -71,13 +72,12 @@ export class WrinkleLoader {
   /** Reads the wrinkles of a material, once. */
   readonly #read: ReturnType<typeof materialReader>
 
-  constructor(parser: GLTFParser, parts: LoaderParts, { auto, ...options }: WrinkleLoaderOptions) {
-    if (auto !== undefined && !isObject(auto)) {
-      throw wrongArgument('WrinkleLoaderPlugin', 'auto', auto, 'an object with options, such as { age: 45 }')
-    }
+  constructor(parser: GLTFParser, parts: LoaderParts, options: WrinkleLoaderOptions) {
+    if (!isObject(parser?.json)) throw withoutParser(parser)
+    checkLoaderOptions(options, 'WrinkleLoaderPlugin')
+    const { auto, ...others } = options
     this.#auto = auto
-    this.#options = { ...WRINKLES_DEFAULTS, ...options }
-    checkOptions(this.#options, 'WrinkleLoaderPlugin')
+    this.#options = { ...WRINKLES_DEFAULTS, ...others }
     this.#parser = parser
     this.#parts = parts
     this.#read = materialReader(parser, {
@@ -238,6 +238,16 @@ export class WrinkleLoader {
       delete (mesh as Partial<Mesh>).clone
     })
   }
+}
+
+function withoutParser(given: unknown): FurrowError {
+  return new FurrowError({
+    who: 'WrinkleLoaderPlugin',
+    what: 'a parser',
+    value: given === null || given === undefined ? String(given) : (given as object).constructor?.name,
+    limit: 'the GLTFParser that GLTFLoader passes to what is registered',
+    remedy: 'call extendLoader(loader), or loader.register((parser) => new WrinkleLoaderPlugin(parser))',
+  })
 }
 
 /** Where a face comes from. */

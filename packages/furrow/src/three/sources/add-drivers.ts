@@ -1,8 +1,9 @@
 import { wrongArgument } from '../../core/argument.ts'
 import { FurrowError } from '../../core/error.ts'
+import { checkOptionNames } from '../../core/nearest-name.ts'
 import { driversOf } from '../../drivers/of-type.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
-import { checkWrinkles } from '../check-wrinkles.ts'
+import { checkWrinkles } from '../../runtime/check-wrinkles.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { BINDINGS, bindDrivers } from './bind-drivers.ts'
 import type { DriversOptions, InputBindings } from './binding.ts'
@@ -34,6 +35,7 @@ export function addDriversBy(bindings: InputBindings): AddDrivers {
     if (!Array.isArray(drivers) || !drivers.every((driver) => typeof driver?.type === 'string')) {
       throw wrongArgument('addDrivers', 'drivers', drivers, 'a list of objects with a type')
     }
+    checkOptionNames(options ?? {}, ['expressions'], 'addDrivers')
     try {
       addMuscles(wrinkles.mesh, driversOf('muscle', drivers))
       bindDrivers(wrinkles, drivers, () => options ?? {}, bindings).bind()

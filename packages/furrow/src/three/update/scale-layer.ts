@@ -1,7 +1,7 @@
 import { checkFinite, isObject, wrongArgument } from '../../core/argument.ts'
 import type { Layer } from '../../core/types.ts'
 import { checkBloodAmplitude } from '../../core/wrinkle-set.ts'
-import { checkWrinkles } from '../check-wrinkles.ts'
+import { checkWrinkles } from '../../runtime/check-wrinkles.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { unknownLayer } from './unknown-layer.ts'
 

@@ -1,5 +1,5 @@
 import type { Landmarks } from '../surface/landmarks.ts'
-import type { AutoRegion } from './regions.ts'
+import type { AutoRegion } from './region-names.ts'
 
 /** A measure of a face that is outside of what people have, by which its landmarks fail some regions. */
 export interface OddMeasure {

@@ -5,26 +5,7 @@ import { frown } from './frown.ts'
 import { mouth } from './mouth.ts'
 import { nose } from './nose.ts'
 import type { FaceContext, FaceRegion } from './region.ts'
-
-/** Parts of a face that crease: the names of their areas, without the side. */
-export const AUTO_REGIONS = [
-  'foreheadInner',
-  'foreheadOuter',
-  'glabella',
-  'noseRoot',
-  'nose',
-  'crowsFeet',
-  'underEye',
-  'nasolabial',
-  'mouthCorner',
-  'upperLip',
-  'lowerLip',
-  'chin',
-  'neck',
-] as const
-
-/** A part of the face whose wrinkles {@link autoWrinkles} makes. */
-export type AutoRegion = (typeof AUTO_REGIONS)[number]
+import type { AutoRegion } from './region-names.ts'
 
 /** The wanted parts, both sides of each. */
 export function faceRegions(context: FaceContext, wanted: readonly AutoRegion[]): FaceRegion[] {

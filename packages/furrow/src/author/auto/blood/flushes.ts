@@ -1,5 +1,5 @@
 import { SIDES, type SkinRegion } from '../anatomy/region.ts'
-import type { AutoRegion } from '../anatomy/regions.ts'
+import type { AutoRegion } from '../anatomy/region-names.ts'
 import { type ChartPoint, unroll } from '../surface/head-chart.ts'
 import type { Landmarks } from '../surface/landmarks.ts'
 

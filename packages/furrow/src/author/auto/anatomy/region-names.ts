@@ -1,0 +1,19 @@
+/** Parts of a face that crease: the names of their areas, without the side. */
+export const AUTO_REGIONS = [
+  'foreheadInner',
+  'foreheadOuter',
+  'glabella',
+  'noseRoot',
+  'nose',
+  'crowsFeet',
+  'underEye',
+  'nasolabial',
+  'mouthCorner',
+  'upperLip',
+  'lowerLip',
+  'chin',
+  'neck',
+] as const
+
+/** A part of the face whose wrinkles {@link autoWrinkles} makes. */
+export type AutoRegion = (typeof AUTO_REGIONS)[number]

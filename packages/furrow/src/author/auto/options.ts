@@ -1,0 +1,110 @@
+import { FurrowError } from '../../core/error.ts'
+import { MAX_IMAGE_SIDE, MAX_LAYERS } from '../../core/limits.ts'
+import { checkOptionNames, didYouMean } from '../../core/nearest-name.ts'
+import type { TangentFrame } from '../relief/height-to-normal.ts'
+import { AUTO_REGIONS, type AutoRegion } from './anatomy/region-names.ts'
+
+/** Options of `autoWrinkles`; `AUTO_DEFAULTS` has the defaults. */
+export interface AutoOptions {
+  /** Years, 20..80: lines grow in number, length and depth. Where given, a face is so old at rest too, until its input `age` is set. */
+  age?: number
+  /** Multiplies the depth, 0..2. */
+  strength?: number
+  /** Side of the maps in texels. */
+  size?: number
+  /** Side of the areas in texels. */
+  areaSize?: number
+  /** Any whole number; the same one gives the same wrinkles. */
+  seed?: number
+  /** Of regions of a face that get other lines than `seed` gives them. The forehead has one, `foreheadInner`: its lines run through both. */
+  seeds?: Readonly<Partial<Record<AutoRegion, number>>>
+  /** Layers at most, 1..4; with fine furrows 2 or more. */
+  layers?: number
+  /** Areas with lines at most, 1..64; those with the least compression are left out. */
+  areas?: number
+  /** Parts of a face that may crease, all by default. Only a face has any. */
+  regions?: readonly AutoRegion[]
+  /** Whether a face gets a net of fine furrows too, on a layer of its own. Where a furrow is less than two texels wide there are none. */
+  furrows?: boolean
+  /** The frame in which renderers read the normal maps, see `heightToNormal`. */
+  frame?: TangentFrame
+}
+
+/** Defaults of `AutoOptions`. */
+export const AUTO_DEFAULTS = {
+  age: 45,
+  strength: 1,
+  size: 1024,
+  areaSize: 128,
+  seed: 1,
+  seeds: {},
+  layers: 4,
+  areas: 24,
+  regions: AUTO_REGIONS,
+  furrows: false,
+  frame: 'orthonormal',
+} as const satisfies AutoOptions
+
+/** Smallest and largest value of each number. */
+const RANGES = {
+  age: [20, 80],
+  strength: [0, 2],
+  size: [1, MAX_IMAGE_SIDE],
+  areaSize: [2, MAX_IMAGE_SIDE],
+  seed: [0, 2 ** 31 - 1],
+  layers: [1, MAX_LAYERS],
+  areas: [1, 64],
+} as const satisfies Partial<Record<keyof AutoOptions, readonly [number, number]>>
+
+/** Numbers that may have a fraction. */
+const FRACTIONS: readonly string[] = ['age', 'strength']
+
+/**
+ * Checks options of `autoWrinkles`.
+ *
+ * @param who the caller, in errors.
+ * @throws FurrowError at the first option that is unknown or out of range.
+ */
+export function checkAutoOptions(options: AutoOptions, who: string): void {
+  checkOptionNames(options, Object.keys(AUTO_DEFAULTS), who)
+  for (const [name, range] of Object.entries(RANGES)) {
+    const value = options[name as keyof typeof RANGES]
+    if (value !== undefined) checkNumber(value, name, range, who)
+  }
+  for (const [region, seed] of Object.entries(options.seeds ?? {})) {
+    checkRegion(region, who)
+    checkNumber(seed, 'seed', RANGES.seed, who)
+  }
+  for (const region of options.regions ?? []) checkRegion(region, who)
+}
+
+function checkNumber(
+  value: unknown,
+  name: string,
+  [low, high]: readonly [number, number],
+  who: string,
+): void {
+  const isWhole = Number.isInteger(value) || FRACTIONS.includes(name)
+  if (typeof value === 'number' && isWhole && value >= low && value <= high) return
+  const what = FRACTIONS.includes(name) ? 'a number' : 'a whole number'
+  throw new FurrowError({
+    code: 'out-of-range',
+    who,
+    what: name,
+    value: value ?? String(value),
+    limit: `${what}, ${low} to ${high}`,
+    remedy: 'correct the option',
+  })
+}
+
+function checkRegion(region: string, who: string): void {
+  if ((AUTO_REGIONS as readonly string[]).includes(region)) return
+  throw new FurrowError({
+    code: 'unknown-name',
+    who,
+    what: 'unknown region',
+    value: region,
+    limit: AUTO_REGIONS.join(', '),
+    remedy: didYouMean(region, AUTO_REGIONS, 'name one of them'),
+  })
+}
