@@ -1,0 +1,95 @@
+import { readdirSync, readFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { expect, it } from 'vitest'
+import { documentOf } from '../../studio/src/keep/document-record.ts'
+import { unzipFolder } from '../../studio/src/keep/zip.ts'
+import {
+  differencesOfDrawing,
+  observeFace,
+  observePacked,
+  observeProject,
+  withHashes,
+} from '../fixtures/observe.ts'
+
+/** Files that users have, see the README.md there. */
+const FILES = fileURLToPath(new URL('../fixtures/files-2026-11/', import.meta.url))
+
+const faces = readdirSync(FILES, { recursive: true, encoding: 'utf8' }).filter((path) => {
+  return /\.(glb|vrm)$/.test(path) && !path.endsWith('face.glb')
+})
+/** Folders, and the face that each packs to. */
+const folders = [
+  ['drawn', 'drawn.glb'],
+  ['unpacked/painted', 'painted.glb'],
+  ['unpacked/studio', 'studio/exported.glb'],
+]
+
+it.each(faces)('%s means what it meant when it was written', async (path) => {
+  await expectRecorded(path, await observeFace(join(FILES, path)))
+})
+
+it.each(folders)('the folder %s packs to %s', async (folder, face) => {
+  await expectRecorded(face, await observePacked(join(FILES, folder)))
+})
+
+it.each(folders)('the folder %s opens in the studio as it did', async (folder) => {
+  await expectRecorded(`${folder}-project`, await observeProject(filesOf(join(FILES, folder))))
+})
+
+it('strokes.json is drawn as it was, within a level', async () => {
+  const differences = Object.entries(await differencesOfDrawing(join(FILES, 'drawn')))
+  expect(differences.length).toBe(11)
+  expect(differences.filter(([, most]) => most > 1)).toEqual([])
+})
+
+it('a downloaded project opens as it did', async () => {
+  const zip = new Blob([readFileSync(join(FILES, 'studio/project.zip'))])
+  await expectRecorded('studio/project', await observeProject(await unzipFolder(zip, 'project.zip')))
+})
+
+it('a project in the browser opens as it did', async () => {
+  const { documents, images, projects } = JSON.parse(readFileSync(join(FILES, 'studio/records.json'), 'utf8'))
+  const bytes = (text: string) => new Uint8Array(Buffer.from(text, 'base64'))
+  const records = images.map((image: { bytes?: string; data: string }, i: number) => [
+    i,
+    image.bytes === undefined
+      ? { ...image, data: bytes(image.data) }
+      : { ...image, bytes: bytes(image.bytes) },
+  ])
+  await expectRecorded(
+    'studio/records',
+    await withHashes(documentOf(documents, new Map(records), projects.name)),
+  )
+})
+
+/** All files of a folder, as a page has them. */
+function filesOf(folder: string) {
+  const items = readdirSync(folder, { recursive: true, withFileTypes: true })
+  const paths = items.filter((item) => item.isFile()).map((item) => join(item.parentPath, item.name))
+  return paths.map((path) => ({
+    path: path.slice(folder.length + 1),
+    file: new Blob([readFileSync(path)]),
+  }))
+}
+
+async function expectRecorded(name: string, observed: object): Promise<void> {
+  const recorded = join(FILES, 'expected', `${name.replaceAll(/[/.]/g, '-')}.json`)
+  await expect(`${text(observed)}\n`).toMatchFileSnapshot(recorded)
+}
+
+/** JSON with numbers to six digits; what fits in a line is on one. */
+function text(value: unknown, indent = ''): string {
+  if (typeof value === 'number') return String(Number(value.toPrecision(6)))
+  if (typeof value !== 'object' || value === null) return JSON.stringify(value)
+  const inner = `${indent}  `
+  const parts = Array.isArray(value)
+    ? value.map((item) => text(item, inner))
+    : Object.entries(value)
+        .filter(([, item]) => item !== undefined)
+        .map(([key, item]) => `${JSON.stringify(key)}: ${text(item, inner)}`)
+  const [open, close] = Array.isArray(value) ? '[]' : '{}'
+  const line = `${open}${parts.join(', ')}${close}`
+  if (indent.length + line.length <= 400 && !line.includes('\n')) return line
+  return `${open}\n${inner}${parts.join(`,\n${inner}`)}\n${indent}${close}`
+}
