@@ -133,7 +133,7 @@ function gpuProject(name: string, files: string[], exclude: string[] = []): Test
         'comlink',
         'fast-png',
         'fastest-levenshtein',
-        'furrow-cli > ktx-parse',
+        'furrow-files > ktx-parse',
         'gltf-validator',
         'draco3d',
         'meshoptimizer/decoder',

@@ -37,7 +37,7 @@ async function run() {
   const { toResults, toTable } = await server.ssrLoadModule('/bench/report.ts')
   const { CROWD_KINDS, CROWD_PICTURE } = await server.ssrLoadModule('/bench/page/crowd.ts')
   const { median, spread } = await server.ssrLoadModule('/bench/statistics.ts')
-  const { kilobytes } = await server.ssrLoadModule('/packages/cli/src/wrinkles/sizes.ts')
+  const { kilobytes } = await server.ssrLoadModule('/packages/files/src/index.ts')
   const { withBar } = await server.ssrLoadModule('/packages/cli/src/progress.ts')
   const allowed = options.node ? ['webgpu'] : RENDERER_KINDS
   const renderers = checkRenderers(options.renderer ?? allowed, allowed)

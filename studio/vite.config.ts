@@ -56,7 +56,7 @@ export default defineConfig({
       'draco3d',
       'fast-png',
       'fastest-levenshtein',
-      'furrow-cli > ktx-parse',
+      'furrow-files > ktx-parse',
       'gltf-validator',
       'meshoptimizer/decoder',
     ],

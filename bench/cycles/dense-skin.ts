@@ -1,9 +1,8 @@
 /** The skin that Cycles draws: split finer than a page would split it, and moved in float64 by the functions that judge the shaders. */
 import { readFile } from 'node:fs/promises'
 import { join } from 'node:path'
-import { readHeightImage } from '../../packages/cli/src/images/height-image.ts'
-import { decodeGray } from '../../packages/cli/src/images/pixels.ts'
-import { readFolder } from '../../packages/cli/src/wrinkles/folder.ts'
+import { decodeGray } from 'furrow-files'
+import { readFolder, readHeightImage } from 'furrow-files/node'
 import { packAreas } from '../../packages/furrow/src/core/pack.ts'
 import {
   bloodColour,

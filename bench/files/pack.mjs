@@ -1,10 +1,11 @@
 import { join } from 'node:path'
 import sharp from 'sharp'
-import { encodeGlb, readGlbFile } from '../../packages/cli/dist/gltf/glb-file.js'
-import { readFolder, readReferenced } from '../../packages/cli/dist/wrinkles/folder.js'
-import { embedWrinkles } from '../../packages/cli/dist/wrinkles/pack/embed.js'
-import { packFolder } from '../../packages/cli/dist/wrinkles/pack/pack.js'
-import { stripWrinkles } from '../../packages/cli/dist/wrinkles/pack/strip.js'
+import { encodeGlb } from '../../packages/cli/dist/files/src/gltf/glb-file.js'
+import { readGlbFile } from '../../packages/cli/dist/files/src/gltf/read-glb-file.js'
+import { embedWrinkles } from '../../packages/cli/dist/files/src/pack/embed.js'
+import { packFolder } from '../../packages/cli/dist/files/src/pack/pack.js'
+import { stripWrinkles } from '../../packages/cli/dist/files/src/pack/strip.js'
+import { readFolder, readReferenced } from '../../packages/cli/dist/files/src/wrinkles/folder.js'
 
 const WHO = 'bench'
 

@@ -48,8 +48,8 @@ async function writeLow(from, to) {
 /** The lines of the face's own wrinkles, and its scale. */
 async function automaticLines(server, path) {
   const { autoWrinkles, strokesOf } = await server.ssrLoadModule('/packages/furrow/src/author/index.ts')
-  const { findSkin } = await server.ssrLoadModule('/packages/cli/src/auto/find-skin.ts')
-  const { readDocument } = await server.ssrLoadModule('/packages/cli/src/gltf/read-document.ts')
+  const { findSkin } = await server.ssrLoadModule('/packages/files/src/index.ts')
+  const { readDocument } = await server.ssrLoadModule('/packages/files/src/node.ts')
   const { skin } = findSkin(await readDocument(path, 'bench'), path, 'bench')
   return strokesOf(autoWrinkles(skin, { size: 256 }))
 }

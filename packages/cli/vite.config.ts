@@ -3,13 +3,13 @@ import { defineConfig } from 'vite'
 const conditions = ['furrow-source', 'module', 'node', 'development|production']
 
 /**
- * Builds the commands into dist/, module by module as in src/, and with them the modules of `furrow` that they use: the
- * package then needs no copy of the library beside it. All other packages stay dependencies. The processes of a batch have
+ * Builds the commands into dist/, module by module as in src/, and with them the modules of `furrow` and `furrow-files`
+ * that they use: the package then needs no copy of either beside it. All other packages stay dependencies. The processes of a batch have
  * an entry of their own.
  */
 export default defineConfig({
   logLevel: 'warn',
-  ssr: { noExternal: ['furrow'], resolve: { conditions } },
+  ssr: { noExternal: ['furrow', 'furrow-files'], resolve: { conditions } },
   build: {
     ssr: true,
     target: 'node20.19',

@@ -18,7 +18,13 @@ const BUILDS = [
   {
     name: 'furrow-cli',
     result: 'packages/cli/dist/page/index.html',
-    sources: ['packages/cli/src', 'packages/cli/package.json', 'packages/cli/vite.config.ts', 'stage'],
+    sources: [
+      'packages/cli/src',
+      'packages/cli/package.json',
+      'packages/cli/vite.config.ts',
+      'packages/files',
+      'stage',
+    ],
   },
 ]
 const EVERYONES_SOURCES = ['package-lock.json', 'tsconfig.base.json']

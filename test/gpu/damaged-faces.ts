@@ -1,15 +1,16 @@
 import type { WrinkleDriver } from 'furrow'
-import sharp, { type Sharp } from 'sharp'
-import type { Compression } from '../../packages/cli/src/array/image-array.ts'
-import { writeArray } from '../../packages/cli/src/array/ktx2.ts'
-import { BufferViewWriter } from '../../packages/cli/src/gltf/buffer-view-writer.ts'
-import { decodeGlb, encodeGlb, type Glb } from '../../packages/cli/src/gltf/glb-file.ts'
 import {
+  type Compression,
+  checkWrinkles,
+  decodeGlb,
   embedWrinkles,
-  type FileImage,
-  type LayerImages,
-} from '../../packages/cli/src/wrinkles/pack/embed.ts'
-import { checkWrinkles } from '../../packages/cli/src/wrinkles/rules.ts'
+  encodeGlb,
+  type Glb,
+  writeArray,
+} from 'furrow-files'
+import sharp, { type Sharp } from 'sharp'
+import { BufferViewWriter } from '../../packages/files/src/gltf/buffer-view-writer.ts'
+import type { FileImage, LayerImages } from '../../packages/files/src/pack/embed.ts'
 import { damageBytes } from '../fuzz/damage-bytes.ts'
 import { damageHeader, damageKtx2, flatPng } from '../fuzz/damage-images.ts'
 import { Random } from '../fuzz/random.ts'

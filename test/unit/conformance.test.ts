@@ -1,11 +1,10 @@
 import { readdirSync, readFileSync, statSync } from 'node:fs'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
+import { checkWrinkles, decodeGlb } from 'furrow-files'
 import { describe, expect, it } from 'vitest'
 import { filesOf } from '../../conformance/src/make.ts'
 import { SAMPLES } from '../../conformance/src/samples.ts'
-import { decodeGlb } from '../../packages/cli/src/gltf/glb-file.ts'
-import { checkWrinkles } from '../../packages/cli/src/wrinkles/rules.ts'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 const FOLDER = join(ROOT, 'conformance/files')

@@ -2,9 +2,9 @@ import { accessSync, constants } from 'node:fs'
 import { homedir } from 'node:os'
 import { join } from 'node:path'
 import { FurrowError } from 'furrow'
+import { firstLine } from 'furrow-files'
 import type { Browser, Page } from 'playwright-core'
 import { CHROMIUM_FLAGS } from './chromium-flags.ts'
-import { firstLine } from './errors.ts'
 import { temporaryFolder } from './interruption.ts'
 
 /** Loaded where a browser is wanted: few commands need one, and loading it costs as much as all others together. */

@@ -1,15 +1,9 @@
 import { existsSync, mkdirSync, renameSync, rmdirSync, rmSync, writeFileSync } from 'node:fs'
 import { dirname, join } from 'node:path'
 import { FurrowError } from 'furrow'
-import { cannotWrite } from './errors.ts'
+import { cannotWrite, type OutputFile } from 'furrow-files'
 import { uninterrupted } from './interruption.ts'
 import { isStdout, targetOf } from './outputs.ts'
-
-/** A file to write: its whole content, still in memory. */
-export interface OutputFile {
-  path: string
-  bytes: Uint8Array
-}
 
 /**
  * Writes all files or none: everything goes to temporary files beside their targets first, which are then renamed.

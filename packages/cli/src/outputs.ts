@@ -2,7 +2,8 @@ import { constants, type Stats } from 'node:fs'
 import { access, lstat, readdir, readlink, realpath, stat } from 'node:fs/promises'
 import { dirname, join, relative, resolve } from 'node:path'
 import { FurrowError } from 'furrow'
-import { cannotWrite } from './errors.ts'
+import { cannotWrite } from 'furrow-files'
+import { fileProblem, ignoreMissing, statOf } from 'furrow-files/node'
 
 /** What the files that a command writes may be. */
 export interface OutputRules {
@@ -136,12 +137,6 @@ async function folderAt(path: string, who: string): Promise<Stats | undefined> {
   }
 }
 
-/** Why what is at a path can be neither read nor replaced; undefined where it can. */
-export function fileProblem(found: Pick<Stats, 'isFile' | 'isDirectory'> | undefined): string | undefined {
-  if (!found || found.isFile()) return undefined
-  return found.isDirectory() ? 'it is a folder' : 'it is a device, pipe or socket'
-}
-
 /** The file that is written for a path: links are followed, also those to files that do not exist yet. */
 export async function targetOf(path: string): Promise<string> {
   let target = resolve(path)
@@ -151,11 +146,6 @@ export async function targetOf(path: string): Promise<string> {
     target = resolve(await realpath(dirname(target)), await readlink(target))
   }
   return realpath(path)
-}
-
-/** What is at a path; undefined where nothing is. */
-export async function statOf(path: string): Promise<Stats | undefined> {
-  return stat(path).catch(ignoreMissing)
 }
 
 /** The same text for the same file, by whatever path. */
@@ -190,8 +180,4 @@ async function nearestFolder(path: string): Promise<string> {
 function shortest(path: string): string {
   const way = relative(process.cwd(), path)
   return way.length < path.length ? way : path
-}
-
-function ignoreMissing(error: NodeJS.ErrnoException): undefined {
-  if (error.code !== 'ENOENT' && error.code !== 'ENOTDIR') throw error
 }

@@ -1,8 +1,6 @@
 import { SingleBar } from 'cli-progress'
+import type { Progress } from 'furrow-files'
 import { escaped } from './print.ts'
-
-/** Called now and then during a long task with how much of it is done, and the name of the current step. */
-export type Progress = (done: number, total: number, step?: string) => void
 
 /** Runs `work`, synchronous or not, with a progress bar on stderr; without a terminal there is none. */
 export function withBar<T>(name: string, work: (progress: Progress) => T): T {

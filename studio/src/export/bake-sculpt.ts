@@ -1,11 +1,15 @@
 import { FurrowError } from 'furrow'
 import { bakeMaps, meshDiagonal } from 'furrow/author'
-import { DEFAULT_CAGE, lowMeshOf } from '../../../packages/cli/src/bake/low-mesh.ts'
-import { raySourceOf } from '../../../packages/cli/src/bake/ray-source.ts'
-import { surfaceOf } from '../../../packages/cli/src/bake/surface.ts'
-import { documentOf } from '../../../packages/cli/src/gltf/document.ts'
-import { nameOf, trianglesOf } from '../../../packages/cli/src/gltf/mesh-nodes.ts'
-import { encodePortablePng } from '../../../packages/cli/src/images/png.ts'
+import {
+  DEFAULT_CAGE,
+  documentOf,
+  encodePortablePng,
+  lowMeshOf,
+  nameOf,
+  raySourceOf,
+  surfaceOf,
+  trianglesOf,
+} from 'furrow-files'
 import type { OnProgress } from './export-face.ts'
 import { type FaceFiles, openFace } from './files.ts'
 

@@ -1,6 +1,5 @@
 import { type HeightMap, halfSide, heightLevels } from 'furrow/author'
-import { withoutAlpha } from '../../../packages/cli/src/images/pixels.ts'
-import { encodePortablePng } from '../../../packages/cli/src/images/png.ts'
+import { encodePortablePng, withoutAlpha } from 'furrow-files'
 import type { ImageFile, StudioDocument } from '../document/document.ts'
 import type { DrawnMaps } from '../draw/messages.ts'
 import type { AvatarFile } from '../keep/database.ts'

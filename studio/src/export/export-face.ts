@@ -1,11 +1,14 @@
-import { type Cost, costOf } from '../../../packages/cli/src/auto/cost.ts'
-import { encodeGlb } from '../../../packages/cli/src/gltf/glb-file.ts'
-import type { TargetNames } from '../../../packages/cli/src/gltf/target-names.ts'
-import type { Finding } from '../../../packages/cli/src/validate/finding.ts'
-import { inspectWrinkles } from '../../../packages/cli/src/wrinkles/inspect.ts'
-import { PACK_DEFAULTS } from '../../../packages/cli/src/wrinkles/pack/pack.ts'
-import { packFace } from '../../../packages/cli/src/wrinkles/pack/pack-face.ts'
-import { wrinklesOf } from '../../../packages/cli/src/wrinkles/wrinkled-file.ts'
+import {
+  type Cost,
+  costOf,
+  encodeGlb,
+  type Finding,
+  inspectWrinkles,
+  PACK_DEFAULTS,
+  packFace,
+  type TargetNames,
+  wrinklesOf,
+} from 'furrow-files'
 import { type FaceFiles, type Files, openFace, wrinkleFilesIn, wrinkleSetIn } from './files.ts'
 import { findingsOf } from './validate-face.ts'
 

@@ -1,16 +1,18 @@
 import type { WrinkleSetDocument } from 'furrow'
-import { checkFileBytes } from '../../../packages/cli/src/file-size.ts'
-import { type Glb, openGlb } from '../../../packages/cli/src/gltf/glb-file.ts'
 import {
+  checkFileBytes,
   dataOf,
+  folderDocument,
+  type Glb,
   missing,
   normalised,
+  openGlb,
+  parseJson,
   pathOf,
   type ReadReference,
   type Reference,
-} from '../../../packages/cli/src/gltf/references.ts'
-import { parseJson } from '../../../packages/cli/src/json-file.ts'
-import { folderDocument, WRINKLES_FILE } from '../../../packages/cli/src/wrinkles/folder-document.ts'
+  WRINKLES_FILE,
+} from 'furrow-files'
 
 /** Files by their paths below a folder, with `/`. */
 export type Files = ReadonlyMap<string, Uint8Array>

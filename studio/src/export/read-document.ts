@@ -1,4 +1,4 @@
-import { decodeGray } from '../../../packages/cli/src/images/pixels.ts'
+import { decodeGray } from 'furrow-files'
 import type { StudioDocument } from '../document/document.ts'
 import type { AvatarFile } from '../keep/database.ts'
 import { type ReadFolder, readFolder } from '../keep/read-folder.ts'

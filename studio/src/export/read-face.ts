@@ -1,7 +1,4 @@
-import { encodeGlb } from '../../../packages/cli/src/gltf/glb-file.ts'
-import { stripWrinkles } from '../../../packages/cli/src/wrinkles/pack/strip.ts'
-import { unpackWrinkles } from '../../../packages/cli/src/wrinkles/unpack.ts'
-import { wrinkledFile, wrinkledMaterials } from '../../../packages/cli/src/wrinkles/wrinkled-file.ts'
+import { encodeGlb, stripWrinkles, unpackWrinkles, wrinkledFile, wrinkledMaterials } from 'furrow-files'
 import type { OnProgress } from './export-face.ts'
 import { type FaceFiles, type Files, openFace } from './files.ts'
 

@@ -1,8 +1,6 @@
 import type { WrinkleSetDocument } from 'furrow'
 import { fileNamesOf, isFileName, type StrokesDocument } from 'furrow/author'
-import { paintedArea } from '../../../packages/cli/src/images/painted-area.ts'
-import type { Pixels } from '../../../packages/cli/src/images/pixels.ts'
-import { addressOf, WRINKLES_FILE } from '../../../packages/cli/src/wrinkles/folder-document.ts'
+import { addressOf, type Pixels, paintedArea, WRINKLES_FILE } from 'furrow-files'
 import {
   type ImageFile,
   MAP_NAMES,

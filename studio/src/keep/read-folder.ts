@@ -8,7 +8,7 @@ import {
   type WrinkleSetDocument,
 } from 'furrow'
 import { parseStrokes, type StrokesDocument } from 'furrow/author'
-import { folderDocument, WRINKLES_FILE } from '../../../packages/cli/src/wrinkles/folder-document.ts'
+import { folderDocument, WRINKLES_FILE } from 'furrow-files'
 import {
   type ImageFile,
   type LayerStroke,

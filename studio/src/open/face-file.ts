@@ -1,10 +1,13 @@
 import { FurrowError } from 'furrow'
-import { checkFileBytes } from '../../../packages/cli/src/file-size.ts'
-import { costProblem } from '../../../packages/cli/src/gltf/checks/document.ts'
-import { decodeGlb } from '../../../packages/cli/src/gltf/glb-file.ts'
-import type { GltfJson } from '../../../packages/cli/src/gltf/gltf-json.ts'
-import { unusable } from '../../../packages/cli/src/gltf/not-gltf.ts'
-import { normalised, pathOf } from '../../../packages/cli/src/gltf/references.ts'
+import {
+  checkFileBytes,
+  costProblem,
+  decodeGlb,
+  type GltfJson,
+  normalised,
+  pathOf,
+  unusable,
+} from 'furrow-files'
 import { bytesOf, type DroppedFile } from './dropped-files.ts'
 
 /** A glTF file that was read but not decoded, and the files that it refers to. */

@@ -1,6 +1,4 @@
-import { dataOf, missing, normalised, pathOf } from '../../../packages/cli/src/gltf/references.ts'
-import { parseJson } from '../../../packages/cli/src/json-file.ts'
-import { WRINKLES_FILE } from '../../../packages/cli/src/wrinkles/folder-document.ts'
+import { dataOf, missing, normalised, parseJson, pathOf, WRINKLES_FILE } from 'furrow-files'
 import { bytesOf } from './dropped-files.ts'
 
 const WHO = 'Studio'

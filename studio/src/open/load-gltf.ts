@@ -1,8 +1,8 @@
 import type { VRM } from '@pixiv/three-vrm'
 import { FurrowError } from 'furrow'
+import { firstLine } from 'furrow-files'
 import { LoadingManager, WebGLRenderer } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
-import { firstLine } from '../../../packages/cli/src/errors.ts'
 import type { FaceFile } from './face-file.ts'
 import { findSkins, type SkinCandidate } from './skins.ts'
 

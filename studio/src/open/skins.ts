@@ -1,7 +1,7 @@
 import { chooseSkin, MOST_TRIANGLES } from 'furrow/author'
+import { namesOfTarget, type TargetNames } from 'furrow-files'
 import type { Mesh } from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
-import { namesOfTarget, type TargetNames } from '../../../packages/cli/src/gltf/target-names.ts'
 import { skinOf } from '../../../packages/furrow/src/auto/character.ts'
 import type { FileWrinkles } from '../../../packages/furrow/src/runtime/file/read-wrinkles.ts'
 import { canCrease, readMeshes } from '../../../packages/furrow/src/three/loader/read-character.ts'

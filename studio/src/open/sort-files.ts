@@ -1,6 +1,5 @@
 import { FurrowError } from 'furrow'
-import { HEAD_BYTES, kindOf } from '../../../packages/cli/src/file-kind.ts'
-import { NAME_FACE, otherFormat, unusable } from '../../../packages/cli/src/gltf/not-gltf.ts'
+import { HEAD_BYTES, kindOf, NAME_FACE, otherFormat, unusable } from 'furrow-files'
 import { bytesOf, type DroppedFile } from './dropped-files.ts'
 
 /** What a user dropped. */

@@ -1,4 +1,4 @@
-import { folderDocument, WRINKLES_FILE } from '../../../packages/cli/src/wrinkles/folder-document.ts'
+import { folderDocument, WRINKLES_FILE } from 'furrow-files'
 import type { FileWrinkles } from '../../../packages/furrow/src/runtime/file/read-wrinkles.ts'
 import { readImages } from '../../../packages/furrow/src/three/loader/load-wrinkle-set.ts'
 import { Folder } from './folder.ts'

@@ -1,7 +1,7 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals'
 import { DEFAULT_AREA_SIZE, FurrowError } from 'furrow'
 import { type AutoWrinkles, halfSide } from 'furrow/author'
-import type { TargetNames } from '../../../packages/cli/src/gltf/target-names.ts'
+import type { TargetNames } from 'furrow-files'
 import { automaticDocument, layersLeft, remake } from '../document/automatic.ts'
 import { blankDocument } from '../document/blank.ts'
 import type { AutoSettings, ImageFile, LayerStroke, StudioDocument } from '../document/document.ts'

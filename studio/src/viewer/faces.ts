@@ -1,5 +1,5 @@
 import { FurrowError } from 'furrow'
-import { checkFileBytes } from '../../../packages/cli/src/file-size.ts'
+import { checkFileBytes } from 'furrow-files'
 import { type OpenedAvatar, openAvatar } from '../open/avatar.ts'
 
 /** Called while a face loads, with the fraction loaded so far; null if the server does not tell the size. */

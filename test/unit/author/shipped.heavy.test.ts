@@ -1,11 +1,9 @@
 import { existsSync, readFileSync } from 'node:fs'
 import { parseWrinkleSetDocument } from 'furrow'
+import { findSkin } from 'furrow-files'
+import { decodeNormalMap, readDocument, readFaceMesh } from 'furrow-files/node'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { findSkin } from '../../../packages/cli/src/auto/find-skin.ts'
-import { readFaceMesh } from '../../../packages/cli/src/gltf/face-mesh.ts'
-import { readDocument } from '../../../packages/cli/src/gltf/read-document.ts'
-import { decodeNormalMap } from '../../../packages/cli/src/images/decode-normal-map.ts'
 import {
   type AutoOptions,
   type AutoWrinkles,

@@ -1,8 +1,8 @@
 import { fileURLToPath } from 'node:url'
 import { mapSkin, skinSurface } from 'furrow/author'
+import { findSkin } from 'furrow-files'
+import { readDocument } from 'furrow-files/node'
 import { describe, expect, it } from 'vitest'
-import { findSkin } from '../../../packages/cli/src/auto/find-skin.ts'
-import { readDocument } from '../../../packages/cli/src/gltf/read-document.ts'
 
 const HUMAN = fileURLToPath(new URL('../../../faces/human.glb', import.meta.url))
 

@@ -10,8 +10,8 @@ import {
 import sharp from 'sharp'
 import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { NAMES_KEY } from '../../../packages/cli/src/array/ktx2.ts'
 import { arrayCommand } from '../../../packages/cli/src/commands/array.ts'
+import { NAMES_KEY } from '../../../packages/files/src/ktx2/ktx2.ts'
 import { seeded } from '../../random.ts'
 import { bench } from './command.ts'
 

@@ -1,6 +1,6 @@
 import type { Document } from '@gltf-transform/core'
+import { findSkin } from 'furrow-files'
 import { describe, expect, test } from 'vitest'
-import { findSkin } from '../../../packages/cli/src/auto/find-skin.ts'
 import { BARE_FACES } from '../../bare-faces/bare-faces.ts'
 import { skinOf } from './auto-changes.ts'
 import { meshOf, plainFace, targetNamesOf } from './auto-variants.ts'

@@ -1,16 +1,15 @@
 import { posix } from 'node:path'
 import fc from 'fast-check'
+import { fromUtf8, normalised } from 'furrow-files'
 import { expect, it } from 'vitest'
 import {
   concat,
   fromBase64,
   fromLatin1,
-  fromUtf8,
   latin1,
   sameBytes,
   utf8,
-} from '../../../packages/cli/src/bytes.ts'
-import { normalised } from '../../../packages/cli/src/gltf/references.ts'
+} from '../../../packages/files/src/base/bytes.ts'
 
 const bytes = fc.uint8Array({ maxLength: 40 })
 

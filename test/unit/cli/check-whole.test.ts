@@ -1,6 +1,6 @@
 import sharp from 'sharp'
 import { expect, it } from 'vitest'
-import { checkWhole } from '../../../packages/cli/src/platform/node/images.ts'
+import { checkWhole } from '../../../packages/files/src/images/codec.node.ts'
 
 const [WIDTH, HEIGHT] = [61, 47]
 const texels = Uint8Array.from({ length: WIDTH * HEIGHT * 3 }, (_, i) => (i * 7919 + (i >> 3) * 31) & 255)

@@ -1,9 +1,9 @@
 import { Option } from 'commander'
 import { FurrowError } from 'furrow'
+import { cannotRead, withCommandErrors } from 'furrow-files'
 import { describe, expect, it, vi } from 'vitest'
 import { createCommand } from '../../../packages/cli/src/command.ts'
 import { bakeCommand } from '../../../packages/cli/src/commands/bake.ts'
-import { cannotRead, withCommandErrors } from '../../../packages/cli/src/errors.ts'
 import { numberParser, parseWeight } from '../../../packages/cli/src/options.ts'
 
 /** What `work` throws or rejects with. */

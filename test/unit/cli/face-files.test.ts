@@ -1,8 +1,9 @@
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
+import type { GltfJson } from 'furrow-files'
 import { expect, it } from 'vitest'
-import { faceFiles } from '../../../packages/cli/src/gltf/face-files.ts'
-import type { BufferView, GltfJson } from '../../../packages/cli/src/gltf/gltf-json.ts'
+import { faceFiles } from '../../../packages/cli/src/face-outputs.ts'
+import type { BufferView } from '../../../packages/files/src/json/gltf-json.ts'
 
 const BYTES = Uint8Array.from({ length: 100 }, (_, i) => i)
 

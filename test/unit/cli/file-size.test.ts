@@ -1,5 +1,6 @@
 import { closeSync, openSync, truncateSync } from 'node:fs'
 import type { Command } from 'commander'
+import { readBytes } from 'furrow-files/node'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { activationsCommand } from '../../../packages/cli/src/commands/activations.ts'
 import { arrayCommand } from '../../../packages/cli/src/commands/array.ts'
@@ -13,8 +14,7 @@ import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
 import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
 import { uvCommand } from '../../../packages/cli/src/commands/uv.ts'
 import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
-import { MAX_FILE_BYTES } from '../../../packages/cli/src/file-size.ts'
-import { readBytes } from '../../../packages/cli/src/inputs.ts'
+import { MAX_FILE_BYTES } from '../../../packages/files/src/base/file-size.ts'
 import { faceBytes, Workshop } from './workshop.ts'
 
 const MIB = 2 ** 20

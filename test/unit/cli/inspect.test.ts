@@ -3,7 +3,7 @@ import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
 import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
-import { areaSizes, mapSizes } from '../../../packages/cli/src/wrinkles/sizes.ts'
+import { areaSizes, mapSizes } from '../../../packages/files/src/wrinkles/sizes.ts'
 import { jsonOf, noise, Workshop, withJson } from './workshop.ts'
 
 const shop = new Workshop()

@@ -1,6 +1,6 @@
+import { encodePng } from 'furrow-files/node'
 import { expect, it } from 'vitest'
-import { encodePng } from '../../../packages/cli/src/images/encode.ts'
-import { encodeMapArrays } from '../../../packages/cli/src/wrinkles/pack/ktx2-images.ts'
+import { encodeMapArrays } from '../../../packages/files/src/pack/ktx2-images.ts'
 
 it('heights of files with KTX 2 arrays remain the images that they are', async () => {
   const size = { width: 4, height: 4 }

@@ -1,12 +1,12 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
+import { encodePortablePng, type Pixels, withoutAlpha } from 'furrow-files'
 import sharp, { type Sharp } from 'sharp'
 import { describe, expect, it } from 'vitest'
-import { headerOf } from '../../../packages/cli/src/images/header.ts'
-import { isOpaque, type Pixels, toRgba, withoutAlpha } from '../../../packages/cli/src/images/pixels.ts'
-import { encodePortablePng } from '../../../packages/cli/src/images/png.ts'
-import { scaleImage } from '../../../packages/cli/src/images/scale.ts'
-import { decodeImage } from '../../../packages/cli/src/platform/node/images.ts'
+import { decodeImage } from '../../../packages/files/src/images/codec.node.ts'
+import { headerOf } from '../../../packages/files/src/images/header.ts'
+import { isOpaque, toRgba } from '../../../packages/files/src/images/pixels.ts'
+import { scaleImage } from '../../../packages/files/src/images/scale.ts'
 import { seeded } from '../../random.ts'
 
 const AREAS = fileURLToPath(new URL('../../../faces/human/areas/', import.meta.url))

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest'
-import { namesOfTargets } from '../../../packages/cli/src/gltf/gltf-json.ts'
+import { namesOfTargets } from '../../../packages/files/src/json/gltf-json.ts'
 
 describe('names of blendshapes', () => {
   it('are those of extras.targetNames', () => {

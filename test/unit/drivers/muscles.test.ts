@@ -1,9 +1,9 @@
 import { readFileSync } from 'node:fs'
 import { driversOf, type MuscleDriver, muscleOffsets, parseDrivers } from 'furrow'
 import { targetArea } from 'furrow/author'
+import { readFaceMesh } from 'furrow-files/node'
 import { Vector3 } from 'three'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { readFaceMesh } from '../../../packages/cli/src/gltf/face-mesh.ts'
 import { driven } from '../../driven.ts'
 import { seeded } from '../../random.ts'
 

@@ -5,7 +5,12 @@ import { expect, it } from 'vitest'
 
 const ROOT = fileURLToPath(new URL('../../../', import.meta.url))
 const EXPORT = join(ROOT, 'studio/src/export')
-const BROWSER = join(ROOT, 'packages/cli/src/platform/browser')
+const FILES = join(ROOT, 'packages/files')
+
+/** What Node and browsers do differently, by the name that is imported. */
+const PLATFORMS: Record<string, { node: string; default: string }> = JSON.parse(
+  readFileSync(join(FILES, 'package.json'), 'utf8'),
+).imports
 
 /** Packages that run in browsers, by their documentation and by test/gpu/export.test.ts. */
 const PORTABLE = [
@@ -40,7 +45,8 @@ function loaded() {
     files.add(path)
     for (const name of importsOf(path)) {
       if (name.startsWith('.')) visit(resolve(dirname(path), name))
-      else if (name.startsWith('#platform/')) visit(join(BROWSER, `${name.slice('#platform/'.length)}.ts`))
+      else if (name.startsWith('#')) visit(join(FILES, PLATFORMS[name].default))
+      else if (name === 'furrow-files') visit(join(FILES, 'src/index.ts'))
       else packages.set(name.replace(/^((?:@[^/]+\/)?[^/]+).*$/, '$1'), relative(ROOT, path))
     }
   }
@@ -50,22 +56,18 @@ function loaded() {
 
 it('what the studio exports with is free of Node', () => {
   const { files, packages } = loaded()
-  expect(files).toContain(join(ROOT, 'packages/cli/src/wrinkles/pack/pack.ts'))
+  expect(files).toContain(join(FILES, 'src/pack/pack.ts'))
   expect([...packages].filter(([name]) => !PORTABLE.includes(name))).toEqual([])
   for (const path of files) {
     expect(readFileSync(path, 'utf8'), relative(ROOT, path)).not.toMatch(/\bBuffer[.(]|\bprocess\./)
   }
 })
 
-it('each room for a platform has the same doors', () => {
-  const doorsOf = (platform: string) => {
-    const folder = join(ROOT, 'packages/cli/src/platform', platform)
-    return readdirSync(folder).flatMap((name) => {
-      const found = readFileSync(join(folder, name), 'utf8').matchAll(
-        /^export (?:\{ |(?:async )?function )(\w+)/gm,
-      )
-      return [...found].map(([, door]) => `${name} ${door}`).sort()
-    })
-  }
-  expect(doorsOf('browser')).toEqual(doorsOf('node'))
+it.each(Object.entries(PLATFORMS))('%s exports the same in Node and in browsers', (_, files) => {
+  const exportsOf = (file: string) =>
+    [...readFileSync(join(FILES, file), 'utf8').matchAll(/^export (?:\{ |(?:async )?function )(\w+)/gm)]
+      .map(([, name]) => name)
+      .sort()
+  expect(exportsOf(files.default)).toEqual(exportsOf(files.node))
+  expect(exportsOf(files.node).length).toBeGreaterThan(0)
 })

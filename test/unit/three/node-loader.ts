@@ -3,7 +3,7 @@ import { CompressedArrayTexture, CompressedTexture, RGBA_BPTC_Format } from 'thr
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { vi } from 'vitest'
-import { decodeArray } from '../../../packages/cli/src/array/ktx2.ts'
+import { decodeArray } from '../../../packages/files/src/ktx2/ktx2.ts'
 
 /** Decodes as a browser does, though by another library. */
 async function createImageBitmap(blob: Blob) {

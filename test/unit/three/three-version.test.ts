@@ -1,4 +1,5 @@
 import { readFileSync } from 'node:fs'
+import { writeArray } from 'furrow-files'
 import {
   BatchedMesh,
   MeshStandardMaterial,
@@ -9,7 +10,6 @@ import {
 } from 'three'
 import { NodeBuilder } from 'three/webgpu'
 import { afterEach, describe, expect, it, vi } from 'vitest'
-import { writeArray } from '../../../packages/cli/src/array/ktx2.ts'
 import { loadMapArray } from '../../../packages/furrow/src/three/loader/ktx2.ts'
 import {
   checkThree,

@@ -1,14 +1,8 @@
 import { parse } from 'node:path'
 import { type ErrorCode, FurrowError, MAX_AREAS } from 'furrow'
 import { fileNamesOf, isFileName, type RgbaImage } from 'furrow/author'
-import { cannotRead } from '../errors.ts'
-import { EXACT_IMAGES } from '../images/check-image.ts'
-import { checkDecodedBytes } from '../images/decoded-bytes.ts'
-import { withImageErrors } from '../images/image-errors.ts'
-import { openImage } from '../images/open-image.ts'
-import { readBytes } from '../inputs.ts'
-import { statOf } from '../outputs.ts'
-import type { NamedArray } from './image-array.ts'
+import { cannotRead, checkDecodedBytes, EXACT_IMAGES, type NamedArray, withImageErrors } from 'furrow-files'
+import { openImage, readBytes, statOf } from 'furrow-files/node'
 
 const WHO = 'furrow array'
 

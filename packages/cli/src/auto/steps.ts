@@ -1,5 +1,5 @@
 import { performance } from 'node:perf_hooks'
-import type { Progress } from '../progress.ts'
+import type { Progress } from 'furrow-files'
 
 /** The steps of a long task: reports them to a progress bar and measures how long each takes. */
 export class Steps {

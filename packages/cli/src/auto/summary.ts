@@ -1,8 +1,6 @@
 import { join } from 'node:path'
 import type { AutoWrinkles } from 'furrow/author'
-import { kilobytes } from '../wrinkles/sizes.ts'
-import type { Cost } from './cost.ts'
-import type { FoundSkin } from './find-skin.ts'
+import { type Cost, type FoundSkin, kilobytes } from 'furrow-files'
 
 /** Options of `furrow auto`. */
 interface Outputs {

@@ -9,7 +9,7 @@ import {
   writeSync,
 } from 'node:fs'
 import { dirname } from 'node:path'
-import { cannotRead, cannotWrite } from '../errors.ts'
+import { cannotRead, cannotWrite } from 'furrow-files'
 import type { Outcome } from './jobs/job.ts'
 
 const WHO = 'furrow batch'

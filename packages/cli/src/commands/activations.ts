@@ -9,12 +9,11 @@ import {
   findTargets,
   needsMesh,
 } from 'furrow'
+import { didYouMean, targetNamesOf } from 'furrow-files'
+import { readWrinkledFile } from 'furrow-files/node'
 import { createCommand } from '../command.ts'
-import { targetNamesOf } from '../gltf/gltf-json.ts'
-import { didYouMean } from '../nearest.ts'
 import { allowOutsideOption, assignmentParser, parseWeight } from '../options.ts'
 import { print } from '../print.ts'
-import { readWrinkledFile } from '../wrinkles/read-wrinkled-file.ts'
 
 const WHO = 'furrow activations'
 

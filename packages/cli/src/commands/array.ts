@@ -2,14 +2,18 @@ import { join } from 'node:path'
 import { Option } from 'commander'
 import { FurrowError } from 'furrow'
 import { fileNamesOf } from 'furrow/author'
-import { COMPRESSIONS, type Compression, type NamedArray } from '../array/image-array.ts'
-import { readArray, writeArray } from '../array/ktx2.ts'
+import {
+  COMPRESSIONS,
+  type Compression,
+  cannotRead,
+  type NamedArray,
+  readArray,
+  writeArray,
+} from 'furrow-files'
+import { encodePngWithoutOpaqueAlpha, readBytes } from 'furrow-files/node'
 import { readLayers } from '../array/read-layers.ts'
 import { createCommand } from '../command.ts'
-import { cannotRead } from '../errors.ts'
 import { writeAll } from '../files.ts'
-import { encodePngWithoutOpaqueAlpha } from '../images/encode.ts'
-import { readBytes } from '../inputs.ts'
 import { checkFolder, checkOutputs } from '../outputs.ts'
 import { print } from '../print.ts'
 import { withBar } from '../progress.ts'

@@ -9,32 +9,34 @@ import {
   autoWrinkles,
   strokesOf,
 } from 'furrow/author'
-import { checkBasisSize } from '../array/basis.ts'
-import { checkTriangles } from '../auto/check-triangles.ts'
-import { costOf } from '../auto/cost.ts'
-import { type FoundSkin, findSkin } from '../auto/find-skin.ts'
-import { packAuto } from '../auto/pack-auto.ts'
+import {
+  checkBasisSize,
+  checkTriangles,
+  costOf,
+  documentOf,
+  embedWrinkles,
+  type FoundSkin,
+  faceWarnings,
+  findSkin,
+  type Glb,
+  inspectWrinkles,
+  jsonFile,
+  shadingOf,
+  stripWrinkles,
+  withCommandErrors,
+  wrinklesOf,
+} from 'furrow-files'
+import { FACE_EXTENSIONS, packAuto, readGlbFile } from 'furrow-files/node'
 import { makeReport } from '../auto/report/make-report.ts'
 import { Steps } from '../auto/steps.ts'
 import { summaryLines, summaryOf } from '../auto/summary.ts'
 import { createCommand } from '../command.ts'
-import { withCommandErrors } from '../errors.ts'
+import { faceFiles } from '../face-outputs.ts'
 import { writeAll } from '../files.ts'
-import { documentOf } from '../gltf/document.ts'
-import { FACE_EXTENSIONS, faceFiles } from '../gltf/face-files.ts'
-import type { Glb } from '../gltf/glb-file.ts'
-import { readGlbFile } from '../gltf/read-glb-file.ts'
-import { shadingOf } from '../gltf/shading.ts'
-import { jsonFile } from '../json-file.ts'
 import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
 import { checkFolder, checkOutputs, isStdout } from '../outputs.ts'
 import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
-import { faceWarnings } from '../wrinkles/face-rules.ts'
-import { inspectWrinkles } from '../wrinkles/inspect.ts'
-import { embedWrinkles } from '../wrinkles/pack/embed.ts'
-import { stripWrinkles } from '../wrinkles/pack/strip.ts'
-import { wrinklesOf } from '../wrinkles/wrinkled-file.ts'
 
 const WHO = 'furrow auto'
 

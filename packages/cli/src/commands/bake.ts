@@ -2,12 +2,7 @@ import { performance } from 'node:perf_hooks'
 import { Option } from 'commander'
 import { FurrowError, MAX_IMAGE_SIDE } from 'furrow'
 import { BAKE_DEFAULTS, type BakedMaps, type BakeOptions, bakeMaps, meshDiagonal } from 'furrow/author'
-import { DEFAULT_CAGE } from '../bake/low-mesh.ts'
-import { raySourceOf } from '../bake/ray-source.ts'
-import { readLow, readSurface, type Tangents } from '../bake/read-meshes.ts'
-import { createCommand } from '../command.ts'
-import { withCommandErrors } from '../errors.ts'
-import { type OutputFile, writeAll } from '../files.ts'
+import { DEFAULT_CAGE, type OutputFile, raySourceOf, withCommandErrors } from 'furrow-files'
 import {
   encodeHeight,
   encodeNormalMap,
@@ -15,7 +10,12 @@ import {
   HEIGHT_STEPS_PER_MM,
   HEIGHT_ZERO,
   MAX_HEIGHT,
-} from '../images/encode.ts'
+  readLow,
+  readSurface,
+  type Tangents,
+} from 'furrow-files/node'
+import { createCommand } from '../command.ts'
+import { writeAll } from '../files.ts'
 import { allowOutsideOption, numberParser } from '../options.ts'
 import { checkOutputs } from '../outputs.ts'
 import { print, warn } from '../print.ts'

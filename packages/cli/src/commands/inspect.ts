@@ -1,19 +1,23 @@
 import { describeDriver, driversOf, FurrowError } from 'furrow'
+import {
+  documentOf,
+  type Glb,
+  type GpuSizes,
+  type Inspection,
+  inspectPlain,
+  inspectWrinkles,
+  kilobytes,
+  type PlainInspection,
+  wrinkledFile,
+  wrinkledMaterials,
+} from 'furrow-files'
+import { readGlbFile } from 'furrow-files/node'
 import { createCommand } from '../command.ts'
-
 import { writeAll } from '../files.ts'
-import { documentOf } from '../gltf/document.ts'
-import type { Glb } from '../gltf/glb-file.ts'
-import { readGlbFile } from '../gltf/read-glb-file.ts'
-
+import { drawPlainSheet, drawSheet } from '../inspect/sheet.ts'
 import { allowOutsideOption } from '../options.ts'
 import { checkOutputs } from '../outputs.ts'
 import { print } from '../print.ts'
-import { type Inspection, inspectWrinkles } from '../wrinkles/inspect.ts'
-import { inspectPlain, type PlainInspection } from '../wrinkles/inspect-plain.ts'
-import { drawPlainSheet, drawSheet } from '../wrinkles/sheet.ts'
-import { type GpuSizes, kilobytes } from '../wrinkles/sizes.ts'
-import { wrinkledFile, wrinkledMaterials } from '../wrinkles/wrinkled-file.ts'
 
 const WHO = 'furrow inspect'
 

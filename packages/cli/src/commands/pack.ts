@@ -1,22 +1,24 @@
 import { join } from 'node:path'
 import { Option } from 'commander'
 import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE } from 'furrow'
+import {
+  type AreasPerImage,
+  addMorphNormals,
+  cannotRead,
+  kilobytes,
+  PACK_DEFAULTS,
+  type PackedFolder,
+  packFace,
+  strokesBytes,
+} from 'furrow-files'
+import { FACE_EXTENSIONS, readFolder, readGlbFile, readReferenced, statOf } from 'furrow-files/node'
 import { createCommand } from '../command.ts'
-import { cannotRead } from '../errors.ts'
+import { faceFiles } from '../face-outputs.ts'
 import { writeAll } from '../files.ts'
-import { FACE_EXTENSIONS, faceFiles } from '../gltf/face-files.ts'
-import { addMorphNormals } from '../gltf/morph-normals.ts'
-import { readGlbFile } from '../gltf/read-glb-file.ts'
 import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
-import { checkOutputs, statOf } from '../outputs.ts'
+import { checkOutputs } from '../outputs.ts'
 import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
-import { readFolder, readReferenced } from '../wrinkles/folder.ts'
-import type { AreasPerImage } from '../wrinkles/pack/area-images.ts'
-import { PACK_DEFAULTS, type PackedFolder } from '../wrinkles/pack/pack.ts'
-import { packFace } from '../wrinkles/pack/pack-face.ts'
-import { kilobytes } from '../wrinkles/sizes.ts'
-import { strokesBytes } from '../wrinkles/strokes.ts'
 
 const WHO = 'furrow pack'
 

@@ -18,30 +18,37 @@ import {
   strokesToHeight,
   type TangentFrame,
 } from 'furrow/author'
-import { createCommand } from '../command.ts'
-import { withCommandErrors } from '../errors.ts'
-import { type OutputFile, writeAll } from '../files.ts'
-import { type FaceMesh, readFaceMesh } from '../gltf/face-mesh.ts'
-import { decodeNormalMap } from '../images/decode-normal-map.ts'
 import {
+  didYouMean,
+  jsonFile,
+  layersOf,
+  type OutputFile,
+  STROKES_FILE,
+  WRINKLES_FILE,
+  withCommandErrors,
+} from 'furrow-files'
+import {
+  decodeNormalMap,
+  drawSet,
   encodeArea,
   encodeHeight,
   encodeRgbaNormalMap,
+  type FaceMesh,
   HEIGHT_STEPS_PER_MM,
   HEIGHT_ZERO,
-} from '../images/encode.ts'
-import { readBytes, readJson } from '../inputs.ts'
-import { jsonFile } from '../json-file.ts'
-import { didYouMean } from '../nearest.ts'
+  type OpenSet,
+  openSet,
+  readBytes,
+  readFaceMesh,
+  readJson,
+  readReferenced,
+} from 'furrow-files/node'
+import { createCommand } from '../command.ts'
+import { writeAll } from '../files.ts'
 import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
 import { checkFolder, checkOutputs } from '../outputs.ts'
 import { print } from '../print.ts'
 import { withBar } from '../progress.ts'
-import { drawSet } from '../wrinkles/draw-set.ts'
-import { readReferenced } from '../wrinkles/folder.ts'
-import { STROKES_FILE, WRINKLES_FILE } from '../wrinkles/folder-document.ts'
-import { type OpenSet, openSet } from '../wrinkles/open-set.ts'
-import { layersOf } from '../wrinkles/strokes.ts'
 
 const WHO = 'furrow strokes'
 

@@ -1,13 +1,11 @@
+import { encodeGlb, stripWrinkles, unpackWrinkles } from 'furrow-files'
+import { readWrinkledFile } from 'furrow-files/node'
 import { createCommand } from '../command.ts'
 import { writeFolder } from '../files.ts'
-import { encodeGlb } from '../gltf/glb-file.ts'
 import { allowOutsideOption } from '../options.ts'
 import { checkNewFolder } from '../outputs.ts'
 import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
-import { stripWrinkles } from '../wrinkles/pack/strip.ts'
-import { readWrinkledFile } from '../wrinkles/read-wrinkled-file.ts'
-import { unpackWrinkles } from '../wrinkles/unpack.ts'
 
 const WHO = 'furrow unpack'
 

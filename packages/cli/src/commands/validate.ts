@@ -1,11 +1,8 @@
+import { checkWrinkles, type Finding, GAVE_UP, runKhronosValidator } from 'furrow-files'
+import { type ReadOptions, readGlbFile } from 'furrow-files/node'
 import { createCommand } from '../command.ts'
-import type { ReadOptions } from '../gltf/external-files.ts'
-import { readGlbFile } from '../gltf/read-glb-file.ts'
 import { allowOutsideOption } from '../options.ts'
 import { print } from '../print.ts'
-import type { Finding } from '../validate/finding.ts'
-import { GAVE_UP, runKhronosValidator } from '../validate/khronos.ts'
-import { checkWrinkles } from '../wrinkles/rules.ts'
 
 const WHO = 'furrow validate'
 

@@ -9,13 +9,8 @@ import {
   parseWrinkleSetDocument,
   WRINKLE_MAPS,
 } from 'furrow'
-import { cannotRead } from '../errors.ts'
-import { type ReadOptions, resolveInside } from '../gltf/external-files.ts'
-import { encodeGlb } from '../gltf/glb-file.ts'
-import { type GltfJson, targetNamesOf } from '../gltf/gltf-json.ts'
-import { readGlbFile } from '../gltf/read-glb-file.ts'
-import { readJson } from '../inputs.ts'
-import { didYouMean } from '../nearest.ts'
+import { cannotRead, didYouMean, encodeGlb, type GltfJson, targetNamesOf } from 'furrow-files'
+import { type ReadOptions, readGlbFile, readJson, resolveInside } from 'furrow-files/node'
 import { type PageJob, PICTURE_DEFAULTS, PICTURE_SIDE, type PictureRequest } from './picture.ts'
 
 const WHO = 'furrow render'

@@ -1,9 +1,6 @@
 import { drawUvLayout } from 'furrow/author'
+import { type FoundSkin, type Glb, pixelsOf, withCommandErrors } from 'furrow-files'
 import sharp from 'sharp'
-import type { FoundSkin } from '../auto/find-skin.ts'
-import { withCommandErrors } from '../errors.ts'
-import type { Glb } from '../gltf/glb-file.ts'
-import { pixelsOf } from '../gltf/texture-pixels.ts'
 
 /**
  * Draws the UV layout of a skin over its base colour, where that is in the same layout.

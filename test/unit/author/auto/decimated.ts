@@ -1,9 +1,9 @@
 import type { Document } from '@gltf-transform/core'
 import { simplify, weld } from '@gltf-transform/functions'
 import type { Skin } from 'furrow/author'
+import { findSkin } from 'furrow-files'
+import { readDocument } from 'furrow-files/node'
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier'
-import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
-import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
 
 /** Halvings of the range of ratios. */
 const STEPS = 8

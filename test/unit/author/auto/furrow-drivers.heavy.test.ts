@@ -9,9 +9,9 @@ import {
   TensionMeasurement,
 } from 'furrow'
 import { type AutoWrinkles, autoWrinkles, type Skin } from 'furrow/author'
+import { findSkin } from 'furrow-files'
+import { readDocument } from 'furrow-files/node'
 import { beforeAll, describe, expect, test } from 'vitest'
-import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
-import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
 import { poseOf } from '../../../../packages/furrow/src/author/auto/surface/pose.ts'
 import { curveAt } from '../../../../packages/furrow/src/drivers/curve.ts'
 import { driven } from '../../../driven.ts'

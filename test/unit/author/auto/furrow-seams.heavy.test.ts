@@ -1,7 +1,7 @@
 import { addFurrows, FURROW_DEFAULTS, skinCanvas } from 'furrow/author'
+import { findSkin } from 'furrow-files'
+import { readDocument } from 'furrow-files/node'
 import { expect, test } from 'vitest'
-import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
-import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
 import { cutInTwo, findCuts, halfTurn } from './cuts.ts'
 import { FACES } from './faces.ts'
 

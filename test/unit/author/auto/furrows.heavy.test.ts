@@ -8,9 +8,9 @@ import {
   skinCanvas,
   strokesOf,
 } from 'furrow/author'
+import { findSkin } from 'furrow-files'
+import { readDocument } from 'furrow-files/node'
 import { beforeAll, describe, expect, test } from 'vitest'
-import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
-import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
 import { driven } from '../../../driven.ts'
 import { FACES } from './faces.ts'
 

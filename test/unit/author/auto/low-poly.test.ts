@@ -1,9 +1,9 @@
 import { simplify, weld } from '@gltf-transform/functions'
 import { type AutoWrinkles, autoWrinkles } from 'furrow/author'
+import { findSkin } from 'furrow-files'
+import { readDocument } from 'furrow-files/node'
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier'
 import { beforeAll, describe, expect, test } from 'vitest'
-import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
-import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
 import type { LaidStroke } from '../../../../packages/furrow/src/author/strokes/lay-out.ts'
 import { FACES, facialCreases, prepareFace } from './faces.ts'
 

@@ -1,7 +1,7 @@
 import { type AutoOptions, autoWrinkles, strokesOf } from 'furrow/author'
+import { findSkin } from 'furrow-files'
+import { readDocument } from 'furrow-files/node'
 import { beforeAll, expect, test } from 'vitest'
-import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
-import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
 import type { Skin } from '../../../../packages/furrow/src/author/skin/surface.ts'
 import { FACES } from './faces.ts'
 

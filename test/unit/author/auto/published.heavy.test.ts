@@ -1,7 +1,7 @@
 import { type AutoWrinkles, autoWrinkles } from 'furrow/author'
+import { findSkin } from 'furrow-files'
+import { readDocument } from 'furrow-files/node'
 import { beforeAll, describe, expect, test } from 'vitest'
-import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
-import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
 import { bankSlope } from '../../../../packages/furrow/src/author/strokes/profile.ts'
 import { FACES } from './faces.ts'
 import {

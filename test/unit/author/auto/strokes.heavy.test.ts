@@ -1,6 +1,6 @@
+import { findSkin } from 'furrow-files'
+import { readDocument } from 'furrow-files/node'
 import { describe, expect, test } from 'vitest'
-import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
-import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
 import {
   type AutoWrinkles,
   autoWrinkles,

@@ -1,7 +1,7 @@
 import { autoWrinkles, type Skin } from 'furrow/author'
+import { findSkin } from 'furrow-files'
+import { readDocument } from 'furrow-files/node'
 import { beforeAll, expect, test } from 'vitest'
-import { findSkin } from '../../../../packages/cli/src/auto/find-skin.ts'
-import { readDocument } from '../../../../packages/cli/src/gltf/read-document.ts'
 import { oddMeasures } from '../../../../packages/furrow/src/author/auto/anatomy/proportions.ts'
 import { FACES, prepareFace } from './faces.ts'
 

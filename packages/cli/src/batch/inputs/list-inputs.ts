@@ -1,7 +1,7 @@
 import { basename, posix, resolve, sep } from 'node:path'
 import { FurrowError } from 'furrow'
+import { statOf } from 'furrow-files/node'
 import { glob, isDynamicPattern } from 'tinyglobby'
-import { statOf } from '../../outputs.ts'
 import { isRemote } from '../places/places.ts'
 import { listS3 } from '../places/s3.ts'
 

@@ -1,7 +1,6 @@
 import { FurrowError } from 'furrow'
-import { fromUtf8 } from '../../bytes.ts'
-import { firstLine } from '../../errors.ts'
-import { readBytes } from '../../inputs.ts'
+import { firstLine, fromUtf8 } from 'furrow-files'
+import { readBytes } from 'furrow-files/node'
 import type { JobCommandName } from '../jobs/job-commands.ts'
 import { type JobOptions, manifestWords, parseJobOptions } from '../jobs/job-options.ts'
 

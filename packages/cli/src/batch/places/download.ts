@@ -3,7 +3,7 @@ import { createWriteStream } from 'node:fs'
 import { join } from 'node:path'
 import type { Readable } from 'node:stream'
 import { pipeline } from 'node:stream/promises'
-import { checkFileBytes } from '../../file-size.ts'
+import { checkFileBytes } from 'furrow-files'
 
 let downloads = 0
 

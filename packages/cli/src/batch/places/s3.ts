@@ -1,7 +1,7 @@
 import type { Readable } from 'node:stream'
 import type { S3Client } from '@aws-sdk/client-s3'
 import { FurrowError } from 'furrow'
-import { cannotRead, cannotWrite, firstLine } from '../../errors.ts'
+import { cannotRead, cannotWrite, firstLine } from 'furrow-files'
 import { optionalPackage } from '../optional-package.ts'
 import { download } from './download.ts'
 import { changed } from './files.ts'

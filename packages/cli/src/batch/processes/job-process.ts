@@ -2,7 +2,7 @@
 
 import { inspect } from 'node:util'
 import { FurrowError } from 'furrow'
-import { firstLine } from '../../errors.ts'
+import { firstLine } from 'furrow-files'
 import { gatherPrinted, type Printed } from '../../print.ts'
 import { isJobCommand, JOB_COMMANDS } from '../jobs/job-commands.ts'
 import type { CommandReport, CommandRequest } from './protocol.ts'

@@ -1,4 +1,4 @@
-import { kilobytes } from '../../wrinkles/sizes.ts'
+import { kilobytes } from 'furrow-files'
 import type { ResultLine } from '../results.ts'
 
 /** Rows that a page shows at most: a phone scrolls through these. Failures and warnings come first. */

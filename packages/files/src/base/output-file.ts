@@ -1,0 +1,5 @@
+/** A file to write: its whole content, still in memory. */
+export interface OutputFile {
+  path: string
+  bytes: Uint8Array
+}

@@ -1,0 +1,88 @@
+import { readFile, realpath, stat } from 'node:fs/promises'
+import { dirname, isAbsolute, relative, resolve, sep } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { checkFileBytes } from '../base/file-size.ts'
+import {
+  dataOf,
+  missing,
+  outside,
+  pathOf,
+  printable,
+  type ReadReference,
+  type Reference,
+} from '../base/references.ts'
+
+/** Which files besides the named one a command may read. */
+export interface ReadOptions {
+  /** Whether a file may refer to files outside its own folder. */
+  allowOutside?: boolean | undefined
+}
+
+/**
+ * Finds the file that a URI in another file refers to. Symbolic links are followed before it is checked where it is.
+ *
+ * @param file path of the file with the URI.
+ * @returns the real path of a regular file.
+ * @throws FurrowError when it is missing, not a regular file, too large, on the network, or outside the folder of `file`.
+ */
+export async function resolveInside(
+  file: string,
+  uri: string,
+  who: string,
+  { allowOutside = false }: ReadOptions = {},
+): Promise<string> {
+  const folder = dirname(resolve(file))
+  const isUrl = allowOutside && /^file:/i.test(uri)
+  const target = resolve(folder, isUrl ? pathOfUrl(file, uri, who) : pathOf(file, uri, who))
+  // Before links are followed, so that nobody learns from the error whether a file elsewhere exists.
+  if (!allowOutside && !isInside(folder, target)) throw outside(file, uri, who)
+  const real = await realpath(target).catch((error) => {
+    throw missing(file, uri, who, error)
+  })
+  if (!allowOutside && !isInside(await realpath(folder), real)) throw outside(file, uri, who)
+  const found = await stat(real)
+  if (!found.isFile()) throw missing(file, uri, who, new Error('it is not a file'))
+  checkFileBytes(found.size, `${printable(uri)}, which ${file} refers to,`, who)
+  return real
+}
+
+/**
+ * Returns what reads the references of a file: files, see `resolveInside`, and the data in `data:` URIs. Each is read
+ * once, and is the same object by whatever URI.
+ *
+ * @param file path of the file with the URIs.
+ * @returns a function that throws FurrowError when a reference cannot be read, or all together are too large.
+ */
+export function referenceReader(file: string, who: string, options: ReadOptions = {}): ReadReference {
+  const known = new Map<string, Reference>()
+  let total = 0
+  const readAt = async (path: string, uri: string): Promise<Reference> => {
+    total += (await stat(path)).size
+    checkFileBytes(total, `${file} with the files that it refers to`, who)
+    try {
+      return { bytes: await readFile(path), path }
+    } catch (error) {
+      throw missing(file, uri, who, error)
+    }
+  }
+  return async (uri) => {
+    const data = dataOf(uri)
+    const key = data ? uri : await resolveInside(file, uri, who, options)
+    const reference = known.get(key) ?? (data ? { bytes: data } : await readAt(key, uri))
+    known.set(key, reference)
+    return reference
+  }
+}
+
+function pathOfUrl(file: string, uri: string, who: string): string {
+  try {
+    return fileURLToPath(uri)
+  } catch (error) {
+    throw missing(file, uri, who, error)
+  }
+}
+
+function isInside(folder: string, path: string): boolean {
+  const way = relative(folder, path)
+  return !isAbsolute(way) && way !== '..' && !way.startsWith(`..${sep}`)
+}

@@ -1,0 +1,121 @@
+import { dirname, join, parse } from 'node:path'
+import { concat, utf8 } from '../base/bytes.ts'
+import type { OutputFile } from '../base/output-file.ts'
+import { type BufferView, compressedViews, type GltfJson } from '../json/gltf-json.ts'
+import { encodeGlb, type Glb } from './glb-file.ts'
+
+/** What the name of a face that is written may end with. */
+export const FACE_EXTENSIONS = ['.glb', '.vrm', '.gltf'] as const
+
+/** File name extensions of images; others have none of their own. */
+const IMAGE_EXTENSIONS: Readonly<Record<string, string>> = {
+  'image/png': 'png',
+  'image/jpeg': 'jpg',
+  'image/webp': 'webp',
+  'image/avif': 'avif',
+  'image/ktx2': 'ktx2',
+}
+
+/**
+ * The files of a face, by the name of the output: `.glb` and `.vrm` are one, `.gltf` has its buffer and its images
+ * beside it.
+ */
+export function filesOfFace(glb: Glb, path: string): OutputFile[] {
+  return path.toLowerCase().endsWith('.gltf') ? splitFile(glb, path) : [{ path, bytes: encodeGlb(glb) }]
+}
+
+function splitFile(glb: Glb, path: string): OutputFile[] {
+  const { name } = parse(path)
+  const beside = (file: string) => join(dirname(path), file)
+  const json = structuredClone(glb.json)
+  const files: OutputFile[] = []
+  const images = imageViews(json)
+  for (const [view, users] of images) {
+    const { byteOffset = 0, byteLength } = json.bufferViews![view]
+    const file = `${name}-${files.length + 1}.${IMAGE_EXTENSIONS[users[0].mimeType!]}`
+    files.push({ path: beside(file), bytes: glb.bin.subarray(byteOffset, byteOffset + byteLength) })
+    for (const image of users) {
+      delete image.bufferView
+      image.uri = encodeURIComponent(file)
+    }
+  }
+  const bin = removeViews(json, glb.bin, images)
+  if (bin.length > 0) {
+    Object.assign(json.buffers![0], { uri: encodeURIComponent(`${name}.bin`), byteLength: bin.length })
+    files.push({ path: beside(`${name}.bin`), bytes: bin })
+  }
+  files.push({ path, bytes: utf8(`${JSON.stringify(json, null, 2)}\n`) })
+  return files
+}
+
+type Image = NonNullable<GltfJson['images']>[number]
+
+/** The views that hold an image of a known format and nothing else, and the images in each. */
+function imageViews(json: GltfJson): Map<number, Image[]> {
+  const views = new Map<number, Image[]>()
+  for (const image of json.images ?? []) {
+    if (image.bufferView === undefined || !(image.mimeType! in IMAGE_EXTENSIONS)) continue
+    const users = views.get(image.bufferView) ?? []
+    users.push(image)
+    views.set(image.bufferView, users)
+  }
+  const uses = new Map<number, number>()
+  changeViews(json, (index) => {
+    uses.set(index, (uses.get(index) ?? 0) + 1)
+    return index
+  })
+  for (const [index, users] of views) {
+    if (uses.get(index) !== users.length || json.bufferViews?.[index]?.buffer !== 0) views.delete(index)
+  }
+  return views
+}
+
+/** Removes views and their bytes; returns the bytes of those that stay. */
+function removeViews(json: GltfJson, bin: Uint8Array, removed: ReadonlyMap<number, unknown>): Uint8Array {
+  if (!json.bufferViews) return bin
+  const moved = new Map<number, number>()
+  const kept = json.bufferViews.filter((_, i) => {
+    if (removed.has(i)) return false
+    moved.set(i, moved.size)
+    return true
+  })
+  changeViews(json, (index) => moved.get(index) ?? index)
+  const views = kept.flatMap((view) => [view, ...compressedViews(view)])
+  json.bufferViews = kept
+  return gather(
+    views.filter(({ buffer }) => buffer === 0),
+    bin,
+  )
+}
+
+/** Moves views together, aligned as before; what several of them have in common stays in common. Returns their bytes. */
+function gather(views: readonly BufferView[], bin: Uint8Array): Uint8Array {
+  const parts: Uint8Array[] = []
+  let [length, end, shift] = [0, 0, 0]
+  for (const view of [...views].sort((a, b) => (a.byteOffset ?? 0) - (b.byteOffset ?? 0))) {
+    const { byteOffset = 0, byteLength } = view
+    if (byteOffset >= end) {
+      const gap = (4 + ((byteOffset - length) % 4)) % 4
+      parts.push(new Uint8Array(gap))
+      length += gap
+      shift = length - byteOffset
+      end = byteOffset
+    }
+    const rest = bin.subarray(end, Math.max(end, byteOffset + byteLength))
+    parts.push(rest)
+    length += rest.length
+    end += rest.length
+    // An empty view behind all others would begin beyond the buffer.
+    view.byteOffset = byteLength === 0 ? 0 : byteOffset + shift
+  }
+  return concat(parts)
+}
+
+/** Changes every index of a view, wherever it is: the extensions of others are unknown here. */
+function changeViews(value: unknown, change: (index: number) => number): void {
+  if (typeof value !== 'object' || value === null) return
+  for (const [key, item] of Object.entries(value)) {
+    if (key === 'bufferView' && typeof item === 'number') Object.assign(value, { bufferView: change(item) })
+    else changeViews(item, change)
+  }
+}

@@ -1,0 +1,136 @@
+import { concat, fromUtf8, utf8 } from '../base/bytes.ts'
+import { firstLine } from '../base/errors.ts'
+import { checkFileBytes, MAX_JSON_BYTES } from '../base/file-size.ts'
+import type { ReadReference, Reference } from '../base/references.ts'
+import { costProblem } from '../checks/document.ts'
+import { shapeProblem } from '../checks/shape.ts'
+import type { GltfJson } from '../json/gltf-json.ts'
+import { embedFiles } from './embed-files.ts'
+import { NAME_FACE, otherFormat, unusable } from './not-gltf.ts'
+
+/** A glTF file in two parts, as in its binary form. Commands edit the parts in place, so that whatever else it holds is kept. */
+export interface Glb {
+  json: GltfJson
+  /** The binary chunk; empty where there is none. */
+  bin: Uint8Array
+  /** Size of all files that it was read from. */
+  fileBytes: number
+  /** The file as it was read. */
+  bytes: Uint8Array
+  /** What it referred to, by URI, which is part of the binary chunk now. */
+  references: ReadonlyMap<string, Reference>
+}
+
+// glTF 2.0, section 4.4 (GLB file format): a header of 12 bytes, then chunks of 8 bytes and their data.
+const MAGIC = 0x46546c67
+const JSON_CHUNK = 0x4e4f534a
+const BIN_CHUNK = 0x004e4942
+/** Where the data of the first chunk begins. */
+const JSON_START = 20
+
+/**
+ * Opens a file of any kind: `.glb`, `.vrm`, or `.gltf`, known by its contents. Buffers and images in other files are
+ * read too and become part of the binary chunk.
+ *
+ * @param path of the file, for errors.
+ * @throws FurrowError when it is cut off, not glTF 2.0, refers to what cannot be read, or would take too much time or
+ *   memory, see `costProblem`.
+ */
+export async function openGlb(
+  bytes: Uint8Array,
+  path: string,
+  who: string,
+  read: ReadReference,
+): Promise<Glb> {
+  const glb = decodeGlb(bytes, path, who)
+  await embedFiles(glb, path, who, read)
+  const problem = costProblem(glb.json, glb.fileBytes)
+  if (problem) throw unusable(path, who, problem)
+  return glb
+}
+
+/** Splits the bytes of a file into its parts. Throws FurrowError when they are cut off, or not glTF 2.0. */
+export function decodeGlb(bytes: Uint8Array, path: string, who: string): Glb {
+  checkHead(bytes, bytes.length, path, who)
+  const [start, end] = isJson(bytes) ? [0, bytes.length] : [JSON_START, JSON_START + uint32(bytes, 12)]
+  let json: GltfJson
+  try {
+    json = JSON.parse(fromUtf8(bytes.subarray(start, end)).replace(/^\ufeff/, ''))
+  } catch (error) {
+    throw unusable(path, who, `its JSON is malformed (${firstLine(error)})`)
+  }
+  const wrong = shapeProblem(json)
+  if (wrong) {
+    const isOther = (json as { asset?: unknown } | null)?.asset === undefined
+    throw unusable(path, who, wrong, { remedy: isOther ? NAME_FACE : undefined })
+  }
+  const bin = binaryChunk(bytes, end)
+  if (!bin) throw unusable(path, who, 'its binary chunk is cut off')
+  return { json, bin, fileBytes: bytes.length, bytes, references: new Map() }
+}
+
+/** Joins the parts to the bytes of a `.glb`. */
+export function encodeGlb({ json, bin }: Glb): Uint8Array {
+  const text = padded(utf8(JSON.stringify(json)), 0x20)
+  const data = padded(bin, 0)
+  const length = JSON_START + text.length + (data.length > 0 ? 8 + data.length : 0)
+  const header = words(MAGIC, 2, length, text.length, JSON_CHUNK)
+  if (data.length === 0) return concat([header, text])
+  return concat([header, text, words(data.length, BIN_CHUNK), data])
+}
+
+/** Whether these are the first bytes of a `.gltf` file. */
+function isJson(head: Uint8Array): boolean {
+  return /^[\s\ufeff]*\{/.test(fromUtf8(head.subarray(0, 64)))
+}
+
+/**
+ * Checks what the first bytes of a file and its size tell.
+ *
+ * @param head at least its first 20 bytes, where it has as many.
+ * @throws FurrowError when it is neither JSON nor a whole binary glTF 2.0 file up to the end of its JSON, or too large.
+ */
+export function checkHead(head: Uint8Array, size: number, path: string, who: string): void {
+  const problem = isJson(head) ? undefined : headerProblem(head, size)
+  if (problem) {
+    const other = otherFormat(head)
+    throw unusable(path, who, other?.problem ?? problem, { remedy: other?.remedy })
+  }
+  checkFileBytes(isJson(head) ? size : uint32(head, 12), `the JSON of ${path}`, who, MAX_JSON_BYTES)
+}
+
+function headerProblem(head: Uint8Array, size: number): string | undefined {
+  if (head.length < 4 || uint32(head, 0) !== MAGIC) return 'it does not begin with "glTF"'
+  if (head.length < JSON_START) return `it is cut off after ${size} bytes`
+  if (uint32(head, 4) !== 2) return `it has version ${uint32(head, 4)}`
+  const length = uint32(head, 8)
+  if (length > size || JSON_START + uint32(head, 12) > size) {
+    return `it is cut off: ${size} of ${length} bytes`
+  }
+  if (uint32(head, 16) !== JSON_CHUNK) return 'its first chunk is not JSON'
+  return undefined
+}
+
+/** The data of the chunk at `start`; empty where it is not a binary chunk, undefined where it is cut off. */
+function binaryChunk(bytes: Uint8Array, start: number): Uint8Array | undefined {
+  if (bytes.length < start + 8) return new Uint8Array()
+  if (uint32(bytes, start + 4) !== BIN_CHUNK) return new Uint8Array()
+  const end = start + 8 + uint32(bytes, start)
+  return end > bytes.length ? undefined : bytes.subarray(start + 8, end)
+}
+
+function padded(bytes: Uint8Array, fill: number): Uint8Array {
+  const gap = (4 - (bytes.length % 4)) % 4
+  return gap === 0 ? bytes : concat([bytes, new Uint8Array(gap).fill(fill)])
+}
+
+function uint32(bytes: Uint8Array, offset: number): number {
+  return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength).getUint32(offset, true)
+}
+
+/** Numbers of 32 bits as bytes, the lowest first. */
+function words(...values: number[]): Uint8Array {
+  const view = new DataView(new ArrayBuffer(4 * values.length))
+  for (const [i, value] of values.entries()) view.setUint32(4 * i, value, true)
+  return new Uint8Array(view.buffer)
+}

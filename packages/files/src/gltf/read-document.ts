@@ -1,0 +1,9 @@
+import type { Document } from '@gltf-transform/core'
+import type { ReadOptions } from '../disk/external-files.ts'
+import { documentOf } from './document.ts'
+import { readGlbFile } from './read-glb-file.ts'
+
+/** Reads a file as `readGlbFile` does, and decodes it; see `documentOf`. */
+export async function readDocument(path: string, who: string, options?: ReadOptions): Promise<Document> {
+  return documentOf(await readGlbFile(path, who, options), path, who)
+}

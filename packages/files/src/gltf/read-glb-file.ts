@@ -1,0 +1,15 @@
+import { type ReadOptions, referenceReader } from '../disk/external-files.ts'
+import { readBytes } from '../disk/read-bytes.ts'
+import { checkHead, type Glb, openGlb } from './glb-file.ts'
+
+/**
+ * Reads a file of any kind with the files that it refers to; see `openGlb`.
+ *
+ * @throws FurrowError also when the file or one that it refers to is missing, or not allowed.
+ */
+export async function readGlbFile(path: string, who: string, options: ReadOptions = {}): Promise<Glb> {
+  const bytes = await readBytes(path, who, 'the face', {
+    checkHead: (head, size) => checkHead(head, size, path, who),
+  })
+  return openGlb(bytes, path, who, referenceReader(path, who, options))
+}

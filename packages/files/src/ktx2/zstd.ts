@@ -1,0 +1,26 @@
+import { nativeZstd } from '#zstd'
+import { checkContentSize, type Zstd } from './zstd-frame.ts'
+
+/** Of 1 to 22; higher levels take far longer for a few percent. */
+const LEVEL = 12
+
+let loading: Promise<Zstd> | undefined
+
+/** Node's own Zstandard (22.15 and later), or WebAssembly on older versions and in browsers. */
+export function zstd(): Promise<Zstd> {
+  // Only once: a second initialisation of the WebAssembly breaks the first.
+  loading ??= Promise.resolve(nativeZstd(LEVEL) ?? wasmZstd())
+  return loading
+}
+
+async function wasmZstd(): Promise<Zstd> {
+  const { compress, decompress, init } = await import('@bokuweb/zstd-wasm')
+  await init()
+  return {
+    compress: (data) => new Uint8Array(compress(data, LEVEL)),
+    decompress: (data, size) => {
+      checkContentSize(data, size)
+      return decompress(data, { defaultHeapSize: size })
+    },
+  }
+}

@@ -1,0 +1,117 @@
+import type { Document, Mesh } from '@gltf-transform/core'
+import { FurrowError } from 'furrow'
+import { chooseSkin, type Skin } from 'furrow/author'
+import { didYouMean } from '../base/nearest.ts'
+import { trianglesOf } from './mesh-nodes.ts'
+import { readSkin } from './read-skin.ts'
+
+/** The skin that was chosen: the primitives of one mesh with one material. */
+export interface FoundSkin {
+  skin: Skin
+  /** Indices of the mesh and its material in the file. */
+  mesh: number
+  material: number
+  meshName: string
+  materialName: string
+  /** Of what the blendshapes move, 0..1; NaN where they move nothing. */
+  fraction: number
+  /** Why it was chosen, for the user. */
+  reason: string
+  /** Whether all primitives have tangents. */
+  hasTangents: boolean
+}
+
+/**
+ * Chooses the skin of a file: of all meshes and materials the one whose surface brows, lids and mouth move most. Where
+ * no blendshape has such a name, the one that all blendshapes together move most.
+ *
+ * @param meshName only this mesh, or the mesh of a node of this name; all by default.
+ * @param isLit tells whether a material, by its index, can show wrinkles: such a one is preferred where it moves at least half as much.
+ * @throws FurrowError when no mesh can wrinkle.
+ */
+export function findSkin(
+  document: Document,
+  path: string,
+  who: string,
+  meshName?: string,
+  isLit: (material: number) => boolean = () => true,
+): FoundSkin {
+  const found = bestSkin(document, meshName, isLit)
+  if (found) return found
+  const names = document.getRoot().listMeshes().map(labelOf)
+  throw new FurrowError({
+    code: meshName === undefined ? 'invalid' : 'unknown-name',
+    who,
+    what:
+      meshName === undefined ? `no mesh in ${path} can wrinkle` : `no such mesh in ${path} that can wrinkle`,
+    value: meshName,
+    limit: 'triangles with texture coordinates and a material',
+    remedy:
+      meshName === undefined
+        ? 'unwrap the face and give it a material'
+        : didYouMean(meshName, names, `name one of ${names.join(', ')}`),
+  })
+}
+
+/** The skin that the blendshapes move more than all others together; undefined where there is none. */
+export function mostMovedSkin(document: Document, meshName?: string): FoundSkin | undefined {
+  const skin = bestSkin(document, meshName)
+  return skin && skin.fraction > 0.5 ? skin : undefined
+}
+
+/** As `findSkin`, but undefined where no mesh can wrinkle. */
+export function bestSkin(
+  document: Document,
+  meshName?: string,
+  isLit: (material: number) => boolean = () => true,
+): FoundSkin | undefined {
+  const meshes = document.getRoot().listMeshes()
+  const wanted = meshes.flatMap((mesh, index) => (isNamed(mesh, meshName) ? [{ mesh, index }] : []))
+  const candidates = wanted.flatMap(({ mesh, index }) => candidatesOf(document, mesh, index))
+  const choice = chooseSkin(candidates.map(({ skin, material }) => ({ skin, isLit: isLit(material) })))
+  if (!choice) return undefined
+  const { index, fraction, isFace } = choice
+  return { ...candidates[index], fraction, reason: reasonOf(isFace, fraction, candidates.length) }
+}
+
+function reasonOf(isFace: boolean, fraction: number, count: number): string {
+  if (count === 1) return 'the only one with texture coordinates and a material'
+  if (!(fraction > 0)) return 'the first one: no blendshape moves any'
+  const movers = isFace ? 'brows, lids and mouth' : 'the blendshapes'
+  return `${Math.round(100 * fraction)}% of what ${movers} move`
+}
+
+/** The possible skins of a mesh: the primitives of each of its materials. */
+function candidatesOf(
+  document: Document,
+  mesh: Mesh,
+  index: number,
+): Omit<FoundSkin, 'fraction' | 'reason'>[] {
+  const triangles = trianglesOf(mesh)
+  const materials = [...new Set(triangles.map((primitive) => primitive.getMaterial()))]
+  return materials.flatMap((material) => {
+    if (!material) return []
+    const primitives = triangles.filter((primitive) => primitive.getMaterial() === material)
+    return [
+      {
+        skin: readSkin(mesh, primitives, material),
+        mesh: index,
+        material: document.getRoot().listMaterials().indexOf(material),
+        meshName: labelOf(mesh, index),
+        materialName: material.getName(),
+        hasTangents: primitives.every((primitive) => primitive.getAttribute('TANGENT') !== null),
+      },
+    ]
+  })
+}
+
+/** Whether the mesh, or a node of it, has that name; true for no name. */
+function isNamed(mesh: Mesh, name: string | undefined): boolean {
+  if (name === undefined || mesh.getName() === name) return true
+  return mesh.listParents().some((parent) => parent.propertyType === 'Node' && parent.getName() === name)
+}
+
+/** Its name, or its index where it has none. */
+function labelOf(mesh: Mesh, index: number): string {
+  return mesh.getName() || String(index)
+}

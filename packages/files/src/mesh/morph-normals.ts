@@ -1,0 +1,92 @@
+import type { Accessor, Primitive } from '@gltf-transform/core'
+import { morphNormalDeltas } from 'furrow'
+import type { Progress } from '../base/progress.ts'
+import { BufferViewWriter } from '../gltf/buffer-view-writer.ts'
+import { documentOf } from '../gltf/document.ts'
+import type { Glb } from '../gltf/glb-file.ts'
+import type { GltfJson } from '../json/gltf-json.ts'
+
+/** Delta of a normal, per axis, that is not worth its bytes: half a step of a byte. */
+const NEGLIGIBLE = 1 / 510
+/** Fraction of changed vertices above which a sparse accessor is no smaller than a full one. */
+const MAX_SPARSE_FRACTION = 0.7
+
+// Component types of glTF.
+const UNSIGNED_INT = 5125
+const FLOAT = 5126
+
+/**
+ * Adds normals to the morph targets of one mesh that have none, so that the shading follows the shape.
+ *
+ * @param glb changed in place; existing objects keep their indices.
+ * @param path of the file that `glb` was read from, for errors.
+ * @returns how many targets got normals.
+ * @throws FurrowError if its geometry cannot be decoded.
+ */
+export async function addMorphNormals(
+  glb: Glb,
+  path: string,
+  mesh: number,
+  who: string,
+  progress: Progress = () => {},
+): Promise<number> {
+  const document = await documentOf(glb, path, who)
+  const primitives = document.getRoot().listMeshes()[mesh].listPrimitives()
+  const views = new BufferViewWriter(glb)
+  let [done, added] = [0, 0]
+  const total = primitives.reduce((sum, primitive) => sum + primitive.listTargets().length, 0)
+  for (const [i, { targets = [] }] of (glb.json.meshes?.[mesh].primitives ?? []).entries()) {
+    const deltasOf = normalDeltasOf(primitives[i])
+    for (const [k, target] of primitives[i].listTargets().entries()) {
+      progress(++done, total)
+      const offsets = target.getAttribute('POSITION')
+      if (!deltasOf || !offsets || target.getAttribute('NORMAL')) continue
+      targets[k].NORMAL = addAccessor(glb.json, views, deltasOf(readVectors(offsets)))
+      added++
+    }
+  }
+  views.finish()
+  return added
+}
+
+/** From the position deltas of a primitive's target to its normal deltas; undefined if the primitive has no normals. */
+function normalDeltasOf(primitive: Primitive): ReturnType<typeof morphNormalDeltas> | undefined {
+  const [position, normal] = [primitive.getAttribute('POSITION'), primitive.getAttribute('NORMAL')]
+  if (!position || !normal) return undefined
+  const triangles =
+    primitive.getIndices()?.getArray() ?? Uint32Array.from({ length: position.getCount() }, (_, i) => i)
+  return morphNormalDeltas({ positions: readVectors(position), normals: readVectors(normal), triangles })
+}
+
+/** Dequantised. */
+function readVectors(accessor: Accessor): Float32Array {
+  const out = new Float32Array(3 * accessor.getCount())
+  const element: number[] = []
+  for (let i = 0; i < accessor.getCount(); i++) out.set(accessor.getElement(i, element), 3 * i)
+  return out
+}
+
+function addAccessor(json: GltfJson, views: BufferViewWriter, deltas: Float32Array): number {
+  const count = deltas.length / 3
+  const changed = Array.from({ length: count }, (_, i) => i).filter((i) =>
+    [0, 1, 2].some((k) => Math.abs(deltas[3 * i + k]) > NEGLIGIBLE),
+  )
+  const accessor = { componentType: FLOAT, type: 'VEC3', count }
+  json.accessors ??= []
+  // A sparse accessor needs at least one entry, and an accessor without a view is all zeros.
+  if (changed.length === 0) return json.accessors.push(accessor) - 1
+  if (changed.length > MAX_SPARSE_FRACTION * count) {
+    return json.accessors.push({ ...accessor, bufferView: views.add(bytesOf(deltas)) }) - 1
+  }
+  const values = Float32Array.from(changed.flatMap((i) => [...deltas.subarray(3 * i, 3 * i + 3)]))
+  const sparse = {
+    count: changed.length,
+    indices: { bufferView: views.add(bytesOf(Uint32Array.from(changed))), componentType: UNSIGNED_INT },
+    values: { bufferView: views.add(bytesOf(values)) },
+  }
+  return json.accessors.push({ ...accessor, sparse }) - 1
+}
+
+function bytesOf({ buffer, byteOffset, byteLength }: Float32Array | Uint32Array): Uint8Array {
+  return new Uint8Array(buffer, byteOffset, byteLength)
+}

@@ -1,0 +1,62 @@
+import type { Accessor, Material, Mesh, Node, Primitive } from '@gltf-transform/core'
+import { joinParts, type Skin, type SkinPart } from 'furrow/author'
+import { Matrix4 } from 'three'
+import { namesOfTargets } from '../json/gltf-json.ts'
+import { readCoordinates } from './coordinates.ts'
+import { placementOf } from './mesh-nodes.ts'
+
+/** Reads some primitives of a mesh as one skin in metres, in world space as its first node or skeleton places it. */
+export function readSkin(mesh: Mesh, primitives: readonly Primitive[], material: Material): Skin {
+  const targets = Math.max(0, ...primitives.map((primitive) => primitive.listTargets().length))
+  const names = namesOfTargets(mesh.getExtras().targetNames, targets)
+  const parts = primitives.map((primitive) => partOf(primitive, material))
+  return joinParts(parts, names, placementOfMesh(mesh))
+}
+
+function partOf(primitive: Primitive, material: Material): SkinPart {
+  const positions = primitive.getAttribute('POSITION')!
+  const index = primitive.getIndices()
+  const targets = primitive.listTargets()
+  const count = positions.getCount()
+  return {
+    count,
+    indices: indicesOf(index, count),
+    readPositions: (vertices, out) => copyInto(out, positions, vertices),
+    readUvs: (vertices, out) => readCoordinates(primitive, material, vertices, out),
+    readOffsets(k, vertices, out) {
+      const moved = targets[k]?.getAttribute('POSITION')
+      if (moved) copyInto(out, moved, vertices)
+    },
+  }
+}
+
+/** Undefined where it is the identity. */
+function placementOfMesh(mesh: Mesh): number[] | undefined {
+  const node = mesh.listParents().find((parent) => parent.propertyType === 'Node') as Node | undefined
+  const placement = new Matrix4()
+  if (node) placement.fromArray(placementOf(node))
+  return placement.equals(new Matrix4()) ? undefined : placement.toArray()
+}
+
+/** Those of a primitive, or of one without any all its vertices. */
+function indicesOf(index: Accessor | null, count: number): Uint32Array {
+  const array = index?.getArray()
+  if (array) return new Uint32Array(array)
+  return Uint32Array.from({ length: count }, (_, k) => k)
+}
+
+/** Copies vectors of some vertices, whatever the accessor's type. */
+function copyInto(out: Float32Array, accessor: Accessor, vertices: Uint32Array): void {
+  const array = accessor.getArray()
+  // Without the call for each vertex, which takes six times as long; other types may be normalised.
+  if (array instanceof Float32Array) {
+    for (let i = 0; i < vertices.length; i++)
+      for (let k = 0; k < 3; k++) out[3 * i + k] = array[3 * vertices[i] + k]
+    return
+  }
+  const element: number[] = []
+  for (let i = 0; i < vertices.length; i++) {
+    accessor.getElement(vertices[i], element)
+    for (let k = 0; k < 3; k++) out[3 * i + k] = element[k]
+  }
+}

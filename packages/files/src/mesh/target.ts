@@ -1,0 +1,60 @@
+import { FurrowError } from 'furrow'
+import { didYouMean } from '../base/nearest.ts'
+import { documentOf } from '../gltf/document.ts'
+import type { Glb } from '../gltf/glb-file.ts'
+import {
+  type Candidate,
+  chosen,
+  materialsOf,
+  meshesOf,
+  type Target,
+  type TargetNames,
+} from '../json/target-names.ts'
+import { mostMovedSkin } from './find-skin.ts'
+
+/**
+ * Finds the mesh that gets wrinkles, and its material: those that are named, or else those named `skin`, the only ones, or as
+ * `furrow auto` finds them, by what the blendshapes move.
+ *
+ * @param path of the file, for errors.
+ * @param names the mesh may also be named by its node.
+ * @throws FurrowError when there is none, or several and none stands out.
+ */
+export async function findTarget(glb: Glb, path: string, who: string, names: TargetNames): Promise<Target> {
+  const { json } = glb
+  const meshes = chosen(meshesOf(json), names.mesh)
+  if (meshes.length === 0) throw notFound(meshesOf(json), names.mesh, who, 'mesh', '--mesh')
+  const materials = meshes.flatMap(({ index }) => materialsOf(json, index))
+  // One of several meshes is not chosen because its material has the default name.
+  const left =
+    meshes.length > 1 && names.material === undefined ? materials : chosen(materials, names.material)
+  if (left.length === 0) {
+    throw notFound(materials, names.material, who, 'material of that mesh', '--material')
+  }
+  if (left.length === 1) return left[0].target
+  const meshName = meshes.length === 1 ? json.meshes?.[meshes[0].index].name : undefined
+  const skin = mostMovedSkin(await documentOf(glb, path, who), meshName)
+  const moved = left.find(({ target }) => target.mesh === skin?.mesh && target.material === skin.material)
+  if (moved) return moved.target
+  throw meshes.length > 1
+    ? notFound(meshes, undefined, who, 'mesh', '--mesh')
+    : notFound(left, undefined, who, 'material of that mesh', '--material')
+}
+
+function notFound(
+  candidates: readonly Candidate[],
+  wanted: string | undefined,
+  who: string,
+  what: string,
+  option: string,
+): FurrowError {
+  const all = candidates.map(({ names, index }) => names[0] ?? String(index))
+  return new FurrowError({
+    code: 'unknown-name',
+    who,
+    what: wanted !== undefined || all.length === 0 ? `no such ${what}` : `several candidates for the ${what}`,
+    value: wanted,
+    limit: all.length === 0 ? 'the file has none with texture coordinates' : all.join(', '),
+    remedy: didYouMean(wanted, all, `name one with ${option}`),
+  })
+}

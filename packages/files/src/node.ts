@@ -1,0 +1,28 @@
+export { readLow, readSurface, type Tangents } from './bake/read-meshes.ts'
+export { type ReadOptions, resolveInside } from './disk/external-files.ts'
+export { fileProblem, ignoreMissing, statOf } from './disk/file-status.ts'
+export { readBytes, readJson } from './disk/read-bytes.ts'
+export { FACE_EXTENSIONS, filesOfFace } from './gltf/face-files.ts'
+export { readDocument } from './gltf/read-document.ts'
+export { readGlbFile } from './gltf/read-glb-file.ts'
+export { decodeNormalMap } from './images/decode-normal-map.ts'
+export {
+  encodeArea,
+  encodeHeight,
+  encodeNormalMap,
+  encodePng,
+  encodePngWithoutOpaqueAlpha,
+  encodeRgb,
+  encodeRgbaNormalMap,
+  HEIGHT_STEPS_PER_MM,
+  HEIGHT_ZERO,
+  MAX_HEIGHT,
+} from './images/encode.ts'
+export { type HeightImage, readHeightImage } from './images/height-image.ts'
+export { openImage } from './images/open-image.ts'
+export { type FaceMesh, readFaceMesh } from './mesh/face-mesh.ts'
+export { drawSet } from './pack/draw-set.ts'
+export { type OpenSet, openSet } from './pack/open-set.ts'
+export { packAuto } from './pack/pack-auto.ts'
+export { readFolder, readReferenced } from './wrinkles/folder.ts'
+export { readWrinkledFile } from './wrinkles/read-wrinkled-file.ts'

@@ -1,0 +1,183 @@
+import { FurrowError, type GrayImage, type WrinkleSetDocument } from 'furrow'
+import {
+  addFurrows,
+  BLOOD_AMPLITUDE,
+  changedBlood,
+  fileNamesOf,
+  type HeightMap,
+  halfSide,
+  heightLevels,
+  heightToNormal,
+  type SkinCanvas,
+  StrokeLayer,
+  type StrokesDocument,
+  type TangentFrame,
+  valleyBlood,
+} from 'furrow/author'
+import { didYouMean } from '../base/nearest.ts'
+import type { OutputFile } from '../base/output-file.ts'
+import { decodeGray } from '../images/decode-gray.ts'
+import { addressOf } from '../wrinkles/folder-document.ts'
+import { layersOf } from '../wrinkles/strokes.ts'
+import { encodeLayer } from './encode-layer.ts'
+import type { ReadFile } from './pack.ts'
+
+type LayerEntry = WrinkleSetDocument['layers'][number]
+
+/** The maps that strokes give a layer. */
+const DRAWN_MAPS = ['normal', 'occlusion', 'blood', 'height'] as const
+type DrawnMap = (typeof DRAWN_MAPS)[number]
+
+/** What strokes are drawn on. */
+export interface DrawnOn {
+  /** Of the size of the normals, whose sides are even. */
+  canvas: SkinCanvas
+  /** The frame in which renderers read normals. */
+  frame: TangentFrame
+}
+
+/**
+ * The layers of a wrinkle set that a document draws.
+ *
+ * @param layer the only one to draw; by default all that have strokes or furrows.
+ * @throws FurrowError for strokes on a layer that the set does not have, or on none where it has several.
+ */
+export function layersToDraw(
+  { layers }: WrinkleSetDocument,
+  document: StrokesDocument,
+  layer: string | undefined,
+  who: string,
+): string[] {
+  const names = layers.map(({ name }) => name)
+  const unnamed = document.strokes.findIndex((stroke) => stroke.layer === undefined)
+  if (unnamed >= 0 && names.length > 1)
+    throw noLayer(`strokes[${unnamed}] names no layer`, undefined, names, who)
+  const drawn = unnamed >= 0 ? names : layersOf(document)
+  const unknown = drawn.find((name) => !names.includes(name))
+  if (unknown !== undefined) throw noLayer('the folder has no such layer', unknown, names, who)
+  return layer === undefined ? drawn : [layer]
+}
+
+function noLayer(
+  what: string,
+  value: string | undefined,
+  names: readonly string[],
+  who: string,
+): FurrowError {
+  const remedy = didYouMean(value, names, 'name one of them in the document')
+  return new FurrowError({ code: 'unknown-name', who, what, value, limit: names.join(', '), remedy })
+}
+
+/** Paths of the maps of a layer that strokes draw, relative to the folder of its set. */
+export function drawnPaths({ layers }: WrinkleSetDocument, layer: string): Record<DrawnMap, string> {
+  const names = layers.map(({ name }) => name)
+  const folder = fileNamesOf(names)[names.indexOf(layer)]
+  const path = (map: DrawnMap) => `layers/${folder}/${map}.png`
+  return {
+    normal: path('normal'),
+    occlusion: path('occlusion'),
+    blood: path('blood'),
+    height: path('height'),
+  }
+}
+
+/**
+ * Draws layers of a wrinkle set as `furrow auto` does: normals, occlusion, heights and blood. Its areas, drivers and other maps stay, as does
+ * blood that is not the tone of valleys.
+ *
+ * @param read reads a file of the set.
+ * @returns all layers as `wrinkles.json` has them, and the images that were drawn, with paths relative to its folder.
+ */
+export async function drawSet(
+  set: WrinkleSetDocument,
+  layers: readonly string[],
+  document: StrokesDocument,
+  read: ReadFile,
+  on: DrawnOn,
+  who: string,
+): Promise<{ layers: LayerEntry[]; files: OutputFile[] }> {
+  const files: OutputFile[] = []
+  const entries = [...set.layers]
+  for (const [i, entry] of entries.entries()) {
+    if (!layers.includes(entry.name)) continue
+    const maps = await drawLayer(entry, document, read, on, who)
+    const paths = drawnPaths(set, entry.name)
+    const { height: _, heightAmplitude: __, bloodAmplitude = BLOOD_AMPLITUDE, ...rest } = entry
+    entries[i] = {
+      ...rest,
+      kind: 'detail',
+      normal: addressOf(paths.normal),
+      occlusion: addressOf(paths.occlusion),
+      blood: addressOf(paths.blood),
+      bloodAmplitude,
+      ...(maps.height && { height: addressOf(paths.height), heightAmplitude: maps.heightAmplitude! }),
+    }
+    for (const map of DRAWN_MAPS) {
+      const image = maps[map]
+      if (image) files.push({ path: paths[map], bytes: image.bytes })
+    }
+  }
+  return { layers: entries, files }
+}
+
+async function drawLayer(
+  entry: LayerEntry,
+  { strokes, furrows }: StrokesDocument,
+  read: ReadFile,
+  { canvas, frame }: DrawnOn,
+  who: string,
+) {
+  const { name } = entry
+  const layer = new StrokeLayer(canvas, { frame })
+  const own = strokes.filter((stroke) => (stroke.layer ?? name) === name)
+  layer.draw(own)
+  const { relief, occlusion } = layer
+  const blood = await bloodOf(entry, relief, read, who)
+  return encodeLayer({ name, normal: normalOf(), relief, occlusion, blood }, own.length > 0, false)
+
+  /** Fine furrows are too shallow for heights: normals alone show them. */
+  function normalOf() {
+    if (!furrows || (furrows.layer ?? name) !== name) return layer.normal
+    const heights = { ...relief, data: relief.data.slice() }
+    addFurrows(heights, canvas, furrows, strokes)
+    return heightToNormal(heights, canvas.metric, frame)
+  }
+}
+
+/** The blood of a layer with new lines, of half the side of its relief. Its valleys are those of its stored heights, so that they can be told apart later. */
+async function bloodOf(
+  entry: LayerEntry,
+  relief: HeightMap,
+  read: ReadFile,
+  who: string,
+): Promise<GrayImage> {
+  const { levels, amplitude } = heightLevels(relief.data)
+  const lines = valleyBlood(millimetresOf(halfSide({ ...relief, data: levels }), amplitude))
+  if (entry.blood === undefined) return lines
+  const { blood, height, heightAmplitude = 0 } = entry
+  const old = await decodeGray(await read(blood), blood, who)
+  const oldHeights = height === undefined ? undefined : await decodeGray(await read(height), height, who)
+  for (const [image, path] of [
+    [old, blood],
+    [oldHeights, height],
+  ] as const) {
+    if (image && (image.width !== lines.width || image.height !== lines.height))
+      throw otherSize(image, path!, lines, who)
+  }
+  if (!oldHeights) return changedBlood(old, undefined, lines)
+  return changedBlood(old, valleyBlood(millimetresOf(oldHeights, heightAmplitude)), lines)
+}
+
+function millimetresOf({ width, height, data }: GrayImage, amplitude: number): HeightMap {
+  return { width, height, data: Float32Array.from(data, (level) => 1000 * amplitude * (level / 255 - 0.5)) }
+}
+
+function otherSize(image: GrayImage, path: string, { width, height }: GrayImage, who: string): FurrowError {
+  return new FurrowError({
+    who,
+    what: `${path} has another size than what is drawn, and its flushes would be lost`,
+    value: `${image.width} x ${image.height}`,
+    limit: `${width} x ${height}, half the side of the normals`,
+    remedy: 'choose another --size, or scale it',
+  })
+}

@@ -1,0 +1,156 @@
+import { parseWrinkleMaps, WRINKLE_MAPS, type WrinkleDriver, type WrinkleSetDocument } from 'furrow'
+import { BufferViewWriter } from '../gltf/buffer-view-writer.ts'
+import type { Glb } from '../gltf/glb-file.ts'
+import type { GltfJson } from '../json/gltf-json.ts'
+import type { StoredStrokes } from '../wrinkles/strokes.ts'
+
+/** An encoded image to embed in a file. */
+export interface FileImage {
+  name: string
+  mimeType: string
+  /** Images with the same bytes are stored once. */
+  bytes: Uint8Array
+  /** Index of the slice, where it is an array. */
+  slice?: number
+}
+
+/** A layer with its images; numbers as in the extension. */
+export interface LayerImages {
+  name: string
+  kind: WrinkleSetDocument['layers'][number]['kind']
+  normal: FileImage
+  normalScale?: number
+  baseColor?: FileImage
+  roughness?: FileImage
+  occlusion?: FileImage
+  occlusionStrength?: number
+  height?: FileImage
+  heightAmplitude?: number
+  /** In B; the same image as the occlusion's, where there is one. */
+  blood?: FileImage
+  bloodAmplitude?: number
+}
+
+/** An area and the channel of the image that holds it; other areas may use the other channels. */
+export interface PackedArea {
+  name: string
+  image: FileImage
+  /** 0 = R to 3 = A. */
+  channel: number
+  /** Index of its layer. */
+  layer: number
+  combine?: WrinkleSetDocument['areas'][number]['combine']
+  activation?: number
+}
+
+/** Wrinkles with their images encoded. */
+export interface PackedWrinkles {
+  layers: LayerImages[]
+  areas: PackedArea[]
+  drivers: WrinkleDriver[]
+  /** The lines of the layers. */
+  strokes?: StoredStrokes
+}
+
+const CLAMP_TO_EDGE = 33071
+
+/** The extension of textures with KTX 2 images. */
+export const KTX2_EXTENSION = 'KHR_texture_basisu'
+
+/** Whether any texture has a KTX 2 image. */
+export function usesKtx2({ textures = [] }: GltfJson): boolean {
+  return textures.some(({ extensions }) => extensions?.[KTX2_EXTENSION] !== undefined)
+}
+
+/**
+ * Adds wrinkles to a material: images at the end of the binary chunk and textures at the end of their list, so that all
+ * existing indices stay valid.
+ *
+ * @param glb changed in place; its binary chunk is replaced.
+ * @throws FurrowError when the result is not valid.
+ */
+export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedWrinkles, who: string): void {
+  const { json } = glb
+  const material = json.materials![materialIndex]
+  const normal = material.normalTexture
+  // Wrinkles use the texture coordinates of the skin's normal map. It is written down for tools that prune unused ones.
+  const texCoord = normal?.texCoord ? { texCoord: normal.texCoord } : {}
+  const skinSampler = json.textures?.[normal?.index ?? -1]?.sampler
+  const textures = new TextureWriter(glb)
+  const textureInfo = (image: FileImage | undefined, more: object = {}) =>
+    image && { ...textures.add(image, skinSampler), ...texCoord, ...more }
+
+  const layers = wrinkles.layers.map((layer) => ({
+    name: layer.name,
+    ...(layer.kind !== 'replace' && { kind: layer.kind }),
+    normalTexture: textureInfo(layer.normal, omitDefault('scale', layer.normalScale, 1)),
+    baseColorTexture: textureInfo(layer.baseColor),
+    roughnessTexture: textureInfo(layer.roughness),
+    occlusionTexture: textureInfo(layer.occlusion, omitDefault('strength', layer.occlusionStrength, 1)),
+    heightTexture: textureInfo(layer.height, { amplitude: layer.heightAmplitude }),
+    bloodTexture: textureInfo(layer.blood, { amplitude: layer.bloodAmplitude }),
+  }))
+  const areas = wrinkles.areas.map((area) => ({
+    name: area.name,
+    ...omitDefault('layer', area.layer, 0),
+    texture: { ...textures.add(area.image, textures.clampedSampler()), ...texCoord },
+    ...omitDefault('channel', area.channel, 0),
+    ...omitDefault('combine', area.combine, 'sum'),
+    ...omitDefault('activation', area.activation, 0),
+  }))
+  const { drivers, strokes } = wrinkles
+  // JSON drops the fields without a value.
+  const extension = JSON.parse(
+    JSON.stringify({ layers, areas, ...(drivers.length > 0 && { drivers }), strokes }),
+  )
+  parseWrinkleMaps(extension, json.textures?.length ?? 0, who)
+  material.extensions = { ...material.extensions, [WRINKLE_MAPS]: extension }
+  const ktx2 = usesKtx2(json) ? [KTX2_EXTENSION] : []
+  json.extensionsUsed = [...new Set([...(json.extensionsUsed ?? []), WRINKLE_MAPS, ...ktx2])]
+  textures.finish()
+}
+
+function omitDefault(field: string, value: unknown, byDefault: unknown): object {
+  return value === undefined || value === byDefault ? {} : { [field]: value }
+}
+
+/** Adds textures to a file; an image that is added twice is stored once. */
+class TextureWriter {
+  readonly #json: GltfJson
+  readonly #views: BufferViewWriter
+  readonly #added = new Map<Uint8Array, number>()
+
+  constructor(glb: Glb) {
+    this.#json = glb.json
+    this.#views = new BufferViewWriter(glb)
+    glb.json.images ??= []
+    glb.json.textures ??= []
+  }
+
+  /** @returns the fields of a texture info that refer to it. */
+  add(image: FileImage, sampler: number | undefined): { index: number; slice?: number } {
+    const index = this.#added.get(image.bytes) ?? this.#add(image, sampler)
+    return { index, ...(image.slice !== undefined && { slice: image.slice }) }
+  }
+
+  #add({ name, mimeType, bytes, slice }: FileImage, sampler: number | undefined): number {
+    const { images, textures } = this.#json
+    const source = images!.push({ name, mimeType, bufferView: this.#views.add(bytes) }) - 1
+    const image = slice === undefined ? { source } : { extensions: { [KTX2_EXTENSION]: { source } } }
+    const index = textures!.push({ name, ...(sampler !== undefined && { sampler }), ...image }) - 1
+    this.#added.set(bytes, index)
+    return index
+  }
+
+  /** Areas do not repeat. Returns the index of a sampler that clamps. */
+  clampedSampler(): number {
+    this.#json.samplers ??= []
+    const clamped = { wrapS: CLAMP_TO_EDGE, wrapT: CLAMP_TO_EDGE }
+    const found = this.#json.samplers.findIndex((item) => JSON.stringify(item) === JSON.stringify(clamped))
+    return found >= 0 ? found : this.#json.samplers.push(clamped) - 1
+  }
+
+  finish(): void {
+    this.#views.finish()
+  }
+}

@@ -1,0 +1,63 @@
+import type { GrayImage } from 'furrow'
+import { type HeightMap, halfSide, heightLevels, type RgbaImage } from 'furrow/author'
+import { encodeMap, encodeRgbaNormalMap } from '../images/encode.ts'
+import type { Pixels } from '../images/pixels.ts'
+import type { MapName } from '../wrinkles/map-slots.ts'
+import { joinChannels } from '../wrinkles/shared-image.ts'
+import type { CheckedImage } from './checked-image.ts'
+import type { LayerImages } from './embed.ts'
+
+/** A layer of lines that was drawn. */
+export interface DrawnLayer {
+  name: string
+  /** Of kind `detail`. */
+  normal: RgbaImage
+  /** Millimetres, of the size of the normals, as is the occlusion. */
+  relief: HeightMap
+  occlusion: GrayImage
+  /** With half the side of the normals. */
+  blood: GrayImage
+}
+
+/** A layer with its maps as PNG. */
+export interface LayerMaps extends Omit<LayerImages, MapName> {
+  normal: CheckedImage
+  occlusion: CheckedImage
+  blood: CheckedImage
+  height?: CheckedImage
+}
+
+/**
+ * Encodes the maps of a layer. All but the normals have half their side: only normals show how steep a crease is.
+ *
+ * @param hasHeight whether its lines are deep enough to move the surface.
+ * @param isShared whether occlusion and blood are one image, as in files; otherwise each is an image of its own.
+ */
+export async function encodeLayer(
+  { name, normal, relief, occlusion, blood }: DrawnLayer,
+  hasHeight: boolean,
+  isShared: boolean,
+): Promise<LayerMaps> {
+  const { width, height } = normal
+  const normalBytes = await encodeRgbaNormalMap(normal)
+  const open = halfSide(occlusion)
+  const shared =
+    isShared &&
+    (await image(`${name} occlusion`, joinChannels([open, undefined, blood], open.width, open.height)))
+  const layer: LayerMaps = {
+    name,
+    kind: 'detail',
+    normal: { name: `${name} normal`, mimeType: 'image/png', bytes: normalBytes, width, height },
+    occlusion: shared || (await image(`${name} occlusion`, { ...open, channels: 1 })),
+    blood: shared || (await image(`${name} blood`, { ...blood, channels: 1 })),
+  }
+  if (!hasHeight) return layer
+  const { levels, amplitude } = heightLevels(relief.data)
+  const heights = await image(`${name} height`, { ...halfSide({ ...relief, data: levels }), channels: 1 })
+  return { ...layer, height: heights, heightAmplitude: amplitude }
+}
+
+async function image(name: string, pixels: Pixels): Promise<CheckedImage> {
+  const { width, height } = pixels
+  return { name, mimeType: 'image/png', bytes: await encodeMap(pixels), width, height }
+}

@@ -1,0 +1,46 @@
+import { type AutoWrinkles, autoDrivers, halfSide, strokesOf } from 'furrow/author'
+import { encodePng } from '../images/encode.ts'
+import { encodeAreaImages } from './area-images.ts'
+import type { PackedArea, PackedWrinkles } from './embed.ts'
+import { encodeLayer, type LayerMaps } from './encode-layer.ts'
+import { AREAS_PER_SLICE, encodeAreaArray, encodeMapArrays } from './ktx2-images.ts'
+
+/** Without alpha, since image tools drop colours where it is 0. */
+const AREAS_PER_IMAGE = 3
+
+/**
+ * Encodes the maps and areas of automatic wrinkles for a file, with the strokes that their lines are.
+ *
+ * @param ktx2 whether maps and areas become KTX 2 arrays. Heights remain PNG.
+ */
+export async function packAuto(wrinkles: AutoWrinkles, ktx2: boolean, who: string): Promise<PackedWrinkles> {
+  const { layers, areas, blood, furrows } = wrinkles
+  const maps = await Promise.all(
+    layers.map(async (layer, i): Promise<LayerMaps> => {
+      // Fine furrows are too shallow to move the surface.
+      const isFlat = layer.name === furrows?.furrows.layer
+      const maps = await encodeLayer({ ...layer, blood: halfSide(blood.maps[i]) }, !isFlat, true)
+      return { ...maps, bloodAmplitude: blood.amplitude }
+    }),
+  )
+  const allAreas = [...areas, ...blood.areas, ...(furrows?.areas ?? [])]
+  const weights = allAreas.map((area) => area.weights)
+  const images = await (ktx2
+    ? encodeAreaArray(weights, who)
+    : encodeAreaImages(weights, AREAS_PER_IMAGE, encodePng))
+  const perImage = ktx2 ? AREAS_PER_SLICE : AREAS_PER_IMAGE
+  const packed = allAreas.map(
+    ({ name, layer }, i): PackedArea => ({
+      name,
+      layer,
+      image: images[Math.floor(i / perImage)],
+      channel: i % perImage,
+    }),
+  )
+  return {
+    layers: ktx2 ? await encodeMapArrays(maps, who) : maps,
+    areas: packed,
+    drivers: autoDrivers(wrinkles),
+    strokes: strokesOf(wrinkles),
+  }
+}

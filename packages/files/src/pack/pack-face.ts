@@ -1,0 +1,50 @@
+import { WRINKLE_MAPS, type WrinkleSetDocument } from 'furrow'
+import type { Progress } from '../base/progress.ts'
+import type { Glb } from '../gltf/glb-file.ts'
+import { jointNamesOf, targetNamesOf } from '../json/gltf-json.ts'
+import type { Target, TargetNames } from '../json/target-names.ts'
+import { findTarget } from '../mesh/target.ts'
+import { findDriverFaults } from '../wrinkles/driver-faults.ts'
+import { embedWrinkles } from './embed.ts'
+import { type PackedFolder, type PackOptions, packFolder, type ReadFile } from './pack.ts'
+import { stripWrinkles } from './strip.ts'
+
+/** A face that got wrinkles. */
+export interface PackedFace {
+  target: Target
+  wrinkles: PackedFolder
+  /** For the user. */
+  warnings: string[]
+}
+
+/**
+ * Adds the wrinkles of a folder to a face, in place of those that the material has.
+ *
+ * @param glb changed in place.
+ * @param face path of the face, for errors.
+ * @param read reads the files of the folder.
+ * @param options the mesh and the material by default those of the document, or as `findTarget` finds them.
+ * @throws FurrowError when the wrinkles cannot be used, or there is no such mesh or material.
+ */
+export async function packFace(
+  glb: Glb,
+  face: string,
+  document: WrinkleSetDocument,
+  read: ReadFile,
+  options: PackOptions & TargetNames,
+  who: string,
+  progress: Progress,
+): Promise<PackedFace> {
+  const target = await findTarget(glb, face, who, {
+    mesh: options.mesh ?? document.mesh,
+    material: options.material ?? document.material,
+  })
+  const wrinkles = await packFolder(read, document, options, who, progress)
+  const isWrinkled = glb.json.materials![target.material].extensions?.[WRINKLE_MAPS] !== undefined
+  if (isWrinkled) stripWrinkles(glb, target.material, who)
+  embedWrinkles(glb, target.material, wrinkles, who)
+  const targets = targetNamesOf(glb.json.meshes![target.mesh])
+  const { missing } = findDriverFaults(wrinkles.drivers, targets, jointNamesOf(glb.json))
+  const unknown = missing.map((what) => `${who}: ${what} does not exist; it is kept`)
+  return { target, wrinkles, warnings: [...wrinkles.warnings, ...unknown] }
+}

@@ -1,0 +1,200 @@
+import {
+  checkDeclared,
+  FurrowError,
+  mapProblems,
+  parseWrinkleMaps,
+  texturesOfFace,
+  WRINKLE_MAPS,
+} from 'furrow'
+import { firstLine } from '../base/errors.ts'
+import type { Glb } from '../gltf/glb-file.ts'
+import { ktx2HeaderOf } from '../gltf/texture-image.ts'
+import { pixelsOf } from '../gltf/texture-pixels.ts'
+import { jointNamesOf, targetNamesOf } from '../json/gltf-json.ts'
+import { findDriverFaults } from '../wrinkles/driver-faults.ts'
+import { type Inspection, inspectWrinkles } from '../wrinkles/inspect.ts'
+import { strokesIn } from '../wrinkles/strokes.ts'
+import { readShapes } from '../wrinkles/texture-shapes.ts'
+import { type WrinkledFile, wrinkledMaterials } from '../wrinkles/wrinkled-file.ts'
+import { checkFaces, isDrawn } from './face-rules.ts'
+import { errorFinding, type Finding, warningFinding } from './finding.ts'
+
+/**
+ * Checks the rules of the extension on every material with wrinkles: there are errors exactly where a loader would leave the face
+ * plain. Never throws FurrowError.
+ */
+export async function checkWrinkles(glb: Glb): Promise<Finding[]> {
+  const materials = wrinkledMaterials(glb)
+  if (materials.length === 0) return [warningFinding('NO_WRINKLES', `no material has ${WRINKLE_MAPS}`)]
+  const findings = checkLists(glb)
+  for (const material of materials) findings.push(...(await checkMaterial(glb, material)))
+  return findings
+}
+
+function checkLists({ json }: Glb): Finding[] {
+  const findings: Finding[] = []
+  try {
+    checkDeclared(json, WRINKLE_MAPS)
+  } catch (error) {
+    findings.push(errorFinding('NOT_DECLARED', firstLine(error), '/extensionsUsed'))
+  }
+  if (json.extensionsRequired?.includes(WRINKLE_MAPS)) {
+    const message = 'extensionsRequired lists it: viewers without it will not open the file at all'
+    findings.push(warningFinding('REQUIRED', message, '/extensionsRequired'))
+  }
+  return findings
+}
+
+async function checkMaterial(glb: Glb, material: number): Promise<Finding[]> {
+  const pointer = `/materials/${material}/extensions/${WRINKLE_MAPS}`
+  const findings = await findingsOf(glb, material)
+  // Loaders read only what they draw.
+  const drawn = isDrawn(glb.json, material)
+  const used = drawn ? findings : [warningFinding('NOT_DRAWN', 'no mesh of a scene has this material')]
+  return used.map((finding) => ({ ...finding, pointer }))
+}
+
+async function findingsOf(glb: Glb, material: number): Promise<Finding[]> {
+  const json = glb.json.materials![material].extensions![WRINKLE_MAPS]
+  const faces = checkFaces(glb.json, material)
+  try {
+    const maps = parseWrinkleMaps(json, glb.json.textures?.length ?? 0)
+    const shapes = await readShapes(glb, maps)
+    const problems = mapProblems(
+      maps,
+      (texture) => shapes.get(texture)!,
+      texturesOfFace(glb.json),
+      WRINKLE_MAPS,
+    )
+    const errors = problems.map((problem) => errorFinding(problem.rule, new FurrowError(problem).message))
+    const file = await withoutDamagedHeights({ glb, material, maps })
+    const report = await inspectWrinkles(file, WRINKLE_MAPS)
+    return [
+      ...faces,
+      ...errors,
+      ...heightFindings(maps, file.maps),
+      ...checkSizes(report),
+      ...checkImages(report),
+      ...checkEncodings(file),
+      ...checkAreas(report),
+      ...checkCoordinates(file),
+      ...checkDrivers(file),
+      ...checkStrokes(file),
+    ]
+  } catch (thrown) {
+    if (!(thrown instanceof FurrowError)) throw thrown
+    return [...faces, errorFinding('INVALID', firstLine(thrown))]
+  }
+}
+
+/** Heights are for tools; what is drawn does not need them. */
+async function withoutDamagedHeights({ glb, material, maps }: WrinkledFile): Promise<WrinkledFile> {
+  const layers = maps.layers.map(async (layer) => {
+    const { heightTexture, ...rest } = layer
+    if (!heightTexture) return layer
+    const isWhole = await pixelsOf(glb, heightTexture, WRINKLE_MAPS).then(
+      () => true,
+      () => false,
+    )
+    return isWhole ? layer : rest
+  })
+  return { glb, material, maps: { ...maps, layers: await Promise.all(layers) } }
+}
+
+function heightFindings(before: WrinkledFile['maps'], after: WrinkledFile['maps']): Finding[] {
+  const lost = before.layers.filter((layer, i) => layer.heightTexture && !after.layers[i].heightTexture)
+  return lost.map(({ name }) =>
+    warningFinding('HEIGHT', `layer "${name}": the height map cannot be read; it is not drawn`),
+  )
+}
+
+function checkSizes({ layers }: Inspection): Finding[] {
+  return layers.flatMap(({ name, maps }) =>
+    maps
+      .filter((map) => !isFractionOf(map, maps[0]))
+      .map((map) => {
+        const message = `layer "${name}": ${map.map} is ${sizeText(map)}, its normal map ${sizeText(maps[0])}`
+        return warningFinding('MAP_SIZES', message)
+      }),
+  )
+}
+
+/** Maps of values may be smaller: the same in both directions, by a whole factor. */
+function isFractionOf(map: MapSize, normal: MapSize): boolean {
+  const factor = normal.width / map.width
+  return Number.isInteger(factor) && factor === normal.height / map.height
+}
+
+type MapSize = Inspection['layers'][number]['maps'][number]
+
+function checkImages({ layers }: Inspection): Finding[] {
+  return layers.flatMap(({ name, maps }) => {
+    const lossy = maps[0].mimeType === 'image/jpeg'
+    return lossy
+      ? [warningFinding('JPEG_NORMALS', `layer "${name}": JPEG causes blocks in normals; use PNG or UASTC`)]
+      : []
+  })
+}
+
+/** The blocks of ETC1S, 4 x 4 texels between two colours, show in normals. */
+function checkEncodings({ glb, maps }: WrinkledFile): Finding[] {
+  return maps.layers.flatMap(({ name, normalTexture }) => {
+    const header = ktx2HeaderOf(glb, normalTexture.index, WRINKLE_MAPS)
+    if (header?.encoding !== 'etc1s') return []
+    return [warningFinding('ETC1S_NORMALS', `layer "${name}": ETC1S causes blocks in normals; use UASTC`)]
+  })
+}
+
+function checkAreas({ areas }: Inspection): Finding[] {
+  // Image tools do not open arrays, so that only images are at risk.
+  const inImages = areas.filter(({ channel, slice }) => channel === 'A' && slice === undefined)
+  const withAlpha = new Set(inImages.map(({ texture }) => texture))
+  return areas.flatMap((area) => {
+    const findings: Finding[] = []
+    if (area.largest === 0)
+      findings.push(warningFinding('AREA_INVISIBLE', `area "${area.name}" is visible nowhere`))
+    if (area.channel !== 'A' && withAlpha.has(area.texture)) {
+      const message = `area "${area.name}" shares texture ${area.texture} with an area in alpha: tools that resize or compress it lose the colours where alpha is 0`
+      findings.push(warningFinding('AREA_UNDER_ALPHA', message))
+    }
+    return findings
+  })
+}
+
+/** Readers use the texture coordinates of the skin's normal map for all maps; a file that says otherwise misleads. */
+function checkCoordinates({ glb, material, maps }: WrinkledFile): Finding[] {
+  const expected = glb.json.materials![material].normalTexture?.texCoord ?? 0
+  const infos = [
+    ...maps.layers.map(({ normalTexture }) => normalTexture),
+    ...maps.areas.map(({ texture }) => texture),
+  ]
+  const other = infos.find((info) => ((info as { texCoord?: number }).texCoord ?? 0) !== expected)
+  if (!other) return []
+  const message = `texture ${other.index} has another texCoord than the normalTexture (${expected}), which is used instead`
+  return [warningFinding('TEXCOORD', message)]
+}
+
+function checkDrivers({ glb, material, maps: { drivers } }: WrinkledFile): Finding[] {
+  const meshes = (glb.json.meshes ?? []).filter(({ primitives }) => {
+    return primitives.some((primitive) => primitive.material === material)
+  })
+  const { unknownTypes, missing, cyclicAreas } = findDriverFaults(
+    drivers,
+    meshes.flatMap(targetNamesOf),
+    jointNamesOf(glb.json),
+  )
+  return [
+    ...unknownTypes.map((type) => warningFinding('DRIVER_TYPE', `drivers of type "${type}" are ignored`)),
+    ...missing.map((what) => warningFinding('DRIVER_NAME', `${what} does not exist`)),
+    ...cyclicAreas.map((area) =>
+      warningFinding('DRIVER_CYCLE', `area "${area}" drives itself; its drivers that read areas are ignored`),
+    ),
+  ]
+}
+
+function checkStrokes(file: WrinkledFile): Finding[] {
+  const { problem } = strokesIn(file, `${WRINKLE_MAPS}: strokes`)
+  return problem === undefined ? [] : [warningFinding('STROKES', problem)]
+}
+
+const sizeText = ({ width, height }: { width: number; height: number }) => `${width} x ${height}`

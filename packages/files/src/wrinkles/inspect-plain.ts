@@ -1,0 +1,80 @@
+import type { Document } from '@gltf-transform/core'
+import type { Glb } from '../gltf/glb-file.ts'
+import { targetNamesOf } from '../json/gltf-json.ts'
+import { bestSkin, type FoundSkin } from '../mesh/find-skin.ts'
+
+export interface MeshReport {
+  mesh: string
+  /** Names of its materials. */
+  materials: string[]
+  vertices: number
+  triangles: number
+  blendshapes: string[]
+}
+
+/** What a face without wrinkles has, and which wrinkles it could get. */
+export interface PlainInspection {
+  fileBytes: number
+  meshes: MeshReport[]
+  /** The mesh that `furrow auto` chooses; absent where none can wrinkle. */
+  skin?: { mesh: string; material: string; reason: string }
+  /** Whether `furrow auto` has blendshapes to make wrinkles from. */
+  auto: boolean
+  /** What to do next. */
+  next: string
+}
+
+/**
+ * Lists the meshes of a face without wrinkles.
+ *
+ * @param document the decoded `glb`.
+ * @returns also the skin, where one can wrinkle.
+ */
+export function inspectPlain(
+  glb: Glb,
+  document: Document,
+  path: string,
+): { report: PlainInspection; skin?: FoundSkin } {
+  const skin = bestSkin(document)
+  const auto = skin !== undefined && skin.fraction > 0
+  const report = {
+    fileBytes: glb.fileBytes,
+    meshes: meshesOf(glb, document),
+    ...(skin && {
+      skin: { mesh: skin.meshName, material: skin.materialName, reason: skin.reason },
+    }),
+    auto,
+    next: nextStep(path, skin, auto),
+  }
+  return { report, ...(skin && { skin }) }
+}
+
+function nextStep(path: string, skin: FoundSkin | undefined, auto: boolean): string {
+  if (auto) return `make them from its blendshapes: furrow auto ${quoted(path)} -o wrinkled.glb`
+  if (!skin) return 'no mesh has triangles with texture coordinates and a material: unwrap the face first'
+  return 'no blendshape moves the skin: draw wrinkles (furrow strokes) or paint them over its UV layout (furrow uv)'
+}
+
+/** As a shell takes it for one word. */
+function quoted(path: string): string {
+  return /^[\p{L}\p{N}_./\\:-]+$/u.test(path) ? path : `"${path}"`
+}
+
+function meshesOf({ json }: Glb, document: Document): MeshReport[] {
+  return document
+    .getRoot()
+    .listMeshes()
+    .map((mesh, index) => {
+      const primitives = mesh.listPrimitives()
+      const materials = primitives.map((primitive) => primitive.getMaterial()?.getName() ?? '')
+      const counts = primitives.map((primitive) => primitive.getAttribute('POSITION')?.getCount() ?? 0)
+      const corners = primitives.map((primitive, i) => primitive.getIndices()?.getCount() ?? counts[i])
+      return {
+        mesh: mesh.getName() || String(index),
+        materials: [...new Set(materials)].filter(Boolean),
+        vertices: counts.reduce((sum, count) => sum + count, 0),
+        triangles: corners.reduce((sum, count) => sum + Math.floor(count / 3), 0),
+        blendshapes: json.meshes?.[index] ? targetNamesOf(json.meshes[index]) : [],
+      }
+    })
+}

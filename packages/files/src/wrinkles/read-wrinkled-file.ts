@@ -1,0 +1,17 @@
+import type { ReadOptions } from '../disk/external-files.ts'
+import { readGlbFile } from '../gltf/read-glb-file.ts'
+import { type WrinkledFile, wrinkledFile } from './wrinkled-file.ts'
+
+/**
+ * Reads a file and the wrinkles of one of its materials; see `readGlbFile` and `wrinkledFile`.
+ *
+ * @param options.material name of the material; by default the only one with wrinkles.
+ * @throws FurrowError as these do.
+ */
+export async function readWrinkledFile(
+  path: string,
+  who: string,
+  options: ReadOptions & { material?: string | undefined } = {},
+): Promise<WrinkledFile> {
+  return wrinkledFile(await readGlbFile(path, who, options), path, who, options.material)
+}

@@ -1,0 +1,39 @@
+import type { GrayImage, WrinkleMapsLayer } from 'furrow'
+import type { Glb } from '../gltf/glb-file.ts'
+import { pixelsOf } from '../gltf/texture-pixels.ts'
+import { channelOf, type Pixels } from '../images/pixels.ts'
+import type { MapName } from './map-slots.ts'
+
+/** Channels of the maps that share an image, as glTF has them; roughness is the second. */
+const CHANNELS: Partial<Record<MapName, number>> = { occlusion: 0, blood: 2 }
+
+/** Maps of one size as red, green and blue; white where there is none. */
+export function joinChannels(
+  maps: readonly (GrayImage | undefined)[],
+  width: number,
+  height: number,
+): Pixels {
+  const data = new Uint8Array(3 * width * height).fill(255)
+  for (const [channel, map] of maps.entries()) {
+    if (map) for (let i = 0; i < map.data.length; i++) data[3 * i + channel] = map.data[i]
+  }
+  return { width, height, channels: 3, data }
+}
+
+/**
+ * A map that shares its image with blood, on its own.
+ *
+ * @returns undefined for maps that do not.
+ */
+export async function partOfImage(
+  glb: Glb,
+  layer: WrinkleMapsLayer,
+  map: MapName,
+  who: string,
+): Promise<GrayImage | undefined> {
+  const channel = CHANNELS[map]
+  const { bloodTexture } = layer
+  const isThere = map === 'blood' || layer.occlusionTexture !== undefined
+  if (channel === undefined || !bloodTexture || !isThere) return undefined
+  return channelOf(await pixelsOf(glb, bloodTexture, who), channel)
+}

@@ -1,0 +1,55 @@
+import { FurrowError, parseWrinkleMaps, WRINKLE_MAPS, type WrinkleMaps } from 'furrow'
+import { didYouMean } from '../base/nearest.ts'
+import type { Glb } from '../gltf/glb-file.ts'
+
+/** A file and the wrinkles of one of its materials. */
+export interface WrinkledFile {
+  glb: Glb
+  /** Index of the material. */
+  material: number
+  maps: WrinkleMaps
+}
+
+/** Indices of the materials with wrinkles. */
+export function wrinkledMaterials({ json }: Glb): number[] {
+  return (json.materials ?? []).flatMap(({ extensions }, index) => {
+    return extensions?.[WRINKLE_MAPS] === undefined ? [] : [index]
+  })
+}
+
+/**
+ * Finds the wrinkles of a file.
+ *
+ * @param path of the file, for errors.
+ * @param materialName name of the material; by default the only one with wrinkles.
+ * @throws FurrowError when none has wrinkles, several have and none is named, or the wrinkles are malformed.
+ */
+export function wrinkledFile(glb: Glb, path: string, who: string, materialName?: string): WrinkledFile {
+  const materials = glb.json.materials ?? []
+  const all = wrinkledMaterials(glb)
+  if (all.length === 0) {
+    const limit = `a material with ${WRINKLE_MAPS}`
+    const remedy = 'make them with furrow auto, or add painted ones with furrow pack'
+    throw new FurrowError({ who, what: `${path} has no wrinkles`, limit, remedy })
+  }
+  const found =
+    materialName === undefined ? all : all.filter((index) => materials[index].name === materialName)
+  if (found.length !== 1) {
+    const names = all.map((index) => materials[index].name ?? String(index))
+    throw new FurrowError({
+      code: 'unknown-name',
+      who,
+      what: `${found.length === 0 ? 'no such material' : 'several materials'} with wrinkles in ${path}`,
+      value: materialName,
+      limit: names.join(', '),
+      remedy: didYouMean(materialName, names, 'name one with --material'),
+    })
+  }
+  return wrinklesOf(glb, found[0], `${who}: ${path}`)
+}
+
+/** The wrinkles of a material that has some, by its index. */
+export function wrinklesOf(glb: Glb, material: number, who: string): WrinkledFile {
+  const json = glb.json.materials![material].extensions![WRINKLE_MAPS]
+  return { glb, material, maps: parseWrinkleMaps(json, glb.json.textures?.length ?? 0, who) }
+}
