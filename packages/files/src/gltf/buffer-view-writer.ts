@@ -1,5 +1,5 @@
 import { concat } from '../base/bytes.ts'
-import type { Glb } from './glb-file.ts'
+import type { Glb } from './glb.ts'
 
 /** Appends data to the binary chunk of a file as new buffer views, so that all indices stay valid. */
 export class BufferViewWriter {

@@ -5,7 +5,7 @@ import { decodingProblem } from '../checks/document.ts'
 import { dracoProblem } from '../checks/draco.ts'
 import { meshProblem } from '../checks/meshes.ts'
 import type { CheckedJson } from '../json/checked-json.ts'
-import type { Glb } from './glb-file.ts'
+import type { Glb } from './glb.ts'
 
 /**
  * Decodes a file, compressed or not, and leaves it as it is. Extensions that glTF-Transform does not know are dropped.

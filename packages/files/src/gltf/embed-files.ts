@@ -2,7 +2,7 @@ import { FurrowError, imageTypeOf } from 'furrow'
 import type { ReadReference, Reference } from '../base/references.ts'
 import { compressedViews } from '../json/gltf-json.ts'
 import { BufferViewWriter } from './buffer-view-writer.ts'
-import type { Glb } from './glb-file.ts'
+import type { Glb } from './glb.ts'
 import { unusable } from './not-gltf.ts'
 
 /**

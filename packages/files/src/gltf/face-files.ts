@@ -2,7 +2,8 @@ import { dirname, join, parse } from 'node:path'
 import { concat, utf8 } from '../base/bytes.ts'
 import type { OutputFile } from '../base/output-file.ts'
 import { type BufferView, compressedViews, type GltfJson } from '../json/gltf-json.ts'
-import { encodeGlb, type Glb } from './glb-file.ts'
+import type { Glb } from './glb.ts'
+import { encodeGlb } from './glb-file.ts'
 
 /** What the name of a face that is written may end with. */
 export const FACE_EXTENSIONS = ['.glb', '.vrm', '.gltf'] as const

@@ -1,25 +1,13 @@
 import { concat, fromUtf8, utf8 } from '../base/bytes.ts'
 import { firstLine } from '../base/errors.ts'
 import { checkFileBytes, MAX_JSON_BYTES } from '../base/file-size.ts'
-import type { ReadReference, Reference } from '../base/references.ts'
+import type { ReadReference } from '../base/references.ts'
 import { costProblem } from '../checks/document.ts'
 import { shapeProblem } from '../checks/shape.ts'
 import type { GltfJson } from '../json/gltf-json.ts'
 import { embedFiles } from './embed-files.ts'
+import type { Glb } from './glb.ts'
 import { NAME_FACE, otherFormat, unusable } from './not-gltf.ts'
-
-/** A glTF file in two parts, as in its binary form. Commands edit the parts in place, so that whatever else it holds is kept. */
-export interface Glb {
-  json: GltfJson
-  /** The binary chunk; empty where there is none. */
-  bin: Uint8Array
-  /** Size of all files that it was read from. */
-  fileBytes: number
-  /** The file as it was read. */
-  bytes: Uint8Array
-  /** What it referred to, by URI, which is part of the binary chunk now. */
-  references: ReadonlyMap<string, Reference>
-}
 
 // glTF 2.0, section 4.4 (GLB file format): a header of 12 bytes, then chunks of 8 bytes and their data.
 const MAGIC = 0x46546c67

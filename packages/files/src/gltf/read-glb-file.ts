@@ -1,6 +1,7 @@
 import { type ReadOptions, referenceReader } from '../disk/external-files.ts'
 import { readBytes } from '../disk/read-bytes.ts'
-import { checkHead, type Glb, openGlb } from './glb-file.ts'
+import type { Glb } from './glb.ts'
+import { checkHead, openGlb } from './glb-file.ts'
 
 /**
  * Reads a file of any kind with the files that it refers to; see `openGlb`.

@@ -1,5 +1,5 @@
 import { FurrowError, imageTypeOf, type Ktx2Header, readKtx2Header } from 'furrow'
-import type { Glb } from './glb-file.ts'
+import type { Glb } from './glb.ts'
 
 /** The encoded image of a texture. */
 export interface TextureImage {

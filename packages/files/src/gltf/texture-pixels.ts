@@ -4,7 +4,7 @@ import { withImageErrors } from '../images/image-errors.ts'
 import type { Pixels } from '../images/pixels.ts'
 import { type DecodedArray, decodeArray as decodeKtx2 } from '../ktx2/ktx2.ts'
 import { readHeader } from '../ktx2/ktx2-header.ts'
-import type { Glb } from './glb-file.ts'
+import type { Glb } from './glb.ts'
 import { imageOf, isKtx2 } from './texture-image.ts'
 
 /** Decoded textures of files, by index: several areas share an image, and several maps an array. */

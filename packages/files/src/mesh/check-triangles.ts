@@ -1,6 +1,6 @@
 import { FurrowError } from 'furrow'
 import { MOST_TRIANGLES } from 'furrow/author'
-import type { Glb } from '../gltf/glb-file.ts'
+import type { Glb } from '../gltf/glb.ts'
 import type { GltfMesh } from '../json/gltf-json.ts'
 
 /** The mode of a primitive of triangles. */

@@ -3,7 +3,7 @@ import { morphNormalDeltas } from 'furrow'
 import type { Progress } from '../base/progress.ts'
 import { BufferViewWriter } from '../gltf/buffer-view-writer.ts'
 import { documentOf } from '../gltf/document.ts'
-import type { Glb } from '../gltf/glb-file.ts'
+import type { Glb } from '../gltf/glb.ts'
 import type { GltfJson } from '../json/gltf-json.ts'
 
 /** Delta of a normal, per axis, that is not worth its bytes: half a step of a byte. */

@@ -1,7 +1,7 @@
 import { FurrowError } from 'furrow'
 import { didYouMean } from '../base/nearest.ts'
 import { documentOf } from '../gltf/document.ts'
-import type { Glb } from '../gltf/glb-file.ts'
+import type { Glb } from '../gltf/glb.ts'
 import {
   type Candidate,
   chosen,

@@ -1,6 +1,6 @@
 import { parseWrinkleMaps, WRINKLE_MAPS, type WrinkleDriver, type WrinkleSetDocument } from 'furrow'
 import { BufferViewWriter } from '../gltf/buffer-view-writer.ts'
-import type { Glb } from '../gltf/glb-file.ts'
+import type { Glb } from '../gltf/glb.ts'
 import type { GltfJson } from '../json/gltf-json.ts'
 import type { StoredStrokes } from '../wrinkles/strokes.ts'
 

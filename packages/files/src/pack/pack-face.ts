@@ -1,6 +1,6 @@
 import { WRINKLE_MAPS, type WrinkleSetDocument } from 'furrow'
 import type { Progress } from '../base/progress.ts'
-import type { Glb } from '../gltf/glb-file.ts'
+import type { Glb } from '../gltf/glb.ts'
 import { jointNamesOf, targetNamesOf } from '../json/gltf-json.ts'
 import type { Target, TargetNames } from '../json/target-names.ts'
 import { findTarget } from '../mesh/target.ts'

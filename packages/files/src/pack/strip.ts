@@ -1,5 +1,5 @@
 import { parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
-import type { Glb } from '../gltf/glb-file.ts'
+import type { Glb } from '../gltf/glb.ts'
 import { type BufferView, compressedViews, type GltfJson } from '../json/gltf-json.ts'
 import { KTX2_EXTENSION, usesKtx2 } from './embed.ts'
 

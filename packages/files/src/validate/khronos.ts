@@ -1,7 +1,7 @@
 import { WRINKLE_MAPS } from 'furrow'
 import { runValidator } from '#validator'
 import { normalised, unescaped } from '../base/references.ts'
-import type { Glb } from '../gltf/glb-file.ts'
+import type { Glb } from '../gltf/glb.ts'
 import { errorFinding, type Finding, warningFinding } from './finding.ts'
 
 /** Limit of the Khronos validator. */

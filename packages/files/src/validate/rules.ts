@@ -7,7 +7,7 @@ import {
   WRINKLE_MAPS,
 } from 'furrow'
 import { firstLine } from '../base/errors.ts'
-import type { Glb } from '../gltf/glb-file.ts'
+import type { Glb } from '../gltf/glb.ts'
 import { ktx2HeaderOf } from '../gltf/texture-image.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
 import { jointNamesOf, targetNamesOf } from '../json/gltf-json.ts'

@@ -1,5 +1,5 @@
 import type { Document } from '@gltf-transform/core'
-import type { Glb } from '../gltf/glb-file.ts'
+import type { Glb } from '../gltf/glb.ts'
 import { targetNamesOf } from '../json/gltf-json.ts'
 import { bestSkin, type FoundSkin } from '../mesh/find-skin.ts'
 

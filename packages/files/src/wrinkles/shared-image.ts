@@ -1,5 +1,5 @@
 import type { GrayImage, WrinkleMapsLayer } from 'furrow'
-import type { Glb } from '../gltf/glb-file.ts'
+import type { Glb } from '../gltf/glb.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
 import { channelOf, type Pixels } from '../images/pixels.ts'
 import type { MapName } from './map-slots.ts'

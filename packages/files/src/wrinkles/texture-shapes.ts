@@ -1,5 +1,5 @@
 import { drawnTextures, FurrowError, type TextureShape, WRINKLE_MAPS, type WrinkleMaps } from 'furrow'
-import type { Glb } from '../gltf/glb-file.ts'
+import type { Glb } from '../gltf/glb.ts'
 import { imageOf, isKtx2, ktx2HeaderOf } from '../gltf/texture-image.ts'
 import { arrayOf, pixelsOf } from '../gltf/texture-pixels.ts'
 

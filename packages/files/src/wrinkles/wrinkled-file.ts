@@ -1,6 +1,6 @@
 import { FurrowError, parseWrinkleMaps, WRINKLE_MAPS, type WrinkleMaps } from 'furrow'
 import { didYouMean } from '../base/nearest.ts'
-import type { Glb } from '../gltf/glb-file.ts'
+import type { Glb } from '../gltf/glb.ts'
 
 /** A file and the wrinkles of one of its materials. */
 export interface WrinkledFile {
