@@ -69,7 +69,7 @@ function packagesProject(
   exclude: string[] = [],
 ): TestProjectInlineConfiguration {
   const globalSetup = 'test/packages/tarballs.ts'
-  return { test: { name, include: [include], exclude, globalSetup, ...LATE, ...ALL_CORES } }
+  return { resolve, ssr, test: { name, include: [include], exclude, globalSetup, ...LATE, ...ALL_CORES } }
 }
 
 /** Whole pages and commands, one at a time. */
