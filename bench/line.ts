@@ -13,10 +13,10 @@ export interface Machine {
 
 /** Ratios in a line, in its order. */
 const RATIOS: readonly { title: string; variant: string; maps: Result['maps'] }[] = [
-  ...['furrow', 'auto', 'stripped', 'jimenez', 'o3de'].map(
+  ...['furrow', 'stripped', 'jimenez', 'o3de'].map(
     (variant) => ({ title: variant, variant, maps: 'normals' }) as const,
   ),
-  ...['furrow', 'auto', 'stripped'].map(
+  ...['furrow', 'stripped'].map(
     (variant) => ({ title: `all maps: ${variant}`, variant, maps: 'all' }) as const,
   ),
 ]

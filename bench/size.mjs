@@ -35,11 +35,6 @@ const FETCHED = {
   muscles: ['three/sources/muscles', 'babylon/sources/muscles'],
   'expressions of a VRM': ['three/sources/target'],
   'the modes composed and paper': ['three/webgl/modes/other-modes', 'three/webgpu/modes/other-modes'],
-  'the mode auto': [
-    'three/webgl/modes/other-modes',
-    'three/webgpu/modes/other-modes',
-    'three/material/auto/auto-mode',
-  ],
   'other maps than normals': ['three/webgl/mixing/channels', 'three/webgpu/mixing/channels'],
   'JPEG, and four areas in one image': ['runtime/file/other-image'],
   'WebP and AVIF': ['runtime/file/other-image', 'runtime/file/read-image'],

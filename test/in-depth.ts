@@ -20,7 +20,6 @@ export const GPU_FILES_IN_DEPTH = [
   'layers',
   'maps',
   'paper',
-  'redrawn',
   'relief/relief',
   'several-renderers',
   'update',

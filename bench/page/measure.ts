@@ -14,8 +14,6 @@ import { type AppliedVariant, VARIANTS } from './variant.ts'
 /** Difference of channels between variants that must draw the same, of 255, and the fraction of channels that may differ by more. */
 const MAX_DIFFERENCE = 2
 const MAX_FRACTION = 1e-5
-/** Frames after which a variant must be drawn as it stays. */
-const MAX_WARM_UP = 2000
 /** Milliseconds to time at once, since clocks may be as coarse as 0.1 ms. */
 const MIN_MS = 20
 /** Frames to time at once: each has up to a dozen passes, and a clock has room for 2048. */
@@ -94,22 +92,11 @@ function createCandidates(
     })
 }
 
-/**
- * Draws a variant, which compiles it, until it is drawn as it stays.
- *
- * @throws Error if that takes too many frames.
- */
+/** Draws a variant once, which compiles it. */
 async function warmUp(bench: Bench, benchCase: Case, candidate: Candidate): Promise<void> {
-  const { isSettled = () => true } = candidate.applied
-  for (let frame = 0; frame < MAX_WARM_UP; frame++) {
-    drawFrame(bench, benchCase, candidate, frame, bench.timedRenderer.drawPixel)
-    // Some compile between frames.
-    await new Promise((resolve) => setTimeout(resolve, 5))
-    if (isSettled()) return
-  }
-  throw new Error(
-    `bench: variant "${candidate.name}" is not drawn as it stays after ${MAX_WARM_UP} frames; use a larger --size if it is below 80x60; ${JSON.stringify(benchCase)}`,
-  )
+  drawFrame(bench, benchCase, candidate, 0, bench.timedRenderer.drawPixel)
+  // Some programs compile between frames.
+  await new Promise((resolve) => setTimeout(resolve, 5))
 }
 
 /** Fraction of pixels in which each variant differs from the plain face. */

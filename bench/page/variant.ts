@@ -17,8 +17,6 @@ export interface Variant {
 export interface AppliedVariant {
   /** Fulfilled when it can be drawn; at once by default. */
   ready?: Promise<void>
-  /** Whether its last frame was drawn as it stays; after the first one by default. */
-  isSettled?(): boolean
   setActivation(area: string, value: number): void
   dispose(): void
 }

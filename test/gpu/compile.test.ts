@@ -22,36 +22,33 @@ describe.each(RENDERERS)('compileAsync on %s', (name) => {
   })
   afterAll(() => harness.dispose())
 
-  it.each(['default', 'auto'] as const)(
-    'compiles all that the first frame with wrinkles takes in the mode %s, and draws nothing too early',
-    async (mode) => {
-      const renderer = harness.renderer as WebGLRenderer
-      const face = () => {
-        const mesh = square(new MeshPhysicalMaterial())
-        const scene = new Scene().add(mesh, new DirectionalLight(), new AmbientLight())
-        const wrinkles = new harness.Wrinkles(mesh, randomSet(seeded(3), 6, 16), { mode, areaSize: 16 })
-        for (const area of wrinkles.areaNames) wrinkles.setActivation(area, 0.5)
-        return { scene, wrinkles }
-      }
-      const { scene, wrinkles } = face()
-      const target = new RenderTarget(SIZE, SIZE)
-      renderer.setRenderTarget(target as never)
-      const none = harness.programs()
-      await renderer.compileAsync(scene, squareCamera())
-      const programs = harness.programs()
-      expect(programs).toBeGreaterThan(none + 1)
-      renderer.render(scene, squareCamera())
-      renderer.setRenderTarget(null)
-      // There `WebGPURenderer` compiles what draws influence with the frame.
-      if (!isOnOldest || name === 'webgl') expect(harness.programs()).toBe(programs)
-      const shown = (await harness.renderBytes(scene, squareCamera(), SIZE)).join()
-      wrinkles.dispose()
-      const fresh = face()
-      expect(shown).toBe((await harness.renderBytes(fresh.scene, squareCamera(), SIZE)).join())
-      fresh.wrinkles.dispose()
-      target.dispose()
-    },
-  )
+  it('compiles all that the first frame with wrinkles takes, and draws nothing too early', async () => {
+    const renderer = harness.renderer as WebGLRenderer
+    const face = () => {
+      const mesh = square(new MeshPhysicalMaterial())
+      const scene = new Scene().add(mesh, new DirectionalLight(), new AmbientLight())
+      const wrinkles = new harness.Wrinkles(mesh, randomSet(seeded(3), 6, 16), { areaSize: 16 })
+      for (const area of wrinkles.areaNames) wrinkles.setActivation(area, 0.5)
+      return { scene, wrinkles }
+    }
+    const { scene, wrinkles } = face()
+    const target = new RenderTarget(SIZE, SIZE)
+    renderer.setRenderTarget(target as never)
+    const none = harness.programs()
+    await renderer.compileAsync(scene, squareCamera())
+    const programs = harness.programs()
+    expect(programs).toBeGreaterThan(none + 1)
+    renderer.render(scene, squareCamera())
+    renderer.setRenderTarget(null)
+    // There `WebGPURenderer` compiles what draws influence with the frame.
+    if (!isOnOldest || name === 'webgl') expect(harness.programs()).toBe(programs)
+    const shown = (await harness.renderBytes(scene, squareCamera(), SIZE)).join()
+    wrinkles.dispose()
+    const fresh = face()
+    expect(shown).toBe((await harness.renderBytes(fresh.scene, squareCamera(), SIZE)).join())
+    fresh.wrinkles.dispose()
+    target.dispose()
+  })
 })
 
 it.each(RENDERERS)('is possible long after the last frame, on %s', async (name) => {

@@ -6,7 +6,7 @@ import { largestDifference } from '../difference.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from '../harness.ts'
 import { quietConsole } from '../quiet-console.ts'
 
-const MODES = ['default', 'auto', 'composed'] as const
+const MODES = ['default', 'composed'] as const
 
 describe.each(RENDERERS)('a normal map that the page takes away or exchanges, on %s', (name) => {
   const console = quietConsole()

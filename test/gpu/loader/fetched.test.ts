@@ -56,17 +56,6 @@ describe.each(RENDERERS)('modes that are fetched, on %s', (name) => {
     expected.wrinkles.dispose()
   })
 
-  it('auto shows the default mode from the first frame on, and fetches the rest', async () => {
-    const usual = await load('default')
-    const before = await usual.picture()
-    const { wrinkles, picture } = await load('auto')
-    expect(wrinkles.mode).toBe('auto')
-    expect(await picture()).toBe(before)
-    await vi.waitFor(() => expect(others.value).not.toBeNull())
-    usual.wrinkles.dispose()
-    wrinkles.dispose()
-  })
-
   it('a material that shows influence is black until then', async () => {
     const { wrinkles, mesh, picture } = await load('default')
     const shown = mesh.material

@@ -232,23 +232,6 @@ describe.each(LONG_TEST_RENDERERS)('%s', (name) => {
     wrinkles.dispose()
   })
 
-  it('in the mode auto a face with relief is drawn as in the default mode', async () => {
-    const mesh = ball()
-    const scene = sceneOf(mesh)
-    const wrinkles = await raised(mesh)
-    const shown = await picture(scene)
-    wrinkles.mode = 'auto'
-    for (let i = 0; i < 40; i++) await picture(scene)
-    expect(differing(await picture(scene), shown)).toBe(0)
-    // Composed, and raised again.
-    wrinkles.relief = 'off'
-    for (let i = 0; i < 60; i++) await picture(scene)
-    wrinkles.relief = 'on'
-    expect(differing(await picture(scene), shown)).toBe(0)
-    expect((mesh.material as MeshStandardMaterial).normalMap?.isRenderTargetTexture).not.toBe(true)
-    wrinkles.dispose()
-  })
-
   it('the smaller it is in the picture, the fewer triangles are drawn', async () => {
     const mesh = ball(48)
     const wrinkles = await raised(mesh)

@@ -5,17 +5,11 @@ import { checkOptionNames } from '../core/nearest-name.ts'
 
 /**
  * `default` mixes normals and lights once; `paper` lights twice and mixes colours; `composed` draws the mixed normals into a texture
- * that replaces the material's normal map; `auto` begins as the default mode, and then draws the face in cheaper ways that look the same; `off`
- * shows no wrinkles.
+ * that replaces the material's normal map; `off` shows no wrinkles.
  */
-export type WrinkleMode = 'default' | 'auto' | 'paper' | 'composed' | 'off'
+export type WrinkleMode = 'default' | 'paper' | 'composed' | 'off'
 
-const MODES: readonly WrinkleMode[] = ['default', 'auto', 'paper', 'composed', 'off']
-
-/** Whether a mode is an edit of the material's shader that mixes normals, or begins as one. */
-export function isMixed(mode: WrinkleMode): mode is 'default' | 'auto' {
-  return mode === 'default' || mode === 'auto'
-}
+const MODES: readonly WrinkleMode[] = ['default', 'paper', 'composed', 'off']
 
 /**
  * `on` moves the surface itself by the layers' heights, so that wrinkles change outlines and shadows; `auto` does so where a millimetre
@@ -38,11 +32,6 @@ export interface WrinklesOptions {
   fadeBelow?: number
   /** Whether the layers' heights move the surface, `auto` by default. Heights are decoded, and triangles split, when that is first wanted. */
   relief?: ReliefMode
-  /**
-   * Bytes of texture memory that the maps of all faces in the mode `auto` may take together, 64 MiB by default; a face whose maps do not
-   * fit stays in the default mode. A map of 1024 x 1024 takes 5.6 MB: one that faces with the same maps share, and one of each still face.
-   */
-  textureBudget?: number
 }
 
 /** Options of `WrinkleLoaderPlugin`. */
@@ -60,7 +49,6 @@ export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = {
   areaSize: DEFAULT_AREA_SIZE,
   fadeBelow: 0,
   relief: 'auto',
-  textureBudget: 64 * 2 ** 20,
 }
 
 /** @throws FurrowError when there is no such mode. */
@@ -80,7 +68,7 @@ export function checkReliefMode(relief: ReliefMode, who = 'Wrinkles.relief'): vo
  */
 export function checkOptions(options: Required<WrinklesOptions>, who: string): void {
   checkOptionNames(options, Object.keys(WRINKLES_DEFAULTS), who)
-  const { mode, areaSize, fadeBelow, relief, textureBudget } = options
+  const { mode, areaSize, fadeBelow, relief } = options
   checkMode(mode, who)
   checkReliefMode(relief, who)
   if (!(Number.isInteger(areaSize) && areaSize >= MIN_AREA_SIZE && areaSize <= MAX_IMAGE_SIDE)) {
@@ -89,7 +77,6 @@ export function checkOptions(options: Required<WrinklesOptions>, who: string): v
   if (!(fadeBelow >= 0 && fadeBelow < Infinity)) {
     throw wrongArgument(who, 'fadeBelow', fadeBelow, '0 pixels or more')
   }
-  if (!(textureBudget >= 0)) throw wrongArgument(who, 'textureBudget', textureBudget, '0 bytes or more')
 }
 
 /** @throws FurrowError as `checkOptions` does, or when an option of `auto` is unknown or out of range. */

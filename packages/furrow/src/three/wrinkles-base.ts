@@ -31,7 +31,6 @@ import {
   checkMode,
   checkOptions,
   checkReliefMode,
-  isMixed,
   type ReliefMode,
   WRINKLES_DEFAULTS,
   type WrinkleMode,
@@ -102,12 +101,11 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.#cells = this.#atlas.add(this.faces)
     this.#entry = this.#frame.add(this)
     this.#inputs = createShaderInputs(textures, areas, this.#atlas, instancesOf(mesh) !== null)
-    this.#material = new PatchedMaterial(this.#meshes, material, this.#inputs, renderer, {
-      textureBudget: allOptions.textureBudget,
+    this.#material = new PatchedMaterial(this.#meshes, material, this.#inputs, renderer, (own) =>
       // Also after a first frame without wrinkles, so that the first one with them waits for no program. Not within `compile`, whose lights
       // another call of it would take.
-      onCompile: (own) => queueMicrotask(() => this.isDisposed || this.#atlas.compile(own)),
-    })
+      queueMicrotask(() => this.isDisposed || this.#atlas.compile(own)),
+    )
     if (this.#inputs.isAlone()) this.#atlas.onShared = () => this.#material.share()
     this.#place = placeOf(mesh)
     this.addMesh(mesh)
@@ -290,18 +288,12 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
       if (this.mode !== 'off') this.mode = 'off'
       return false
     }
-    if (isOverridden && this.#material.auto?.isReplaced) return false
-    this.#material.auto?.end()
     this.#material.settle(renderer)
     if (!isOverridden) this.#inputs.fade.value = this.#fadeOf(mesh, camera, renderer)
     this.#frame.begin(this.#entry, renderer)
     locateCells(this.#inputs, this.#atlas, this.#cells)
     // After the drivers: relief by size depends on activations.
     this.#relief?.prepare(renderer, camera, mesh)
-    // What a page draws with the same material is not told when it was drawn, and shows the default mode.
-    if (isOverridden) return true
-    if (this.#meshes.includes(mesh)) this.#material.auto?.begin(renderer, camera, mesh)
-    else this.#material.auto?.pause()
     return true
   }
 
@@ -311,20 +303,18 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     areas.upload?.(renderer)
     textures.upload?.(renderer)
     const { mode, views } = this.#material
-    const isUsed = isMixed(mode) || mode === 'composed' || views > 0 || this.#relief?.isShown
+    const isUsed = mode === 'default' || mode === 'composed' || views > 0 || this.#relief?.isShown
     if (fade.value === 0 || !isUsed) return false
     this.#atlas.collect(this.#cells, renderer)
     return true
   }
 
-  /** Phase 5: the composed normal map, in its mode and now and then in `auto`, and the paper's table. @internal */
+  /** Phase 5: the composed normal map and the paper's table, in their modes. @internal */
   composeNormals(renderer: AnyRenderer): void {
-    const { update, auto, views } = this.#material
-    if (!update && !auto) return
+    const { update } = this.#material
+    if (!update) return
     locateCells(this.#inputs, this.#atlas, this.#cells)
-    const { activations } = this.faces[0]
-    update?.(renderer, activations)
-    auto?.step(renderer, activations.values, views === 0 && !this.#relief?.isShown)
+    update(renderer, this.faces[0].activations)
   }
 
   /** Restores the material, and frees the textures that no other face uses. */

@@ -19,7 +19,6 @@ import { surfaceOf } from '../material/surface.ts'
 import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
 import {
   checkLoaderOptions,
-  isMixed,
   WRINKLES_DEFAULTS,
   type WrinkleLoaderOptions,
   type WrinklesOptions,
@@ -182,7 +181,7 @@ export class WrinkleLoader {
   async #fetchParts({ layers }: FileWrinkles['set'], material: WrinkleMaterial): Promise<void> {
     const { others, channels, canPatch } = this.#parts.renderer
     const { mode, fadeBelow } = this.#options
-    const needOthers = isMixed(mode) ? !canPatch(material) : mode !== 'off'
+    const needOthers = mode === 'default' ? !canPatch(material) : mode !== 'off'
     await Promise.all([
       needOthers && others.load(),
       needChannels(layers, material) && channels.load(),

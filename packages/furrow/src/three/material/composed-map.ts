@@ -4,24 +4,18 @@ import {
   type Material,
   NearestFilter,
   OrthographicCamera,
-  type RedFormat,
   RenderTarget,
-  RGBAFormat,
   Scene,
   type Texture,
-  type TextureDataType,
-  UnsignedByteType,
 } from 'three'
 import { type Bounds, widen } from '../../core/bounds.ts'
-import type { AreaSlot, AreaSlots } from '../../runtime/area-slots.ts'
+import type { AreaSlot } from '../../runtime/area-slots.ts'
 import { hasMoved } from '../../runtime/atlas-cells.ts'
 import type { AreaArray } from '../atlas/area-array.ts'
 import type { QuadMaterials } from '../atlas/quad-materials.ts'
 import { Quads } from '../atlas/quads.ts'
 import { renderPreservingState } from '../atlas/render-preserving-state.ts'
 import type { AnyRenderer } from '../renderer.ts'
-import type { Channels } from './channels.ts'
-import { compileFor } from './compile-for.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 
 const WHOLE: AreaSlot = {
@@ -43,14 +37,8 @@ export interface Size {
  *
  * @param level which level of the target is drawn, where each of its texels is one of `base` and one of the layers' maps, which then need no
  *   filter; none where sizes differ.
- * @param channels where the map has the layers' visibility and blood too, in blue and alpha, and of normals x and y alone.
  */
-export type ComposeMaterial = (
-  base: Texture,
-  inputs: ShaderInputs,
-  level?: Level,
-  channels?: Channels | null,
-) => Material
+export type ComposeMaterial = (base: Texture, inputs: ShaderInputs, level?: Level) => Material
 
 /** Set before a level is drawn: 0 is the finest. */
 export interface Level {
@@ -58,10 +46,6 @@ export interface Level {
 }
 
 export interface ComposedFormat extends Size {
-  /** Bytes by default. */
-  type?: TextureDataType
-  /** Four channels by default. */
-  format?: typeof RGBAFormat | typeof RedFormat
   /** What the material reads. */
   level?: Level | undefined
   /**
@@ -86,7 +70,7 @@ export function composedFormat(base: Texture, normals: Texture, drawsLevels: boo
 }
 
 /** Number of levels of a map, down to one texel. */
-export function levelsOf({ width, height }: Size): number {
+function levelsOf({ width, height }: Size): number {
   return 1 + Math.floor(Math.log2(Math.max(width, height)))
 }
 
@@ -133,7 +117,7 @@ export class ComposedMap {
    */
   constructor(
     base: Texture,
-    { width, height, type = UnsignedByteType, format = RGBAFormat, levels = 1, level }: ComposedFormat,
+    { width, height, levels = 1, level }: ComposedFormat,
     material: Material,
     hasContents: QuadMaterials['hasContents'],
   ) {
@@ -141,8 +125,6 @@ export class ComposedMap {
     this.#levels = levels
     this.#level = level
     this.target = new RenderTarget(width, height, {
-      type,
-      format,
       depthBuffer: false,
       generateMipmaps: levels === 1,
       magFilter: LinearFilter,
@@ -191,11 +173,6 @@ export class ComposedMap {
     }
   }
 
-  /** Compiles what draws it without waiting, where that is possible outside of frames. */
-  async compile(renderer: AnyRenderer): Promise<void> {
-    if ('isWebGLRenderer' in renderer) await compileFor(renderer, this.target, this.#scene, this.#camera)
-  }
-
   dispose(): void {
     this.target.dispose()
     this.#quads.dispose()
@@ -232,13 +209,6 @@ export class ComposedMap {
     this.#quads.begin()
     this.#quads.put(0, 0, this.#span, 0)
   }
-}
-
-/** The part of a map, 0..1, that is redrawn at most when areas move. */
-export function shareOf({ slots, width, height }: AreaSlots): number {
-  const bounds = { x0: width, y0: height, x1: 0, y1: 0 }
-  for (const slot of slots) widen(bounds, slot.bounds)
-  return slots.length === 0 ? 0 : sizeOf(bounds) / (width * height)
 }
 
 /** The part of the map, 0..1, that an area affects: bilinear filtering spreads its outermost texels to the centres of their neighbours. */

@@ -5,11 +5,7 @@ import type { QuadMaterials } from '../atlas/quad-materials.ts'
 import type { Instances } from '../mesh/instances.ts'
 import type { WrinkleMode } from '../options.ts'
 import { ActivationTable } from './activation-table.ts'
-import type { AutoMode } from './auto/auto-mode.ts'
-import type { AutoShaders } from './auto/auto-shaders.ts'
-import type { AutoModeHost } from './auto/face-host.ts'
 import { ComposedMap, type ComposeMaterial, composedFormat } from './composed-map.ts'
-import { Fetched } from './fetched.ts'
 import type { PatchEvents, ShownMode } from './patch.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import { updatePaper } from './update-paper.ts'
@@ -26,8 +22,6 @@ type Show = (
 export interface ModeShaders {
   paper: Show
   composeMaterial: ComposeMaterial
-  /** Fetched for the mode `auto`. */
-  loadAuto(): Promise<Omit<AutoShaders, 'composeMaterial'>>
   /**
    * Whether the composed mode draws all levels of its map, only where areas move: on a software rasteriser that takes half of what
    * the GPU takes to make them, each of them whole. Where a pass is dear, the GPU makes them.
@@ -49,20 +43,13 @@ export interface InfluenceView {
   weights?: { areas: readonly Area<unknown>[]; names: readonly string[] } | undefined
 }
 
-/** What the modes `paper`, `composed` and `auto` take on a renderer, what shows influence, and what a mode that fails says. */
+/** The modes `paper` and `composed` on a renderer, what shows influence, and what a mode that fails says. */
 export class OtherModes {
-  /** Draws faces in the cheapest way. */
-  readonly auto: Fetched<(host: Omit<AutoModeHost, 'shaders'>) => AutoMode>
   readonly updatePaper = updatePaper
   readonly #shaders: ModeShaders
 
   constructor(shaders: ModeShaders) {
-    const { composeMaterial, loadAuto } = shaders
     this.#shaders = shaders
-    this.auto = new Fetched(async () => {
-      const [{ AutoMode }, own] = await Promise.all([import('./auto/auto-mode.ts'), loadAuto()])
-      return (host) => new AutoMode({ ...host, shaders: { ...own, composeMaterial } })
-    })
   }
 
   /** Lights twice, and mixes the colours: after `updatePaper`. */

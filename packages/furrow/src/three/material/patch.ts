@@ -24,14 +24,3 @@ export interface ShownMode {
   isCurrent?(): boolean
   undo(): void
 }
-
-/** What is changed of a shader: GLSL or nodes, known to the renderer's own rooms only. */
-export type Edit = object
-
-/** An edited material. */
-export interface Patch extends ShownMode {
-  /** The edit that shows the mode, in effect at first. */
-  readonly edit: Edit
-  /** Puts another edit into effect; null for the material's own program, as if it had never been edited. */
-  setEdit(edit: Edit | null): void
-}

@@ -2,22 +2,16 @@ import type { Material, Mesh, Texture } from 'three'
 import { FurrowError } from '../../core/error.ts'
 import { checkNotInstanced } from '../mesh/check-mesh.ts'
 import { instancesOf } from '../mesh/instances.ts'
-import { isMixed, type WrinkleMode } from '../options.ts'
+import type { WrinkleMode } from '../options.ts'
 import type { AnyRenderer } from '../renderer.ts'
-import type { AutoMode } from './auto/auto-mode.ts'
 import { patchedMaterials } from './check-material.ts'
 import type { InfluenceView } from './other-modes.ts'
-import type { Patch, PatchEvents, ShownMode } from './patch.ts'
+import type { PatchEvents, ShownMode } from './patch.ts'
 import type { RendererParts } from './renderer-parts.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import { withSurface } from './surface.ts'
 import { flatNormalTexture } from './textures.ts'
-import { cloneByClass, isToon, type WrinkleMaterial } from './wrinkle-material.ts'
-
-interface PatchedMaterialOptions extends Pick<PatchEvents, 'onCompile'> {
-  /** See `WrinklesOptions`. */
-  textureBudget: number
-}
+import { cloneByClass, type WrinkleMaterial } from './wrinkle-material.ts'
 
 /** The user's own material while it shows wrinkles. */
 export class PatchedMaterial {
@@ -38,12 +32,9 @@ export class PatchedMaterial {
   #isRefused = false
   /** The mode that is shown as soon as what it takes was fetched. */
   #pending: WrinkleMode | null = null
-  #auto: AutoMode | null = null
   /** What makes it show the mode; null while it is plain. */
   #shown: ShownMode | null = null
-  /** Found before the material is patched. */
-  #isReplaceable = false
-  readonly #options: PatchedMaterialOptions
+  readonly #onCompile: PatchEvents['onCompile']
 
   /** @param meshes of the face: a list that may grow, see `follow`. */
   constructor(
@@ -51,9 +42,9 @@ export class PatchedMaterial {
     material: WrinkleMaterial,
     inputs: ShaderInputs,
     renderer: RendererParts,
-    options: PatchedMaterialOptions,
+    onCompile: PatchEvents['onCompile'],
   ) {
-    this.#options = options
+    this.#onCompile = onCompile
     this.#meshes = meshes
     this.#material = material
     this.#inputs = inputs
@@ -74,34 +65,15 @@ export class PatchedMaterial {
     return this.#pending ?? this.mode
   }
 
-  /** What draws the face in cheaper ways in the mode `auto`; null where that never happens, or not yet. */
-  get auto(): AutoMode | null {
-    const { others, quads, channels } = this.#renderer
-    const create = others.value?.auto.value
-    if (this.mode !== 'auto' || !create || !this.#isReplaceable) return null
-    this.#auto ??= create({
-      material: this.#material,
-      inputs: this.#inputs,
-      patch: this.#shown as Patch,
-      // Relief edits it too.
-      hasOwnProgram: this.#patchRelief === null,
-      hasValues: Object.keys(this.#inputs.textures.values).length > 0,
-      channels: channels.value,
-      hasContents: quads.hasContents,
-      budget: this.#options.textureBudget,
-    })
-    return this.#auto
-  }
-
   /**
    * Changes the mode, at once or when what it takes was fetched. A material that cannot be patched shows the composed mode instead of the
-   * default one and `auto`.
+   * default one.
    *
    * @throws FurrowError when the mode is not possible; it then stays as it was.
    */
   show(wanted: WrinkleMode): void {
     const { others } = this.#renderer
-    const mode = isMixed(wanted) && !this.#isPatchable ? 'composed' : wanted
+    const mode = wanted === 'default' && !this.#isPatchable ? 'composed' : wanted
     if (mode === 'paper' && !this.#isPatchable) {
       throw new FurrowError({
         code: 'unsupported',
@@ -112,7 +84,7 @@ export class PatchedMaterial {
         remedy: 'use the composed mode',
       })
     }
-    if (!isMixed(mode) && mode !== 'off') {
+    if (mode !== 'default' && mode !== 'off') {
       checkNotInstanced(this.#mesh, mode)
       if (!others.value) {
         this.#showFetched(mode)
@@ -122,8 +94,6 @@ export class PatchedMaterial {
     if (mode === 'paper') this.#packPaper()
     this.#pending = null
     this.#apply(mode)
-    // Until then it is the default mode.
-    if (mode === 'auto' && this.#isReplaceable) others.use(({ auto }) => auto.use())
   }
 
   /**
@@ -157,9 +127,9 @@ export class PatchedMaterial {
     if (this.#shown?.isFor?.(mesh) === false) this.#apply(this.mode)
   }
 
-  /** Called when the influence map is no longer that of the face alone, for which its program may be made. Maps of the mode `auto` are made anew. */
+  /** Called when the influence map is no longer that of the face alone, for which its program may be made. */
   share(): void {
-    if (isMixed(this.mode)) this.#apply(this.mode)
+    if (this.mode === 'default') this.#apply(this.mode)
   }
 
   /** Copies the material without wrinkles. */
@@ -212,12 +182,6 @@ export class PatchedMaterial {
     return !this.#isRefused && this.#renderer.canPatch(this.#material)
   }
 
-  /** Whether other maps can take the place of the normal map: of one face, and read as three.js reads it. */
-  get #canReplaceMap(): boolean {
-    const { fragmentShader, normalNode } = this.#material as WrinkleMaterial & { normalNode?: unknown }
-    return fragmentShader === undefined && !normalNode && !isToon(this.#material) && !instancesOf(this.#mesh)
-  }
-
   #apply(mode: WrinkleMode): void {
     this.#unpatch()
     this.#patch(mode)
@@ -246,7 +210,6 @@ export class PatchedMaterial {
   }
 
   #patch(mode: WrinkleMode): void {
-    this.#isReplaceable = this.#canReplaceMap
     if (mode === 'off') return
     const material = this.#material
     material.normalMap ??= this.#flat
@@ -254,17 +217,15 @@ export class PatchedMaterial {
       this.#isRefused = true
     }
     const { others, patch, quads } = this.#renderer
-    const { onCompile } = this.#options
-    this.#shown = isMixed(mode)
-      ? patch(material, this.#inputs, this.#meshes, { refuse, onCompile })
-      : others.value![mode](material, this.#inputs, { refuse, hasContents: quads.hasContents })
+    this.#shown =
+      mode === 'default'
+        ? patch(material, this.#inputs, this.#meshes, { refuse, onCompile: this.#onCompile })
+        : others.value![mode](material, this.#inputs, { refuse, hasContents: quads.hasContents })
     this.#undoRelief = this.#patchRelief?.(material)
   }
 
   #unpatch(): void {
     if (!this.#shown) return
-    this.#auto?.dispose()
-    this.#auto = null
     this.#undoRelief?.()
     this.#shown.undo()
     this.#shown = null

@@ -5,7 +5,7 @@ import type { AnyRenderer, Entry } from '../renderer.ts'
 import type { Channels } from './channels.ts'
 import type { Fetched } from './fetched.ts'
 import type { OtherModes } from './other-modes.ts'
-import type { Patch, PatchEvents } from './patch.ts'
+import type { PatchEvents, ShownMode } from './patch.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
@@ -21,7 +21,12 @@ export interface RendererParts {
    * @param meshes of the face.
    * @param events what is known only when the shader is compiled.
    */
-  patch(material: WrinkleMaterial, inputs: ShaderInputs, meshes: readonly Mesh[], events: PatchEvents): Patch
+  patch(
+    material: WrinkleMaterial,
+    inputs: ShaderInputs,
+    meshes: readonly Mesh[],
+    events: PatchEvents,
+  ): ShownMode
   /** Makes the renderer build the material's shader anew, with the uniforms that it has now. */
   renew(material: Material): void
   /**

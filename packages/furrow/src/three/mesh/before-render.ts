@@ -20,29 +20,21 @@ export function isPrepared({ onBeforeRender }: Mesh): boolean {
  * Calls a function before a mesh or a scene is drawn, or whatever has a material, behind what it had for that. Returns what undoes it.
  */
 export function callBeforeRender(owner: Mesh | Scene | Material, prepare: Call): () => void {
-  return callAround('onBeforeRender', owner as Mesh, prepare)
-}
-
-/** The same after a mesh is drawn. */
-export function callAfterRender(mesh: Mesh, restore: Call): () => void {
-  return callAround('onAfterRender', mesh, restore)
-}
-
-/** Materials are called as meshes are, but with the object that is drawn instead of the material. */
-function callAround(event: 'onBeforeRender' | 'onAfterRender', owner: Mesh, call: Call): () => void {
-  const own = Object.hasOwn(owner, event) ? owner[event] : null
+  // Materials are called as meshes are, but with the object that is drawn instead of the material.
+  const mesh = owner as Mesh
+  const own = Object.hasOwn(mesh, 'onBeforeRender') ? mesh.onBeforeRender : null
   // All parameters by name: a rest parameter would allocate in every frame.
   const both: Mesh['onBeforeRender'] = (renderer, scene, camera, geometry, drawn, group) => {
     // A page may set the class's own at any time.
-    const before = own ?? (Object.getPrototypeOf(owner) as Mesh)[event]
-    before.call(owner, renderer, scene, camera, geometry, drawn, group)
-    call(renderer as AnyRenderer, camera, scene as Scene, drawn)
+    const before = own ?? (Object.getPrototypeOf(mesh) as Mesh).onBeforeRender
+    before.call(mesh, renderer, scene, camera, geometry, drawn, group)
+    prepare(renderer as AnyRenderer, camera, scene as Scene, drawn)
   }
-  replaces(owner[event], both)
-  owner[event] = both
+  replaces(mesh.onBeforeRender, both)
+  mesh.onBeforeRender = both
   return () => {
-    if (owner[event] !== both) return
-    if (own) owner[event] = own
-    else delete (owner as Partial<Mesh>)[event]
+    if (mesh.onBeforeRender !== both) return
+    if (own) mesh.onBeforeRender = own
+    else delete (mesh as Partial<Mesh>).onBeforeRender
   }
 }

@@ -3,6 +3,7 @@ import { MeshBasicNodeMaterial } from 'three/webgpu'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { needChannels } from '../material/channels.ts'
 import { Fetched } from '../material/fetched.ts'
+import type { ShownMode } from '../material/patch.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
 import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
@@ -15,7 +16,7 @@ import { checkBatch } from './influence/influence.ts'
 import { quadMaterials } from './influence/influence-quads.ts'
 import { isCompiling } from './is-compiling.ts'
 import type { NodeChannels } from './mixing/channels.ts'
-import { layerNodes, layersOf, type NodePatch, ownTexelsOf } from './mixing/layer-nodes.ts'
+import { layerNodes } from './mixing/layer-nodes.ts'
 import { faultOf } from './patch/build-fault.ts'
 import { patchNodes } from './patch/patch-nodes.ts'
 
@@ -34,20 +35,13 @@ export function checkThreeFor(mesh: Mesh): Mesh {
 }
 
 /** The default mode. */
-const patch = (material: WrinkleMaterial, inputs: ShaderInputs, meshes: readonly Mesh[]): NodePatch => {
+const patch = (material: WrinkleMaterial, inputs: ShaderInputs, meshes: readonly Mesh[]): ShownMode => {
   const { isTiled, isFor, isCurrent: isTiledAsBefore } = tilingOf(meshes, material)
   const hasChannels = needChannels(inputs.textures.layers, material)
-  const mix: NodePatch['mix'] = (own, change = (layers) => layers) =>
-    layerNodes(
-      material,
-      inputs,
-      change(layersOf(material, inputs, meshes[0], isTiled)),
-      own,
-      PARTS.channels.value,
-    )
   const owned = ownedMaps(material)
   const isCurrent = () => isTiledAsBefore() && (!hasChannels || ownedMaps(material) === owned)
-  return { ...patchNodes(material, mix(ownTexelsOf(material))), isFor, isCurrent, mix }
+  const added = layerNodes(material, inputs, meshes[0], isTiled, PARTS.channels.value)
+  return { ...patchNodes(material, added), isFor, isCurrent }
 }
 
 /** Which of the maps that layers are mixed into a material has, as bits: nodes are made for these. */

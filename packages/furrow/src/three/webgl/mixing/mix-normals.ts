@@ -41,7 +41,7 @@ ${sampled.join('')}${factors.join('')}
 }
 
 /** The normal of a layer: of one of detail, x and y as stored, which are unpacked with their factor, and half of z. */
-export function layerNormal(kind: LayerKind, slice: number): string {
+function layerNormal(kind: LayerKind, slice: number): string {
   return `furrowSampleSlice(furrowNormals, ${slice}.0).xyz ${kind === 'detail' ? '- FURROW_FLAT' : '* 2.0 - 1.0'}`
 }
 

@@ -23,7 +23,6 @@ const paper: ModeShaders['paper'] = (material, inputs, { refuse }) => {
 export const OTHER_MODES = new OtherModes({
   paper,
   composeMaterial,
-  loadAuto: async () => (await import('./auto-shaders.ts')).AUTO_SHADERS,
   drawsLevels: true,
   showInfluence,
 })

@@ -1,8 +1,8 @@
 import type { IUniform, Material, WebGLProgramParametersWithUniforms, WebGLRenderer } from 'three'
-import type { Edit, Patch } from '../../material/patch.ts'
+import type { ShownMode } from '../../material/patch.ts'
 
 /** An edit of a material's GLSL. */
-export interface ShaderEdit extends Edit {
+export interface ShaderEdit {
   /** The same for edits that give the same program. */
   key: string
   uniforms: Record<string, IUniform>
@@ -21,32 +21,20 @@ export function patchShader(
   material: Material,
   edit: ShaderEdit,
   onCompile?: (renderer: WebGLRenderer) => void,
-): Patch {
-  let current: ShaderEdit | null = edit
-  /** Those of all edits so far. */
-  const uniforms = { ...edit.uniforms }
+): Pick<ShownMode, 'undo'> {
   const { onBeforeCompile, customProgramCacheKey } = material
   const original = { onBeforeCompile, customProgramCacheKey }
   material.onBeforeCompile = (shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer) => {
     onBeforeCompile.call(material, shader, renderer)
     try {
-      current?.apply(shader)
+      edit.apply(shader)
     } catch {
-      return current!.refuse()
+      return edit.refuse()
     }
-    // Not into the object itself: a ShaderMaterial's is its own, which its copies copy. Those of all edits, into the material's own program too:
-    // three.js gives a program that it takes up again the uniforms of the one that it built last.
-    shader.uniforms = { ...shader.uniforms, ...uniforms }
-    if (current) onCompile?.(renderer)
+    // Not into the object itself: a ShaderMaterial's is its own, which its copies copy.
+    shader.uniforms = { ...shader.uniforms, ...edit.uniforms }
+    onCompile?.(renderer)
   }
-  material.customProgramCacheKey = () =>
-    `${customProgramCacheKey.call(material)} furrow ${current?.key ?? ''}`
-  return {
-    edit,
-    setEdit(other) {
-      current = other as ShaderEdit | null
-      Object.assign(uniforms, current?.uniforms)
-    },
-    undo: () => Object.assign(material, original),
-  }
+  material.customProgramCacheKey = () => `${customProgramCacheKey.call(material)} furrow ${edit.key}`
+  return { undo: () => Object.assign(material, original) }
 }

@@ -11,7 +11,6 @@ import {
   vec3,
 } from 'three/tsl'
 import type { Node, NodeBuilder } from 'three/webgpu'
-import type { Patch } from '../../material/patch.ts'
 import type { ShaderInputs } from '../../material/shader-inputs.ts'
 import type { WrinkleMaterial } from '../../material/wrinkle-material.ts'
 import { instancesOf } from '../../mesh/instances.ts'
@@ -23,11 +22,33 @@ import type { NodeChannels } from './channels.ts'
 import { type LayerInfluence, mixNormals, unpack } from './mix-normals.ts'
 
 /**
- * The influence of a face's layers, and how their maps are sampled.
+ * Mixes the layers' maps into a material's own.
  *
+ * @param mesh one of the face.
  * @param isTiled whether texture coordinates leave 0..1, and so wrap.
+ * @param channels mix the other maps; null where there are none.
  */
-export function layersOf(
+export function layerNodes(
+  material: Patched,
+  inputs: ShaderInputs,
+  mesh: Mesh,
+  isTiled: boolean,
+  channels: NodeChannels | null,
+): Added {
+  const { normalNode: node } = material
+  // A material whose normals are those of a node has a flat map under them.
+  const own = node ? vec3(0, 0, 1) : unpack(materialProperty('normalMap', 'texture', material).xyz)
+  const layers = layersOf(material, inputs, mesh, isTiled)
+  const mixed = mixNormals(own, inputs, layers)
+  const added: Added = {
+    normalNode: node ? ontoNormal(typed(node), mixed, material) : inView(mixed, material),
+  }
+  channels?.add(added, material, inputs, { layers, ownNormal: own, mixed })
+  return added
+}
+
+/** The influence of a face's layers, and how their maps are sampled. */
+function layersOf(
   material: WrinkleMaterial,
   inputs: ShaderInputs,
   mesh: Mesh,
@@ -40,53 +61,6 @@ export function layersOf(
     uv,
     sampler: isTiled ? byGradients : bySampler,
   }
-}
-
-/** What a material's own maps hold. */
-export interface OwnTexels {
-  /** The normal, unpacked; flat for one whose normals are those of a node. */
-  normal: Node<'vec3'>
-  /** Whether that is of unit length. */
-  isUnit?: boolean
-  /** That node. */
-  node?: Node | null | undefined
-  /** That of its map of occlusion; the default mode's samples the map. */
-  occlusion?: Node<'float'>
-}
-
-/** A material in the default mode. What is fetched for it mixes by this: modules that it would share with the page would come in files of their own. */
-export interface NodePatch extends Patch {
-  /** The nodes of the default mode with other texels of the material's own, and of its layers. */
-  mix(own: OwnTexels, change?: (layers: LayerInfluence) => LayerInfluence): Added
-}
-
-/** Those of a material before it is patched. */
-export function ownTexelsOf(material: Patched): OwnTexels {
-  const { normalNode: node } = material
-  return {
-    normal: node ? vec3(0, 0, 1) : unpack(materialProperty('normalMap', 'texture', material).xyz),
-    node,
-  }
-}
-
-/**
- * Mixes the layers' maps into a material's own.
- *
- * @param channels mix the other maps; null where there are none.
- */
-export function layerNodes(
-  material: Patched,
-  inputs: ShaderInputs,
-  layers: LayerInfluence,
-  { normal: own, isUnit, node, occlusion }: OwnTexels,
-  channels: NodeChannels | null,
-): Added {
-  const mixed = mixNormals(own, inputs, layers, isUnit)
-  const added: Added = {
-    normalNode: node ? ontoNormal(typed(node), mixed, material) : inView(mixed, material),
-  }
-  channels?.add(added, material, inputs, { layers, ownNormal: own, mixed, ownOcclusion: occlusion })
-  return added
 }
 
 /** A normal in tangent space as three.js's `normalMap` gives one of a map, which would have to be packed for that to unpack it. */

@@ -45,14 +45,12 @@ function lengthOf(normal: Node<'vec3'>): Node<'float'> {
  * Mixes the normals of all layers into the base, see `mixNormals` in the reference.
  *
  * @param base of the material's own map, unpacked.
- * @param isUnit whether that is of unit length.
  * @returns of any length, since whoever uses it normalises it; in the direction of the base where the influence of all layers is 0.
  */
 export function mixNormals(
   base: Node<'vec3'>,
   inputs: ShaderInputs,
   { influence, uv, sampler }: LayerInfluence,
-  isUnit = false,
 ): Node<'vec3'> {
   const { kinds, normals } = inputs.textures
   const scales = inputUniform<'vec4'>(inputs.normalScale)
@@ -72,7 +70,7 @@ export function mixNormals(
   const replaced = replaceNormal(own, ofKind('replace', layers))
   const details = ofKind('detail', layers)
   if (details.length === 0) return replaced
-  const size = isUnit && replaced === own ? float(1) : lengthOf(replaced).toVar()
+  const size = lengthOf(replaced).toVar()
   // The normal of a single one need not be divided by its z, which takes the longest.
   const isOne = details.length === 1
   const depth = isOne ? details[0].normal.z.abs() : float(1)

@@ -1,18 +1,14 @@
-import type { Texture } from 'three'
 import { int, ivec2, select, texture, varying, vec2, vec4 } from 'three/tsl'
-import type { Node, NodeMaterial, TextureNode } from 'three/webgpu'
-import type { Channels } from '../../material/channels.ts'
+import type { Node, TextureNode } from 'three/webgpu'
 import type { ComposeMaterial } from '../../material/composed-map.ts'
-import type { ShaderInputs } from '../../material/shader-inputs.ts'
 import { influenceFromMap } from '../influence/influence.ts'
 import { quadMaterial, targetUv } from '../influence/influence-quads.ts'
-import type { NodeChannels } from '../mixing/channels.ts'
 import { mixNormals, unpack } from '../mixing/mix-normals.ts'
 import { sizeOf } from '../node.ts'
 import { bySampler, type SliceSampler } from '../texture-sampling.ts'
 
 /** Draws the composed normal map on `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
-export const composeMaterial: ComposeMaterial = (base, inputs, level, channels) => {
+export const composeMaterial: ComposeMaterial = (base, inputs, level) => {
   const isTexelwise = level !== undefined
   const uv = varying(targetUv())
   const own = texture(base, uv)
@@ -20,28 +16,9 @@ export const composeMaterial: ComposeMaterial = (base, inputs, level, channels) 
   const influence = influenceFromMap(inputs, uv, null)
   const layers = { influence, uv, sampler: isTexelwise ? byTexel : bySampler }
   const mixed = mixNormals(normal, inputs, layers).toVar()
-  if (channels) {
-    return quadMaterial(
-      'composed',
-      vec4(unitSlope(mixed), (channels as NodeChannels).storedValues(inputs, layers)),
-    )
-  }
   const hasDetails = inputs.textures.kinds.includes('detail')
   const shown = hasDetails ? select(influence.greaterThan(vec4(0)).any(), mixed.normalize(), normal) : mixed
   return quadMaterial('composed', vec4(shown.mul(0.5).add(0.5), 1))
-}
-
-/** Draws a map of occlusion with that of the layers. */
-export function occlusionMaterial(aoMap: Texture, inputs: ShaderInputs, channels: Channels): NodeMaterial {
-  const uv = varying(targetUv())
-  const layers = { influence: influenceFromMap(inputs, uv, null), uv, sampler: bySampler }
-  const mixed = (channels as NodeChannels).mixOcclusion(texture(aoMap, uv).r, inputs, layers)
-  return quadMaterial('occlusion', vec4(mixed, 0, 0, 1))
-}
-
-/** x and y of a normal, once it is of unit length; as stored. */
-export function unitSlope(normal: Node<'vec3'>): Node<'vec2'> {
-  return normal.normalize().xy.mul(0.5).add(0.5)
 }
 
 /** A pixel of the target is a texel. */

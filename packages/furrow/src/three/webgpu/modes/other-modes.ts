@@ -16,7 +16,6 @@ const paper: ModeShaders['paper'] = (material, inputs) => {
 export const OTHER_MODES = new OtherModes({
   paper,
   composeMaterial,
-  loadAuto: async () => (await import('./auto-shaders.ts')).AUTO_SHADERS,
   drawsLevels: false,
   showInfluence,
 })
