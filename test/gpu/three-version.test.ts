@@ -1,9 +1,10 @@
 import { REVISION } from 'three'
 import { REVISION as NODES_REVISION } from 'three/webgpu'
 import { expect, inject, it } from 'vitest'
-import { TESTED_THREE } from '../../packages/furrow/src/three/three-version.ts'
+import { NEWEST_THREE, OLDEST_THREE } from '../../packages/furrow/src/three/three-version.ts'
 
 it('tests the release of three.js that the project names', () => {
-  const release = String(TESTED_THREE[inject('threeRelease') ?? 'newest'])
+  const isOldest = inject('threeRelease') === 'oldest'
+  const release = String(isOldest ? OLDEST_THREE['furrow/webgpu'] : NEWEST_THREE)
   expect([REVISION, NODES_REVISION]).toEqual([release, release])
 })

@@ -61,7 +61,7 @@ const WITHIN = [
   {
     folder: 'three/webgpu',
     rooms: ['patch', 'influence', 'mixing', 'modes', 'relief', 'compute'],
-    shared: ['node.ts', 'texture-sampling.ts'],
+    shared: ['newer-nodes.ts', 'node.ts', 'texture-sampling.ts'],
   },
 ]
 

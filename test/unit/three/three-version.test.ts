@@ -1,7 +1,9 @@
 import { readFileSync } from 'node:fs'
+import type { WrinkleSet } from 'furrow'
 import { writeArray } from 'furrow-files'
 import {
   BatchedMesh,
+  Mesh,
   MeshStandardMaterial,
   REVISION,
   ShaderChunk,
@@ -13,11 +15,13 @@ import { afterEach, describe, expect, it, vi } from 'vitest'
 import { loadMapArray } from '../../../packages/furrow/src/three/loader/ktx2.ts'
 import {
   checkThree,
+  NEWEST_THREE,
+  OLDEST_THREE,
   requireInternal,
-  TESTED_THREE,
 } from '../../../packages/furrow/src/three/three-version.ts'
 import { quadMaterials } from '../../../packages/furrow/src/three/webgl/influence/influence-quads.ts'
 import { instancedVertex } from '../../../packages/furrow/src/three/webgl/mixing/default-shader.ts'
+import { Wrinkles as WebGLWrinkles } from '../../../packages/furrow/src/three/webgl/Wrinkles.ts'
 import { checkBatch } from '../../../packages/furrow/src/three/webgpu/influence/influence.ts'
 import { Wrinkles } from '../../../packages/furrow/src/three/webgpu/Wrinkles.ts'
 
@@ -36,33 +40,38 @@ afterEach(() => {
 })
 
 const read = (path: string) => JSON.parse(readFileSync(new URL(`../../../${path}`, import.meta.url), 'utf8'))
-const { oldest, newest } = TESTED_THREE
-const range = `r${oldest} to r${newest}`
+
+const SET: WrinkleSet = {
+  layers: [{ name: 'skin', kind: 'replace', normal: { width: 1, height: 1, data: new Uint8Array(4) } }],
+  areas: [{ name: 'nose', weights: { width: 1, height: 1, data: new Uint8Array(1) } }],
+}
 
 /** What every guard's error ends with. */
 const found = (name: string) =>
   new RegExp(
-    `three\\.js lacks ${name}, got "r${REVISION}", allowed: ${range}; install a release of three\\.js`,
+    `three\\.js lacks ${name}, got "r${REVISION}", allowed: up to r${NEWEST_THREE}; install a release of three\\.js`,
   )
 
 describe('the versions of three.js', () => {
   it('are the same for users, tests and errors', () => {
     const { devDependencies } = read('package.json')
+    const { 'furrow/three': oldest, 'furrow/webgpu': oldestOfNodes } = OLDEST_THREE
     expect(read('packages/furrow/package.json').peerDependencies.three).toBe(`>=0.${oldest}.0`)
-    expect(devDependencies['three-oldest']).toBe(`npm:three@0.${oldest}.0`)
-    expect(devDependencies.three).toMatch(new RegExp(`^0\\.${newest}\\.\\d+$`))
-    expect(REVISION).toBe(String(newest))
+    expect(devDependencies['three-oldest']).toBe(`npm:three@0.${oldestOfNodes}.0`)
+    expect(devDependencies.three).toMatch(new RegExp(`^0\\.${NEWEST_THREE}\\.\\d+$`))
+    expect(REVISION).toBe(String(NEWEST_THREE))
   })
 
-  it('are checked where an older one makes the face vanish', () => {
+  it.each([
+    ['furrow/three', WebGLWrinkles],
+    ['furrow/webgpu', Wrinkles],
+  ] as const)('are checked by %s before the mesh is', (entry, Wrinkles) => {
+    const oldest = OLDEST_THREE[entry]
     revision = String(oldest - 1)
-    const message = `Wrinkles of furrow/webgpu: three.js is too old, got "r${oldest - 1}", allowed: ${range}; install a release of three.js in that range`
-    expect(() => checkThree('Wrinkles of furrow/webgpu', `${oldest - 1}`)).toThrow(message)
-    expect(() => new Wrinkles(null as never, null as never)).toThrow(message)
-    for (const tested of [`${oldest}`, `${newest}`, `${newest + 1}dev`]) {
-      revision = tested
-      expect(() => checkThree('Wrinkles', tested)).not.toThrow()
-    }
+    const message = `Wrinkles of ${entry}: three.js is too old, got "r${oldest - 1}", allowed: r${oldest} or later; npm install three@^0.${oldest}.0`
+    expect(() => new Wrinkles(new Mesh(), SET)).toThrow(message)
+    for (const tested of [`${oldest}`, `${NEWEST_THREE}`, `${NEWEST_THREE + 1}dev`])
+      expect(() => checkThree(entry, tested)).not.toThrow()
   })
 })
 

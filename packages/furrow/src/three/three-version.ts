@@ -1,18 +1,35 @@
 import { FurrowError } from '../core/error.ts'
+import type { Entry } from './renderer.ts'
 
-/** Releases of three.js that the GPU tests run on; `peerDependencies` starts at the oldest. */
-export const TESTED_THREE = { oldest: 186, newest: 187 } as const
+/** The oldest release of three.js that each entry supports; `peerDependencies` starts at the older one. */
+export const OLDEST_THREE = { 'furrow/three': 160, 'furrow/webgpu': 186 } as const
+
+/** The newest release of three.js that the tests run on. */
+export const NEWEST_THREE = 187
+
+/** The number of a release, from three.js's `REVISION`: 187 of `187dev`. */
+export function releaseOf(revision: string): number {
+  return Number.parseInt(revision, 10)
+}
 
 /**
- * Checks that three.js is recent enough for the nodes of `WebGPURenderer`: an older one fails to build the shader, and the mesh vanishes.
+ * Checks that three.js is recent enough for an entry: shaders of an older one do not compile, and the mesh vanishes.
  *
- * @param who names the caller in the error.
  * @param revision three.js's `REVISION`. This module does not import three.js: see `scripts/join-modules.mjs`.
- * @throws FurrowError when it is older than `TESTED_THREE`.
+ * @throws FurrowError when it is older than `OLDEST_THREE`.
  */
-export function checkThree(who: string, revision: string): void {
-  if (Number.parseInt(revision, 10) < TESTED_THREE.oldest)
-    throw unsupported(who, 'three.js is too old', revision)
+export function checkThree(entry: Entry, revision: string): void {
+  const oldest = OLDEST_THREE[entry]
+  if (releaseOf(revision) < oldest) {
+    throw new FurrowError({
+      code: 'unsupported',
+      who: `Wrinkles of ${entry}`,
+      what: 'three.js is too old',
+      value: `r${releaseOf(revision)}`,
+      limit: `r${oldest} or later`,
+      remedy: `npm install three@^0.${oldest}.0, or a later release`,
+    })
+  }
 }
 
 /**
@@ -29,17 +46,13 @@ export function requireInternal<T>(
   name: string,
   revision: string,
 ): T {
-  if (value === undefined || value === null) throw unsupported(who, `three.js lacks ${name}`, revision)
-  return value
-}
-
-function unsupported(who: string, what: string, revision: string): FurrowError {
-  return new FurrowError({
+  if (value !== undefined && value !== null) return value
+  throw new FurrowError({
     code: 'unsupported',
     who,
-    what,
+    what: `three.js lacks ${name}`,
     value: `r${revision}`,
-    limit: `r${TESTED_THREE.oldest} to r${TESTED_THREE.newest}`,
-    remedy: 'install a release of three.js in that range',
+    limit: `up to r${NEWEST_THREE}`,
+    remedy: 'install a release of three.js that Furrow is tested with',
   })
 }

@@ -1,4 +1,4 @@
-import type { Camera, Material, Mesh, Scene } from 'three'
+import { type Camera, type Material, type Mesh, REVISION, type Scene } from 'three'
 import { wrongArgument } from '../core/argument.ts'
 import { checkAreas } from '../core/check-areas.ts'
 import type { Area, ArraySlice, WrinkleSet } from '../core/types.ts'
@@ -39,6 +39,7 @@ import {
 import { canRise } from './relief/raised-layer.ts'
 import type { ReliefControl } from './relief/relief-control.ts'
 import { type AnyRenderer, checkRenderer, isRefused } from './renderer.ts'
+import { checkThree } from './three-version.ts'
 
 /**
  * Wrinkles on one mesh, or on each instance of an `InstancedMesh` or `BatchedMesh`: the base of both renderers' `Wrinkles`. The
@@ -76,6 +77,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     source: WrinkleSet<ArraySlice> | WrinklesBase,
     options: WrinklesOptions = {},
   ) {
+    checkThree(renderer.entry, REVISION)
     let inputs: ShaderInputs | undefined
     let own: WrinklesOptions | undefined
     if (source instanceof WrinklesBase) {

@@ -1,7 +1,7 @@
 import { type Bone, Box3, type Object3D, type SkinnedMesh, Sphere, Vector3 } from 'three'
 import { ALIASES } from '../../drivers/morph/aliases.ts'
 import { canonicalTargetName } from '../../drivers/morph/target-names.ts'
-import { vectorsOf } from '../sources/geometry-arrays.ts'
+import { componentOf, vectorsOf } from '../sources/geometry-arrays.ts'
 import type { DrawnMesh } from './drawn-mesh.ts'
 
 /** A blendshape moves the vertices that it displaces by more than this fraction of its largest displacement. */
@@ -148,7 +148,7 @@ function headVertices({ mesh, used }: DrawnMesh): number[] {
   return used.filter((i) => {
     let weight = 0
     for (let k = 0; k < 4; k++) {
-      if (isHead[skinIndex.getComponent(i, k)]) weight += skinWeight.getComponent(i, k)
+      if (isHead[componentOf(skinIndex, i, k)]) weight += componentOf(skinWeight, i, k)
     }
     return weight > 0.5
   })

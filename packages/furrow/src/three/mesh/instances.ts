@@ -13,5 +13,8 @@ export function instancesOf(mesh: Mesh): Instances {
 export function countFaces(mesh: Mesh): number {
   const instances = instancesOf(mesh)
   if (!instances) return 1
-  return instances === 'instanced' ? (mesh as InstancedMesh).count : (mesh as BatchedMesh).maxInstanceCount
+  if (instances === 'instanced') return (mesh as InstancedMesh).count
+  // Until r165 of three.js each geometry of a batch is one instance.
+  const { maxInstanceCount, maxGeometryCount } = mesh as BatchedMesh & { maxGeometryCount?: number }
+  return maxInstanceCount ?? maxGeometryCount!
 }

@@ -1,5 +1,6 @@
-import type { BufferAttribute, InterleavedBufferAttribute, Material, Mesh, MeshStandardMaterial } from 'three'
+import type { Material, Mesh, MeshStandardMaterial } from 'three'
 import { isTiledBy, type UvRanges, uvRanges } from '../../math/uv-ranges.ts'
+import { type AnyAttribute, componentOf } from '../sources/geometry-arrays.ts'
 
 /** Whether texture coordinates wrap somewhere on a face, as its shader was made for. */
 export interface Tiling {
@@ -40,14 +41,12 @@ export function isTiled({ geometry }: Mesh, material: Material): boolean {
   return isTiledBy(ranges, a, b, c, d, e, f)
 }
 
-type AnyAttribute = BufferAttribute | InterleavedBufferAttribute
-
 const knownRanges = new WeakMap<AnyAttribute, UvRanges>()
 
 /** Found once for all meshes of a crowd. */
 function rangesOf(attribute: AnyAttribute): UvRanges {
   const ranges =
-    knownRanges.get(attribute) ?? uvRanges(attribute.count, (i, axis) => attribute.getComponent(i, axis))
+    knownRanges.get(attribute) ?? uvRanges(attribute.count, (i, axis) => componentOf(attribute, i, axis))
   knownRanges.set(attribute, ranges)
   return ranges
 }

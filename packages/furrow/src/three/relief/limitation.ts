@@ -1,7 +1,11 @@
-import type { InstancedMesh, Mesh } from 'three'
+import { type InstancedMesh, type Mesh, REVISION } from 'three'
 import { FurrowError } from '../../core/error.ts'
 import { MOST_TRIANGLES } from '../../relief/most-triangles.ts'
 import { instancesOf } from '../mesh/instances.ts'
+import { releaseOf } from '../three-version.ts'
+
+/** The oldest release of three.js that draws into several textures of one `RenderTarget`. */
+const OLDEST_THREE_WITH_RELIEF = 162
 
 /** Why a mesh with which nothing is wrong has no relief; null if it can have it. */
 export function limitationOf(mesh: Mesh): FurrowError | null {
@@ -16,6 +20,16 @@ export function limitationOf(mesh: Mesh): FurrowError | null {
       value: count,
       limit: `${MOST_TRIANGLES} triangles`,
       remedy: 'reduce it; fine detail belongs into its normal map',
+    })
+  }
+  if (releaseOf(REVISION) < OLDEST_THREE_WITH_RELIEF) {
+    return new FurrowError({
+      code: 'unsupported',
+      who,
+      what: 'three.js is too old for relief',
+      value: `r${REVISION}`,
+      limit: `r${OLDEST_THREE_WITH_RELIEF} or later`,
+      remedy: 'install a later release of three.js, or show it without relief',
     })
   }
   const { morphTexture } = mesh as Partial<InstancedMesh>

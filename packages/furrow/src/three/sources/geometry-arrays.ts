@@ -1,15 +1,22 @@
 import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three'
 
+export type AnyAttribute = BufferAttribute | InterleavedBufferAttribute
+
+const GETTERS = ['getX', 'getY', 'getZ', 'getW'] as const
+
+/** Component k of vertex i. Interleaved attributes lack `getComponent` in three.js r160. */
+export function componentOf(attribute: AnyAttribute, i: number, k: number): number {
+  const { getComponent } = attribute as Partial<AnyAttribute>
+  return getComponent ? getComponent.call(attribute, i, k) : attribute[GETTERS[k]](i)
+}
+
 /** Copies an attribute to floats, whether it is quantised, interleaved or plain. */
-export function coordinates(
-  attribute: { count: number; getComponent(i: number, k: number): number },
-  size = 3,
-): Float32Array {
+export function coordinates(attribute: AnyAttribute, size = 3): Float32Array {
   const { isBufferAttribute, array, itemSize, normalized } = attribute as Partial<BufferAttribute>
   // Reading through the attribute takes several times as long.
   if (isBufferAttribute && itemSize === size && !normalized) return new Float32Array(array!)
   const out = new Float32Array(size * attribute.count)
-  for (let i = 0; i < out.length; i++) out[i] = attribute.getComponent(Math.floor(i / size), i % size)
+  for (let i = 0; i < out.length; i++) out[i] = componentOf(attribute, Math.floor(i / size), i % size)
   return out
 }
 

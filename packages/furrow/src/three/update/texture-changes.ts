@@ -3,12 +3,14 @@ import {
   type DataArrayTexture,
   DataTexture,
   type PixelFormat,
+  REVISION,
   Vector2,
   Vector3,
   type WebGLRenderer,
 } from 'three'
 import { type Bounds, widen } from '../../core/bounds.ts'
 import type { AnyRenderer } from '../renderer.ts'
+import { releaseOf } from '../three-version.ts'
 import { channelsOf, firstLevel, MipChain, type MipLevel } from './mip-chain.ts'
 
 /** Changes that are kept for renderers that have not drawn them yet; one that lags further behind uploads whole slices. */
@@ -16,6 +18,9 @@ const KEPT = 64
 
 /** Fraction of a slice from which on the GPU makes mipmaps faster, of all slices, than the CPU makes and uploads them. */
 const LARGE = 0.25
+
+/** Whether three.js copies rectangles into slices and levels of an array; older ones than r173 upload all of it again. */
+const COPIES_RECTANGLES = releaseOf(REVISION) >= 173
 
 const changesByTexture = new WeakMap<DataArrayTexture, TextureChanges>()
 
@@ -48,6 +53,10 @@ export class TextureChanges {
   /** Records that the texture's data have changed in a rectangle of a slice. */
   add(slice: number, bounds: Bounds): void {
     if (bounds.x1 <= bounds.x0 || bounds.y1 <= bounds.y0) return
+    if (!COPIES_RECTANGLES) {
+      this.#texture.needsUpdate = true
+      return
+    }
     this.#kept.push({ slice, bounds })
     if (this.#kept.length <= KEPT) return
     this.#kept.shift()

@@ -9,7 +9,7 @@ import { WrinklesBase } from '../wrinkles-base.ts'
 import { addDrivers } from './add-drivers.ts'
 import { CHANNELS } from './mixing/channels.ts'
 import { OTHER_MODES } from './modes/other-modes.ts'
-import { checkThreeFor, PARTS, WebGPUWrinkles } from './webgpu-wrinkles.ts'
+import { PARTS, WebGPUWrinkles, withBatchChecked } from './webgpu-wrinkles.ts'
 
 // A page that makes wrinkles of its own has all modes and maps at once, and what fades.
 FADE.value = fadeOnScreen
@@ -27,7 +27,7 @@ export class Wrinkles extends WrinklesBase {
    *   is needed; the mesh is then unchanged.
    */
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
-    super(PARTS, checkThreeFor(mesh), checkSource(source), options)
+    super(PARTS, withBatchChecked(mesh), checkSource(source), options)
     if ('drivers' in source) addDrivers(this, source.drivers as readonly WrinkleDriver[])
   }
 

@@ -1,7 +1,8 @@
 /** TSL nodes whose type three.js's declarations leave open. All casts of nodes are in this file, but those of compute passes. */
 import type { Material } from 'three'
-import { int, subBuild, textureSize, uniform } from 'three/tsl'
+import { int, textureSize, uniform } from 'three/tsl'
 import { MaterialReferenceNode, type Node, type TextureNode } from 'three/webgpu'
+import { subBuild } from './newer-nodes.ts'
 
 /** Materials' properties by the type that `materialReference` takes, and what their nodes are. */
 interface PropertyNodes {

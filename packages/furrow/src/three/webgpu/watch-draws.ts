@@ -1,7 +1,7 @@
 import type { Material, Mesh } from 'three'
-import { OnBeforeObjectUpdate } from 'three/tsl'
 import type { NodeBuilder, NodeMaterial, WebGPURenderer } from 'three/webgpu'
 import type { WatchDraws } from '../loader/adoption.ts'
+import { OnBeforeObjectUpdate } from './newer-nodes.ts'
 
 const watchers = new WeakMap<Material, Parameters<WatchDraws>[1]>()
 

@@ -1,4 +1,4 @@
-import { type Mesh, type MeshStandardMaterial, REVISION } from 'three'
+import type { Mesh, MeshStandardMaterial } from 'three'
 import { MeshBasicNodeMaterial } from 'three/webgpu'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { needChannels } from '../material/channels.ts'
@@ -10,7 +10,6 @@ import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
 import { instancesOf } from '../mesh/instances.ts'
 import { tilingOf } from '../mesh/tiling.ts'
 import type { WrinklesOptions } from '../options.ts'
-import { checkThree } from '../three-version.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import { checkBatch } from './influence/influence.ts'
 import { quadMaterials } from './influence/influence-quads.ts'
@@ -23,13 +22,12 @@ import { patchNodes } from './patch/patch-nodes.ts'
 /** The wrinkles of a loaded file, whose drivers the loader adds; `Wrinkles` is the same for all else. */
 export class WebGPUWrinkles extends WrinklesBase {
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
-    super(PARTS, checkThreeFor(mesh), source, options)
+    super(PARTS, withBatchChecked(mesh), source, options)
   }
 }
 
-/** @throws FurrowError when three.js is too old, or lacks what is needed for the mesh. */
-export function checkThreeFor(mesh: Mesh): Mesh {
-  checkThree('Wrinkles of furrow/webgpu', REVISION)
+/** @throws FurrowError when three.js lacks what is needed for a `BatchedMesh`. */
+export function withBatchChecked(mesh: Mesh): Mesh {
   if (instancesOf(mesh) === 'batched') checkBatch(mesh)
   return mesh
 }

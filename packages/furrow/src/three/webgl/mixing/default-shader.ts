@@ -84,7 +84,10 @@ export function instancedVertex(vertex: string, instances: 'instanced' | 'batche
 
 function instanceIndex(instances: 'instanced' | 'batched'): string {
   if (instances === 'instanced') return 'float(gl_InstanceID)'
-  // A batch draws its visible instances in an order of its own.
-  const [call] = ShaderChunk.batching_pars_vertex.match(/getIndirectIndex(?=\()/) ?? []
+  const chunk = ShaderChunk.batching_pars_vertex
+  // Until r165 of three.js each vertex of a batch knows its instance.
+  if (chunk.includes('attribute float batchId;')) return 'batchId'
+  // Later ones draw the visible instances in an order of their own.
+  const [call] = chunk.match(/getIndirectIndex(?=\()/) ?? []
   return `${requireInternal(call, 'Wrinkles', 'getIndirectIndex in batching_pars_vertex', REVISION)}(gl_DrawID)`
 }

@@ -36,8 +36,8 @@ export function paperFragment(fragment: string, channels: 1 | 4, diffuseIsSrgb: 
   outgoingLight = furrowOutgoingLight;
 `
   const stored = 'texture(furrowColours, vec3(furrowRepeat(vNormalMapUv), 0.0))'
-  const diffuse = `diffuseColor *= ${diffuseIsSrgb ? `sRGBTransferEOTF(${stored})` : stored};`
-  const declarations = `${influenceFromAreas(channels)}\nuniform highp sampler2DArray furrowColours;\n`
+  const diffuse = `diffuseColor *= ${diffuseIsSrgb ? `furrowLinearOf(${stored})` : stored};`
+  const declarations = `${influenceFromAreas(channels)}\nuniform highp sampler2DArray furrowColours;\n${LINEAR_OF}`
   const coloured = replaceChunk(replaceChunk(fragment, 'normal_fragment_maps'), 'map_fragment', () => diffuse)
   return [
     [MAIN, `${declarations}\n${MAIN}`],
@@ -45,6 +45,14 @@ export function paperFragment(fragment: string, channels: 1 | 4, diffuseIsSrgb: 
     [lighting, litTwice],
   ].reduce((shader, [text, replacement]) => replace(shader, text, replacement), coloured)
 }
+
+/** Decodes sRGB as three.js does from r170 on, in its `sRGBTransferEOTF`. */
+const LINEAR_OF = /* glsl */ `
+vec4 furrowLinearOf(vec4 value) {
+  vec3 curve = pow(value.rgb * 0.9478672986 + vec3(0.0521327014), vec3(2.4));
+  return vec4(mix(curve, value.rgb * 0.0773993808, vec3(lessThanEqual(value.rgb, vec3(0.04045)))), value.a);
+}
+`
 
 const OUTPUT = '#include <opaque_fragment>'
 

@@ -16,7 +16,7 @@ import type { CoarseParts } from '../../relief/coarse-pass.ts'
 import { COARSE_WIDTH } from '../../relief/coarse-pass.ts'
 import type { ReliefInputs } from '../../relief/relief-inputs.ts'
 import type { ReliefParts } from '../../relief/relief-parts.ts'
-import { TESTED_THREE } from '../../three-version.ts'
+import { NEWEST_THREE } from '../../three-version.ts'
 import { quadMaterials } from '../influence/influence-quads.ts'
 import { MAIN, replace, replaceChunk } from '../patch/shader-text.ts'
 import { mapUniforms } from '../uniforms.ts'
@@ -112,7 +112,7 @@ function unpatchable(missing: string): FurrowError {
     who: 'Wrinkles',
     what: `material whose shader cannot be patched in three.js r${REVISION}, it lacks`,
     value: missing,
-    limit: `the built-in lit materials of three.js r${TESTED_THREE.oldest} to r${TESTED_THREE.newest}`,
+    limit: `the built-in lit materials of three.js up to r${NEWEST_THREE}`,
     remedy: 'use one of them, or the composed mode',
   })
 }

@@ -1,9 +1,10 @@
 import type { Mesh } from 'three'
-import { Fn, If, Loop, localId, max, vec2, workgroupBarrier, workgroupId } from 'three/tsl'
+import { Fn, If, Loop, max, vec2 } from 'three/tsl'
 import type { ComputeNode, Node, StorageBufferNode, WebGPURenderer } from 'three/webgpu'
 import { sentence } from '../../../core/error.ts'
 import { restMatrix } from '../../../math/stretch.ts'
 import type { TensionSurface } from '../../sources/tension.ts'
+import { localId, workgroupBarrier, workgroupId } from '../newer-nodes.ts'
 import { Buffers, sharedArray, workgroups } from './buffers.ts'
 import { DeformedPositions } from './deformed-positions.ts'
 

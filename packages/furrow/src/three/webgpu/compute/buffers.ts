@@ -1,6 +1,6 @@
 /** What the compute passes share, and casts of their nodes, whose type three.js's declarations leave open. */
 import type { TypedArray } from 'three'
-import { Fn, If, instanceIndex, storage, workgroupArray } from 'three/tsl'
+import { Fn, If, instanceIndex, storage } from 'three/tsl'
 import {
   type ComputeNode,
   type Node,
@@ -9,6 +9,7 @@ import {
   type WebGPURenderer,
 } from 'three/webgpu'
 import type { AnyRenderer } from '../../renderer.ts'
+import { workgroupArray } from '../newer-nodes.ts'
 
 const SIZES = { float: 1, uint: 1, vec2: 2, vec4: 4, uvec4: 4, mat4: 16 } as const
 type BufferType = keyof typeof SIZES

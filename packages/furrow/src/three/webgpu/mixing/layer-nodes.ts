@@ -1,20 +1,12 @@
 /** The nodes of the default mode: the layers' maps mixed into the material's, lit once. */
 import type { Mesh } from 'three'
-import {
-  bitangentView,
-  Fn,
-  mat3,
-  negateOnBackSide,
-  TBNViewMatrix,
-  tangentView,
-  varying,
-  vec3,
-} from 'three/tsl'
+import { bitangentView, Fn, mat3, TBNViewMatrix, tangentView, varying, vec3 } from 'three/tsl'
 import type { Node, NodeBuilder } from 'three/webgpu'
 import type { ShaderInputs } from '../../material/shader-inputs.ts'
 import type { WrinkleMaterial } from '../../material/wrinkle-material.ts'
 import { instancesOf } from '../../mesh/instances.ts'
 import { influenceFromMap } from '../influence/influence.ts'
+import { negateOnBackSide } from '../newer-nodes.ts'
 import { materialProperty, normalScale, typed } from '../node.ts'
 import type { Added, Patched } from '../patch/patch-nodes.ts'
 import { byGradients, bySampler, mapUv, repeat } from '../texture-sampling.ts'

@@ -7,12 +7,12 @@ import {
   normalView,
   normalWorld,
   select,
-  sRGBTransferEOTF,
   texture,
   vec3,
 } from 'three/tsl'
 import type { Node, NodeBuilder, NodeMaterial } from 'three/webgpu'
 import type { PaperArray } from '../../material/paper-array.ts'
+import { sRGBTransferEOTF } from '../newer-nodes.ts'
 import { materialProperty, normalInView, normalScale, typed } from '../node.ts'
 import type { Added } from '../patch/patch-nodes.ts'
 import { repeat } from '../texture-sampling.ts'

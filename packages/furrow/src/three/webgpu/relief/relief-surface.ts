@@ -5,7 +5,6 @@ import {
   Break,
   Fn,
   If,
-  instancedMesh,
   int,
   ivec2,
   Loop,
@@ -26,6 +25,7 @@ import type { Instances } from '../../mesh/instances.ts'
 import { COARSE_WIDTH } from '../../relief/coarse-pass.ts'
 import type { ReliefInputs } from '../../relief/relief-inputs.ts'
 import { influenceFromMap } from '../influence/influence.ts'
+import { instancedMesh } from '../newer-nodes.ts'
 import { inputUniform, typed } from '../node.ts'
 import { repeat } from '../texture-sampling.ts'
 import { fromOctahedron } from './octahedron.ts'
