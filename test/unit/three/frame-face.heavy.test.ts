@@ -3,7 +3,15 @@ import type { Document } from '@gltf-transform/core'
 import { dequantize, quantize } from '@gltf-transform/functions'
 import { type FaceView, frameFace } from 'furrow/three'
 import { MeshoptDecoder } from 'meshoptimizer/decoder'
-import { BufferGeometry, Group, Mesh, type Object3D, PerspectiveCamera, Vector3 } from 'three'
+import {
+  BufferGeometry,
+  Group,
+  Mesh,
+  type Object3D,
+  OrthographicCamera,
+  PerspectiveCamera,
+  Vector3,
+} from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { addBody, HEAD_HEIGHT, turnScene } from '../../avatar.ts'
@@ -110,9 +118,15 @@ describe('of an avatar with a body, the head is framed', () => {
     ['with shapes of the mouth alone', (d) => d.transform((d) => addBody(d), only(/^(jawOpen|mouth)/))],
     ['with one blink', (d) => d.transform((d) => addBody(d), only(/^eyeBlink/))],
     ['without blendshapes', (d) => d.transform((d) => addBody(d), only(/^$/))],
-  ])('%s', async (_, change) => {
+    ['without blendshapes, as a VRM 0', asVrm0((d) => addBody(d), only(/^$/))],
+    [
+      'with shapes of the whole body, all of unknown names, as a VRM 0',
+      asVrm0((d) => addBody(d, BODY_SHAPES), unname),
+    ],
+  ])('%s', async (what, change) => {
     const { camera } = await frame(change)
     const side = Math.sign(camera.position.z)
+    expect(side, 'in front').toBe(/-Z|VRM 0/.test(what) ? -1 : 1)
     const [crown, chin, feet] = [0.9, 0.66, -0.88].map(
       (y) => onScreen(camera, 0, HEAD_HEIGHT + y, 0.05 * side).y,
     )
@@ -180,6 +194,42 @@ test('an object without triangles is refused', () => {
     expect(() => frameFace(camera, nothing)).toThrow('frameFace: nothing to frame')
   }
 })
+
+test.each([0, 180])('a VRM 0 without blendshapes, turned by %d degrees after loading', async (degrees) => {
+  const scene = await load(await changed(asVrm0((d) => addBody(d), only(/^$/))))
+  // As VRMUtils.rotateVRM0 does.
+  scene.rotation.y = (degrees * Math.PI) / 180
+  const { camera, target } = shoot(scene)
+  expect(Math.sign(camera.position.z - target.z)).toBe(degrees === 0 ? -1 : 1)
+})
+
+test.each([
+  [1, 1],
+  [3, 1],
+  [0.4, 1],
+  [1, 100],
+])(
+  'an orthographic picture %d times as wide as high shows the whole head, %d units high',
+  async (aspect, height) => {
+    const [x, y] = [(height * aspect) / 2, height / 2]
+    const camera = new OrthographicCamera(-x, x, y, -y)
+    const target = frameFace(camera, await load(await changed(() => {})))
+    camera.updateMatrixWorld()
+    expect(target.distanceTo(MIDDLE)).toBeLessThan(1e-3)
+    const onPicture = (of: 'min' | 'max') => new Vector3().fromArray(SKIN[of]).project(camera)
+    const [low, high] = [onPicture('min'), onPicture('max')]
+    const [width, tall] = [high.x - low.x, high.y - low.y]
+    expect(Math.max(width, tall)).toBeLessThan(2)
+    expect(Math.max(width, tall), 'not far away').toBeGreaterThan(2 * 0.6)
+    for (const { z } of [low, high]) expect(Math.abs(z), 'between near and far').toBeLessThan(1)
+    expect(camera.position.z).toBeGreaterThan(target.z)
+  },
+)
+
+/** Turns a file to look along -Z, as VRM 0's do. */
+function asVrm0(...changes: Change[]): Change {
+  return (d) => d.transform(...(changes as never[]), (d: Document) => turnScene(d, 180))
+}
 
 /** Shapes of one name keep having one name. */
 function unname(document: Document): void {
