@@ -2,14 +2,13 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { playwright } from '@vitest/browser-playwright'
 import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config'
 import { CHROMIUM_FLAGS } from './packages/cli/src/chromium-flags.ts'
+import { SOURCES } from './scripts/lib/sources.mjs'
 import { mtoonNodes } from './test/gpu/mtoon-nodes.ts'
 import { FILES_FOR_OLDEST, onOldestThree } from './test/gpu/oldest-three.ts'
 import { serveFaces } from './test/gpu/serve-faces.ts'
 import { GPU_FILES_IN_DEPTH, inDepth, UNIT_FILES_IN_DEPTH } from './test/in-depth.ts'
 
-// Sources, not builds: the `furrow-source` condition of the packages' exports.
-const resolve = { conditions: ['furrow-source', 'module', 'browser', 'development|production'] }
-const ssr = { resolve: { conditions: ['furrow-source', 'module', 'node', 'development|production'] } }
+const { resolve, ssr } = SOURCES
 
 // Milliseconds. Limits guard against a hang and no more: a slow or busy machine is no fault.
 const SOON = { testTimeout: 300_000, hookTimeout: 300_000 }

@@ -1,18 +1,17 @@
 import { fileURLToPath } from 'node:url'
 import { createServer } from 'vite'
+import { SOURCES } from '../scripts/lib/sources.mjs'
 
 export const ROOT = fileURLToPath(new URL('..', import.meta.url))
 
 /** Serves the repository to a browser, and to this process by `ssrLoadModule`; the caller closes it. */
 export async function serve() {
-  // Import the packages' sources instead of their builds (export condition `furrow-source`).
   const server = await createServer({
     root: ROOT,
     configFile: false,
     cacheDir: 'node_modules/.vite-bench',
     logLevel: 'warn',
-    resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
-    ssr: { resolve: { conditions: ['furrow-source', 'module', 'node', 'development|production'] } },
+    ...SOURCES,
     optimizeDeps: {
       entries: [
         'bench/page/page.html',

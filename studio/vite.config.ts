@@ -1,5 +1,6 @@
 import { fileURLToPath } from 'node:url'
 import { defineConfig } from 'vite'
+import { SOURCES } from '../scripts/lib/sources.mjs'
 import { guard } from './guard.ts'
 import { offline } from './offline.ts'
 import { serveExamples } from './serve-examples.ts'
@@ -22,8 +23,7 @@ export default defineConfig({
     guard(folder('..')),
     offline(isKept),
   ],
-  // Import the packages' sources instead of their builds (export condition `furrow-source`).
-  resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
+  resolve: SOURCES.resolve,
   optimizeDeps: {
     // What is found late is optimised then, and reloads the page in the middle of work: what is not listed is served as it is.
     noDiscovery: true,

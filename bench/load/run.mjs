@@ -6,6 +6,7 @@ import { cpus, tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { parseArgs } from 'node:util'
 import { build, preview } from 'vite'
+import { SOURCES } from '../../scripts/lib/sources.mjs'
 import { ROOT, runServed, serve } from '../serve.mjs'
 
 const { values: options } = parseArgs({
@@ -89,7 +90,7 @@ async function serveBuilt(outDir) {
     root: ROOT,
     configFile: false,
     logLevel: 'silent',
-    resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
+    resolve: SOURCES.resolve,
     build: { outDir, emptyOutDir: true, rolldownOptions: { input: join(ROOT, 'bench/load/page.html') } },
   })
   copyFileSync(join(ROOT, 'faces/human.glb'), join(outDir, 'human.glb'))

@@ -1,6 +1,7 @@
 import { copyFileSync, existsSync, mkdirSync } from 'node:fs'
 import { join } from 'node:path'
 import { build } from 'vite'
+import { SOURCES } from '../../scripts/lib/sources.mjs'
 
 /** Builds the studio of a checkout as it is published into a folder, and the page that times `furrow/auto` into `auto/` in it. */
 export async function buildStudio(checkout, dist, files) {
@@ -23,7 +24,7 @@ async function buildPage(root, page, outDir) {
     base: './',
     configFile: false,
     logLevel: 'silent',
-    resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
+    resolve: SOURCES.resolve,
     build: { outDir, emptyOutDir: true, reportCompressedSize: false, rolldownOptions: { input: page } },
   })
 }

@@ -1,6 +1,5 @@
 import { defineConfig } from 'vite'
-
-const conditions = ['furrow-source', 'module', 'node', 'development|production']
+import { SOURCES } from '../../scripts/lib/sources.mjs'
 
 /**
  * Builds the commands into dist/, module by module as in src/, and with them the modules of `furrow` and `furrow-files`
@@ -9,7 +8,8 @@ const conditions = ['furrow-source', 'module', 'node', 'development|production']
  */
 export default defineConfig({
   logLevel: 'warn',
-  ssr: { noExternal: ['furrow', 'furrow-files'], resolve: { conditions } },
+  resolve: SOURCES.resolve,
+  ssr: { ...SOURCES.ssr, noExternal: ['furrow', 'furrow-files'] },
   build: {
     ssr: true,
     target: 'node20.19',

@@ -1,6 +1,7 @@
 import { join } from 'node:path'
 import { build } from 'vite'
 import { ROOT } from './run.mjs'
+import { SOURCES } from './sources.mjs'
 
 /**
  * Bundles a TypeScript file and the sources of the packages that it imports, for Node.
@@ -15,8 +16,7 @@ export async function bundle(entry) {
     configFile: false,
     root: ROOT,
     logLevel: 'error',
-    // Sources, not builds.
-    ssr: { resolve: { conditions: ['furrow-source', 'module', 'node', 'development|production'] } },
+    ...SOURCES,
     build: {
       ssr: join(ROOT, entry),
       outDir,

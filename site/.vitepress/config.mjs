@@ -1,5 +1,5 @@
 import { fileURLToPath } from 'node:url'
-import { defaultClientConditions } from 'vite'
+import { SOURCES } from '../../scripts/lib/sources.mjs'
 import { repositoryAddress } from '../places.mjs'
 import { NAVIGATION, sidebar } from './contents.mjs'
 import { indentedCode } from './indented-code.mjs'
@@ -54,7 +54,7 @@ export default {
   },
   vite: {
     // Sources, not builds: the benchmark reaches into them, and two copies of the library know nothing of each other's faces.
-    resolve: { conditions: ['furrow-source', ...defaultClientConditions] },
+    resolve: SOURCES.resolve,
     cacheDir: folder('../../node_modules/.vite/site'),
     worker: { format: 'es' },
     build: { chunkSizeWarningLimit: 2500 },

@@ -27,7 +27,7 @@ export function onOldestThree(project: TestProjectInlineConfiguration): TestProj
   const oldest = (name: string) => name.replace(/^three(?=\/|$)/, 'three-oldest')
   return {
     ...project,
-    resolve: { ...project.resolve, alias: [{ find: /^three(?=\/|$)/, replacement: 'three-oldest' }] },
+    resolve: { ...project.resolve, alias: { ...project.resolve?.alias, three: 'three-oldest' } },
     optimizeDeps: { ...project.optimizeDeps, include: project.optimizeDeps?.include?.map(oldest) },
     test: { ...project.test, provide: { threeRelease: 'oldest' } },
   }

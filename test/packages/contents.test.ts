@@ -83,6 +83,19 @@ describe.each([
     expect(imported.filter((specifier) => !installed(specifier))).toEqual([])
   })
 
+  it('offers nothing that is for the workspace alone', () => {
+    const { exports, imports } = JSON.parse(read(join(content, 'package.json')))
+    expect(Object.keys(exports).filter((entry) => entry.includes('internal'))).toEqual([])
+    expect(imports).toBeUndefined()
+    expect(files.filter((file) => /\/internal\.(d\.)?[jt]s/.test(file))).toEqual([])
+    const imported = files
+      .filter((file) => /\.([cm]?js|ts)$/.test(file))
+      .filter((file) => {
+        return /from ?['"](furrow\/internal|furrow-files)/.test(read(file))
+      })
+    expect(imported).toEqual([])
+  })
+
   if (name !== 'furrow') return
 
   // See `scripts/join-modules.mjs`.

@@ -1,6 +1,6 @@
 import { FurrowError } from 'furrow'
+import { targetFinder } from 'furrow/internal'
 import { AnimationClip, type Mesh, NumberKeyframeTrack, type Object3D } from 'three'
-import { targetFinder } from '../../../packages/furrow/src/drivers/morph/target-names.ts'
 import type { Capture } from './live-link-face.ts'
 
 /**

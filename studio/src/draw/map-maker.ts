@@ -1,7 +1,7 @@
 import { type GrayImage, resampleGray } from 'furrow'
 import type { AutoWrinkles, Bounds, HeightMap } from 'furrow/author'
+import { CHANNEL, channelOf } from 'furrow/internal'
 import { decodeImage } from 'furrow/three'
-import { CHANNEL, channelOf } from '../../../packages/furrow/src/core/channels.ts'
 import type { ImageFile, LayerStroke, MapName, StudioDocument, StudioLayer } from '../document/document.ts'
 import { strokesOf } from '../document/strokes.ts'
 import type { SkinSource } from '../session/skin-source.ts'

@@ -7,8 +7,8 @@ import {
   skinCanvas,
   splineOf,
 } from 'furrow/author'
+import { knotsOf, traceStroke } from 'furrow/internal'
 import type { Mesh } from 'three'
-import { knotsOf, traceStroke } from '../../../packages/furrow/src/author/strokes/edit/traced-stroke.ts'
 import type { LayerStroke } from '../document/document.ts'
 import { makeCanvasInWorker } from '../paint/in-worker.ts'
 import type { SkinPicker } from '../paint/picker.ts'

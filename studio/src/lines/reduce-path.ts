@@ -1,4 +1,4 @@
-import { splineKnots } from '../../../packages/furrow/src/math/spline.ts'
+import { splineKnots } from 'furrow/internal'
 
 /** A point where a pointer was on the skin. */
 export interface PathPoint {

@@ -1,16 +1,18 @@
 import { chooseSkin, MOST_TRIANGLES } from 'furrow/author'
+import {
+  canCrease,
+  type FileWrinkles,
+  facesOf,
+  materialReader,
+  readMeshes,
+  readsNormalMap,
+  skinOf,
+  surfaceOf,
+  wrinkledFaces,
+} from 'furrow/internal'
 import { namesOfTarget, type TargetNames } from 'furrow-files'
 import type { Mesh } from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
-import { skinOf } from '../../../packages/furrow/src/auto/character.ts'
-import type { FileWrinkles } from '../../../packages/furrow/src/runtime/file/read-wrinkles.ts'
-import { canCrease, readMeshes } from '../../../packages/furrow/src/three/loader/read-character.ts'
-import {
-  facesOf,
-  materialReader,
-  wrinkledFaces,
-} from '../../../packages/furrow/src/three/loader/read-wrinkle-maps.ts'
-import { readsNormalMap, surfaceOf } from '../../../packages/furrow/src/three/material/surface.ts'
 
 /** What may be the skin of an avatar: the primitives of one mesh that have one material. */
 export interface SkinCandidate {

@@ -1,6 +1,5 @@
+import { type FileWrinkles, readImages } from 'furrow/internal'
 import { folderDocument, WRINKLES_FILE } from 'furrow-files'
-import type { FileWrinkles } from '../../../packages/furrow/src/runtime/file/read-wrinkles.ts'
-import { readImages } from '../../../packages/furrow/src/three/loader/load-wrinkle-set.ts'
 import { Folder } from './folder.ts'
 import type { WrinklesFolder } from './sort-files.ts'
 

@@ -1,5 +1,5 @@
 import type { GrayImage } from 'furrow'
-import { interpolateTexels } from '../../../packages/furrow/src/core/reference.ts'
+import { interpolateTexels } from 'furrow/internal'
 import { checkPaintable } from './paint-map.ts'
 import { type PaintSkin, weightsOn } from './paint-skin.ts'
 

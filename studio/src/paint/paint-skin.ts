@@ -1,8 +1,8 @@
 import { FurrowError } from 'furrow'
 import { barycentricsAt, moveToFirstTile, type Skin, type SkinSurface, skinSurface } from 'furrow/author'
+import { UvLocator } from 'furrow/internal'
 import { Vector3 } from 'three'
 import type { MeshBVH } from 'three-mesh-bvh'
-import { UvLocator } from '../../../packages/furrow/src/author/skin/uv-locator.ts'
 import { hierarchyOf } from './hierarchy.ts'
 import { type PaintMap, type PaintMapArrays, paintMapArrays } from './paint-map.ts'
 

@@ -1,6 +1,6 @@
 import { FurrowError, type GrayImage } from 'furrow'
 import { crossOf, type SkinSurface } from 'furrow/author'
-import { dot } from '../../../packages/furrow/src/math/vector.ts'
+import { dot } from 'furrow/internal'
 import { fade } from './brush.ts'
 import { checkPaintable, type PaintMap } from './paint-map.ts'
 import type { PaintSkin, SkinPoint } from './paint-skin.ts'

@@ -1,5 +1,6 @@
 import { FurrowError } from 'furrow'
 import { joinParts, type Skin, type SkinPart } from 'furrow/author'
+import { placementOf, vectorsOf } from 'furrow/internal'
 import {
   type BufferAttribute,
   type InterleavedBufferAttribute,
@@ -7,8 +8,6 @@ import {
   type MeshStandardMaterial,
   Vector2,
 } from 'three'
-import { placementOf } from '../../../packages/furrow/src/three/loader/read-character.ts'
-import { vectorsOf } from '../../../packages/furrow/src/three/sources/geometry-arrays.ts'
 
 /** The meshes of a face as one skin. */
 export interface MeshSkin {

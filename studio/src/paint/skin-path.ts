@@ -1,5 +1,5 @@
 import { crossOf, type SkinSurface } from 'furrow/author'
-import { dot } from '../../../packages/furrow/src/math/vector.ts'
+import { dot } from 'furrow/internal'
 import type { SkinPoint } from './paint-skin.ts'
 import { crossed, distanceBetween } from './vectors.ts'
 

@@ -2,8 +2,7 @@
 
 import { expose, transfer } from 'comlink'
 import { type MetricMesh, type Skin, skinCanvas } from 'furrow/author'
-import { canvasArrays, type SkinCanvasArrays } from '../../../packages/furrow/src/author/skin/canvas.ts'
-import { buffersOf } from '../../../packages/furrow/src/auto/buffers.ts'
+import { buffersOf, canvasArrays, type SkinCanvasArrays } from 'furrow/internal'
 import { holdLife } from '../workers/life.ts'
 import { type MadeSkin, makeSkin } from './make-skin.ts'
 

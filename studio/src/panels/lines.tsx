@@ -1,5 +1,5 @@
+import { BANK_WIDTHS } from 'furrow/internal'
 import { useId } from 'preact/hooks'
-import { BANK_WIDTHS } from '../../../packages/furrow/src/author/strokes/lay-out.ts'
 import type { LineEditor, LineMode, LineShape } from '../lines/line-editor.ts'
 import { Choice } from './controls/choice.tsx'
 import { NumberSlider } from './controls/number-slider.tsx'

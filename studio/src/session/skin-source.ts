@@ -1,7 +1,6 @@
 import type { TangentFrame } from 'furrow/author'
 import type { Skin } from 'furrow/auto'
-import { skinOf } from '../../../packages/furrow/src/auto/character.ts'
-import { readMeshes } from '../../../packages/furrow/src/three/loader/read-character.ts'
+import { readMeshes, skinOf } from 'furrow/internal'
 import type { OpenedAvatar } from '../open/avatar.ts'
 
 /** The skin of an avatar as wrinkles are made and drawn on it. */

@@ -1,4 +1,4 @@
-import { traceStroke, uvOf } from '../../../packages/furrow/src/author/strokes/edit/traced-stroke.ts'
+import { traceStroke, uvOf } from 'furrow/internal'
 import type { LayerStroke } from '../document/document.ts'
 import type { PaintSkin } from '../paint/paint-skin.ts'
 

@@ -1,5 +1,5 @@
+import { positionAt } from 'furrow/internal'
 import { type Ray, Vector3 } from 'three'
-import { positionAt } from '../../../packages/furrow/src/author/skin/walk.ts'
 import type { PaintSkin } from '../paint/paint-skin.ts'
 import type { SkinHit, SkinPicker } from '../paint/picker.ts'
 

@@ -1,12 +1,13 @@
 import { fileURLToPath } from 'node:url'
 import { defineConfig } from 'vite'
+import { SOURCES } from '../../../../scripts/lib/sources.mjs'
 
 /** Bundles the page that draws into dist/, so that the installed command needs no bundler. */
 export default defineConfig({
   root: fileURLToPath(new URL('.', import.meta.url)),
   base: './',
   logLevel: 'warn',
-  resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
+  resolve: SOURCES.resolve,
   build: {
     outDir: '../../dist/page',
     emptyOutDir: true,

@@ -1,4 +1,4 @@
-import { readImage } from '../../../furrow/src/runtime/file/read-image.ts'
+import { readImage } from 'furrow/internal'
 import { checkImageSize, checkImageType, GLTF_IMAGES, type ImageHeader } from './check-image.ts'
 import { headerOf } from './header.ts'
 import { withImageErrors } from './image-errors.ts'

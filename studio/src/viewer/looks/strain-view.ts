@@ -1,5 +1,5 @@
+import { coordinates, trianglesOf } from 'furrow/internal'
 import { BufferAttribute, BufferGeometry, type Mesh, MeshBasicMaterial, Vector3 } from 'three'
-import { coordinates, trianglesOf } from '../../../../packages/furrow/src/three/sources/geometry-arrays.ts'
 import { PoseWatch } from '../pose/pose-watch.ts'
 import { strainColour, strainOf } from './strain.ts'
 

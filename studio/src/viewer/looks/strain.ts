@@ -1,4 +1,4 @@
-import { principalStretches, restInverse } from '../../../../packages/furrow/src/math/stretch.ts'
+import { principalStretches, restInverse } from 'furrow/internal'
 
 /** Strain that has the full colour, and the colours of compressed skin, of skin as it rests, and of stretched skin, linear RGB. */
 const FULL = 0.3

@@ -8,8 +8,7 @@ import {
   valueSource,
   type WrinkleDriver,
 } from 'furrow'
-import { inputName } from '../../../../packages/furrow/src/drivers/activation.ts'
-import { BINDINGS } from '../../../../packages/furrow/src/three/sources/bind-drivers.ts'
+import { BINDINGS, inputName } from 'furrow/internal'
 import type { Wrinkles } from '../../../../stage/stage.ts'
 
 /** What the face has beyond its mesh. Both maps are read whenever the drivers are evaluated. */

@@ -1,7 +1,7 @@
 import { type MuscleDriver, morphNormalDeltas, muscleOffsets } from 'furrow'
+import { coordinates, trianglesOf } from 'furrow/internal'
 import { addMuscles } from 'furrow/three'
 import type { BufferAttribute, BufferGeometry, Mesh } from 'three'
-import { coordinates, trianglesOf } from '../../../../packages/furrow/src/three/sources/geometry-arrays.ts'
 
 /** The muscles of a face as blendshapes of its meshes, which follow the document. */
 export class MuscleTargets {
