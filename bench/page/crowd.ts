@@ -11,8 +11,8 @@ import {
   Vector3,
 } from 'three'
 import type { Plan } from '../case.ts'
+import type { Bench } from './bench.ts'
 import { applyFurrow } from './furrow.ts'
-import type { Bench } from './measure.ts'
 import { createSet, createSkin } from './scene.ts'
 
 /** A crowd that fills a picture of `CROWD_PICTURE`. */

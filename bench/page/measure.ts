@@ -1,14 +1,12 @@
 import type { WrinkleSet } from 'furrow'
-import type { Light, Mesh, MeshPhysicalMaterial, PerspectiveCamera, Scene } from 'three'
-import type { Face } from '../../stage/face.ts'
-import type { RendererKind } from '../../stage/stage.ts'
+import type { Mesh, MeshPhysicalMaterial } from 'three'
 import { activationOf, type Case, type Plan } from '../case.ts'
 import type { Measured } from '../report.ts'
 import { roundOrder } from '../statistics.ts'
+import type { Bench } from './bench.ts'
 import { changedFraction, MIN_CHANGED } from './changed.ts'
 import { giveDistinctProgram } from './distinct-program.ts'
 import { createSet, createSkin } from './scene.ts'
-import type { TimedRenderer } from './timed-renderer.ts'
 import { type AppliedVariant, VARIANTS } from './variant.ts'
 
 /** Difference of channels between variants that must draw the same, of 255, and the fraction of channels that may differ by more. */
@@ -20,16 +18,6 @@ const MIN_MS = 20
 const MAX_FRAMES = 64
 /** How often each variant is timed in a round, in turns; the quickest counts, since other processes only ever slow down. */
 const TURNS = 3
-
-export interface Bench {
-  renderer: RendererKind
-  timedRenderer: TimedRenderer
-  face: Face
-  scene: Scene
-  /** What occlusion darkens: lights alone cast no light that it would. */
-  surroundings: Light
-  camera: PerspectiveCamera
-}
 
 interface Candidate {
   name: string

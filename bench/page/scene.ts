@@ -11,8 +11,8 @@ import type { Face } from '../../stage/face.ts'
 import { frameView } from '../../stage/views.ts'
 import type { Case } from '../case.ts'
 import { divideAreas } from './areas.ts'
+import type { Bench } from './bench.ts'
 import { LIGHT_INTENSITY, LIGHTS } from './lights.ts'
-import type { Bench } from './measure.ts'
 
 /** Zoom over the stage's front view: the frame is full from the forehead to the mouth. */
 const ZOOM = 3.1

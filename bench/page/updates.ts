@@ -3,8 +3,8 @@ import { updateLayer } from 'furrow/three'
 import type { Material } from 'three'
 import type { Plan } from '../case.ts'
 import { median } from '../statistics.ts'
+import type { Bench } from './bench.ts'
 import { applyFurrow } from './furrow.ts'
-import type { Bench } from './measure.ts'
 import { createSet, createSkin } from './scene.ts'
 
 /** Width and height of the layer's normal map in texels. */

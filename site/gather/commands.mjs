@@ -5,7 +5,7 @@ import { join } from 'node:path'
 import { pathToFileURL } from 'node:url'
 import { ROOT } from '../../scripts/lib/run.mjs'
 
-const COMMANDS = join(ROOT, 'packages/cli/dist/commands')
+const COMMANDS = ['commands', 'batch/commands'].map((folder) => join(ROOT, 'packages/cli/dist', folder))
 
 /** Writes a page for each command, and one that lists them. */
 export async function gatherCommands(folder) {
@@ -28,10 +28,11 @@ export async function gatherCommands(folder) {
 const INTRODUCTION =
   'What `npx furrow help COMMAND` prints. With `furrow-cli` installed, `npx furrow` runs a command; without it, `npx --yes furrow-cli` does.'
 
-/** Every command that a file of `commands` exports, by name. */
+/** Every command that a file of these folders exports, by name. */
 export async function readCommands() {
-  const files = readdirSync(COMMANDS).filter((name) => name.endsWith('.js'))
-  const modules = await Promise.all(files.map((name) => import(pathToFileURL(join(COMMANDS, name)).href)))
+  const files = COMMANDS.flatMap((folder) => readdirSync(folder).map((name) => join(folder, name)))
+  const scripts = files.filter((file) => file.endsWith('.js'))
+  const modules = await Promise.all(scripts.map((file) => import(pathToFileURL(file).href)))
   return modules
     .flatMap((module) => Object.values(module))
     .filter((value) => typeof value?.createHelp === 'function')

@@ -66,7 +66,7 @@ export class Downloads {
   uvLayout(viewer: Viewer | null): Promise<unknown> {
     return this.#messages.attempt(async () => {
       if (!viewer) return
-      const { drawUvPicture } = await import('./uv-picture.ts')
+      const { drawUvPicture } = await import('./texture/uv-picture.ts')
       const { skins, skin } = viewer.avatar
       await savePicture(drawUvPicture(skins[skin].meshes), `${viewer.avatar.name}-uv.png`)
       this.#messages.note('Saved the UV layout: paint over it')

@@ -1,10 +1,10 @@
 import { checkWrinkles, decodeGlb, documentOf, type Finding, GAVE_UP } from 'furrow-files'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { exportFace } from '../../studio/src/export/export-face.ts'
-import { type FaceFiles, openFace } from '../../studio/src/export/files.ts'
 import { exportDocumentInWorker, readProjectInWorker } from '../../studio/src/export/in-worker.ts'
 import { readFace } from '../../studio/src/export/read-face.ts'
 import { findingsOf } from '../../studio/src/export/validate-face.ts'
+import { type FaceFiles, openFace } from '../../studio/src/files/face-files.ts'
 import type { DamagedFace } from './damaged-faces.ts'
 import type { EncodedFiles, ExportCase, ExportCases, FaultyFace } from './export-cases.ts'
 

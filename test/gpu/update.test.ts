@@ -1,6 +1,12 @@
 import type { Area, GrayImage, Layer, RgbaImage, WrinkleSet } from 'furrow'
-import type { Bounds, LayerImages, WrinkleMode } from 'furrow/three'
-import { scaleLayer, updateArea, updateLayer } from 'furrow/three'
+import {
+  type Bounds,
+  type LayerImages,
+  scaleLayer,
+  updateArea,
+  updateLayer,
+  type WrinkleMode,
+} from 'furrow/three'
 import {
   AmbientLight,
   type DataArrayTexture,

@@ -2,8 +2,8 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { expect, it } from 'vitest'
+import { unzipFolder } from '../../studio/src/files/zip.ts'
 import { documentOf } from '../../studio/src/keep/document-record.ts'
-import { unzipFolder } from '../../studio/src/keep/zip.ts'
 import {
   differencesOfDrawing,
   observeFace,

@@ -2,10 +2,11 @@ import { type Remote, wrap } from 'comlink'
 import { FurrowError, type RgbaImage } from 'furrow'
 import type { Bounds, HeightMap, Stroke } from 'furrow/author'
 import type { LayerStroke } from '../document/document.ts'
+import type { DrawnMaps } from '../document/drawn-maps.ts'
 import { endOf } from '../workers/life.ts'
 import { changesOf } from './changes.ts'
 import { pasteRect } from './copy-rect.ts'
-import type { DrawingService, DrawingSurface, DrawnMaps } from './messages.ts'
+import type { DrawingService, DrawingSurface } from './messages.ts'
 
 /** Maps of a layer, and the strokes that they show. */
 interface Sheet {

@@ -3,11 +3,11 @@ import type { AutoWrinkles, Bounds, HeightMap } from 'furrow/author'
 import { CHANNEL, channelOf } from 'furrow/internal'
 import { decodeImage } from 'furrow/three'
 import type { ImageFile, LayerStroke, MapName, StudioDocument, StudioLayer } from '../document/document.ts'
+import type { DrawnMaps } from '../document/drawn-maps.ts'
 import { strokesOf } from '../document/strokes.ts'
-import type { SkinSource } from '../session/skin-source.ts'
+import type { SkinSource } from '../open/skin-source.ts'
 import type { LayerMaps } from '../viewer/document-view.ts'
 import { Drawing } from './drawing.ts'
-import type { DrawnMaps } from './messages.ts'
 
 /** Rectangles of texels that changed in maps which are the same objects as before. */
 export type MapChanges = ReadonlyMap<LayerMaps, readonly Bounds[]>

@@ -1,4 +1,4 @@
-import type { GrayImage, RgbaImage } from 'furrow'
+import type { RgbaImage } from 'furrow'
 import type { Bounds, MetricMesh, Stroke, TangentFrame } from 'furrow/author'
 import type { ListChanges } from './changes.ts'
 
@@ -33,10 +33,4 @@ export interface DrawingService {
   prepare(stroke: { layer: string; index: number } | null): Promise<void>
   /** A copy of the heights of a layer's strokes; see `HeightMap`. */
   heights(name: string): Float32Array
-}
-
-/** Maps of a layer that are drawn from strokes. */
-export interface DrawnMaps {
-  readonly normal: RgbaImage
-  readonly occlusion: GrayImage
 }

@@ -10,8 +10,8 @@ import {
   surfaceOf,
   trianglesOf,
 } from 'furrow-files'
+import { type FaceFiles, openFace } from '../files/face-files.ts'
 import type { OnProgress } from './export-face.ts'
-import { type FaceFiles, openFace } from './files.ts'
 
 const WHO = 'Studio'
 

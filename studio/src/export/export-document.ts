@@ -1,11 +1,11 @@
 import { type HeightMap, halfSide, heightLevels } from 'furrow/author'
 import { encodePortablePng, withoutAlpha } from 'furrow-files'
 import type { ImageFile, StudioDocument } from '../document/document.ts'
-import type { DrawnMaps } from '../draw/messages.ts'
-import type { AvatarFile } from '../keep/database.ts'
+import type { DrawnMaps } from '../document/drawn-maps.ts'
+import type { FaceFiles, Files } from '../files/face-files.ts'
+import type { AvatarFile } from '../files/folder-files.ts'
 import { type DrawnMaps as DrawnFiles, folderFiles } from '../keep/folder-files.ts'
 import { type ExportedFace, type ExportOptions, exportFace, type OnProgress } from './export-face.ts'
-import type { FaceFiles, Files } from './files.ts'
 
 /** A document with the maps that were drawn from its strokes. */
 export interface DocumentToExport {

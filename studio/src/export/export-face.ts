@@ -9,7 +9,7 @@ import {
   type TargetNames,
   wrinklesOf,
 } from 'furrow-files'
-import { type FaceFiles, type Files, openFace, wrinkleFilesIn, wrinkleSetIn } from './files.ts'
+import { type FaceFiles, type Files, openFace, wrinkleFilesIn, wrinkleSetIn } from '../files/face-files.ts'
 import { findingsOf } from './validate-face.ts'
 
 /** How a face is written; all as the options of `furrow pack` of these names. */

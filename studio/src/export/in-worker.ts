@@ -1,14 +1,13 @@
 import { proxy, type Remote } from 'comlink'
 import { FurrowError } from 'furrow'
 import type { StudioDocument } from '../document/document.ts'
-import type { AvatarFile } from '../keep/database.ts'
+import type { FaceFiles, Files } from '../files/face-files.ts'
+import type { AvatarFile, WrinklesFolder } from '../files/folder-files.ts'
 import type { ReadFolder } from '../keep/read-folder.ts'
-import type { WrinklesFolder } from '../open/sort-files.ts'
 import { runOnce } from '../workers/run-once.ts'
 import type { BakeTarget } from './bake-sculpt.ts'
 import type { DocumentToExport } from './export-document.ts'
 import type { ExportedFace, ExportOptions, OnProgress } from './export-face.ts'
-import type { FaceFiles, Files } from './files.ts'
 import type { Tasks } from './worker.ts'
 
 /** How the page follows a task. */

@@ -1,8 +1,8 @@
 import { decodeGray } from 'furrow-files'
 import type { StudioDocument } from '../document/document.ts'
-import type { AvatarFile } from '../keep/database.ts'
+import type { FaceFiles } from '../files/face-files.ts'
+import type { AvatarFile } from '../files/folder-files.ts'
 import { type ReadFolder, readFolder } from '../keep/read-folder.ts'
-import type { FaceFiles } from './files.ts'
 import { readFace } from './read-face.ts'
 
 /**

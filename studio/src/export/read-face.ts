@@ -1,6 +1,6 @@
 import { encodeGlb, stripWrinkles, unpackWrinkles, wrinkledFile, wrinkledMaterials } from 'furrow-files'
+import { type FaceFiles, type Files, openFace } from '../files/face-files.ts'
 import type { OnProgress } from './export-face.ts'
-import { type FaceFiles, type Files, openFace } from './files.ts'
 
 /** A face and its wrinkles, apart. */
 export interface ReadFace {

@@ -1,4 +1,5 @@
 import { type DBSchema, type IDBPDatabase, type IDBPTransaction, openDB, type StoreNames, unwrap } from 'idb'
+import type { AvatarFile } from '../files/folder-files.ts'
 import type { DocumentRecord, ImageRecord } from './document-record.ts'
 import { storageError } from './storage-error.ts'
 
@@ -29,12 +30,6 @@ export interface SaveRecord {
   changed: Date
   /** Of images, files and document. */
   bytes: number
-}
-
-/** A file of an avatar with its path, relative to what was dropped. */
-export interface AvatarFile {
-  path: string
-  file: Blob
 }
 
 type Table = StoreNames<Tables>

@@ -1,5 +1,5 @@
 import { FurrowError } from 'furrow'
-import type { FolderFile } from './folder-files.ts'
+import type { FolderFile } from '../files/folder-files.ts'
 import { parseStudioFile, STUDIO_FILE } from './studio-file.ts'
 
 /** What TypeScript's library does not have yet. */

@@ -8,7 +8,7 @@ import {
   type StudioDocument,
   type StudioLayer,
 } from '../document/document.ts'
-import type { AvatarFile } from './database.ts'
+import type { AvatarFile, FolderFile } from '../files/folder-files.ts'
 import {
   automaticParts,
   type DrawnLayer,
@@ -17,12 +17,6 @@ import {
   type StudioFile,
   UNDER,
 } from './studio-file.ts'
-
-/** A file of a project's folder, with its path in it. */
-export interface FolderFile {
-  path: string
-  content: Uint8Array | Blob
-}
 
 /** Maps of a layer as drawn from its strokes. */
 export type DrawnMaps = Pick<StudioLayer, 'maps' | 'heightAmplitude'>

@@ -1,6 +1,7 @@
 import { FurrowError } from 'furrow'
 import type { StudioDocument } from '../document/document.ts'
-import { type AvatarFile, Database, type ProjectRecord, rangeOf, SEVERAL, SINGLE } from './database.ts'
+import type { AvatarFile } from '../files/folder-files.ts'
+import { Database, type ProjectRecord, rangeOf, SEVERAL, SINGLE } from './database.ts'
 import { checkVersion, documentOf } from './document-record.ts'
 import { openElsewhere, Project } from './project.ts'
 import { lockProject, takeLock } from './project-lock.ts'

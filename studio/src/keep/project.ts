@@ -1,7 +1,13 @@
 import { FurrowError } from 'furrow'
 import type { StudioDocument } from '../document/document.ts'
-import type { AvatarFile, Database, ProjectRecord, SaveRecord, WritableTable } from './database.ts'
-import { rangeOf } from './database.ts'
+import type { AvatarFile } from '../files/folder-files.ts'
+import {
+  type Database,
+  type ProjectRecord,
+  rangeOf,
+  type SaveRecord,
+  type WritableTable,
+} from './database.ts'
 import { type ImageRecord, imagesOf, recordOf } from './document-record.ts'
 import type { ProjectLock } from './project-lock.ts'
 

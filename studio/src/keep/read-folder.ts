@@ -19,9 +19,9 @@ import {
   type StudioLayer,
 } from '../document/document.ts'
 import { named } from '../document/names.ts'
-import { bytesOf } from '../open/dropped-files.ts'
-import { Folder } from '../open/folder.ts'
-import type { AvatarFile } from './database.ts'
+import { bytesOf } from '../files/dropped-files.ts'
+import { Folder } from '../files/folder.ts'
+import type { AvatarFile } from '../files/folder-files.ts'
 import { FACE_FOLDER, parseStudioFile, STUDIO_FILE, type StudioFile } from './studio-file.ts'
 
 const WHO = 'Studio'

@@ -8,7 +8,7 @@ import {
   pathOf,
   unusable,
 } from 'furrow-files'
-import { bytesOf, type DroppedFile } from './dropped-files.ts'
+import { bytesOf, type DroppedFile } from '../files/dropped-files.ts'
 
 /** A glTF file that was read but not decoded, and the files that it refers to. */
 export interface FaceFile {

@@ -1,6 +1,7 @@
 import { FurrowError } from 'furrow'
 import { HEAD_BYTES, kindOf, NAME_FACE, otherFormat, unusable } from 'furrow-files'
-import { bytesOf, type DroppedFile } from './dropped-files.ts'
+import { bytesOf, type DroppedFile } from '../files/dropped-files.ts'
+import type { WrinklesFolder } from '../files/folder-files.ts'
 
 /** What a user dropped. */
 export type Dropped = DroppedAvatar | DroppedWrinkles | DroppedCaptures | DroppedAreas
@@ -33,13 +34,6 @@ export interface DroppedCaptures {
 export interface DroppedAreas {
   kind: 'areas'
   images: readonly DroppedFile[]
-}
-
-/** A folder as `furrow pack` reads it. */
-export interface WrinklesFolder {
-  name: string
-  /** All that is below it, with paths relative to it. */
-  files: DroppedFile[]
 }
 
 const FACE = /\.(glb|vrm|gltf)$/i
@@ -77,7 +71,7 @@ async function unpacked(files: readonly DroppedFile[]): Promise<DroppedFile[]> {
   const lists = files.map(async (dropped) => {
     const { path, file } = dropped
     if (!/\.zip$/i.test(path)) return dropped
-    const { unzipFolder } = await import('../keep/zip.ts')
+    const { unzipFolder } = await import('../files/zip.ts')
     const inside = await unzipFolder(file, path)
     const folder = path.replace(/\.zip$/i, '')
     return inside.map((each) => ({ path: `${folder}/${each.path}`, file: new File([each.file], each.path) }))

@@ -1,7 +1,7 @@
 import { type FileWrinkles, readImages } from 'furrow/internal'
 import { folderDocument, WRINKLES_FILE } from 'furrow-files'
-import { Folder } from './folder.ts'
-import type { WrinklesFolder } from './sort-files.ts'
+import { Folder } from '../files/folder.ts'
+import type { WrinklesFolder } from '../files/folder-files.ts'
 
 /**
  * Reads a folder of wrinkles as `furrow pack` does.

@@ -1,6 +1,6 @@
 import { type ReadonlySignal, signal } from '@preact/signals'
 import { type AutoOptions, type AutoWrinkles, autoWrinklesInWorker } from 'furrow/auto'
-import type { SkinSource } from './skin-source.ts'
+import type { SkinSource } from '../open/skin-source.ts'
 
 /** How far a run is. */
 export interface AutoRun {

@@ -1,6 +1,6 @@
-import type { FaceFiles } from '../export/files.ts'
+import { bytesOf } from '../files/dropped-files.ts'
+import type { FaceFiles } from '../files/face-files.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
-import { bytesOf } from '../open/dropped-files.ts'
 
 /** The files of an avatar, as they were opened. Rejects with a FurrowError where they can no longer be read. */
 export async function faceFilesOf({ files }: OpenedAvatar): Promise<FaceFiles> {

@@ -11,8 +11,8 @@ import {
   setMap,
 } from '../document/layers.ts'
 import { freeName } from '../document/names.ts'
+import { bytesOf } from '../files/dropped-files.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
-import { bytesOf } from '../open/dropped-files.ts'
 import { saveFile } from '../save-file.ts'
 import { type DrawnWork, documentToExport } from './exporting.ts'
 import { faceFilesOf } from './face-files.ts'
@@ -148,7 +148,7 @@ export class LayerEditor {
         saveFile(new Blob([bytes as BlobPart]), `${avatar.name}-${name}`)
         return
       }
-      const { zipFolder } = await import('../keep/zip.ts')
+      const { zipFolder } = await import('../files/zip.ts')
       const folder = `${avatar.name}-maps`
       const files = images.map(([path, content]) => ({ path, content }))
       saveFile(await zipFolder(files, folder), `${folder}.zip`)

@@ -1,7 +1,7 @@
 import { FurrowError, type GrayImage, imageTypeOf, type RgbaImage } from 'furrow'
 import { decodeImage } from 'furrow/three'
 import type { ImageFile, MapName } from '../document/document.ts'
-import { bytesOf } from '../open/dropped-files.ts'
+import { bytesOf } from '../files/dropped-files.ts'
 
 /**
  * Reads an image as a map of a layer.

@@ -1,6 +1,6 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals'
+import type { FolderFile } from '../files/folder-files.ts'
 import { askToWrite, pickFolder, projectFolder, writeFolder } from '../keep/disk-folder.ts'
-import type { FolderFile } from '../keep/folder-files.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import { documentToExport } from './exporting.ts'
 import type { Workspace } from './workspace.ts'
@@ -32,7 +32,7 @@ export class Saving {
   /** The project with the avatar as one file; null where there is none. Rejects with a FurrowError where it cannot be made. */
   async zip(): Promise<{ file: Blob; name: string } | null> {
     const project = await this.#files()
-    const { zipFolder } = await import('../keep/zip.ts')
+    const { zipFolder } = await import('../files/zip.ts')
     return project && { file: await zipFolder(project.files, project.name), name: `${project.name}.zip` }
   }
 

@@ -10,6 +10,7 @@ import type { ExportOptions } from '../export/export-face.ts'
 import type { Project } from '../keep/project.ts'
 import { nextTask } from '../later.ts'
 import { type OpenedAvatar, openAvatar } from '../open/avatar.ts'
+import { type SkinSource, skinSource } from '../open/skin-source.ts'
 import { skinOfDocument } from '../open/skins.ts'
 import type { DrawnDocument } from '../viewer/document-view.ts'
 import { Automatic } from './automatic.ts'
@@ -19,7 +20,6 @@ import { Keeping } from './keeping.ts'
 import { Latest } from './latest.ts'
 import { grayFile } from './map-file.ts'
 import { Session } from './session.ts'
-import { type SkinSource, skinSource } from './skin-source.ts'
 
 /** What automatic wrinkles are made with at first. */
 export const AUTO_SETTINGS: AutoSettings = { strength: 1, size: 1024, seed: 1 }

@@ -1,5 +1,5 @@
 import type { Mesh } from 'three'
-import { colourOf, drawUvPicture } from '../uv-picture.ts'
+import { colourOf, drawUvPicture } from './uv-picture.ts'
 
 /** Side in pixels. */
 const SIZE = 256

@@ -1,4 +1,4 @@
-import type { TextureFrame } from './texture-camera.ts'
+import type { TextureFrame } from '../tools/texture-camera.ts'
 import type { TextureLine } from './texture-lines.ts'
 
 const GROUND = '#1b1e22'

@@ -5,14 +5,14 @@ import type { PaintSkin } from '../paint/paint-skin.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { Session } from '../session/session.ts'
 import type { Painting } from '../tools/painting.ts'
+import { TextureCamera } from '../tools/texture-camera.ts'
 import { ToolHost } from '../tools/tool-host.ts'
-import { drawUvPicture } from '../uv-picture.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 import { colouredArea } from './area-colours.ts'
 import { brushOutline } from './brush-outline.ts'
-import { TextureCamera } from './texture-camera.ts'
 import { TextureLines } from './texture-lines.ts'
 import { drawTexture } from './texture-picture.ts'
+import { drawUvPicture } from './uv-picture.ts'
 
 /** Side in texels of the picture of the skin. */
 const PICTURE_SIZE = 1024

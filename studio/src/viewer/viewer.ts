@@ -6,6 +6,7 @@ import type { Face } from '../../../stage/face.ts'
 import { isWebGL } from '../../../stage/light.ts'
 import type { RendererKind, Stage, Wrinkles } from '../../../stage/stage.ts'
 import { faceOf, type OpenedAvatar } from '../open/avatar.ts'
+import { releaseFromGPU } from '../open/release.ts'
 import type { CanvasStage } from './canvas-stage.ts'
 import { type Look, Looks } from './looks/looks.ts'
 import { Sides } from './looks/sides.ts'
@@ -14,7 +15,6 @@ import { DrivenAreas } from './pose/driven-areas.ts'
 import { FaceExpressions } from './pose/face-expressions.ts'
 import { MuscleTargets } from './pose/muscle-targets.ts'
 import { type Performance, performanceOf } from './pose/performance.ts'
-import { releaseFromGPU } from './release.ts'
 
 /** One avatar on one renderer's canvas, drawn without wrinkles left of the divider and with them right of it. */
 export class Viewer {

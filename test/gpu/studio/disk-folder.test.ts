@@ -1,8 +1,8 @@
 // The browser's private file system stands in for a folder that a user picks: its handles are of the same kind.
 
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import type { FolderFile } from '../../../studio/src/files/folder-files.ts'
 import { askToWrite, canWriteFolders, pickFolder, writeFolder } from '../../../studio/src/keep/disk-folder.ts'
-import type { FolderFile } from '../../../studio/src/keep/folder-files.ts'
 
 const text = (content: string) => new TextEncoder().encode(content)
 

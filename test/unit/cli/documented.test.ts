@@ -21,7 +21,7 @@ const PAGES: Readonly<Record<string, string>> = {
   worker: 'docs/batch.md',
 }
 
-const modules = import.meta.glob<Record<string, Command>>('../../../packages/cli/src/commands/*.ts', {
+const modules = import.meta.glob<Record<string, Command>>('../../../packages/cli/src/**/commands/*.ts', {
   eager: true,
 })
 const commands = Object.values(modules).flatMap((module) => Object.values(module))

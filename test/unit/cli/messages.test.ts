@@ -68,7 +68,7 @@ describe('a pipe in place of an input', () => {
 })
 
 describe('the help of a command', () => {
-  const commands = import.meta.glob<Record<string, Command>>('../../../packages/cli/src/commands/*.ts', {
+  const commands = import.meta.glob<Record<string, Command>>('../../../packages/cli/src/**/commands/*.ts', {
     eager: true,
   })
 

@@ -1,7 +1,6 @@
 import { curveAt, type MorphDriver, parseDrivers } from 'furrow'
 import { describe, expect, it } from 'vitest'
-import type { AreaDriverType, Drivable } from '../../../studio/src/document/new-driver.ts'
-import { newDriver } from '../../../studio/src/document/new-driver.ts'
+import { type AreaDriverType, type Drivable, newDriver } from '../../../studio/src/document/new-driver.ts'
 import { LABELS } from '../../../studio/src/panels/drivers/labels.ts'
 import { DriverEditor } from '../../../studio/src/session/driver-editor.ts'
 import { Session } from '../../../studio/src/session/session.ts'

@@ -2,9 +2,9 @@ import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import { exportFace } from '../../../studio/src/export/export-face.ts'
-import { openFace, referencesIn, wrinkleSetIn } from '../../../studio/src/export/files.ts'
 import { readFace } from '../../../studio/src/export/read-face.ts'
 import { findingsOf } from '../../../studio/src/export/validate-face.ts'
+import { openFace, referencesIn, wrinkleSetIn } from '../../../studio/src/files/face-files.ts'
 import { Workshop } from '../cli/workshop.ts'
 
 const shop = new Workshop()

@@ -1,5 +1,4 @@
-import type { GrayImage, WrinkleDriver } from 'furrow'
-import { parseDrivers } from 'furrow'
+import { type GrayImage, parseDrivers, type WrinkleDriver } from 'furrow'
 import { parseStrokes, type Stroke } from 'furrow/author'
 import {
   LAYER_DEFAULTS,

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
-import { zipFolder } from '../../../studio/src/keep/zip.ts'
-import { type DroppedFile, filesOfInput, filesOfTransfer } from '../../../studio/src/open/dropped-files.ts'
+import { type DroppedFile, filesOfInput, filesOfTransfer } from '../../../studio/src/files/dropped-files.ts'
+import { zipFolder } from '../../../studio/src/files/zip.ts'
 import { sortFiles } from '../../../studio/src/open/sort-files.ts'
 
 const GLB = 'glTF\x02\0\0\0'

@@ -1,5 +1,4 @@
-import type { JsonReader } from '../core/json.ts'
-import { or } from '../core/json.ts'
+import { type JsonReader, or } from '../core/json.ts'
 import { LARGEST, LONGEST_NAME, MAX_CURVE_POINTS, MAX_LINKS } from '../core/limits.ts'
 import type { Rule } from './activation.ts'
 import type { Curve, CurvePoint } from './curve.ts'

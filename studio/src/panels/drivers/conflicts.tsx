@@ -1,6 +1,5 @@
 import { useComputed } from '@preact/signals'
-import type { ConflictDriver } from 'furrow'
-import { canonicalTargetName } from 'furrow'
+import { type ConflictDriver, canonicalTargetName } from 'furrow'
 import { conflictsOf } from '../../document/driver-faults.ts'
 import type { DriverContext } from './context.ts'
 import { NameSelect, optionsOf } from './fields.tsx'

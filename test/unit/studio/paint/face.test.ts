@@ -1,7 +1,6 @@
 import { existsSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
-import type { Mesh } from 'three'
-import { Ray, Vector3 } from 'three'
+import { type Mesh, Ray, Vector3 } from 'three'
 import { describe, expect, it } from 'vitest'
 import { BRUSH_DEFAULTS, falloff } from '../../../../studio/src/paint/brush.ts'
 import { BrushStroke } from '../../../../studio/src/paint/brush-stroke.ts'

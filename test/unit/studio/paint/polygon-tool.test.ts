@@ -1,10 +1,10 @@
 import { Ray, Vector3 } from 'three'
 import { beforeEach, expect, it } from 'vitest'
 import { type SkinHit, SkinPicker } from '../../../../studio/src/paint/picker.ts'
-import { TexturePicker } from '../../../../studio/src/texture/texture-picker.ts'
 import { Polygon } from '../../../../studio/src/tools/polygon.ts'
 import { PolygonTool } from '../../../../studio/src/tools/polygon-tool.ts'
 import type { StagePointer } from '../../../../studio/src/tools/stage-tool.ts'
+import { TexturePicker } from '../../../../studio/src/tools/texture-picker.ts'
 import { paintSkin, plainSheet } from './skins.ts'
 
 let polygon: Polygon

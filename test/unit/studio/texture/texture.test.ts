@@ -8,8 +8,8 @@ import { BRUSH_DEFAULTS } from '../../../../studio/src/paint/brush.ts'
 import { SkinPicker } from '../../../../studio/src/paint/picker.ts'
 import { brushOutline } from '../../../../studio/src/texture/brush-outline.ts'
 import { TextureLines } from '../../../../studio/src/texture/texture-lines.ts'
-import { TexturePicker } from '../../../../studio/src/texture/texture-picker.ts'
 import { PaintTool } from '../../../../studio/src/tools/paint-tool.ts'
+import { TexturePicker } from '../../../../studio/src/tools/texture-picker.ts'
 import { cutSheet, empty, paintSkin, placesOf } from '../paint/skins.ts'
 
 const SIZE = 64

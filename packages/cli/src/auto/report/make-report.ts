@@ -1,24 +1,12 @@
 import { writeFileSync } from 'node:fs'
 import { basename, join } from 'node:path'
-import type { AutoWrinkles } from 'furrow/author'
-import { encodeGlb, type FoundSkin, type Glb, type OutputFile, type Progress, wrinklesOf } from 'furrow-files'
+import { encodeGlb, type Glb, type OutputFile, type Progress, wrinklesOf } from 'furrow-files'
 import { temporaryFolder } from '../../interruption.ts'
 import type { Steps } from '../steps.ts'
 import { reportPage } from './page.ts'
 import { drawAreas, drawFaces, drawLayers, drawStrain } from './pictures.ts'
 import { type Pose, posesOf } from './poses.ts'
-
-/** The input of a report. */
-export interface ReportSource {
-  /** Path of the file with the wrinkles, which need not have been written yet. */
-  path: string
-  glb: Glb
-  found: FoundSkin
-  wrinkles: AutoWrinkles
-  /** By name, as on the command line. */
-  settings: Readonly<Record<string, string | number>>
-  warnings: readonly string[]
-}
+import type { ReportSource } from './report-source.ts'
 
 /** The files of a report. */
 export interface ReportFiles {

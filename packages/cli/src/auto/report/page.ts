@@ -1,9 +1,9 @@
 import type { AutoArea, Landmarks, Place } from 'furrow/author'
 import { htmlPage } from '../../html-page.ts'
 import { type Content, html, type Markup } from '../../markup.ts'
-import type { ReportSource } from './make-report.ts'
 import type { BeforeAndAfter, ReportImage } from './pictures.ts'
 import type { Pose } from './poses.ts'
+import type { ReportSource } from './report-source.ts'
 import { COLOUR_SCALE, MAX_COMPRESSION } from './strain-colours.ts'
 import { STYLE } from './style.ts'
 

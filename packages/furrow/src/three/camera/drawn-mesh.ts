@@ -1,5 +1,4 @@
-import type { Mesh, Object3D, SkinnedMesh } from 'three'
-import { Vector3 } from 'three'
+import { type Mesh, type Object3D, type SkinnedMesh, Vector3 } from 'three'
 import { trianglesOf } from '../sources/geometry-arrays.ts'
 
 /** A mesh as it is drawn, with its blendshapes at 0. */

@@ -12,8 +12,7 @@ import {
   type WebGLRenderer,
 } from 'three'
 import { FurrowError } from '../../../core/error.ts'
-import type { CoarseParts } from '../../relief/coarse-pass.ts'
-import { COARSE_WIDTH } from '../../relief/coarse-pass.ts'
+import { COARSE_WIDTH, type CoarseParts } from '../../relief/coarse-pass.ts'
 import type { ReliefInputs } from '../../relief/relief-inputs.ts'
 import type { ReliefParts } from '../../relief/relief-parts.ts'
 import { NEWEST_THREE } from '../../three-version.ts'

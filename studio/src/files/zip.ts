@@ -1,8 +1,7 @@
 import { type UnzipFileInfo, unzip, Zip, ZipDeflate, ZipPassThrough } from 'fflate'
 import { FurrowError } from 'furrow'
-import { bytesOf } from '../open/dropped-files.ts'
-import type { AvatarFile } from './database.ts'
-import type { FolderFile } from './folder-files.ts'
+import { bytesOf } from './dropped-files.ts'
+import type { AvatarFile, FolderFile } from './folder-files.ts'
 
 /** Most bytes that the files of an archive may have when they are unpacked. */
 const MOST_BYTES = 2 ** 30

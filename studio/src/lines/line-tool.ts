@@ -3,7 +3,7 @@ import type { LineEditor } from '../lines/line-editor.ts'
 import { nearestKnot, nearestLine, type ProjectedLine } from '../lines/project-lines.ts'
 import { type PathPoint, reducePath } from '../lines/reduce-path.ts'
 import type { SkinPicker } from '../paint/picker.ts'
-import type { StagePointer, StageTool } from './stage-tool.ts'
+import type { StagePointer, StageTool } from '../tools/stage-tool.ts'
 
 /** CSS pixels within which the pointer is on a line, and on a point, which comes first. */
 const ON_LINE = 8

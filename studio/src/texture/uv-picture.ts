@@ -1,6 +1,6 @@
 import { drawUvLayout } from 'furrow/author'
 import type { Mesh, MeshStandardMaterial } from 'three'
-import { readSkin } from './paint/read-skin.ts'
+import { readSkin } from '../paint/read-skin.ts'
 
 /** Side of a template in texels. */
 const TEMPLATE_SIZE = 2048

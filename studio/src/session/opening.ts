@@ -1,14 +1,14 @@
 import { FurrowError } from 'furrow'
 import { displayName } from '../display-name.ts'
+import type { DroppedFile } from '../files/dropped-files.ts'
 import type { Loading } from '../loading.ts'
 import type { Messages } from '../messages.ts'
+import { type OpenedAvatar, openDropped } from '../open/avatar.ts'
+import { sortFiles } from '../open/sort-files.ts'
 import type { Workspace } from '../session/workspace.ts'
 import { fetchFace } from '../viewer/faces.ts'
 import type { ShownFace } from '../viewer/shown-face.ts'
 import type { LoadAvatar, ViewerHost } from '../viewer/viewer-host.ts'
-import { type OpenedAvatar, openDropped } from './avatar.ts'
-import type { DroppedFile } from './dropped-files.ts'
-import { sortFiles } from './sort-files.ts'
 
 export interface OpeningParts {
   host: ViewerHost
