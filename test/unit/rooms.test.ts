@@ -4,46 +4,107 @@ import { fileURLToPath } from 'node:url'
 import { describe, expect, it } from 'vitest'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
-const SOURCES = join(ROOT, 'packages/furrow/src')
+const LIBRARY = 'packages/furrow/src'
 
-/** A file of the library and what it imports: files by their paths in `src`, packages by their names. */
+/** Folders with rooms. Of each, files outside of all rooms are entries, which may import any room. */
+const HOMES = [LIBRARY, 'packages/files/src', 'packages/cli/src', 'studio/src', 'stage']
+
+/** Names for the workspace alone: of all rooms, it imports any. */
+const INTERNAL = 'packages/furrow/internal'
+
+/** Everything that has code: in all of it, files import each other in no circle. */
+const CODE = ['packages', 'studio', 'stage', 'bench', 'conformance', 'examples', 'site', 'scripts', 'test']
+
+/** A file and what it imports, types included: files by their paths in the repository, others as they are written. */
 interface Source {
   path: string
   imports: string[]
 }
 
-const sources: Source[] = readdirSync(SOURCES, { recursive: true, encoding: 'utf8' })
-  .filter((path) => path.endsWith('.ts'))
-  .map((path) => ({ path, imports: importsOf(path) }))
+const readJson = (path: string) => JSON.parse(readFileSync(join(ROOT, path), 'utf8'))
+const PUBLIC = Object.keys(readJson('packages/furrow/package.json').exports).map(
+  (entry) => `furrow${entry.slice(1)}`,
+)
+const PLATFORMS: Record<string, Record<string, string>> = readJson('packages/files/package.json').imports
 
-function importsOf(path: string): string[] {
-  const text = readFileSync(join(SOURCES, path), 'utf8')
-  const specifiers = [...text.matchAll(/(?:from|import)\s*\(?\s*'([^']+)'/g)].map(
-    ([, specifier]) => specifier,
-  )
-  return specifiers.map((specifier) =>
-    specifier.startsWith('.')
-      ? relative(SOURCES, resolve(SOURCES, dirname(path), specifier))
-      : specifier.replace(/^((?:@[^/]+\/)?[^/]+).*$/, '$1'),
-  )
+const sources = CODE.flatMap(codeIn).map((path): Source => ({ path, imports: importsOf(path) }))
+
+function codeIn(folder: string): string[] {
+  return readdirSync(join(ROOT, folder), { withFileTypes: true }).flatMap((entry) => {
+    const path = `${folder}/${entry.name}`
+    if (entry.isDirectory())
+      return /^(node_modules|dist|cache|pages)$|^\.venv/.test(entry.name) && !path.startsWith('test/')
+        ? []
+        : codeIn(path)
+    return /\.(ts|tsx|mjs)$/.test(entry.name) ? [path] : []
+  })
 }
 
-/** Rows of CONTRIBUTING's table: each room, and the rooms and packages it may import. */
+function importsOf(path: string): string[] {
+  const text = readFileSync(join(ROOT, path), 'utf8')
+  const found = [...text.matchAll(/(?:from|import)\s*\(?\s*'([^']+)'/g)].map(([, specifier]) => specifier)
+  return found.flatMap((specifier) => {
+    if (specifier.startsWith('.')) return relative(ROOT, resolve(ROOT, dirname(path), specifier))
+    const files = specifier.startsWith('#') ? Object.values(PLATFORMS[specifier] ?? {}) : []
+    return files.length > 0 ? files.map((file) => join('packages/files', file)) : specifier
+  })
+}
+
+const homeOf = (path: string) => HOMES.find((home) => path.startsWith(`${home}/`))
+
+/** Rows of CONTRIBUTING's tables: each room, and the rooms and packages that it may import. */
 function allowedImports(): Map<string, string[]> {
   const page = readFileSync(join(ROOT, 'CONTRIBUTING.md'), 'utf8')
-  const rows = page.matchAll(/^\| `packages\/furrow\/src\/([\w/]+)` \| [^|]+ \| ([^|]+) \|$/gm)
+  const rows = page.matchAll(/^\| `((?:packages\/|studio\/|stage)[\w/]*)` \| [^|]+ \| ([^|]+) \|$/gm)
   return new Map(
     [...rows].map(([, room, imports]) => [room, [...imports.matchAll(/`([^`]+)`/g)].map(([, name]) => name)]),
   )
 }
 
 const allowed = allowedImports()
+const rooms = [...allowed].filter(([room]) => room !== INTERNAL)
 
-/** The room of a file: the deepest folder that the table names. Entries of the package belong to none. */
+/** The room of a file: the deepest folder that the tables name. Entries belong to none. */
 function roomOf(path: string): string | undefined {
-  if (!path.includes('/') || path === 'three/index.ts') return undefined
-  const rooms = [...allowed.keys()].filter((room) => path.startsWith(`${room}/`))
-  return rooms.sort((a, b) => b.length - a.length)[0]
+  const own = [...allowed.keys()].filter((room) => path.startsWith(`${room}/`) || path === `${room}.ts`)
+  const room = own.sort((a, b) => b.length - a.length)[0]
+  return isEntry(path, room) ? undefined : room
+}
+
+function isEntry(path: string, room: string | undefined): boolean {
+  if (room === undefined || path === `${LIBRARY}/three/index.ts`) return true
+  // At the top of a package: what imports its rooms.
+  if (dirname(path) !== room || !HOMES.includes(room)) return false
+  return importsOf(path).some((name) => name.startsWith(`${room}/`) && dirname(name) !== room)
+}
+
+/** Whether a room may import a file, or a name as it is written. */
+function isAllowed(room: string, name: string): boolean {
+  const home = homeOf(`${room}/`)!
+  const others = allowed.get(room)!
+  if (/\.tsx?$/.test(name)) {
+    const other = roomOf(name)
+    return other === room || others.some((each) => other === each || other === `${home}/${each}`)
+  }
+  if (name.startsWith('.') || /^furrow\b/.test(name))
+    return others.includes(name) || (home !== LIBRARY && PUBLIC.includes(name))
+  // Of packages of others only the library's are listed.
+  return home !== LIBRARY || others.includes(name.replace(/^((?:@[^/]+\/)?[^/]+).*$/, '$1'))
+}
+
+/** Circles in a graph, each as its nodes in their order. */
+function circlesIn(graph: ReadonlyMap<string, readonly string[]>): string[] {
+  const done = new Set<string>()
+  const circles: string[] = []
+  const visit = (node: string, trail: readonly string[]) => {
+    const start = trail.indexOf(node)
+    if (start >= 0) circles.push([...trail.slice(start), node].join(' -> '))
+    if (start >= 0 || done.has(node)) return
+    for (const next of graph.get(node) ?? []) visit(next, [...trail, node])
+    done.add(node)
+  }
+  for (const node of graph.keys()) visit(node, [])
+  return circles
 }
 
 /** Rooms within a room, in the direction of the data: each imports only from those before it, and of the folder itself what is shared. */
@@ -65,54 +126,67 @@ const WITHIN = [
   },
 ]
 
-describe('the rooms of the library', () => {
-  it('are all in the table of CONTRIBUTING', () => {
-    const folders = readdirSync(SOURCES, { withFileTypes: true }).filter((entry) => entry.isDirectory())
-    for (const { name } of folders) expect([...allowed.keys()]).toContain(name)
+describe('the rooms', () => {
+  it.each(HOMES)('of %s are all in the tables of CONTRIBUTING', (home) => {
+    const own = sources.filter(({ path }) => path.startsWith(`${home}/`))
+    expect(own.length).toBeGreaterThan(0)
+    const folders = new Set(own.map(({ path }) => path.split('/').slice(0, home.split('/').length + 1)))
+    for (const folder of [...folders].map((parts) => parts.join('/'))) {
+      if (!/\.\w+$/.test(folder)) expect([...allowed.keys()]).toContain(folder)
+    }
   })
 
-  it.each([...allowed])('%s imports %j and itself only', (room, others) => {
-    const files = sources.filter(({ path }) => roomOf(path) === room)
+  it.each(rooms)('%s imports %j and itself only', (room) => {
+    const files = sources.filter(({ path }) => roomOf(path) === room && !path.endsWith('.config.ts'))
     expect(files.length).toBeGreaterThan(0)
     const wrong = files.flatMap(({ path, imports }) =>
-      imports
-        .filter((name) => {
-          const other = name.endsWith('.ts') ? roomOf(name) : name
-          return other !== room && !others.includes(other ?? '')
-        })
-        .map((name) => `${path} imports ${name}`),
+      imports.filter((name) => !isAllowed(room, name)).map((name) => `${path} imports ${name}`),
     )
     expect(wrong).toEqual([])
   })
 
   it.each(WITHIN)('those of $folder import earlier ones only', ({ folder, rooms, shared }) => {
-    const folders = readdirSync(join(SOURCES, folder), { withFileTypes: true })
+    const home = `${LIBRARY}/${folder}`
+    const folders = readdirSync(join(ROOT, home), { withFileTypes: true })
     expect(folders.filter((entry) => entry.isDirectory()).map(({ name }) => name)).toEqual([...rooms].sort())
     rooms.forEach((room, index) => {
       const may = [...rooms.slice(0, index + 1).map((name) => `${name}/`), ...shared]
-      const files = sources.filter(({ path }) => path.startsWith(`${folder}/${room}/`))
+      const files = sources.filter(({ path }) => path.startsWith(`${home}/${room}/`))
       const wrong = files.flatMap(({ path, imports }) =>
         imports
-          .filter((name) => name.startsWith(`${folder}/`))
-          .filter((name) => !may.some((start) => name.startsWith(`${folder}/${start}`)))
+          .filter((name) => name.startsWith(`${home}/`))
+          .filter((name) => !may.some((start) => name.startsWith(`${home}/${start}`)))
           .map((name) => `${path} imports ${name}`),
       )
       expect(wrong).toEqual([])
     })
   })
 
-  it('have no circle of imports, those of types included', () => {
-    const byPath = new Map(sources.map(({ path, imports }) => [path, imports]))
-    const done = new Set<string>()
-    const circles: string[] = []
-    const visit = (path: string, trail: readonly string[]) => {
-      const start = trail.indexOf(path)
-      if (start >= 0) circles.push([...trail.slice(start), path].join(' -> '))
-      if (start >= 0 || done.has(path)) return
-      for (const next of byPath.get(path) ?? []) visit(next, [...trail, path])
-      done.add(path)
+  it('of files, commands and studio import each other in no circle', () => {
+    const graph = new Map<string, string[]>()
+    for (const { path, imports } of sources) {
+      const room = roomOf(path)
+      const home = homeOf(path)
+      if (room === undefined || home === LIBRARY) continue
+      const others = imports.flatMap((name) => roomOf(name) ?? []).filter((other) => other !== room)
+      graph.set(room, [...(graph.get(room) ?? []), ...others])
     }
-    for (const path of byPath.keys()) visit(path, [])
-    expect(circles).toEqual([])
+    expect(circlesIn(graph)).toEqual([])
   })
+
+  it('reach no file of another package past its entries', () => {
+    const packageOf = (path: string) => /^(packages\/\w+|studio)\//.exec(path)?.[1]
+    const wrong = sources
+      .filter(({ path }) => /^(packages|studio|stage|conformance|examples)\/(?!.*\.config\.ts$)/.test(path))
+      .flatMap(({ path, imports }) =>
+        imports
+          .filter((name) => packageOf(name) !== undefined && packageOf(name) !== packageOf(path))
+          .map((name) => `${path} imports ${name}`),
+      )
+    expect(wrong).toEqual([])
+  })
+})
+
+it('no files import each other in a circle', () => {
+  expect(circlesIn(new Map(sources.map(({ path, imports }) => [path, imports])))).toEqual([])
 })
