@@ -1,5 +1,6 @@
 import { type GrayImage, type LayerKind, packAreas, packColours, reference } from 'furrow'
 import type { WrinklesOptions } from 'furrow/three'
+import { removeArea } from 'furrow/three'
 import { type Camera, DataTexture, DirectionalLight, LinearFilter, MeshLambertMaterial, Scene } from 'three'
 import { layer, randomAreas, randomNormals } from '../cases.ts'
 import { type Harness, square } from './harness.ts'
@@ -47,7 +48,7 @@ export function mixingCase(
     material,
     normalMap,
     remove(name: string) {
-      wrinkles.removeArea(name)
+      removeArea(wrinkles, name)
       areas = areas.filter((area) => area.name !== name)
     },
     /**

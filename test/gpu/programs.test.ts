@@ -1,3 +1,4 @@
+import { addArea, removeArea } from 'furrow/three'
 import { DirectionalLight, MeshPhysicalMaterial, Scene } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { randomAreas, randomSet } from '../cases.ts'
@@ -32,12 +33,12 @@ describe.each(RENDERERS)('shader programs on %s', (name) => {
     }
     const programs = await draw()
     for (const count of COUNTS) {
-      while (wrinkles.areaNames.length < count) wrinkles.addArea(areas[wrinkles.areaNames.length])
+      while (wrinkles.areaNames.length < count) addArea(wrinkles, areas[wrinkles.areaNames.length])
       expect(await draw(), `${count} areas`).toBe(programs)
     }
     for (const count of [...COUNTS].reverse()) {
       while (wrinkles.areaNames.length > count)
-        wrinkles.removeArea(wrinkles.areaNames[wrinkles.areaNames.length - 1])
+        removeArea(wrinkles, wrinkles.areaNames[wrinkles.areaNames.length - 1])
       expect(await draw(), `back at ${count} areas`).toBe(programs)
     }
     // The last area of each count differs, so that the array was rebuilt; removing areas gives the same pictures again.

@@ -2,6 +2,7 @@ import type { Area, GrayImage, Layer, RgbaImage, WrinkleSet } from 'furrow'
 import {
   type Bounds,
   type LayerImages,
+  removeArea,
   scaleLayer,
   updateArea,
   updateLayer,
@@ -240,7 +241,7 @@ describe.each(LONG_TEST_RENDERERS)('wrinkles that are changed while they are sho
     set.areas[0].weights = randomWeights(random, AREA)
     updateArea(second.wrinkles, 'area0', set.areas[0].weights)
     for (const { mesh } of [second, first]) await expectFresh(mesh, set, MAP)
-    second.wrinkles.removeArea('area1')
+    removeArea(second.wrinkles, 'area1')
     // From now on only the layers are shared.
     updateArea(first.wrinkles, 'area0', randomWeights(random, AREA))
     await expectFresh(second.mesh, { ...set, areas: set.areas.filter(({ name }) => name !== 'area1') }, MAP)

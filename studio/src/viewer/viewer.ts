@@ -1,5 +1,5 @@
 import { type Area, driversOf, FurrowError, type WrinkleDriver } from 'furrow'
-import { Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
+import { addArea, removeArea, Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
 import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import type { Mesh } from 'three'
 import type { Face } from '../../../stage/face.ts'
@@ -195,7 +195,7 @@ export class Viewer {
   /** @throws FurrowError if the area cannot be added; nothing changes then. */
   addArea(area: Area): void {
     if (!this.wrinkles) throw withoutLayers(area.name)
-    this.wrinkles.addArea(area)
+    addArea(this.wrinkles, area)
     this.#face.wrinkles?.set.areas.push(area)
     this.driven.resting.set(area.name, area.activation ?? 0)
     this.#areasChanged()
@@ -204,7 +204,7 @@ export class Viewer {
   /** @throws FurrowError if the area is the last one. */
   removeArea(name: string): void {
     if (!this.wrinkles) return
-    this.wrinkles.removeArea(name)
+    removeArea(this.wrinkles, name)
     const set = this.#face.wrinkles?.set
     if (set) set.areas = set.areas.filter((area) => area.name !== name)
     const isShown = this.#look.name === 'influence' && this.#look.area === name

@@ -1,5 +1,13 @@
 import { areaWeights, FurrowError } from 'furrow'
-import { decodeImage, ExpressionPlayer, loadWrinkleSet, toGray, Wrinkles } from 'furrow/three'
+import {
+  addArea,
+  decodeImage,
+  ExpressionPlayer,
+  loadWrinkleSet,
+  removeArea,
+  toGray,
+  Wrinkles,
+} from 'furrow/three'
 import { DataTexture, Mesh, MeshBasicMaterial, MeshStandardMaterial, PlaneGeometry } from 'three'
 import { describe, expect, it, vi } from 'vitest'
 import { randomImage, randomSet } from '../../cases.ts'
@@ -197,13 +205,13 @@ describe('maps and areas', () => {
     const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
     const wrinkles = new Wrinkles(mesh, set)
     const [area] = set.areas
-    expect(() => wrinkles.addArea(area)).toThrow(
-      /^Wrinkles.addArea: two areas with the same name, got "area0"/,
+    expect(() => addArea(wrinkles, area)).toThrow(/^addArea: two areas with the same name, got "area0"/)
+    expect(() => addArea(wrinkles, { ...area, name: 'b', layer: 'skim' })).toThrow(
+      /unknown layer, got "skim"/,
     )
-    expect(() => wrinkles.addArea({ ...area, name: 'b', layer: 'skim' })).toThrow(/unknown layer, got "skim"/)
-    expect(() => wrinkles.removeArea('b')).toThrow(/unknown area, got "b", allowed: "area0"/)
-    expect(() => wrinkles.removeArea('area0')).toThrow(
-      /^Wrinkles.removeArea: no areas, got 0, allowed: 1 to 256 areas/,
+    expect(() => removeArea(wrinkles, 'b')).toThrow(/unknown area, got "b", allowed: "area0"/)
+    expect(() => removeArea(wrinkles, 'area0')).toThrow(
+      /^removeArea: no areas, got 0, allowed: 1 to 256 areas/,
     )
     expect(wrinkles.areaNames).toEqual(['area0'])
   })

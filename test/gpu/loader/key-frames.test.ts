@@ -1,4 +1,4 @@
-import { activationTrack, WrinkleLoaderPlugin, type WrinklesBase, wrinklesOf } from 'furrow/three'
+import { activationTrack, removeArea, WrinkleLoaderPlugin, type WrinklesBase, wrinklesOf } from 'furrow/three'
 import { AnimationClip, AnimationMixer, type Object3D } from 'three'
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
@@ -143,7 +143,7 @@ describe('key frames of a file', () => {
     const mixer = new AnimationMixer(gltf.scene)
     mixer.clipAction(gltf.animations[0]).play()
     mixer.setTime(0.1)
-    wrinkles.removeArea(wrinkles.areaNames[NOSE])
+    removeArea(wrinkles, wrinkles.areaNames[NOSE])
     warn.mockClear()
     mixer.setTime(0.2)
     mixer.setTime(0.3)

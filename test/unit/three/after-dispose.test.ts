@@ -1,8 +1,10 @@
 import { parseDrivers } from 'furrow'
 import {
   activationTrack,
+  addArea,
   addDrivers,
   ExpressionPlayer,
+  removeArea,
   updateArea,
   updateLayer,
   Wrinkles,
@@ -26,8 +28,8 @@ describe('after dispose', () => {
         wrinkles.mode = 'composed'
       },
     ],
-    ['addArea', () => wrinkles.addArea({ ...set().areas[0], name: 'b' })],
-    ['removeArea', () => wrinkles.removeArea('area0')],
+    ['addArea', () => addArea(wrinkles, { ...set().areas[0], name: 'b' })],
+    ['removeArea', () => removeArea(wrinkles, 'area0')],
     ['inputs.set', () => wrinkles.inputs.set('age', 40)],
     ['addMesh', () => wrinkles.addMesh(mesh)],
     ['update', () => wrinkles.update()],

@@ -1,11 +1,13 @@
 import { parseDrivers, registerDriver } from 'furrow'
 import {
   activationTrack,
+  addArea,
   addDrivers,
   addMuscles,
   ExpressionPlayer,
   FaceScores,
   RecomputedNormals,
+  removeArea,
   scaleLayer,
   updateArea,
   updateLayer,
@@ -50,28 +52,28 @@ describe('wrong arguments', () => {
         wrinkles.clock = any(null)
       },
     ],
-    ['addArea(null)', /^Wrinkles.addArea: an area, got "null"/, () => wrinkles.addArea(any(null))],
+    ['addArea(null)', /^addArea: an area, got "null"/, () => addArea(wrinkles, any(null))],
     [
       'addArea without weights',
-      /^Wrinkles.addArea: weights of area "b", got "undefined"/,
-      () => wrinkles.addArea(any({ name: 'b' })),
+      /^addArea: weights of area "b", got "undefined"/,
+      () => addArea(wrinkles, any({ name: 'b' })),
     ],
     [
       'addArea without data',
-      /^Wrinkles.addArea area "b": data of an image/,
-      () => wrinkles.addArea({ name: 'b', weights: any({ width: 2, height: 2 }) }),
+      /^addArea area "b": data of an image/,
+      () => addArea(wrinkles, { name: 'b', weights: any({ width: 2, height: 2 }) }),
     ],
     [
       'addArea with NaN',
-      /^Wrinkles.addArea: activation of area "b", got NaN/,
-      () => wrinkles.addArea({ ...area, name: 'b', activation: Number.NaN }),
+      /^addArea: activation of area "b", got NaN/,
+      () => addArea(wrinkles, { ...area, name: 'b', activation: Number.NaN }),
     ],
     [
       'addArea with a rule of its own',
-      /^Wrinkles.addArea: combine of area "b", got "min", allowed: sum or max/,
-      () => wrinkles.addArea({ ...area, name: 'b', combine: any('min') }),
+      /^addArea: combine of area "b", got "min", allowed: sum or max/,
+      () => addArea(wrinkles, { ...area, name: 'b', combine: any('min') }),
     ],
-    ['removeArea(null)', /^Wrinkles: unknown area, got null/, () => wrinkles.removeArea(any(null))],
+    ['removeArea(null)', /^Wrinkles: unknown area, got null/, () => removeArea(wrinkles, any(null))],
     [
       'setActivation of no area',
       /^Wrinkles: unknown area, got null/,

@@ -1,5 +1,5 @@
 import type { WrinkleDriver } from 'furrow'
-import { addDrivers, ExpressionPlayer } from 'furrow/three'
+import { addDrivers, ExpressionPlayer, removeArea } from 'furrow/three'
 import { afterEach, describe, expect, it, vi } from 'vitest'
 import { drivenFace, morph, STRAIGHT } from './driven-face.ts'
 
@@ -200,7 +200,7 @@ describe('addDrivers', () => {
     ])
     mesh.morphTargetInfluences![0] = 0.5
     expect(activations()).toEqual([0.5, 0.45, 0])
-    wrinkles.removeArea('brow')
+    removeArea(wrinkles, 'brow')
     for (let i = 0; i < 3; i++) expect(activations()).toEqual([null, 0.45, 0])
     expect(warn).toHaveBeenCalledTimes(1)
     expect(warn.mock.calls[0][0]).toContain('area \\"brow\\"')

@@ -187,31 +187,6 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   }
 
   /**
-   * Adds an area at run time, with its activation at rest. Shaders are not recompiled.
-   *
-   * @throws FurrowError when its name is taken, its image malformed or its layer unknown; nothing then changes.
-   */
-  addArea(area: Area): void {
-    this.checkInUse('addArea')
-    this.#replaceAreas([...this.areas, area], 'Wrinkles.addArea')
-    for (const face of this.faces) face.setResting(area.name, area.activation ?? 0)
-  }
-
-  /**
-   * Removes an area at run time. Shaders are not recompiled.
-   *
-   * @throws FurrowError when no area has that name, or it is the last one.
-   */
-  removeArea(name: string): void {
-    this.checkInUse('removeArea')
-    this.getActivation(name)
-    this.#replaceAreas(
-      this.areas.filter((area) => area.name !== name),
-      'Wrinkles.removeArea',
-    )
-  }
-
-  /**
    * Creates a material that shows influence as gray on the moving mesh, black = none, white = 1: the current influence, or the weights
    * of some areas, whatever their activations. Dispose of it after use, and create it again after areas were added or removed. On a page
    * that loads files and does not import `Wrinkles`, it is black until what draws it was fetched.
@@ -259,7 +234,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     return this.#material.clone()
   }
 
-  /** What `updateArea` and `updateLayer` change: this and all faces with the same textures. @internal */
+  /** Data that `addArea`, `updateArea` and `updateLayer` change: this and all faces with the same textures. @internal */
   editable(method: string): { areas: Area<ArraySlice>[]; inputs: ShaderInputs } {
     this.checkInUse(method)
     return { areas: this.areas, inputs: this.#inputs }
@@ -358,7 +333,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     return this.#relief
   }
 
-  #replaceAreas(areas: Area<ArraySlice>[], who: string): void {
+  /** Exchanges the list of areas, for `addArea` and `removeArea`. @internal */
+  replaceAreas(areas: Area<ArraySlice>[], who: string): void {
     const { textures } = this.#inputs
     checkAreas(areas, textures.layers, who)
     const array = createAreaArray(areas, textures.layers, this.#options.areaSize, who)

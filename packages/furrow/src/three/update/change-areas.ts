@@ -1,0 +1,36 @@
+import type { Area } from '../../core/types.ts'
+import { checkWrinkles } from '../../runtime/check-wrinkles.ts'
+import type { WrinklesBase } from '../wrinkles-base.ts'
+
+/**
+ * Adds an area to wrinkles, with its activation at rest. Shaders are not recompiled.
+ *
+ * @param wrinkles of the face.
+ * @param area as in a wrinkle set.
+ * @throws FurrowError when its name is taken, its image malformed, its layer unknown, or the wrinkles were disposed of; nothing then changes.
+ */
+export function addArea(wrinkles: WrinklesBase, area: Area): void {
+  checkWrinkles(wrinkles, 'addArea')
+  const { areas } = wrinkles.editable('addArea')
+  wrinkles.replaceAreas([...areas, area], 'addArea')
+  for (let i = 0; i < wrinkles.faceCount; i++) {
+    wrinkles.setRestingActivation(area.name, area.activation ?? 0, i)
+  }
+}
+
+/**
+ * Removes an area from wrinkles. Shaders are not recompiled.
+ *
+ * @param wrinkles of the face.
+ * @param name of the area.
+ * @throws FurrowError when no area has that name, it is the last one, or the wrinkles were disposed of; nothing then changes.
+ */
+export function removeArea(wrinkles: WrinklesBase, name: string): void {
+  checkWrinkles(wrinkles, 'removeArea')
+  const { areas } = wrinkles.editable('removeArea')
+  wrinkles.getActivation(name)
+  wrinkles.replaceAreas(
+    areas.filter((area) => area.name !== name),
+    'removeArea',
+  )
+}
