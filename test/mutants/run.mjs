@@ -1,49 +1,52 @@
-// Runs each mutant against the unit tests that reach it: node test/mutants/run.mjs [--mutants shaders.json] [--ids 1,2]
+// Runs each mutant against the tests that reach it: node test/mutants/run.mjs [--mutants shaders.json] [--ids 1,2] [--output FILE]
 //
 // A mutant is killed by the first test file that fails. Its known killers run first, so that a run that finds no loss is short.
 
-import { spawn } from 'node:child_process'
+import { execFileSync, spawn } from 'node:child_process'
 import { existsSync, mkdtempSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
-import { join } from 'node:path'
+import { basename, join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { parseArgs } from 'node:util'
+import { runnerImport } from 'vite'
+import { createVitest } from 'vitest/node'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
-const CONFIG = 'test/mutants/vitest.config.ts'
-/** Seconds until a mutant counts as killed by an endless loop, beyond those that its tests took before. */
+const CONFIG = join(ROOT, 'test/mutants/vitest.config.ts')
+/** Seconds until a mutant counts as killed by an endless loop, beyond six times those that the test file takes without one. */
 const PATIENCE = 60
 
 const { values } = parseArgs({
   options: {
     mutants: { type: 'string', default: 'mutants.json' },
     ids: { type: 'string' },
+    // Folder of an earlier run with FURROW_REACHED, to save another one.
     reached: { type: 'string' },
+    // Seconds of tests, as they take without a mutant, after which a mutant counts as a survivor.
+    budget: { type: 'string', default: 'Infinity' },
     output: { type: 'string' },
   },
 })
-const path = join(ROOT, 'test/mutants', values.mutants)
-const list = JSON.parse(readFileSync(path, 'utf8'))
+const list = JSON.parse(readFileSync(join(ROOT, 'test/mutants', values.mutants), 'utf8'))
 const ids = values.ids?.split(',').map(Number)
 const lost = await findLost()
-const chosen = list.mutants.filter(
-  (mutant) => (ids?.includes(mutant.id) ?? true) && !lost.includes(mutant.id),
-)
+const chosen = list.mutants.filter(({ id }) => (ids?.includes(id) ?? true) && !lost.includes(id))
 
+let vitest
 let reached
 const survivors = []
 for (const mutant of chosen) {
   const began = performance.now()
   mutant.killers = await (mutant.tests ? killersOfShader(mutant) : killersOf(mutant))
-  const seconds = (performance.now() - began) / 1000
+  const seconds = ((performance.now() - began) / 1000).toFixed(0)
   if (mutant.killers.length === 0) survivors.push(mutant.id)
   const result = mutant.killers.length > 0 ? `killed by ${mutant.killers.join(', ')}` : 'survived'
-  console.info(`${mutant.id} ${result} (${seconds.toFixed(0)} s) ${mutant.file}: ${mutant.line}`)
+  console.info(`${mutant.id} ${result} (${seconds} s) ${mutant.file}: ${mutant.line}`)
   if (values.output) writeFileSync(values.output, textOf(list))
 }
-console.info(
-  `${chosen.length - survivors.length} of ${chosen.length} killed; survivors: ${survivors.join(', ')}`,
-)
+const killed = chosen.length - survivors.length
+console.info(`${killed} of ${chosen.length} killed; lost: ${lost.length}; survivors: ${survivors.join(', ')}`)
+process.exit()
 
 /** A mutant on each line. */
 function textOf({ mutants, ...others }) {
@@ -51,100 +54,116 @@ function textOf({ mutants, ...others }) {
   return `${JSON.stringify({ ...others, mutants: [] }, null, 2).replace('[]', () => `[\n${lines.join(',\n')}\n  ]`)}\n`
 }
 
-/** Mutants whose line was rewritten. */
+/** Ids of mutants whose line was rewritten. */
 async function findLost() {
-  const { runnerImport } = await import('vite')
   const { module } = await runnerImport(join(ROOT, 'test/mutants/instrument.ts'))
   const { lost } = module.findMutants(list.mutants, ROOT)
   for (const { id, file, line } of lost) console.info(`${id} is lost: ${file}: ${line}`)
   return lost.map(({ id }) => id)
 }
 
-/**
- * What each test file reaches, and how long it takes: from the folder of an earlier run, or from a run without a mutant. Files that fail
- * by themselves tell nothing.
- */
+/** Tests of the same name and of the same room first, then the quickest: most mutants are killed by these. */
+async function killersOf(mutant) {
+  const known = (mutant.killers ?? []).filter((path) => existsSync(join(ROOT, path)))
+  for (const file of known) {
+    const killers = await failing(mutant, [{ file, seconds: PATIENCE }])
+    if (killers.length > 0) return killers
+  }
+  reached ??= await whatIsReached()
+  const tests = reached
+    .filter((each) => each.reached.includes(mutant.id))
+    .sort((a, b) => distance(mutant, a) - distance(mutant, b) || a.seconds - b.seconds)
+  let left = Number(values.budget)
+  while (tests.length > 0 && left > 0) {
+    const lot = tests.splice(0, 3)
+    const killers = await failing(mutant, lot)
+    if (killers.length > 0) return killers
+    left -= secondsOf(lot)
+  }
+  return []
+}
+
+function distance({ file, room }, test) {
+  const [, folder] = test.file.match(/^test\/unit\/(\w+)\//) ?? []
+  if (basename(file, '.ts') === basename(test.file, '.test.ts')) return 0
+  return folder === (room === 'files' ? 'cli' : room) ? 1 : 2
+}
+
+function secondsOf(tests) {
+  return tests.reduce((sum, { seconds }) => sum + seconds, 0)
+}
+
+/** The test files that fail with a mutant; all of them where they do not end in time. */
+async function failing({ id }, tests) {
+  process.env.FURROW_MUTANT = String(id)
+  vitest ??= await createVitest('test', { config: CONFIG, root: ROOT, watch: false, reporters: [{}] })
+  const paths = tests.map(({ file }) => join(ROOT, file))
+  const specifications = vitest.projects.flatMap((project) =>
+    paths.map((path) => project.createSpecification(path)),
+  )
+  let timer
+  const ended = await Promise.race([
+    vitest.runTestSpecifications(specifications).catch((error) => ({ error })),
+    new Promise((resolve) => {
+      timer = setTimeout(resolve, 1000 * (PATIENCE + 6 * secondsOf(tests)))
+    }),
+  ])
+  clearTimeout(timer)
+  if (ended?.testModules) {
+    const modules = new Map(ended.testModules.map((module) => [module.moduleId, module]))
+    return tests.map(({ file }) => file).filter((file) => !modules.get(join(ROOT, file))?.ok())
+  }
+  // A worker that hangs, or that has died.
+  for (const child of childrenOf(process.pid)) process.kill(child, 'SIGKILL')
+  vitest = undefined
+  return tests.map(({ file }) => file)
+}
+
+function childrenOf(pid) {
+  const table = execFileSync('ps', ['-o', 'pid=,ppid=,args=', '-e'], { encoding: 'utf8' })
+  const rows = table.split('\n').map((row) => row.trim().split(/\s+/))
+  return rows
+    .filter(([, parent, ...args]) => Number(parent) === pid && args.join(' ').includes('vitest'))
+    .map(([child]) => Number(child))
+}
+
+/** What each test file reaches, and how long it takes. Files that fail by themselves tell nothing. */
 async function whatIsReached() {
   const folder = values.reached ?? mkdtempSync(join(tmpdir(), 'furrow-reached-'))
   const report = join(folder, 'report')
-  if (!values.reached) {
-    await vitest(['--reporter=json', `--outputFile=${report}`], { FURROW_REACHED: folder })
-  }
+  if (!values.reached) await runAlone([], { FURROW_REACHED: folder }, report)
   const failed = failedIn(report)
   const names = readdirSync(folder).filter((name) => name.endsWith('.json'))
   const files = names.map((name) => JSON.parse(readFileSync(join(folder, name), 'utf8')))
   return files.filter(({ file }) => !failed.includes(file))
 }
 
-/** Test files that reach a mutant, the quickest first. */
-async function testsOf({ id }) {
-  reached ??= await whatIsReached()
-  return reached.filter((each) => each.reached.includes(id)).sort((a, b) => a.seconds - b.seconds)
-}
-
-/** In three lots, the quickest tests first: most mutants are killed by these. */
-async function killersOf(mutant) {
-  const env = { FURROW_MUTANT: String(mutant.id) }
-  const known = (mutant.killers ?? []).filter((file) => existsSync(join(ROOT, file)))
-  if (known.length > 0) {
-    const killers = await failing(known, env, 10 * PATIENCE)
-    if (killers.length > 0) return killers
-  }
-  const tests = await testsOf(mutant)
-  const lots = [tests.slice(0, 4), tests.slice(4, 16), tests.slice(16)].filter((lot) => lot.length > 0)
-  for (const lot of lots) {
-    const files = lot.map(({ file }) => file)
-    const limit = PATIENCE + 6 * lot.reduce((sum, { seconds }) => sum + seconds, 0)
-    const killers = await failing(files, env, limit)
-    if (killers.length > 0) return killers
-  }
-  return []
-}
-
 /** On the renderer of the shader, one file after the other: each takes a browser. */
 async function killersOfShader({ id, file, tests, killers = [] }) {
-  const renderer = file.includes('/webgpu/') ? 'webgpu' : 'webgl'
+  const renderer = file.includes('/webgpu/') ? 'webgpu(?! on)' : 'webgl'
   for (const test of killers.length > 0 ? killers : tests) {
     const project = test.split('/').length > 3 ? 'gpu-rooms' : 'gpu'
-    const env = { FURROW_PROJECT: project, FURROW_ONLY: String(id) }
-    const found = await failing([test, '-t', `\\b${renderer} `], env, 10 * PATIENCE)
-    if (found.length > 0) return found
+    const env = { FURROW_PROJECT: project, FURROW_ONLY: String(id), FURROW_MUTANTS: values.mutants }
+    const report = join(mkdtempSync(join(tmpdir(), 'furrow-mutant-')), 'report')
+    await runAlone([test, '-t', `\\b${renderer}( |$)`, '--bail=1'], env, report)
+    const failed = failedIn(report)
+    if (failed.length > 0) return failed
   }
   return []
 }
 
-/** The test files that fail first. */
-async function failing(words, env, limit) {
-  const report = join(mkdtempSync(join(tmpdir(), 'furrow-mutant-')), 'report.json')
-  const hasEnded = await vitest(
-    [...words, '--bail=1', '--reporter=json', `--outputFile=${report}`],
-    env,
-    limit,
-  )
-  return hasEnded ? failedIn(report) : ['time']
+/** In a process of its own. */
+function runAlone(words, env, report) {
+  const options = ['run', '--config', CONFIG, '--reporter=json', `--outputFile=${report}`, ...words]
+  const child = spawn(process.execPath, ['node_modules/vitest/vitest.mjs', ...options], {
+    cwd: ROOT,
+    env: { ...process.env, ...env },
+    stdio: 'ignore',
+  })
+  return new Promise((resolve) => child.on('exit', resolve))
 }
 
 function failedIn(report) {
   const { testResults } = JSON.parse(readFileSync(report, 'utf8'))
-  const failed = testResults.filter(({ status }) => status === 'failed')
-  return failed.map(({ name }) => name.slice(ROOT.length))
-}
-
-/** Whether it ended within the limit. */
-function vitest(words, env, limit = 3600) {
-  const child = spawn(
-    process.execPath,
-    ['node_modules/vitest/vitest.mjs', 'run', '--config', CONFIG, ...words],
-    { cwd: ROOT, env: { ...process.env, ...env }, stdio: 'ignore', detached: true },
-  )
-  return new Promise((resolve) => {
-    const timer = setTimeout(() => {
-      process.kill(-child.pid, 'SIGKILL')
-      resolve(false)
-    }, 1000 * limit)
-    child.on('exit', () => {
-      clearTimeout(timer)
-      resolve(true)
-    })
-  })
+  return testResults.filter(({ status }) => status === 'failed').map(({ name }) => name.slice(ROOT.length))
 }
