@@ -6,7 +6,6 @@ import { SOURCES } from './scripts/lib/sources.mjs'
 import { mtoonNodes } from './test/gpu/mtoon-nodes.ts'
 import { FILES_FOR_OLDEST, onOldestThree } from './test/gpu/oldest-three.ts'
 import { serveFaces } from './test/gpu/serve-faces.ts'
-import { GPU_FILES_IN_DEPTH, inDepth, UNIT_FILES_IN_DEPTH } from './test/in-depth.ts'
 
 const { resolve, ssr } = SOURCES
 
@@ -16,69 +15,63 @@ const LATE = { testTimeout: 900_000, hookTimeout: 900_000 }
 
 // By default Vitest leaves one core idle, which is half of two.
 const ALL_CORES = { maxWorkers: '100%' }
-const HEAVY = 'test/unit/**/*.heavy.test.ts'
-const HEAVY_GPU = 'test/gpu/**/*.heavy.test.ts'
-const HEAVY_PAGES = 'test/pages/**/*.heavy.test.ts'
-const HEAVY_PACKAGES = 'test/packages/**/*.heavy.test.ts'
 
+declare module 'vitest' {
+  export interface ProvidedContext {
+    /** Whether tests run on all rendering paths and in all random cases, which takes several times as long. */
+    inDepth: boolean
+  }
+}
+
+/** As `npm run test:all` runs them. */
+const inDepth = process.env.FURROW_TESTS === 'all'
+const provide = { inDepth }
+const HEAVY = inDepth ? [] : ['test/unit/**/*.heavy.test.ts']
+
+// `scripts/lib/test-files.mjs` says which files of these `npm test` runs.
 export default defineConfig({
   test: {
     projects: [
       {
         resolve,
         ssr,
-        test: { name: 'unit', include: ['test/unit/**/*.test.ts'], exclude: [HEAVY], ...SOON, ...ALL_CORES },
-      },
-      {
-        resolve,
-        ssr,
-        // What meets Node itself; arithmetic, damaged input and what files mean are the same on every release.
         test: {
-          name: 'lts',
-          include: ['test/unit/{auto,cli,core,gltf,runtime}/**/*.test.ts', 'test/unit/scripts.test.ts'],
-          exclude: [HEAVY, '**/{fuzz,bad-input,validate,vrm}.test.ts'],
+          name: 'unit',
+          include: ['test/unit/**/*.test.ts'],
+          exclude: HEAVY,
+          provide,
           ...SOON,
           ...ALL_CORES,
         },
       },
-      inDepth({
-        resolve,
-        ssr,
-        test: { name: 'heavy', include: [HEAVY, ...UNIT_FILES_IN_DEPTH], ...SOON, ...ALL_CORES },
-      }),
-      packagesProject('packages', 'test/packages/**/*.test.ts', [HEAVY_PACKAGES]),
-      packagesProject('heavy-packages', HEAVY_PACKAGES),
-      pagesProject('pages', 'test/pages/**/*.test.ts', [HEAVY_PAGES]),
-      pagesProject('heavy-pages', HEAVY_PAGES),
-      // In two browsers, side by side: each has one test after the other, which keeps one core busy.
-      gpuProject('gpu', ['test/gpu/*.test.ts'], [HEAVY_GPU]),
-      gpuProject('gpu-rooms', ['test/gpu/*/**/*.test.ts'], [HEAVY_GPU]),
-      inDepth(gpuProject('heavy-gpu', [HEAVY_GPU, ...GPU_FILES_IN_DEPTH])),
-      pagesProject('batch', 'test/batch/**/*.test.ts'),
-      pagesProject('site', 'test/site/**/*.test.ts'),
-      inDepth(onOldestThree(gpuProject('gpu-oldest', FILES_FOR_OLDEST))),
+      packagesProject('packages'),
+      pagesProject('pages'),
+      gpuProject('gpu', ['test/gpu/**/*.test.ts']),
+      onOldestThree(gpuProject('gpu-oldest', FILES_FOR_OLDEST)),
+      pagesProject('batch'),
+      pagesProject('site'),
     ],
   },
 })
 
 /** Applications that install what npm publishes, beside each other like the unit tests: they mostly wait for npm. */
-function packagesProject(
-  name: string,
-  include: string,
-  exclude: string[] = [],
-): TestProjectInlineConfiguration {
+function packagesProject(name: string): TestProjectInlineConfiguration {
   const globalSetup = 'test/packages/tarballs.ts'
-  return { resolve, ssr, test: { name, include: [include], exclude, globalSetup, ...LATE, ...ALL_CORES } }
+  return {
+    resolve,
+    ssr,
+    test: { name, include: [`test/${name}/**/*.test.ts`], globalSetup, ...LATE, ...ALL_CORES },
+  }
 }
 
 /** Whole pages and commands, one at a time. */
-function pagesProject(name: string, include: string, exclude: string[] = []): TestProjectInlineConfiguration {
+function pagesProject(name: string): TestProjectInlineConfiguration {
   // What a page shows comes when it has been drawn, which a busy machine takes more than a second for.
   const poll = { timeout: 120_000 }
   return {
     resolve,
     ssr,
-    test: { name, include: [include], exclude, ...LATE, expect: { poll }, fileParallelism: false },
+    test: { name, include: [`test/${name}/**/*.test.ts`], ...LATE, expect: { poll }, fileParallelism: false },
   }
 }
 
@@ -97,8 +90,8 @@ function babylonModules(): string[] {
   return [...new Set(imports.map(([, name]) => name))]
 }
 
-/** A project in the browser, on three paths. */
-function gpuProject(name: string, files: string[], exclude: string[] = []): TestProjectInlineConfiguration {
+/** A project in the browser, on the rendering paths of `test/gpu/harness.ts`. */
+function gpuProject(name: string, include: string[]): TestProjectInlineConfiguration {
   return {
     resolve,
     ssr,
@@ -143,8 +136,8 @@ function gpuProject(name: string, files: string[], exclude: string[] = []): Test
     },
     test: {
       name,
-      include: files,
-      exclude,
+      include,
+      provide,
       ...LATE,
       fileParallelism: false,
       browser: {

@@ -48,7 +48,8 @@ async function makeFiles() {
 async function runEngines() {
   const report = await reported((file) => {
     const reporters = ['--reporter=default', '--reporter=json', `--outputFile.json=${file}`]
-    return run(['npx', 'vitest', 'run', '--project', 'heavy-gpu', 'test/gpu/conformance', ...reporters])
+    const env = { ...process.env, FURROW_TESTS: 'all' }
+    return run(['npx', 'vitest', 'run', '--project', 'gpu', 'test/gpu/conformance', ...reporters], { env })
   })
   return resultsOf(report)
 }

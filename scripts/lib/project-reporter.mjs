@@ -3,42 +3,41 @@ import { relative } from 'node:path'
 import { ROOT } from './run.mjs'
 
 /**
- * A reporter of Vitest: writes what became of each project's tests, as JSON, to the file named by FURROW_TEST_REPORT:
- * `{ name, files, passed, failed, leftOut, seconds }[]`, where `leftOut` lists names, and `seconds` is from the start of the
- * project's first file to the end of its last.
+ * A reporter of Vitest: writes what became of the tests, as JSON, to the file named by FURROW_TEST_REPORT:
+ * `{ passed, failed, leftOut, failedFiles, isCutOff }`, where `leftOut` lists tests and `failedFiles` files.
+ *
+ * Where FURROW_TEST_UNTIL has a time in milliseconds, tests are cut off then, which is no failure; the rest are left out.
  */
 export default class ProjectReporter {
-  #projects = new Map()
+  #counts = { passed: 0, failed: 0, leftOut: [], failedFiles: [] }
+  #timer
 
-  onTestModuleStart(module) {
-    const name = nameOf(module.project)
-    if (this.#projects.has(name)) return
-    this.#projects.set(name, { name, files: 0, passed: 0, failed: 0, leftOut: [], start: performance.now() })
+  onInit(vitest) {
+    const until = Number(process.env.FURROW_TEST_UNTIL)
+    if (!until) return
+    this.#timer = setTimeout(() => vitest.cancelCurrentRun('keyboard-input'), until - Date.now()).unref()
   }
 
   onTestModuleEnd(module) {
-    const project = this.#projects.get(nameOf(module.project))
-    project.files++
-    project.end = performance.now()
+    const counts = this.#counts
+    const file = relative(ROOT, module.moduleId)
+    let failed = module.errors().length
     // A file that failed to load has no tests.
-    if (module.errors().length > 0) project.failed++
+    if (failed > 0) counts.failed++
     for (const test of module.children.allTests()) {
       const { state } = test.result()
-      if (state === 'passed' || state === 'failed') project[state]++
-      else project.leftOut.push(`${relative(ROOT, module.moduleId)}: ${test.fullName}`)
+      if (state === 'passed') counts.passed++
+      else if (state === 'failed') counts.failed++
+      else counts.leftOut.push(`${file}: ${test.fullName}`)
+      if (state === 'failed') failed++
     }
+    if (failed > 0) counts.failedFiles.push(file)
   }
 
-  onTestRunEnd() {
-    const projects = [...this.#projects.values()].map(({ start, end, ...counts }) => ({
-      ...counts,
-      seconds: (end - start) / 1000,
-    }))
-    writeFileSync(process.env.FURROW_TEST_REPORT, JSON.stringify(projects))
+  onTestRunEnd(_modules, errors, reason) {
+    clearTimeout(this.#timer)
+    const counts = this.#counts
+    const isCutOff = reason === 'interrupted' && errors.length === 0 && counts.failed === 0
+    writeFileSync(process.env.FURROW_TEST_REPORT, JSON.stringify({ ...counts, isCutOff }))
   }
-}
-
-/** Without the browser, which Vitest adds: `gpu (chromium)`. */
-function nameOf({ name }) {
-  return name.replace(/ \(.*\)$/, '')
 }

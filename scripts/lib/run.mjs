@@ -13,17 +13,19 @@ export function say(text) {
  * Runs a program to its end.
  *
  * @param {string[]} words program and arguments.
- * @param {{ quiet?: boolean, env?: NodeJS.ProcessEnv, input?: 'ignore' | 'inherit' }} [options] quiet: what it prints is
- *   shown only if it fails. input: whether it reads our standard input.
+ * @param {{ quiet?: boolean, env?: NodeJS.ProcessEnv, input?: 'ignore' | 'inherit', started?: (id: number) => void }} [options]
+ *   quiet: what it prints is shown only if it fails. input: whether it reads our standard input. started: gets its process id.
  * @returns {Promise<number>} its exit code; 1 where it was killed or could not be started.
  */
-export function run([program, ...parameters], { quiet = false, env = process.env, input = 'ignore' } = {}) {
+export function run([program, ...parameters], options = {}) {
+  const { quiet = false, env = process.env, input = 'ignore', started } = options
   return new Promise((done) => {
     const output = []
     // On Windows npm and npx are scripts, which only a shell can start.
     const shell = process.platform === 'win32'
     const stdio = [input, quiet ? 'pipe' : 'inherit', quiet ? 'pipe' : 'inherit']
     const child = spawn(program, parameters, { cwd: ROOT, env, shell, stdio })
+    if (child.pid) started?.(child.pid)
     for (const stream of [child.stdout, child.stderr]) stream?.on('data', (data) => output.push(data))
     const end = (code, message = '') => {
       if (code !== 0) process.stderr.write(Buffer.concat(output).toString() + message)

@@ -5,10 +5,10 @@ import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest'
 import { largestDifference } from './difference.ts'
 import { HEIGHT, WIDTH } from './face.ts'
-import { createHarness, type Harness, LONGEST_TEST_RENDERERS } from './harness.ts'
+import { createHarness, type Harness, RENDERERS } from './harness.ts'
 import { compareWrinkles, loadPacked, posedPicture, wrinklesAlone } from './packed.ts'
 
-describe.each(LONGEST_TEST_RENDERERS)('maps in KTX 2 on %s', (name) => {
+describe.each(RENDERERS)('maps in KTX 2 on %s', (name) => {
   let harness: Harness
   let ktx2: KTX2Loader
   /** The face with PNG images: its influence, and its wrinkles alone. */

@@ -19,7 +19,7 @@ import {
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { createHarness, type Harness, LONG_TEST_RENDERERS, square, squareCamera } from './harness.ts'
+import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
 
 interface Feature {
   /** Sets the feature up for the square; returns the mesh to add wrinkles to. */
@@ -107,7 +107,7 @@ const FEATURES: Record<string, Feature> = {
   },
 }
 
-describe.each(LONG_TEST_RENDERERS)("the user's scene on %s", (name) => {
+describe.each(RENDERERS)("the user's scene on %s", (name) => {
   let harness: Harness
   beforeAll(async () => {
     harness = await createHarness(name)

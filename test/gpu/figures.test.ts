@@ -3,9 +3,9 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import type { Face } from '../../stage/face.ts'
 import { largestDifference, ROUNDING } from './difference.ts'
 import { faceScene, HEIGHT, loadUndriven, renderWith, uvMaterial, WIDTH } from './face.ts'
-import { createHarness, type Harness, LONG_TEST_RENDERERS } from './harness.ts'
+import { createHarness, type Harness, RENDERERS } from './harness.ts'
 
-describe.each(LONG_TEST_RENDERERS)('areas of the shipped face on %s', (name) => {
+describe.each(RENDERERS)('areas of the shipped face on %s', (name) => {
   let harness: Harness
   let face: Face
   let set: WrinkleSet

@@ -17,20 +17,12 @@ import {
 import { WebGPURenderer } from 'three/webgpu'
 import { inject } from 'vitest'
 
-/** The three rendering paths. All of them are tested; a missing one fails. */
-export const RENDERERS = ['webgl', 'webgpu', 'webgpu on webgl2'] as const
-export type RendererName = (typeof RENDERERS)[number]
+/** All rendering paths. A missing one fails. */
+const PATHS = ['webgl', 'webgpu', 'webgpu on webgl2'] as const
+export type RendererName = (typeof PATHS)[number]
 
-/**
- * The paths of tests that take long: on every change not the second renderer's other backend. It runs the same nodes, and shorter tests
- * of the same materials, influence, relief and loaders draw with it.
- */
-export const LONG_TEST_RENDERERS: readonly RendererName[] = inject('inDepth')
-  ? RENDERERS
-  : ['webgl', 'webgpu']
-
-/** Those of tests that take longest: on every change the first one alone. */
-export const LONGEST_TEST_RENDERERS: readonly RendererName[] = inject('inDepth') ? RENDERERS : ['webgl']
+/** Those that are tested: before every change without the second renderer's other backend, which runs the same nodes. */
+export const RENDERERS: readonly RendererName[] = inject('inDepth') ? PATHS : ['webgl', 'webgpu']
 
 /** The number of random cases that are compared with the reference, or the first of them. */
 export const casesIn = (all: number) => (inject('inDepth') ? all : Math.ceil(all / 4))

@@ -14,11 +14,11 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { randomAreas, randomImage } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference, STEP } from './difference.ts'
-import { createHarness, type Harness, LONG_TEST_RENDERERS, square, squareCamera } from './harness.ts'
+import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
 import { colourAt, KINDS, type Kind, LAYERS, layerValue, MAP, randomLayer } from './layer-values.ts'
 
 const PIXELS = 32
-describe.each(LONG_TEST_RENDERERS)("the layers' other maps on %s", (name) => {
+describe.each(RENDERERS)("the layers' other maps on %s", (name) => {
   let harness: Harness
   beforeAll(async () => {
     harness = await createHarness(name)
@@ -83,7 +83,7 @@ describe.each(LONG_TEST_RENDERERS)("the layers' other maps on %s", (name) => {
   })
 })
 
-describe.each(LONG_TEST_RENDERERS)('highlights of lights on %s', (name) => {
+describe.each(RENDERERS)('highlights of lights on %s', (name) => {
   let harness: Harness
   beforeAll(async () => {
     harness = await createHarness(name)

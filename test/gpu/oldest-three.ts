@@ -29,6 +29,6 @@ export function onOldestThree(project: TestProjectInlineConfiguration): TestProj
     ...project,
     resolve: { ...project.resolve, alias: { ...project.resolve?.alias, three: 'three-oldest' } },
     optimizeDeps: { ...project.optimizeDeps, include: project.optimizeDeps?.include?.map(oldest) },
-    test: { ...project.test, provide: { threeRelease: 'oldest' } },
+    test: { ...project.test, provide: { ...project.test!.provide, threeRelease: 'oldest' } },
   }
 }

@@ -3,14 +3,7 @@ import { expect, it } from 'vitest'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
-import {
-  createHarness,
-  type Harness,
-  imagesOf,
-  LONGEST_TEST_RENDERERS,
-  square,
-  squareCamera,
-} from './harness.ts'
+import { createHarness, type Harness, imagesOf, RENDERERS, square, squareCamera } from './harness.ts'
 
 /** Width and height of the pictures, in pixels. */
 const SIDE = 64
@@ -41,29 +34,26 @@ function faceOn(harness: Harness) {
   }
 }
 
-it.each(LONGEST_TEST_RENDERERS)(
-  'faces of two renderers on one page do not disturb each other on %s',
-  async (name) => {
-    const harnesses = [await createHarness(name), await createHarness(name)]
-    // One has drawn more images than the other, such as those of a page that loads.
-    for (const lead of [0, 1, 2, 3]) {
-      const faces = harnesses.map((harness) => faceOn(harness))
-      const [first, second] = faces
-      for (let i = 0; i < lead; i++) harnesses[1].renderer.render(new Scene(), squareCamera())
-      const wanted = await first.picture()
-      expect(new Set(wanted).size).toBeGreaterThan(8)
-      for (let i = 0; i < 3; i++) {
-        expect(largestDifference(await second.picture(), wanted), `${lead} second ${i}`).toBe(0)
-        expect(largestDifference(await first.picture(), wanted), `${lead} first ${i}`).toBe(0)
-      }
-      // What stands is not drawn again because the other renderer drew its own.
-      for (let i = 0; i < 2; i++) for (const { images } of faces) expect(await images()).toBe(1)
-      for (const { set } of faces) set(0.9)
-      const moved = await first.picture()
-      expect(largestDifference(moved, wanted)).toBeGreaterThan(8)
-      expect(largestDifference(await second.picture(), moved)).toBe(0)
-      for (const { wrinkles } of faces) wrinkles.dispose()
+it.each(RENDERERS)('faces of two renderers on one page do not disturb each other on %s', async (name) => {
+  const harnesses = [await createHarness(name), await createHarness(name)]
+  // One has drawn more images than the other, such as those of a page that loads.
+  for (const lead of [0, 1, 2, 3]) {
+    const faces = harnesses.map((harness) => faceOn(harness))
+    const [first, second] = faces
+    for (let i = 0; i < lead; i++) harnesses[1].renderer.render(new Scene(), squareCamera())
+    const wanted = await first.picture()
+    expect(new Set(wanted).size).toBeGreaterThan(8)
+    for (let i = 0; i < 3; i++) {
+      expect(largestDifference(await second.picture(), wanted), `${lead} second ${i}`).toBe(0)
+      expect(largestDifference(await first.picture(), wanted), `${lead} first ${i}`).toBe(0)
     }
-    for (const { dispose } of harnesses) dispose()
-  },
-)
+    // What stands is not drawn again because the other renderer drew its own.
+    for (let i = 0; i < 2; i++) for (const { images } of faces) expect(await images()).toBe(1)
+    for (const { set } of faces) set(0.9)
+    const moved = await first.picture()
+    expect(largestDifference(moved, wanted)).toBeGreaterThan(8)
+    expect(largestDifference(await second.picture(), moved)).toBe(0)
+    for (const { wrinkles } of faces) wrinkles.dispose()
+  }
+  for (const { dispose } of harnesses) dispose()
+})

@@ -21,7 +21,7 @@ import { randomAreas, randomImage, randomNormals } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { deviceErrors } from './device-errors.ts'
 import { largestDifference } from './difference.ts'
-import { createHarness, type Harness, LONG_TEST_RENDERERS, square, squareCamera } from './harness.ts'
+import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
 import { readLevel } from './read-level.ts'
 
 const AREA = 16
@@ -39,7 +39,7 @@ const REGIONS: Bounds[] = [
 
 type AnyWrinkles = InstanceType<Harness['Wrinkles']>
 
-describe.each(LONG_TEST_RENDERERS)('wrinkles that are changed while they are shown, on %s', (name) => {
+describe.each(RENDERERS)('wrinkles that are changed while they are shown, on %s', (name) => {
   let harness: Harness
   let errors: string[]
   beforeAll(async () => {

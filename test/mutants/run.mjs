@@ -142,8 +142,7 @@ async function whatIsReached() {
 async function killersOfShader({ id, file, tests, killers = [] }) {
   const renderer = file.includes('/webgpu/') ? 'webgpu(?! on)' : 'webgl'
   for (const test of killers.length > 0 ? killers : tests) {
-    const project = test.split('/').length > 3 ? 'gpu-rooms' : 'gpu'
-    const env = { FURROW_PROJECT: project, FURROW_ONLY: String(id), FURROW_MUTANTS: values.mutants }
+    const env = { FURROW_PROJECT: 'gpu', FURROW_ONLY: String(id), FURROW_MUTANTS: values.mutants }
     const report = join(mkdtempSync(join(tmpdir(), 'furrow-mutant-')), 'report')
     await runAlone([test, '-t', `\\b${renderer}( |$)`, '--bail=1'], env, report)
     const failed = failedIn(report)

@@ -1,4 +1,4 @@
-// The built site, opened from a folder that it was not built for: `npm run test:site`.
+// The built site, opened from a folder that it was not built for: `npm run test:all -- --project site`.
 
 import { spawnSync } from 'node:child_process'
 import { existsSync, readdirSync, readFileSync } from 'node:fs'

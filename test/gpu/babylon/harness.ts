@@ -9,15 +9,11 @@ import { Vector3 } from '@babylonjs/core/Maths/math.vector.js'
 import { Mesh } from '@babylonjs/core/Meshes/mesh.js'
 import { VertexData } from '@babylonjs/core/Meshes/mesh.vertexData.js'
 import { Scene } from '@babylonjs/core/scene.js'
-import { inject } from 'vitest'
 import { WrinklePlugin } from '../../../packages/furrow/src/babylon/wrinkle-plugin.ts'
 
 /** Both are tested; a missing one fails. */
 export const ENGINES = ['webgl', 'webgpu'] as const
 export type EngineName = (typeof ENGINES)[number]
-
-/** Those of tests that take longest: on every change the first one alone. */
-export const LONGEST_TEST_ENGINES: readonly EngineName[] = inject('inDepth') ? ENGINES : ['webgl']
 
 export interface BabylonHarness {
   name: EngineName

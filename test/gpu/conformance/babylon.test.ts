@@ -1,9 +1,9 @@
 import { afterAll, afterEach, beforeAll, describe, expect } from 'vitest'
-import { type BabylonHarness, createHarness, LONGEST_TEST_ENGINES } from '../babylon/harness.ts'
+import { type BabylonHarness, createHarness, ENGINES } from '../babylon/harness.ts'
 import { openSample } from './babylon-runner.ts'
 import { testSamples } from './suite.ts'
 
-describe.each(LONGEST_TEST_ENGINES)('conformance of Babylon.js on %s', (name) => {
+describe.each(ENGINES)('conformance of Babylon.js on %s', (name) => {
   let harness: BabylonHarness
   beforeAll(async () => {
     harness = await createHarness(name)

@@ -1,9 +1,9 @@
 import { afterAll, beforeAll, describe } from 'vitest'
-import { createHarness, type Harness, LONGEST_TEST_RENDERERS } from '../harness.ts'
+import { createHarness, type Harness, RENDERERS } from '../harness.ts'
 import { testSamples } from './suite.ts'
 import { ThreeRunner } from './three-runner.ts'
 
-describe.each(LONGEST_TEST_RENDERERS)('conformance of three.js on %s', (name) => {
+describe.each(RENDERERS)('conformance of three.js on %s', (name) => {
   let harness: Harness
   let runner: ThreeRunner
   beforeAll(async () => {

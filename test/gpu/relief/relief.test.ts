@@ -22,7 +22,7 @@ import {
 } from 'three'
 import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
 import { afterAll, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
-import { createHarness, type Harness, LONG_TEST_RENDERERS } from '../harness.ts'
+import { createHarness, type Harness, RENDERERS } from '../harness.ts'
 import { AMPLITUDE, ball, heightSet, RADIUS, sceneOf, sideCamera } from './ball.ts'
 import { differing, FEW } from './differing.ts'
 import { displacedMesh } from './displaced-ball.ts'
@@ -30,7 +30,7 @@ import { displacedMesh } from './displaced-ball.ts'
 const SIZE = 256
 const SIDE = 0.15
 
-describe.each(LONG_TEST_RENDERERS)('%s', (name) => {
+describe.each(RENDERERS)('%s', (name) => {
   let harness: Harness
   beforeAll(async () => {
     harness = await createHarness(name)

@@ -1,16 +1,10 @@
 /** An artist's whole way by mouse: from an avatar of her own, by changes of each kind and another day, to the file that others load. */
 
-import { existsSync, readFileSync, writeFileSync } from 'node:fs'
+import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { fileURLToPath } from 'node:url'
-import { simplify, weld } from '@gltf-transform/functions'
-import { MeshoptSimplifier } from 'meshoptimizer/simplifier'
 import type { Locator, Page } from 'playwright-core'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, test, vi } from 'vitest'
-import { turnScene } from '../avatar.ts'
-import { asVrm0, io, plainHuman } from './avatars.ts'
-import { cutTexture } from './cut-texture.ts'
 import { openStudio } from './opened-studio.ts'
 import { runFurrow } from './run-furrow.ts'
 import {
@@ -27,9 +21,6 @@ import {
   waitUntilReady,
 } from './studio-page.ts'
 
-const SCAN = fileURLToPath(new URL('../../../shared/real-face/ict-face.glb', import.meta.url))
-const LOW_POLY = 0.12
-
 const WINDOW = [1280, 800] as const
 const PHONE = [390, 844] as const
 
@@ -39,60 +30,38 @@ let page: Page
 const area = (name: string) => page.getByRole('slider', { name, exact: true })
 
 /** Heights on the stage, as fractions of it: the middle of the forehead's lines, and of the chin. */
-interface Heights {
+export interface Heights {
   forehead: number
   chin: number
 }
 
-const OF_SCAN: Heights = { forehead: 0.145, chin: 0.62 }
-const OF_HUMAN: Heights = { forehead: 0.23, chin: 0.67 }
+/** Of the shipped face. */
+export const OF_HUMAN: Heights = { forehead: 0.23, chin: 0.67 }
 
 /** Mean difference of pictures of the same work, in 0..255. */
 const SAME = 0.01
-
-/** Avatars whose texture has a seam along the middle of the face; null for one that is not here. */
-const AVATARS: [kind: string, file: string, heights: Heights, make: () => Promise<Uint8Array | null>][] = [
-  [
-    'a scan (without ../shared/real-face: nothing)',
-    'scan.glb',
-    OF_SCAN,
-    async () => {
-      if (!existsSync(SCAN)) return null
-      const document = await io.read(SCAN)
-      await cutTexture(document, 'face')
-      return io.writeBinary(document)
-    },
-  ],
-  [
-    'a VRM',
-    'avatar.vrm',
-    OF_HUMAN,
-    async () => {
-      const document = await plainHuman()
-      await cutTexture(document, 'skin')
-      turnScene(document, 180)
-      return asVrm0(await io.writeBinary(document))
-    },
-  ],
-  [
-    'a low-polygon avatar',
-    'low.glb',
-    OF_HUMAN,
-    async () => {
-      await MeshoptSimplifier.ready
-      const document = await plainHuman()
-      await document.transform(weld(), simplify({ simplifier: MeshoptSimplifier, ratio: LOW_POLY, error: 1 }))
-      await cutTexture(document, 'skin')
-      return io.writeBinary(document)
-    },
-  ],
-]
 
 beforeAll(() => {
   ;({ page } = studio)
 })
 
-describe.each(AVATARS)('%s', (_, file, heights, make) => {
+/** Avatars whose texture has a seam along the middle of the face; `make` gives null for one that is not here. */
+export interface Avatar {
+  kind: string
+  file: string
+  heights: Heights
+  make: () => Promise<Uint8Array | null>
+}
+
+/**
+ * Describes an artist's whole way by mouse, with an avatar of her own: by changes of each kind and another day, to the file that others
+ * load. The studio is open for all tests of the file.
+ */
+export function describeWay({ kind, file, heights, make }: Avatar): void {
+  describe(kind, () => walk(file, heights, make))
+}
+
+function walk(file: string, heights: Heights, make: Avatar['make']) {
   const forehead: Box = [0.4, heights.forehead - 0.045, 0.6, heights.forehead + 0.045]
   const chin: Box = [0.45, heights.chin - 0.04, 0.55, heights.chin + 0.04]
   let bytes: Uint8Array | null
@@ -256,7 +225,7 @@ describe.each(AVATARS)('%s', (_, file, heights, make) => {
     const apart = await differenceIn(changed, withWrinkles, chin)
     expect(await differenceIn(changed, without, chin)).toBeGreaterThan(3 * apart)
   })
-})
+}
 
 /** What `furrow render` draws of an exported face in the pose of the stage, cut out as `shootStage` does. */
 async function rendered(face: string, mode: string): Promise<Buffer> {

@@ -1,0 +1,1 @@
+export function changedFirst<T extends { file: string }>(tests: T[]): T[]
