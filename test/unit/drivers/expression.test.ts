@@ -105,6 +105,7 @@ describe('EXPRESSIONS', () => {
         'leftBrow',
         'rightBrow',
         'leftWink',
+        'rightWink',
       ]),
     )
     expect(EXPRESSIONS[0]).toEqual({ name: 'neutral', targets: {}, activations: {} })

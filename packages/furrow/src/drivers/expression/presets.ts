@@ -74,4 +74,9 @@ export const EXPRESSIONS: readonly Expression[] = [
     targets: { eyeBlinkLeft: 0.9, cheekSquintLeft: 0.7, mouthSmileLeft: 0.35 },
     activations: { crowsFeetLeft: 1, underEyeLeft: 0.5 },
   },
+  {
+    name: 'rightWink',
+    targets: { eyeBlinkRight: 0.9, cheekSquintRight: 0.7, mouthSmileRight: 0.35 },
+    activations: { crowsFeetRight: 1, underEyeRight: 0.5 },
+  },
 ]
