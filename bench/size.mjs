@@ -23,30 +23,9 @@ const PAGES = {
 
 /** Fetched by pages with the loader alone: the modules that are imported on demand. */
 const FETCHED = {
-  'drivers beyond blendshapes': [
-    'runtime/file/unusual-file',
-    'drivers/registry',
-    'three/loader/any-drivers',
-    'babylon/loader/any-drivers',
-  ],
-  joints: ['three/sources/joint', 'babylon/sources/joint'],
-  'tension, on the CPU': ['three/sources/tension', 'babylon/sources/tension'],
-  'tension, by the GPU': ['three/webgpu/compute/computed-tension'],
-  muscles: ['three/sources/muscles', 'babylon/sources/muscles'],
-  'expressions of a VRM': ['three/sources/target'],
   'the modes composed and paper': ['three/webgl/modes/other-modes', 'three/webgpu/modes/other-modes'],
   'other maps than normals': ['three/webgl/mixing/channels', 'three/webgpu/mixing/channels'],
-  'JPEG, and four areas in one image': ['runtime/file/other-image'],
-  'WebP and AVIF': ['runtime/file/other-image', 'runtime/file/read-image'],
-  'KTX 2': [
-    'runtime/file/unusual-file',
-    'runtime/file/check-maps',
-    'three/loader/ktx2',
-    'babylon/loader/ktx2',
-  ],
-  'maps of several sizes': ['runtime/file/check-maps'],
-  'a damaged file': ['runtime/file/unusual-file', 'runtime/file/check-maps', 'runtime/file/other-image'],
-  'key frames of areas': ['three/loader/key-frames'],
+  'KTX 2': ['three/loader/ktx2', 'babylon/loader/ktx2'],
   'the option fadeBelow': ['three/camera/size-on-screen'],
   relief: [
     'three/relief/relief',

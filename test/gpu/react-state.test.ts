@@ -1,6 +1,6 @@
 import { Clone } from '@react-three/drei/core/Clone'
 import { extendLoader, useWrinkles, type WrinkleState, Wrinkles } from 'furrow/react'
-import { type WrinklesBase, wrinklesOf } from 'furrow/three'
+import { setDrivers, type WrinklesBase, wrinklesOf } from 'furrow/three'
 import { createElement, type ReactNode } from 'react'
 import { type Mesh, MeshStandardMaterial, PlaneGeometry, type WebGLRenderer } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
@@ -87,10 +87,14 @@ describe('the state of wrinkles in React', () => {
   it.each(WAYS)(
     'plays expressions %s over some frames, and lets go of the blendshapes',
     async (_, element) => {
-      face.expressions = [
-        { type: 'expression', name: 'rest', targets: {}, activations: {} },
-        { type: 'expression', name: 'raised', targets: { browInnerUp: 1 }, activations: {} },
-      ] as never
+      const expression = (name: string, ...targets: { name: string; weight: number }[]) => ({
+        type: 'expression',
+        name,
+        targets,
+        activations: [],
+      })
+      const expressions = [expression('rest'), expression('raised', { name: 'browInnerUp', weight: 1 })]
+      setDrivers(face, [...face.drivers.filter(({ type }) => type !== 'expression'), ...expressions])
       const brows = () => (gltf.scene.getObjectByName('face')!.children[0] as Mesh).morphTargetInfluences![0]
       await react.show(element({}))
       await react.advance(1)

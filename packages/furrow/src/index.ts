@@ -96,8 +96,7 @@ export {
   type WrinkleMaps,
   type WrinkleSetDocument,
 } from './drivers/parse.ts'
-export type { DriverPlan, PlannedActivation, PlannedFilter } from './drivers/plan.ts'
-export { planDrivers } from './drivers/plan-drivers.ts'
+export { type DriverPlan, type PlannedActivation, type PlannedFilter, planDrivers } from './drivers/plan.ts'
 export {
   type BoundInput,
   DriverProgram,

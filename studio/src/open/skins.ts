@@ -36,9 +36,7 @@ export interface SkinCandidate {
  */
 export async function findSkins(gltf: GLTF, onFault: (fault: string) => void): Promise<SkinCandidate[]> {
   const { parser } = gltf
-  const read = materialReader(parser, {
-    onFault: ({ message }) => onFault(`${message}; this driver is left out`),
-  })
+  const read = materialReader(parser, ({ message }) => onFault(`${message}; this driver is left out`))
   const wrinkled = new Map(wrinkledFaces(gltf, parser).map(({ meshes, material }) => [meshes[0], material]))
   const skins: SkinCandidate[] = []
   for (const meshes of facesOf(gltf, parser)) {

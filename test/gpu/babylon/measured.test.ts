@@ -32,8 +32,8 @@ it('tension, muscles and joints are measured as in three.js', () => {
   const [shown] = babylon.wrinklesOf(container)
   const [exact] = three.wrinklesOf(gltf)
   const drivers = driversOf(exact)
-  babylon.addDrivers(shown, drivers)
-  three.addDrivers(exact, drivers)
+  babylon.setDrivers(shown, drivers)
+  three.setDrivers(exact, drivers)
   const values = () => {
     shown.update()
     gltf.scene.updateMatrixWorld(true)

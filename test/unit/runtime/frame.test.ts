@@ -3,7 +3,6 @@ import { addDrivers, Wrinkles } from 'furrow/three'
 import { BufferAttribute, InstancedMesh, Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
 import { describe, expect, it } from 'vitest'
 import { Frame, type FrameMember } from '../../../packages/furrow/src/runtime/frame.ts'
-import { BINDINGS, bindDrivers } from '../../../packages/furrow/src/three/sources/bind-drivers.ts'
 import { layer, randomNormals } from '../../cases.ts'
 import { seeded } from '../../random.ts'
 import { morph, STRAIGHT } from '../three/driven-face.ts'
@@ -259,15 +258,11 @@ describe('instances', () => {
 it('keeps what is set on an area that age alone drives, also before a VRM’s expressions are found', () => {
   const { wrinkles, draw } = wrinklesOn(new Mesh(new PlaneGeometry(), new MeshStandardMaterial()))
   let found = 0
-  bindDrivers(
-    wrinkles,
-    [aging],
-    () => {
-      found++
-      return {}
-    },
-    BINDINGS,
-  )
+  const expressions = () => {
+    found++
+    return undefined
+  }
+  wrinkles.drive([aging], { expressions }, true)
   wrinkles.setActivation('brow', 0.3)
   wrinkles.inputs.set('age', 70)
   expect([found, wrinkles.isDriven('brow')]).toEqual([0, false])
@@ -287,6 +282,6 @@ it('knows what is driven from the drivers alone', () => {
     rule: 'sum',
     curve: STRAIGHT,
   }
-  bindDrivers(wrinkles, [aging, between], () => ({}), BINDINGS)
+  addDrivers(wrinkles, [aging, between])
   expect([wrinkles.isDriven('brow'), wrinkles.isDriven('nose')]).toEqual([false, true])
 })

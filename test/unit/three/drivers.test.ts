@@ -1,5 +1,5 @@
 import type { WrinkleDriver } from 'furrow'
-import { addDrivers, ExpressionPlayer, removeArea } from 'furrow/three'
+import { addDrivers, ExpressionPlayer, removeArea, setDrivers, Wrinkles } from 'furrow/three'
 import { afterEach, describe, expect, it, vi } from 'vitest'
 import { drivenFace, morph, STRAIGHT } from './driven-face.ts'
 
@@ -42,6 +42,52 @@ describe('addDrivers', () => {
     wrinkles.setRestingActivation('neck', 0.25)
     expect(activations()).toEqual([0.6, 0.6, 0.65])
     expect(wrinkles.getRestingActivation('neck')).toBe(0.25)
+  })
+
+  it('keeps the drivers before, which setDrivers replaces', () => {
+    const [brow, nose, neck] = [
+      morph('brow', 'browDownLeft'),
+      morph('nose', 'jawOpen'),
+      morph('neck', 'jawOpen'),
+    ]
+    const { mesh, wrinkles, activations } = drivenFace([brow])
+    mesh.morphTargetInfluences!.fill(0.5)
+    addDrivers(wrinkles, [nose])
+    expect(wrinkles.drivers).toEqual([brow, nose])
+    expect(activations()).toEqual([0.5, 0.7, 0])
+    setDrivers(wrinkles, [neck])
+    expect(wrinkles.drivers).toEqual([neck])
+    // Areas that are no longer driven keep their activations.
+    expect(activations()).toEqual([0.5, 0.7, 0.5])
+    setDrivers(wrinkles, [])
+    expect(wrinkles.drivers).toEqual([])
+  })
+
+  it('leaves the drivers as they are where one of the new ones is malformed', () => {
+    const brow = morph('brow', 'browDownLeft')
+    const { mesh, wrinkles, activations } = drivenFace([brow])
+    expect(() => addDrivers(wrinkles, [{ type: 'morph', area: 'nose' }])).toThrow(/got "morph"; read them by/)
+    expect(() => setDrivers(wrinkles, [{ type: 'morph', area: 'nose' }])).toThrow(
+      /^setDrivers: a driver lacks/,
+    )
+    expect(wrinkles.drivers).toEqual([brow])
+    mesh.morphTargetInfluences!.fill(0.5)
+    expect(activations()).toEqual([0.5, 0.2, 0])
+  })
+
+  it('wrinkles of another mesh have its drivers, and may get others', () => {
+    const { mesh, wrinkles } = drivenFace([morph('brow', 'browDownLeft')])
+    const copy = mesh.clone()
+    copy.material = mesh.material.clone()
+    const own = new Wrinkles(copy, wrinkles)
+    expect(own.drivers).toEqual(wrinkles.drivers)
+    addDrivers(own, [morph('neck', 'jawOpen')])
+    expect(wrinkles.drivers).toHaveLength(1)
+    copy.morphTargetInfluences!.fill(0.5)
+    own.update()
+    expect([own.getActivation('brow'), own.getActivation('neck')]).toEqual([0.5, 0.5])
+    wrinkles.update()
+    expect(wrinkles.getActivation('brow')).toBe(0)
   })
 
   it('measures each joint driver from the bind pose if both joints are bones, whatever other drivers use', () => {

@@ -4,6 +4,10 @@ import type { Mesh } from '@babylonjs/core/Meshes/mesh.js'
 import '@babylonjs/core/Meshes/thinInstanceMesh.js'
 import type { Scene } from '@babylonjs/core/scene.js'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
+import { driversOf } from '../drivers/of-type.ts'
+import { type DriverPlan, planDrivers } from '../drivers/plan.ts'
+import type { WrinkleDriver } from '../drivers/registry.ts'
+import { applyDrivers } from '../runtime/apply-drivers.ts'
 import type { Cell } from '../runtime/atlas-cells.ts'
 import { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
 import { checkIsMesh, checkMaterial, checkMesh } from './check-mesh.ts'
@@ -11,6 +15,8 @@ import { checkMode, checkOptions, type WrinkleMode, type WrinklesOptions } from 
 import { patchMaterial } from './patched-material.ts'
 import { sceneFrame } from './scene-frame.ts'
 import { SharedSet } from './shared-set.ts'
+import { bindInputs } from './sources/bind-inputs.ts'
+import { addMuscles } from './sources/muscles.ts'
 import { CELL, WrinklePlugin } from './wrinkle-plugin.ts'
 
 const facesByMesh = new WeakMap<AbstractMesh, WrinklesBase>()
@@ -42,8 +48,6 @@ export class WrinklesBase extends WrinkleFaces<Scene> {
   readonly shared: SharedSet
   /** @internal */
   readonly cells: readonly Cell[]
-  /** Gives a copy the drivers of this face. @internal */
-  copyDrivers: ((copy: WrinklesBase) => void) | null = null
   readonly #meshes: AbstractMesh[] = []
   readonly #options: Required<WrinklesOptions>
   readonly #unpatch = new Map<AbstractMesh, () => void>()
@@ -52,7 +56,7 @@ export class WrinklesBase extends WrinkleFaces<Scene> {
 
   /**
    * @param mesh with UVs whose v points down, as in glTF, normals, and a `PBRMaterial` or `StandardMaterial`.
-   * @param source a wrinkle set, copied. Or the wrinkles of another mesh, whose set and textures are used, with activations at rest; or
+   * @param source a wrinkle set, copied. Or the wrinkles of another mesh, whose set, textures and drivers are used, with activations at rest; or
    *   those of the mesh itself, which are replaced, as after a change of its thin instances.
    * @throws FurrowError when the mesh or its material does not fit; the mesh is then unchanged.
    */
@@ -74,6 +78,8 @@ export class WrinklesBase extends WrinkleFaces<Scene> {
           material.bumpTexture?.anisotropicFilteringLevel ?? 4,
           mesh.getScene(),
         )
+    // Read before the wrinkles of the same mesh are disposed of.
+    const plan = isCopy ? source.plan : undefined
     super(Math.max((mesh as Mesh).thinInstanceCount ?? 0, 1), shared.areas, shared.slices)
     this.mesh = mesh
     this.shared = shared
@@ -85,6 +91,10 @@ export class WrinklesBase extends WrinkleFaces<Scene> {
     try {
       this.addMesh(mesh)
       this.mode = all.mode
+      const { drivers } = source
+      if (plan) this.drive(plan, true)
+      else if (drivers)
+        applyDrivers(drivers as readonly WrinkleDriver[], 'Wrinkles', () => this.drive(drivers))
     } catch (error) {
       this.dispose()
       throw error
@@ -146,6 +156,20 @@ export class WrinklesBase extends WrinkleFaces<Scene> {
     sceneFrame(this.shared.scene).run(this, scene)
   }
 
+  /**
+   * Replaces the drivers.
+   *
+   * @param isLate whether their inputs are found at the first frame.
+   * @internal
+   */
+  drive(drivers: readonly WrinkleDriver[] | DriverPlan, isLate = false): void {
+    this.checkInUse('setDrivers')
+    const plan = 'areaNames' in drivers ? drivers : planDrivers(drivers)
+    const muscles = driversOf('muscle', plan.drivers)
+    for (const mesh of this.#meshes) addMuscles(mesh, muscles)
+    this.driveBy(plan, (inputs) => bindInputs(this, inputs), isLate)
+  }
+
   /** Frees what no other face uses, and restores the material. */
   override dispose(): void {
     if (this.isDisposed) return
@@ -193,8 +217,7 @@ export class WrinklesBase extends WrinkleFaces<Scene> {
   #copyTo(copy: AbstractMesh): void {
     if (copy.isDisposed() || facesByMesh.has(copy)) return
     try {
-      const own = new WrinklesBase(copy, this)
-      this.copyDrivers?.(own)
+      new WrinklesBase(copy, this)
     } catch (error) {
       // A copy with another material stays plain.
       console.warn((error as Error).message)

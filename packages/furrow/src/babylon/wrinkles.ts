@@ -1,9 +1,7 @@
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
-import type { WrinkleDriver } from '../drivers/registry.ts'
 import { checkSource } from './check-source.ts'
 import type { WrinklesOptions } from './options.ts'
-import { addDrivers } from './sources/add-drivers.ts'
 import { WrinklesBase } from './wrinkles-base.ts'
 
 /** Wrinkles on one mesh, for a wrinkle set that is not in a file. */
@@ -11,7 +9,7 @@ export class Wrinkles extends WrinklesBase {
   /**
    * @param mesh needs UVs whose v points down, as in glTF, normals, and a `PBRMaterial` or `StandardMaterial`; each of its thin
    *   instances wrinkles independently.
-   * @param source a set, copied. Or the wrinkles of another mesh, which are then shown here too, at rest, from the same textures; or
+   * @param source a set, copied. Or the wrinkles of another mesh, which are then shown here too, at rest, from the same textures and by the same drivers; or
    *   those of the mesh itself, which are replaced, as after a change of its thin instances.
    * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then unchanged.
    */
@@ -21,7 +19,5 @@ export class Wrinkles extends WrinklesBase {
     options: WrinklesOptions = {},
   ) {
     super(mesh, checkSource(source), options)
-    if (source instanceof WrinklesBase) source.copyDrivers?.(this)
-    else if (source.drivers) addDrivers(this, source.drivers as readonly WrinkleDriver[])
   }
 }

@@ -28,24 +28,31 @@ export interface BoundActivation {
 /** Evaluates area activations in order. `addTo` allocates nothing, unless a registered rule does. */
 export class ActivationSum {
   readonly #activations: readonly BoundActivation[]
-  /** By driver: whether it adds up single inputs, as most do. */
+  /** By driver: whether it sums single inputs, as most do. */
   readonly #areSums: readonly boolean[]
-  /** By driver and link: index of its input; -1 if that is an area or not just one value, or has a curve. */
-  readonly #sources: readonly Int32Array[]
-  /** The same: its weight. To read these of the links takes twice as long. */
-  readonly #weights: readonly Float64Array[]
-  /** The same: its value, before the rule. */
+  /** By driver: index after its last link in the flat lists below, which read twice as fast as the links. */
+  readonly #ends: Uint32Array
+  /** By link: index of its input; -1 for an area, several values or a curve. */
+  readonly #sources: Int32Array
+  /** By link. */
+  readonly #weights: Float64Array
+  /** By driver and link: its value, before the rule. */
   readonly #linkValues: readonly Float64Array[]
   readonly #warned = new Set<string>()
   /** Result of `#read` and `#combine`; in an array, since a number that a function returns may be boxed. */
   readonly #value = new Float64Array(1)
 
   constructor(activations: readonly BoundActivation[]) {
+    const links = activations.flatMap((own) => own.links)
     this.#activations = activations
-    this.#sources = activations.map(({ links }) => Int32Array.from(links, sourceOf))
-    this.#weights = activations.map(({ links }) => Float64Array.from(links, ({ weight }) => weight))
-    this.#linkValues = activations.map(({ links }) => new Float64Array(links.length))
-    this.#areSums = activations.map(({ rule }, i) => rule === 'sum' && !this.#sources[i].includes(-1))
+    this.#areSums = activations.map(
+      (own) => own.rule === 'sum' && own.links.every((link) => sourceOf(link) >= 0),
+    )
+    let end = 0
+    this.#ends = Uint32Array.from(activations, (own) => (end += own.links.length))
+    this.#sources = Int32Array.from(links, sourceOf)
+    this.#weights = Float64Array.from(links, ({ weight }) => weight)
+    this.#linkValues = activations.map((own) => new Float64Array(own.links.length))
   }
 
   /**
@@ -55,10 +62,22 @@ export class ActivationSum {
    * @param inputs values of all inputs.
    */
   addTo(areas: Float32Array, inputs: Float64Array): void {
-    for (let i = 0; i < this.#activations.length; i++) {
-      const { area, points } = this.#activations[i]
-      if (!this.#areSums[i] || !this.#sum(i, inputs)) this.#combine(i, areas, inputs)
-      areas[area] = Math.min(1, areas[area] + outputOf(points, this.#value[0]))
+    const activations = this.#activations
+    const areSums = this.#areSums
+    const sources = this.#sources
+    const weights = this.#weights
+    const ends = this.#ends
+    let link = 0
+    for (let i = 0; i < activations.length; i++) {
+      let sum = Number.NaN
+      if (areSums[i]) for (sum = 0; link < ends[i]; link++) sum += inputs[sources[link]] * weights[link]
+      else link = ends[i]
+      if (Number.isNaN(sum)) {
+        this.#combine(i, areas, inputs)
+        sum = this.#value[0]
+      }
+      const { area, points } = activations[i]
+      areas[area] = Math.min(1, areas[area] + outputOf(points, sum))
     }
   }
 
@@ -68,29 +87,19 @@ export class ActivationSum {
     return { links: [...this.#linkValues[index]], combined: this.#value[0] }
   }
 
-  /** As `#combine`, of single inputs. Returns false where one is NaN. */
-  #sum(index: number, inputs: Float64Array): boolean {
-    const sources = this.#sources[index]
-    const weights = this.#weights[index]
-    let sum = 0
-    for (let i = 0; i < sources.length; i++) sum += inputs[sources[i]] * weights[i]
-    this.#value[0] = sum
-    return !Number.isNaN(sum)
-  }
-
   #combine(index: number, areas: Float32Array, inputs: Float64Array): void {
     const { links, rule } = this.#activations[index]
-    const sources = this.#sources[index]
-    const weights = this.#weights[index]
     const values = this.#linkValues[index]
+    const first = this.#ends[index] - values.length
     let combined = rule === 'product' ? 1 : 0
     for (let i = 0; i < values.length; i++) {
-      let value = sources[i] < 0 ? Number.NaN : inputs[sources[i]]
+      const source = this.#sources[first + i]
+      let value = source < 0 ? Number.NaN : inputs[source]
       if (Number.isNaN(value)) {
         this.#read(links[i], areas, inputs)
         value = this.#value[0]
       }
-      value *= weights[i]
+      value *= this.#weights[first + i]
       values[i] = value
       if (rule === 'sum') combined += value
       else if (rule === 'product') combined *= value

@@ -1,6 +1,6 @@
 import { inputName } from './activation.ts'
 import type { Link } from './link.ts'
-import { planDrivers } from './plan-drivers.ts'
+import { planDrivers } from './plan.ts'
 import { DriverProgram } from './program.ts'
 import type { WrinkleDriver } from './registry.ts'
 import { targetSource, valueSource } from './sources.ts'

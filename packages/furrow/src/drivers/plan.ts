@@ -1,6 +1,6 @@
 import type { AreaActivation, Input, InputKind, InputOf } from './activation.ts'
-import type { ActivationFilter, DriverDefinition, InputFilter } from './definition.ts'
-import type { WrinkleDriver } from './registry.ts'
+import type { ActivationFilter, InputFilter } from './definition.ts'
+import { definitionOf, type WrinkleDriver } from './registry.ts'
 
 /** One driver that activates an area. */
 export interface PlannedActivation {
@@ -18,6 +18,8 @@ export interface PlannedFilter {
 
 /** Drivers in the order in which they run: plain data, shared by all faces that have these drivers. */
 export interface DriverPlan {
+  /** All drivers, as they were given. */
+  readonly drivers: readonly WrinkleDriver[]
   /** Every area that a driver reads or writes. */
   readonly areaNames: readonly string[]
   /**
@@ -39,15 +41,8 @@ export interface DriverPlan {
   readonly unknownTypes: readonly string[]
 }
 
-/**
- * Orders the drivers of a face for evaluation. Drivers of unknown type are left out.
- *
- * @param definitionOf the definition of a type, undefined for unknown ones: given, so that a page fetches only those that its files use.
- */
-export function planBy(
-  definitionOf: (type: string) => DriverDefinition | undefined,
-  drivers: readonly WrinkleDriver[],
-): DriverPlan {
+/** Orders the drivers of a face for evaluation. Drivers of unknown type are left out. */
+export function planDrivers(drivers: readonly WrinkleDriver[]): DriverPlan {
   const known = drivers.flatMap((driver) => {
     const definition = definitionOf(driver.type)
     return definition ? [{ driver, definition }] : []
@@ -76,6 +71,7 @@ export function planBy(
   ]
   const written = planned.map(({ activation }) => activation.area)
   return {
+    drivers,
     areaNames: [
       ...new Set([
         ...external.map(({ activation }) => activation.area),

@@ -125,12 +125,21 @@ export class DriverProgram {
 
   /** Computes `activations` from this frame's `inputs`, `resting` and `seconds`. Allocates nothing. */
   evaluate(state: DriverState): void {
-    const { values, resting, activations } = state
-    for (let i = 0; i < this.#inputFilters.length; i++) this.#inputFilters[i](values)
-    activations.set(resting)
-    this.#sum.addTo(activations, values)
+    state.activations.set(state.resting)
+    this.addTo(state.activations, state.values)
     if (this.#activationFilters.length > 0) this.#filter(state)
     else state.isSettled = true
+  }
+
+  /**
+   * Filters inputs, and adds to each area what its drivers give: `evaluate` for plans without activation filters. Allocates nothing.
+   *
+   * @param activations at rest, by area of the plan; changed.
+   * @param values all inputs, which filters change.
+   */
+  addTo(activations: Float32Array, values: Float64Array): void {
+    for (let i = 0; i < this.#inputFilters.length; i++) this.#inputFilters[i](values)
+    this.#sum.addTo(activations, values)
   }
 
   #filter(state: DriverState): void {

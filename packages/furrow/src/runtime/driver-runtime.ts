@@ -3,9 +3,7 @@ import type { ExternalInputKind } from '../drivers/activation.ts'
 import type { DriverPlan } from '../drivers/plan.ts'
 import { DriverProgram, type DriverState, type InputSource } from '../drivers/program.ts'
 import { valueSource } from '../drivers/sources.ts'
-import type { Activations } from './activations.ts'
 import type { Face } from './face.ts'
-import type { FaceDrivers } from './face-drivers.ts'
 import { LastInputs } from './last-inputs.ts'
 import type { NamedInputs } from './named-inputs.ts'
 
@@ -27,123 +25,155 @@ export type MeasuredKind = Exclude<ExternalInputKind, 'value'>
 /** A reader for each kind that a plan has. */
 export type InputReaders<Engine> = { readonly [K in MeasuredKind]?: InputReader<Engine> }
 
+/** Finds the inputs of a plan on a mesh. */
+export type BindInputs<Engine> = (inputs: DriverPlan['inputs']) => InputReaders<Engine>
+
 const MEASURED = ['target', 'joint', 'tension'] as const satisfies readonly MeasuredKind[]
 
 /** Index of an area that the face does not have. */
 const NO_AREA = 0xffff
 
-/** Runs drivers of any type on the faces of one mesh. Allocates nothing after the first frame. */
-export class DriverRuntime<Engine> implements FaceDrivers<Engine> {
+/**
+ * Runs drivers on the faces of one mesh, with one method per phase of a frame. Allocates nothing after the first frame. A face whose
+ * inputs and activations stay the same is not evaluated again.
+ */
+export class DriverRuntime<Engine> {
   readonly plan: DriverPlan
-  readonly #bind: () => InputReaders<Engine>
+  readonly #bindInputs: BindInputs<Engine>
   readonly #values: InputSource
-  /** Per value of that source: the value of each face. */
+  /** By value of that source: the value of each face. */
   readonly #named: readonly Float64Array[]
   readonly #label: string
-  #bound: Bound<Engine> | null = null
-  /** Per face. */
-  readonly #states: DriverState[] = []
-  /** Per face: when its inputs were last read, in milliseconds. */
+  /** Whether activations depend on time. */
+  readonly #isDelayed: boolean
+  /** By face, then by area of the plan; parts of one array. */
+  readonly #activations: readonly Float32Array[]
+  /** By face: the time of its last frame, in milliseconds. */
   readonly #times: Float64Array
-  /** Per area of the plan: its index among the faces' areas. */
+  /** By area of the plan: its index among the faces' areas. */
   readonly #indices: Uint16Array
   /** The areas that `#indices` was made for. */
   #slots: Face['slots'] | null = null
+  #bound: Bound<Engine> | null = null
 
   /**
-   * @param bind finds the inputs of the plan on the mesh; called at the first frame, or by `bind`.
-   * @param inputs what the application sets.
+   * @param bindInputs called at the first frame, or by `bind`.
+   * @param inputs numbers that the application sets.
    * @param faces number of faces.
    * @param label names the mesh in warnings.
    */
   constructor(
     plan: DriverPlan,
-    bind: () => InputReaders<Engine>,
+    bindInputs: BindInputs<Engine>,
     inputs: NamedInputs,
     faces: number,
     label: string,
   ) {
     this.plan = plan
-    this.#bind = bind
+    this.#bindInputs = bindInputs
     this.#label = label
+    this.#isDelayed = plan.activationFilters.length > 0
+    const areas = plan.areaNames.length
+    const activations = new Float32Array(faces * areas)
+    this.#activations = Array.from({ length: faces }, (_, i) =>
+      activations.subarray(i * areas, (i + 1) * areas),
+    )
     this.#times = new Float64Array(faces)
-    this.#indices = new Uint16Array(plan.areaNames.length)
+    this.#indices = new Uint16Array(areas)
     const values = valueSource(plan.inputs.value)
     this.#values = values
     // Declared here, so that they can be read before the first frame.
     this.#named = values.names.map((name, i) => inputs.declare(name, values.initial[i]))
   }
 
-  get movedAreas(): ReadonlySet<string> {
-    return this.plan.movedAreas
-  }
-
-  /** Finds the inputs, unless it has done so, and warns of those that the mesh lacks. */
-  bind(): Bound<Engine> {
-    // Apart from what it does once: a function with closures allocates their context whenever it is called.
-    return this.#bound ?? this.#findInputs()
+  /** Finds the inputs, once, and warns of those that the mesh lacks. */
+  bind(): void {
+    // A separate method: a function with closures allocates their context at every call.
+    this.#bound ??= this.#findInputs()
   }
 
   #findInputs(): Bound<Engine> {
     const { plan } = this
-    const readers = this.#bind()
+    const readers = this.#bindInputs(plan.inputs)
     const program = new DriverProgram(plan, { ...readers, value: this.#values })
-    const read = program.createState()
-    const bound: Bound<Engine> = {
-      program,
-      read,
-      last: new LastInputs(this.#times.length, read.values.length),
-      readers: MEASURED.flatMap((kind) => {
-        const reader = readers[kind]
-        return reader && plan.inputs[kind].length > 0 ? { kind, reader } : []
-      }),
-    }
-    this.#bound = bound
+    const state = program.createState()
     this.#warn([
       ...plan.unknownTypes.map((type) => `driver of type "${type}"`),
       ...program.missing,
       ...plan.cyclicAreas.map((area) => `area "${area}", which drives itself,`),
     ])
-    return bound
+    const faces = this.#times.length
+    return {
+      program,
+      state,
+      delayed: this.#isDelayed ? Array.from({ length: faces }, () => program.createState()) : [],
+      last: new LastInputs(faces, state.values.length),
+      readers: MEASURED.flatMap((kind) => {
+        const reader = readers[kind]
+        return reader && plan.inputs[kind].length > 0 ? { reader, values: state.inputs[kind] } : []
+      }),
+    }
   }
 
+  /** Phase 1: reads the inputs of all faces. */
   readInputs(faces: readonly Face[], clock: { now(): number }, engine: Engine | null): void {
-    const { program, readers, read, last } = this.bind()
+    this.bind()
+    const { state, delayed, readers, last } = this.#bound!
     const named = this.#named
-    const needsTime = this.plan.activationFilters.length > 0
-    const now = needsTime ? clock.now() : 0
     for (let i = 0; i < faces.length; i++) {
-      for (let k = 0; k < readers.length; k++) readers[k].reader.read(read.inputs[readers[k].kind], i, engine)
-      for (let k = 0; k < named.length; k++) read.inputs.value[k] = named[k][i]
-      last.take(i, read.values)
-      this.#states[i] ??= program.createState()
-      if (!needsTime) continue
-      this.#states[i].seconds[0] = (now - this.#times[i]) / 1000
+      for (let k = 0; k < readers.length; k++) readers[k].reader.read(readers[k].values, i, engine)
+      for (let k = 0; k < named.length; k++) state.inputs.value[k] = named[k][i]
+      last.take(i, state.values)
+    }
+    if (!this.#isDelayed) return
+    const now = clock.now()
+    for (let i = 0; i < faces.length; i++) {
+      delayed[i].seconds[0] = (now - this.#times[i]) / 1000
       this.#times[i] = now
     }
   }
 
+  /** Phase 2: evaluates the drivers of all faces. */
   evaluate(faces: readonly Face[]): void {
     if (faces[0].slots !== this.#slots) this.#findAreas(faces[0])
-    const { program, last } = this.bind()
+    this.bind()
+    const { program, state, delayed, last } = this.#bound!
     for (let i = 0; i < faces.length; i++) {
-      const state = this.#states[i]
-      if (!last.check(i, faces[i]) && state.isSettled) continue
+      const isStanding = !last.check(i, faces[i]) && (!this.#isDelayed || delayed[i].isSettled)
+      if (isStanding) continue
       last.isDue[i] = 1
-      last.get(i, state.values)
-      const { values } = faces[i].resting
-      for (let k = 0; k < this.#indices.length; k++) {
-        state.resting[k] = this.#indices[k] === NO_AREA ? 0 : values[this.#indices[k]]
+      const activations = this.#activations[i]
+      if (this.#isDelayed) {
+        last.get(i, delayed[i].values)
+        this.#rest(faces[i], delayed[i].resting)
+        program.evaluate(delayed[i])
+        activations.set(delayed[i].activations)
+      } else {
+        last.get(i, state.values)
+        this.#rest(faces[i], activations)
+        program.addTo(activations, state.values)
       }
-      program.evaluate(state)
     }
   }
 
+  /** Writes a face's activations at rest, by area of the plan. */
+  #rest({ resting: { values: from } }: Face, values: Float32Array): void {
+    const indices = this.#indices
+    for (let k = 0; k < indices.length; k++) values[k] = indices[k] === NO_AREA ? 0 : from[indices[k]]
+  }
+
+  /** Phase 3: sets the faces' activations. */
   apply(faces: readonly Face[]): void {
-    const { last } = this.bind()
+    this.bind()
+    const { last } = this.#bound!
+    const indices = this.#indices
     for (let i = 0; i < faces.length; i++) {
       if (!last.isDue[i]) continue
-      setAll(faces[i].activations, this.#indices, this.#states[i])
+      const { activations } = faces[i]
+      const values = this.#activations[i]
+      for (let k = 0; k < indices.length; k++) {
+        if (indices[k] !== NO_AREA) activations.setAt(indices[k], values, k)
+      }
       last.settle(i, faces[i])
     }
   }
@@ -176,14 +206,11 @@ export class DriverRuntime<Engine> implements FaceDrivers<Engine> {
 
 interface Bound<Engine> {
   program: DriverProgram
-  /** Receives the inputs of one face after another. */
-  read: DriverState
-  /** What it received. */
+  /** Scratch, reused per face. */
+  state: DriverState
+  /** By face, where activations depend on time; otherwise empty. */
+  delayed: readonly DriverState[]
   last: LastInputs
-  readers: readonly { kind: MeasuredKind; reader: InputReader<Engine> }[]
-}
-
-function setAll(activations: Activations, indices: Uint16Array, { activations: values }: DriverState): void {
-  for (let i = 0; i < indices.length; i++)
-    if (indices[i] !== NO_AREA) activations.setAt(indices[i], values, i)
+  /** Readers, with the part of the scratch state that they write. */
+  readers: readonly { reader: InputReader<Engine>; values: Float64Array }[]
 }

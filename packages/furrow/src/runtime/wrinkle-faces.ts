@@ -1,10 +1,12 @@
 import { wrongArgument } from '../core/argument.ts'
 import { FurrowError } from '../core/error.ts'
 import type { Area, ArraySlice } from '../core/types.ts'
-import type { Expression } from '../drivers/expression/expression.ts'
+import { type Expression, expressionsOf } from '../drivers/expression/expression.ts'
+import type { DriverPlan } from '../drivers/plan.ts'
+import type { WrinkleDriver } from '../drivers/registry.ts'
 import type { AreaSlots } from './area-slots.ts'
+import { type BindInputs, DriverRuntime } from './driver-runtime.ts'
 import { Face } from './face.ts'
-import type { FaceDrivers } from './face-drivers.ts'
 import { checkInstance, NamedInputs } from './named-inputs.ts'
 
 /** A source of time. */
@@ -21,8 +23,8 @@ export interface Clock {
 export abstract class WrinkleFaces<Engine = unknown> {
   /** Whether drivers activate their areas; set it to false to activate them yourself. */
   driven = true
-  /** Preset expressions of the file. */
-  expressions: readonly Expression[] = []
+  /** The mesh that drives. */
+  abstract readonly mesh: { readonly name: string }
   /** Numbers that the application sets for drivers: `inputs.set('age', 40)`. */
   readonly inputs: NamedInputs
 
@@ -32,7 +34,8 @@ export abstract class WrinkleFaces<Engine = unknown> {
   protected areas: Area<ArraySlice>[]
   #clock: Clock = performance
   #isDisposed = false
-  #drivers: FaceDrivers<Engine> | null = null
+  #runtime: DriverRuntime<Engine> | null = null
+  #expressions: readonly Expression[] = []
   readonly #disposers: (() => void)[] = []
 
   /**
@@ -112,7 +115,7 @@ export abstract class WrinkleFaces<Engine = unknown> {
     }
     const { activations, resting } = this.#faceOf(instance, 'setActivations')
     activations.setNamed(names, values)
-    resting.setNamed(names, values, this.#drivers?.movedAreas)
+    resting.setNamed(names, values, this.plan?.movedAreas)
   }
 
   /**
@@ -152,25 +155,47 @@ export abstract class WrinkleFaces<Engine = unknown> {
     return this.driven && this.#isMoved(area)
   }
 
-  /** Replaces the drivers. @internal */
-  setDrivers(drivers: FaceDrivers<Engine>): void {
-    this.checkInUse('setDrivers')
-    this.#drivers = drivers
+  /** The drivers in force, in the order in which they were added; see `addDrivers` and `setDrivers`. */
+  get drivers(): readonly WrinkleDriver[] {
+    return this.plan?.drivers ?? []
+  }
+
+  /** Preset expressions among the drivers. */
+  get expressions(): readonly Expression[] {
+    return this.#expressions
+  }
+
+  /** The plan of the drivers. @internal */
+  get plan(): DriverPlan | undefined {
+    return this.#runtime?.plan
+  }
+
+  /**
+   * Replaces the drivers.
+   *
+   * @param bindInputs finds their inputs on the mesh.
+   * @param isLate whether inputs are found at the first frame; otherwise now.
+   */
+  protected driveBy(plan: DriverPlan, bindInputs: BindInputs<Engine>, isLate: boolean): void {
+    const runtime = new DriverRuntime(plan, bindInputs, this.inputs, this.faces.length, this.mesh.name)
+    if (!isLate) runtime.bind()
+    this.#runtime = runtime
+    this.#expressions = expressionsOf(plan.drivers)
   }
 
   /** Phase 1 of a frame, see `Frame`. @internal */
   readInputs(engine: Engine | null): void {
-    if (this.driven) this.#drivers?.readInputs(this.faces, this.clock, engine)
+    if (this.driven) this.#runtime?.readInputs(this.faces, this.clock, engine)
   }
 
   /** Phase 2. @internal */
   evaluateDrivers(): void {
-    if (this.driven) this.#drivers?.evaluate(this.faces)
+    if (this.driven) this.#runtime?.evaluate(this.faces)
   }
 
   /** Phase 3. @internal */
   applyActivations(): void {
-    if (this.driven) this.#drivers?.apply(this.faces)
+    if (this.driven) this.#runtime?.apply(this.faces)
   }
 
   /** Registers a function to be called by `dispose`. */
@@ -185,7 +210,7 @@ export abstract class WrinkleFaces<Engine = unknown> {
   dispose(): void {
     this.#isDisposed = true
     for (const dispose of this.#disposers.splice(0)) dispose()
-    this.#drivers = null
+    this.#runtime = null
   }
 
   /** @throws FurrowError when the wrinkles were disposed of. */
@@ -205,6 +230,6 @@ export abstract class WrinkleFaces<Engine = unknown> {
   }
 
   #isMoved(area: string): boolean {
-    return this.#drivers?.movedAreas.has(area) ?? false
+    return this.plan?.movedAreas.has(area) ?? false
   }
 }

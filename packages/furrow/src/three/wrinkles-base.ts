@@ -2,6 +2,10 @@ import { type Camera, type Material, type Mesh, REVISION, type Scene } from 'thr
 import { wrongArgument } from '../core/argument.ts'
 import { checkAreas } from '../core/check-areas.ts'
 import type { Area, ArraySlice, WrinkleSet } from '../core/types.ts'
+import { driversOf } from '../drivers/of-type.ts'
+import { type DriverPlan, planDrivers } from '../drivers/plan.ts'
+import type { WrinkleDriver } from '../drivers/registry.ts'
+import { applyDrivers } from '../runtime/apply-drivers.ts'
 import type { Cell } from '../runtime/atlas-cells.ts'
 import type { FrameEntry } from '../runtime/frame.ts'
 import { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
@@ -39,6 +43,9 @@ import {
 import { canRise } from './relief/raised-layer.ts'
 import type { ReliefControl } from './relief/relief-control.ts'
 import { type AnyRenderer, checkRenderer, isRefused } from './renderer.ts'
+import { bindInputs } from './sources/bind-inputs.ts'
+import { addMuscles } from './sources/muscles.ts'
+import type { InputOptions } from './sources/target.ts'
 import { checkThree } from './three-version.ts'
 
 /**
@@ -63,12 +70,13 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   /** Null until relief is wanted, and there are heights for it. */
   #relief: ReliefControl | null = null
   #appearance: Appearance | null = null
+  #inputOptions: InputOptions = {}
 
   /**
    * @param renderer what depends on the renderer.
    * @param mesh with UVs, normals, and a lit material of its own.
    * @param source a wrinkle set, copied: later changes have no effect, use `addArea`, `removeArea`, `updateArea` and `updateLayer`. Or the wrinkles of
-   *   another mesh, whose set and textures are used, with activations at rest.
+   *   another mesh, whose set, textures and drivers are used, with activations at rest.
    * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then unchanged.
    */
   constructor(
@@ -114,6 +122,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     this.relief = allOptions.relief
     try {
       this.mode = allOptions.mode
+      this.#driveAs(source)
     } catch (error) {
       this.dispose()
       throw error
@@ -240,6 +249,22 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     return { areas: this.areas, inputs: this.#inputs }
   }
 
+  /**
+   * Replaces the drivers.
+   *
+   * @param options where their inputs are found; those left out stay as they were.
+   * @param isLate whether inputs are found at the first frame: they may not exist before.
+   * @internal
+   */
+  drive(drivers: readonly WrinkleDriver[] | DriverPlan, options?: InputOptions, isLate = false): void {
+    this.checkInUse('setDrivers')
+    const plan = 'areaNames' in drivers ? drivers : planDrivers(drivers)
+    addMuscles(this.mesh, driversOf('muscle', plan.drivers))
+    const all = { ...this.#inputOptions, ...options }
+    this.driveBy(plan, (inputs) => bindInputs(this, inputs, this.#renderer.bindTension, all), isLate)
+    this.#inputOptions = all
+  }
+
   /** Lets the wrinkles appear in the next frames. @internal */
   appear(appearance: Appearance): void {
     this.#appearance = appearance
@@ -312,6 +337,17 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     const { fadeBelow } = this.#options
     if (fadeBelow === 0 || this.#material.mode === 'composed' || instancesOf(this.mesh)) return appeared
     return appeared * (FADE.value?.(mesh, camera, renderer, fadeBelow) ?? 1)
+  }
+
+  /** Takes the drivers of a set or of another face. A copy may get its skeleton later, and does not show the expressions of a VRM. */
+  #driveAs(source: WrinkleSet<ArraySlice> | WrinklesBase): void {
+    if (source instanceof WrinklesBase) {
+      const { targetsOf } = source.#inputOptions
+      if (source.plan) this.drive(source.plan, { targetsOf }, true)
+      return
+    }
+    const { drivers } = source as { drivers?: readonly WrinkleDriver[] }
+    if (drivers) applyDrivers(drivers, 'Wrinkles', () => this.drive(drivers))
   }
 
   async #fetchRelief(): Promise<ReliefControl | null> {

@@ -8,7 +8,7 @@ import {
   valueSource,
   type WrinkleDriver,
 } from 'furrow'
-import { BINDINGS, inputName } from 'furrow/internal'
+import { bindInputs, bindTension, inputName } from 'furrow/internal'
 import type { Wrinkles } from '../../../../stage/stage.ts'
 
 /** What the face has beyond its mesh. Both maps are read whenever the drivers are evaluated. */
@@ -40,17 +40,12 @@ export class FaceDrivers {
     this.#face = face
     this.#plan = planDrivers(wrinkles ? list.filter(({ type }) => type !== 'time') : [])
     this.#values = valueSource(this.#plan.inputs.value)
-    const { inputs } = this.#plan
-    const readers = wrinkles && {
-      target: BINDINGS.target(wrinkles, inputs.target, {}),
-      joint: BINDINGS.joint(wrinkles, inputs.joint, {}),
-      tension: BINDINGS.tension(wrinkles, inputs.tension, {}),
-    }
+    const readers = wrinkles && bindInputs(wrinkles, this.#plan.inputs, bindTension)
     this.#program = new DriverProgram(this.#plan, { ...readers, value: this.#values })
     const state = this.#program.createState()
     this.#state = state
     this.#read = () => {
-      if (readers) for (const kind of MEASURED) readers[kind].read(state.inputs[kind], 0, null)
+      if (readers) for (const kind of MEASURED) readers[kind]?.read(state.inputs[kind], 0, null)
     }
   }
 

@@ -3,19 +3,11 @@ import type { GLTFLoader } from '@babylonjs/loaders/glTF/2.0/glTFLoader.js'
 import type { IGLTFLoaderExtension } from '@babylonjs/loaders/glTF/2.0/glTFLoaderExtension.js'
 import type { INode } from '@babylonjs/loaders/glTF/2.0/glTFLoaderInterfaces.js'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
-import { driversOf } from '../../drivers/of-type.ts'
-import { faults } from '../../runtime/file/decode-image.ts'
-import {
-  extensionOf,
-  type FileWrinkles,
-  prefetchUnusual,
-  wrinkleReader,
-} from '../../runtime/file/read-wrinkles.ts'
+import { notFetched } from '../../runtime/file/image-faults.ts'
+import { extensionOf, type FileWrinkles, wrinkleReader } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
 import type { WrinkledFile } from '../../runtime/file/wrinkled-file.ts'
-import { prepareDrivers } from '../../runtime/prepare-drivers.ts'
 import type { LoaderOptions, WrinklesOptions } from '../options.ts'
-import { readWeights, targetNames } from '../sources/morph.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 
 /** A face of a file: meshes of one node that have one material with the extension. */
@@ -44,21 +36,17 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
     this.#transcoderPath = transcoderPath
   }
 
-  onLoading(): void {
-    prefetchUnusual({ json: this.#loader.gltf })
-  }
-
   /** Called by the loader when everything else is loaded. */
   async onReady(): Promise<void> {
     const faces = facesOf(this.#loader)
     if (faces.length === 0) return
-    const read = wrinkleReader(fileOf(this.#loader, this.#transcoderPath), {
-      onFault: (fault) => this.#warnings.add(fault, 'the other drivers work'),
-    })
+    const read = wrinkleReader(fileOf(this.#loader, this.#transcoderPath), (fault) =>
+      this.#warnings.add(fault, 'the other drivers work'),
+    )
     const first = new Map<FileWrinkles['set'], WrinklesBase>()
     for (const { meshes, material } of faces) {
       try {
-        await this.#add(meshes, await read(material), first)
+        this.#add(meshes, await read(material), first)
       } catch (error) {
         const name = this.#loader.gltf.materials?.[material].name ?? material
         this.#warnings.add(error, `material ${JSON.stringify(name)} stays plain`)
@@ -68,29 +56,15 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
 
   dispose(): void {}
 
-  async #add(
+  #add(
     [mesh, ...others]: AbstractMesh[],
     { set, drivers }: FileWrinkles,
     first: Map<FileWrinkles['set'], WrinklesBase>,
-  ): Promise<void> {
-    const muscles = driversOf('muscle', drivers)
-    if (muscles.length > 0) {
-      const { addMuscles } = await import('../sources/muscles.ts')
-      for (const part of [mesh, ...others]) addMuscles(part, muscles)
-    }
-    const driveOne = await prepareDrivers<WrinklesBase>(targetNames(mesh.morphTargetManager), drivers, {
-      targetNames: (own) => targetNames(own.mesh.morphTargetManager),
-      weightReader: (own) => (values) => readWeights(own.mesh, values),
-      fetchAny: async () => (await import('./any-drivers.ts')).planDrivers(drivers),
-    })
-    const drive = (own: WrinklesBase) => {
-      own.copyDrivers = drive
-      driveOne(own)
-    }
+  ): void {
     const own = new WrinklesBase(mesh, first.get(set) ?? set, this.#options)
     try {
       for (const other of others) own.addMesh(other)
-      drive(own)
+      own.drive(drivers)
     } catch (error) {
       own.dispose()
       throw error
@@ -117,7 +91,7 @@ function meshesOf({ _primitiveBabylonMeshes: meshes }: INode): readonly Abstract
   return meshes ?? []
 }
 
-/** Few files have KTX 2 images: what only these need is fetched when one appears. */
+/** Few files have KTX 2 images: the code for these is fetched when one appears. */
 function fileOf(loader: GLTFLoader, transcoderPath: string | undefined): WrinkledFile {
   const { gltf } = loader
   const readBytes: WrinkledFile['readBytes'] = async (index, who) => {
@@ -127,7 +101,7 @@ function fileOf(loader: GLTFLoader, transcoderPath: string | undefined): Wrinkle
       const bytes = await loader.loadImageAsync(`/images/${index}`, image)
       return new Uint8Array(bytes.buffer as ArrayBuffer, bytes.byteOffset, bytes.byteLength)
     } catch {
-      throw (await faults()).notFetched(image.uri ?? `image ${index}`, who)
+      throw notFetched(image.uri ?? `image ${index}`, who)
     }
   }
   return {

@@ -2,9 +2,10 @@ import type { Bone } from '@babylonjs/core/Bones/bone.js'
 import { Matrix } from '@babylonjs/core/Maths/math.vector.js'
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { TransformNode } from '@babylonjs/core/Meshes/transformNode.js'
+import type { InputOf } from '../../drivers/activation.ts'
 import { JointMeasurement, MATRIX } from '../../drivers/bone/measure.ts'
 import { measuredSource } from '../../drivers/sources.ts'
-import type { BindInputs } from './bind-plan.ts'
+import type { InputReader } from '../../runtime/driver-runtime.ts'
 
 /** A joint: a bone of the skeleton, or a node. */
 interface Joint {
@@ -14,7 +15,7 @@ interface Joint {
 }
 
 /** Measures joints relative to the bind pose, or to their pose when the inputs are bound where one of them is no bone. */
-export const bindJoints: BindInputs<'joint'> = ({ mesh }, inputs) => {
+export function bindJoints(mesh: AbstractMesh, inputs: readonly InputOf<'joint'>[]): InputReader<unknown> {
   const all = [...new Set(inputs.flatMap(({ from, joint }) => [from, joint]))]
   const joints = new Map(
     all.flatMap((name) => {

@@ -1,9 +1,13 @@
+import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
+import type { InputOf } from '../../drivers/activation.ts'
 import { targetSource } from '../../drivers/sources.ts'
-import type { BindInputs } from './bind-plan.ts'
+import type { InputReader } from '../../runtime/driver-runtime.ts'
 import { readWeights, targetNames } from './morph.ts'
 
 /** Reads the weights of the mesh's morph targets. */
-export const bindTargets: BindInputs<'target'> = ({ mesh }, inputs) => ({
-  ...targetSource(inputs, targetNames(mesh.morphTargetManager)),
-  read: (values) => readWeights(mesh, values),
-})
+export function bindTargets(mesh: AbstractMesh, inputs: readonly InputOf<'target'>[]): InputReader<unknown> {
+  return {
+    ...targetSource(inputs, targetNames(mesh.morphTargetManager)),
+    read: (values) => readWeights(mesh, values),
+  }
+}

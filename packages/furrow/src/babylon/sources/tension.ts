@@ -1,13 +1,18 @@
 import { VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
+import type { InputOf } from '../../drivers/activation.ts'
+import type { InputReader } from '../../runtime/driver-runtime.ts'
 import { sampledTension, tensionSurface } from '../../runtime/sampled-tension.ts'
-import type { BindInputs } from './bind-plan.ts'
+import type { WrinkleFaces } from '../../runtime/wrinkle-faces.ts'
 import { sampledMesh, vertexData } from './surface.ts'
 
+/** The part of `Wrinkles` that tension needs. */
+export type DrivenFace = Pick<WrinkleFaces, 'getArea'> & { readonly mesh: AbstractMesh }
+
 /** Measures a few triangles of each area as morph targets and the skeleton deform them, on the CPU. */
-export const bindTension: BindInputs<'tension'> = (wrinkles, inputs) => {
-  const { mesh } = wrinkles
-  const surface = tensionSurface(sampledMesh(mesh), inputs, (name) => wrinkles.getArea(name))
+export function bindTension(face: DrivenFace, inputs: readonly InputOf<'tension'>[]): InputReader<unknown> {
+  const { mesh } = face
+  const surface = tensionSurface(sampledMesh(mesh), inputs, (name) => face.getArea(name))
   const morphed = morphedPositions(mesh)
   const skinned = skinnedPositions(mesh)
   const reader = sampledTension(surface, inputs, (vertex, positions, offset) => {

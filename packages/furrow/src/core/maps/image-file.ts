@@ -12,7 +12,8 @@ export function imageDamage(bytes: Uint8Array): string | undefined {
   return type === 'image/jpeg' ? jpegDamage(bytes) : undefined
 }
 
-function pngDamage(chunks: readonly PngChunk[]): string | undefined {
+/** The same for the chunks of a PNG file. */
+export function pngDamage(chunks: readonly PngChunk[]): string | undefined {
   if (isWholePng(chunks)) return undefined
   if (chunks.some(({ isSound }) => !isSound)) return 'a checksum is wrong'
   return chunks.at(-1)?.type === 'IEND' ? 'it has no header' : 'it is cut off'

@@ -1,7 +1,12 @@
+import { FurrowError } from '../../core/error.ts'
 import { MAX_IMAGE_SIDE } from '../../core/limits.ts'
-import { isWholePng, type PngHeader, pngChunks, pngHeader } from '../../core/maps/png.ts'
+import { imageDamage, pngDamage } from '../../core/maps/image-file.ts'
+import { imageTypeOf } from '../../core/maps/image-type.ts'
+import { type PngChunk, type PngHeader, pngChunks, pngHeader } from '../../core/maps/png.ts'
 import type { GrayImage, RgbaImage } from '../../core/types.ts'
-import { readOpaque } from './opaque-image.ts'
+import { tooLarge, transparent, unreadable } from './image-faults.ts'
+import { inflatePng } from './inflate-png.ts'
+import { hasPixels, readImage } from './read-image.ts'
 
 /**
  * Decodes an image file in the browser, without colour management, to 8 bits per channel.
@@ -16,24 +21,34 @@ export async function decodeImage(file: Blob, who: string): Promise<RgbaImage> {
   const image = await decodeBytes(new Uint8Array(await file.arrayBuffer()), who)
   const { data } = image
   for (let i = 3; i < data.length; i += 4) {
-    if (data[i] !== 255) throw (await faults()).transparent(data[i], who)
+    if (data[i] !== 255) throw transparent(data[i], who)
   }
   return image
 }
 
-/** As `decodeImage`, with alpha as stored. */
+/** Decodes as `decodeImage` does, with alpha as stored. */
 export async function decodeBytes(bytes: Uint8Array<ArrayBuffer>, who: string): Promise<RgbaImage> {
+  const type = imageTypeOf(bytes)
   const png = pngHeader(bytes)
-  if (!png || !isUsual(png, bytes)) return (await import('./other-image.ts')).decodeOther(bytes, who)
+  const chunks = png ? pngChunks(bytes) : []
+  const damage = png ? pngDamage(chunks) : imageDamage(bytes)
+  if (damage || !type || type === 'image/ktx2') throw unreadable(bytes, who, damage)
+  // Refuses huge images before they are decoded.
+  if (png) checkSize(png, who)
   try {
-    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }), {
+    if (png && hasPlainAlpha(png)) return await inflatePng(chunks, png)
+    const isOpaque = type === 'image/jpeg' || (png !== undefined && !hasAlpha(png, chunks))
+    const bitmap = await createImageBitmap(new Blob([bytes], { type }), {
       colorSpaceConversion: 'none',
-      // The same where there is no alpha, and what canvases hold: nothing is converted, which would take a third of the time.
-      premultiplyAlpha: 'premultiply',
+      // Canvases store premultiplied colours. Without alpha both are equal, and converting takes a third of the time.
+      premultiplyAlpha: isOpaque ? 'premultiply' : 'none',
     })
-    return readOpaque(bitmap)
-  } catch {
-    throw (await faults()).unreadable(bytes, who)
+    checkSize(bitmap, who)
+    const image = isOpaque ? readOpaque(bitmap) : readImage(bitmap)
+    bitmap.close?.()
+    return image
+  } catch (error) {
+    throw error instanceof FurrowError ? error : unreadable(bytes, who)
   }
 }
 
@@ -46,15 +61,26 @@ export function toGray({ width, height, data }: RgbaImage): GrayImage {
   return { width, height, data: gray }
 }
 
-/** What says what is wrong with a file: fetched, since most are sound. */
-export const faults = () => import('./image-faults.ts')
+function checkSize(size: { width: number; height: number }, who: string): void {
+  if (Math.max(size.width, size.height) > MAX_IMAGE_SIDE) throw tooLarge(size, who)
+}
 
-/**
- * Whether a PNG is as most maps are: whole, of a size that is allowed, gray or RGB, with no colour that stands for transparency. All else
- * is left to what is fetched for it.
- */
-function isUsual({ width, height, colour }: PngHeader, bytes: Uint8Array): boolean {
-  if (Math.max(width, height) > MAX_IMAGE_SIDE || (colour !== 0 && colour !== 2)) return false
-  const chunks = pngChunks(bytes)
-  return isWholePng(chunks) && chunks.every(({ type }) => type !== 'tRNS')
+/** Whether a PNG has transparency or a palette, which may have it. */
+function hasAlpha({ colour }: PngHeader, chunks: readonly PngChunk[]): boolean {
+  return (colour !== 0 && colour !== 2) || chunks.some(({ type }) => type === 'tRNS')
+}
+
+/** Whether `inflatePng` reads a file. */
+function hasPlainAlpha({ depth, colour, isInterlaced }: PngHeader): boolean {
+  return depth === 8 && (colour === 4 || colour === 6) && !isInterlaced
+}
+
+/** Reads the pixels of an image without alpha through a 2D canvas, which keeps them exactly. */
+function readOpaque(bitmap: ImageBitmap): RgbaImage {
+  if (hasPixels(bitmap)) return bitmap
+  const { width, height } = bitmap
+  const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })!
+  context.drawImage(bitmap, 0, 0)
+  const { data } = context.getImageData(0, 0, width, height)
+  return { width, height, data: new Uint8Array(data.buffer) }
 }

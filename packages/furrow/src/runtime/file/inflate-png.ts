@@ -1,18 +1,19 @@
-import { type PngHeader, pngChunks } from '../../core/maps/png.ts'
+import type { PngChunk, PngHeader } from '../../core/maps/png.ts'
 import type { RgbaImage } from '../../core/types.ts'
 
 /**
- * Reads the pixels of a PNG file with alpha, 8 bits per channel and rows in order, exactly as stored: four areas in one image. A 2D canvas multiplies colours by alpha, and loses them where that is small;
- * WebGL keeps them, but takes tens of milliseconds to begin, in which the page stands still.
+ * Reads the pixels of a PNG file with alpha, 8 bits per channel and not interlaced, exactly as stored: such a file holds four areas. A 2D
+ * canvas multiplies colours by alpha, and so loses them where alpha is small. WebGL keeps them, but creating a context blocks the page for
+ * tens of milliseconds.
  *
- * @param bytes a whole file.
- * @throws whatever is wrong with its data.
+ * @param chunks of a whole file.
+ * @throws Error when its data is damaged.
  */
 export async function inflatePng(
-  bytes: Uint8Array,
+  chunks: readonly PngChunk[],
   { width, height, colour }: PngHeader,
 ): Promise<RgbaImage> {
-  const parts = pngChunks(bytes)
+  const parts = chunks
     .filter(({ type }) => type === 'IDAT')
     .map(({ data }) => data as Uint8Array<ArrayBuffer>)
   const packed = new Blob(parts).stream().pipeThrough(new DecompressionStream('deflate'))

@@ -1,55 +1,73 @@
 import { channelOf } from '../../core/channels.ts'
+import { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import type { DecodedBytes } from '../../core/maps/decoded-bytes.ts'
 import { pngHeader } from '../../core/maps/png.ts'
-import type { TextureShape } from '../../core/maps/rules.ts'
-import type { TextureReference } from '../../core/maps/wrinkle-maps.ts'
-import type { ArraySlice, GrayImage, Layer, RgbaImage, WrinkleSet } from '../../core/types.ts'
-import type { WrinkleMaps } from '../../drivers/parse.ts'
+import { mapProblems, type TextureShape, texturesOfFace } from '../../core/maps/rules.ts'
+import type { MapsAndAreas, TextureReference } from '../../core/maps/wrinkle-maps.ts'
+import type { ArraySlice, GrayImage, RgbaImage, WrinkleSet } from '../../core/types.ts'
 import { decodeBytes } from './decode-image.ts'
 import { fileError } from './file-error.ts'
-import type { WrinkledFile } from './wrinkled-file.ts'
+import type { FileArray, FileArrays, MapUse, WrinkledFile } from './wrinkled-file.ts'
 
 export const UNREADABLE = 'the wrinkles cannot be read'
 
-/** Reads the images of a file, each once. */
+/** Reads the images of a file, each once. KTX 2 images and arrays become slices of the engine's textures. */
 export class MapSource {
   readonly #file: WrinkledFile
   readonly #decoded: DecodedBytes
-  /** By their textures. */
+  /** By texture. */
   readonly #images = new Map<number, Promise<RgbaImage>>()
-  /** Images that do not tell their size before are decoded one after the other. */
+  /** KTX 2 images and arrays, by texture. */
+  readonly #arrays = new Map<number, Promise<FileArray>>()
+  #arrayReader: Promise<FileArrays> | undefined
+  /** Images whose size is unknown before decoding are decoded one at a time, so that their sum stays bounded. */
   #decoding: Promise<unknown> = Promise.resolve()
 
-  /** @param decoded counts what the images of the whole file take. */
+  /** @param decoded counts the decoded bytes of the whole file. */
   constructor(file: WrinkledFile, decoded: DecodedBytes) {
     this.#file = file
     this.#decoded = decoded
   }
 
-  async colours({ index }: TextureReference): Promise<RgbaImage | ArraySlice> {
-    return this.#image(index)
+  async colours(texture: TextureReference, use: MapUse): Promise<RgbaImage | ArraySlice> {
+    return this.#isArray(texture) ? this.#slice(texture, 0, use) : this.#image(texture.index)
   }
 
-  async gray({ index }: TextureReference, channel: number): Promise<GrayImage | ArraySlice> {
-    return channelOf(await this.#image(index), channel)
-  }
-
-  /** The set of all that was read, when it has been checked. */
-  async finish(set: WrinkleSet<ArraySlice>, maps: WrinkleMaps): Promise<WrinkleSet<ArraySlice>> {
-    if (differInSize(set.layers)) await this.check(maps)
-    return set
+  async gray(texture: TextureReference, channel: number, use: MapUse): Promise<GrayImage | ArraySlice> {
+    if (this.#isArray(texture)) return this.#slice(texture, channel, use)
+    return channelOf(await this.#image(texture.index), channel)
   }
 
   /**
-   * Checks the maps of a file against each other, and against its own maps.
+   * Checks everything that was read against the rules for maps, and joins the arrays of each kind of map.
    *
-   * @param shapes of all that was read elsewhere, by their textures.
+   * @throws FurrowError when the maps break a rule.
    */
-  async check(maps: WrinkleMaps, shapes = new Map<number, TextureShape>()): Promise<void> {
+  async finish(set: WrinkleSet<ArraySlice>, maps: MapsAndAreas): Promise<WrinkleSet<ArraySlice>> {
+    const shapes = new Map<number, TextureShape>()
     for (const [texture, image] of this.#images) shapes.set(texture, await image)
-    const { checkMaps } = await import('./check-maps.ts')
-    checkMaps(maps, shapes, this.#file.json)
+    for (const [texture, array] of this.#arrays) shapes.set(texture, (await array).header)
+    const ofFace = texturesOfFace(this.#file.json)
+    const [problem] = mapProblems(maps, (texture) => shapes.get(texture)!, ofFace, WRINKLE_MAPS)
+    if (problem) throw new FurrowError(problem)
+    return this.#arrayReader ? (await this.#arrayReader).join(set) : set
+  }
+
+  /** Plain KTX 2 images are read as arrays of one slice. */
+  #isArray({ index, slice }: TextureReference): boolean {
+    if (slice !== undefined) return true
+    const { source, extensions }: FileTexture = this.#file.json.textures[index]
+    return Boolean(extensions?.KHR_texture_basisu) && (source === undefined || this.#file.prefersArrays)
+  }
+
+  async #slice({ index, slice = 0 }: TextureReference, channel: number, use: MapUse): Promise<ArraySlice> {
+    this.#arrayReader ??= this.#file.fetchArrays()
+    const reader = this.#arrayReader
+    const { array } = await once(this.#arrays, index, async () =>
+      (await reader).load(index, use, (shape) => this.#decoded.add(index, shape, WRINKLE_MAPS)),
+    )
+    return { array, slice, channel }
   }
 
   #image(index: number): Promise<RgbaImage> {
@@ -76,19 +94,7 @@ export class MapSource {
   }
 }
 
-/** Whether the images of some kind do; nothing else can be wrong with images that were decoded. */
-function differInSize(layers: readonly Layer<ArraySlice>[]): boolean {
-  return KINDS.some((kinds) => {
-    const maps = layers.flatMap((layer) => kinds.map((kind) => layer[kind] as RgbaImage | undefined))
-    const [first, ...others] = maps.filter((map) => map !== undefined)
-    return others.some(({ width, height }) => width !== first.width || height !== first.height)
-  })
-}
-
-/** Maps of one kind are in one array, occlusion and blood too. */
-const KINDS = [['normal'], ['baseColor'], ['roughness'], ['occlusion', 'blood']] as const
-
-/** Index of the image that is not KTX 2. */
+/** Index of a texture's image that is not KTX 2. */
 function imageOf({ source, extensions }: FileTexture): number | undefined {
   return extensions?.EXT_texture_webp?.source ?? extensions?.EXT_texture_avif?.source ?? source
 }

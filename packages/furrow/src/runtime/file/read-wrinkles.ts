@@ -1,14 +1,12 @@
 import { CHANNEL } from '../../core/channels.ts'
 import type { FurrowError } from '../../core/error.ts'
-import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
+import { checkDeclared, WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import { DecodedBytes } from '../../core/maps/decoded-bytes.ts'
 import type { WrinkleMapsLayer } from '../../core/maps/wrinkle-maps.ts'
 import type { Area, ArraySlice, GrayImage, Layer, WrinkleSet } from '../../core/types.ts'
-import type { WrinkleMaps } from '../../drivers/parse.ts'
+import { parseWrinkleMaps, type WrinkleMaps } from '../../drivers/parse.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
-import { readUsualMaps } from '../../drivers/usual-maps.ts'
 import { MAP_KINDS, type ValueKind } from '../layer-maps.ts'
-import type { ArraySource } from './array-source.ts'
 import { fileError } from './file-error.ts'
 import { MapSource, once, UNREADABLE } from './map-source.ts'
 import type { WrinkledFile } from './wrinkled-file.ts'
@@ -21,37 +19,27 @@ export interface FileWrinkles {
   drivers: WrinkleDriver[]
 }
 
-/** How the wrinkles of materials are read. */
-export interface ReadOptions {
-  /** Is told of each malformed driver, which is then left out; by default it is thrown. */
-  onFault?: (fault: FurrowError) => void
-  /** Is told what a material has, before its images are decoded. */
-  onMaps?: (maps: WrinkleMaps) => void
-}
+/** Called for each malformed driver, which is then left out; without it, the fault is thrown. */
+export type OnFault = (fault: FurrowError) => void
 
 /**
- * Reads the wrinkles of materials, of each once; layers with heights have `readHeight`, see `RaisedLayer`.
+ * Reads the wrinkles of materials, each material once. Layers with heights get `readHeight`, see `RaisedLayer`.
  *
  * @returns a function of a material's index, which throws FurrowError when the extension is malformed or an image cannot be read.
  */
 export function wrinkleReader(
   file: WrinkledFile,
-  options: ReadOptions = {},
+  onFault?: OnFault,
 ): (material: number) => Promise<FileWrinkles> {
   const known = new Map<number, Promise<FileWrinkles>>()
   const decoded = new DecodedBytes()
   const read = async (material: number): Promise<FileWrinkles> => {
     try {
-      const json = extensionOf(material, file)
-      const usual = readUsualMaps(json, file.json)
-      const unusual = usual ? null : await importUnusual()
-      const maps = usual ?? unusual!.parseMaps(json, file.json, options.onFault)
-      options.onMaps?.(maps)
-      const createSource = () => {
-        const images = new MapSource(file, decoded)
-        return unusual ? new unusual.ArraySource(images, file, decoded) : images
-      }
-      return { set: await readSet(maps, createSource), drivers: maps.drivers }
+      const { textures } = file.json
+      const count = Array.isArray(textures) ? textures.length : 0
+      const maps = parseWrinkleMaps(extensionOf(material, file), count, WRINKLE_MAPS, onFault)
+      checkDeclared(file.json, WRINKLE_MAPS)
+      return { set: await readSet(maps, () => new MapSource(file, decoded)), drivers: maps.drivers }
     } catch (error) {
       throw fileError(error, WRINKLE_MAPS, UNREADABLE)
     }
@@ -59,27 +47,14 @@ export function wrinkleReader(
   return (material) => once(known, material, () => read(material))
 }
 
-/** Begins to fetch what reads a file that is out of the usual, so that it arrives while the rest is loaded. */
-export function prefetchUnusual({ json }: Pick<WrinkledFile, 'json'>): void {
-  const { materials } = json
-  if (!Array.isArray(materials)) return
-  const all = materials.flatMap((material) => material?.extensions?.[WRINKLE_MAPS] ?? [])
-  if (all.some((maps) => !readUsualMaps(maps, json))) importUnusual().catch(() => {})
-}
-
-/** What reads a file that is out of the usual, or says what is wrong with it. */
-const importUnusual = () => import('./unusual-file.ts')
-
 /** The extension's JSON of a material, malformed or not; undefined where it has none. */
 export function extensionOf(material: number, { json }: Pick<WrinkledFile, 'json'>): unknown {
   return json.materials[material].extensions?.[WRINKLE_MAPS]
 }
 
-type Source = MapSource | ArraySource
-
-async function readSet(maps: WrinkleMaps, createSource: () => Source): Promise<WrinkleSet<ArraySlice>> {
+async function readSet(maps: WrinkleMaps, createSource: () => MapSource): Promise<WrinkleSet<ArraySlice>> {
   const source = createSource()
-  // Everything at once: what decodes images has several threads.
+  // All at once: browsers decode images on several threads.
   const [layers, areas] = await Promise.all([
     Promise.all(maps.layers.map((layer) => readLayer(layer, source))),
     Promise.all(
@@ -98,8 +73,8 @@ async function readSet(maps: WrinkleMaps, createSource: () => Source): Promise<W
   for (const [i, { heightTexture }] of maps.layers.entries()) {
     if (!heightTexture) continue
     let height: Promise<GrayImage | ArraySlice> | undefined
-    // By a source of its own: nothing else that was decoded stays in memory until heights are wanted. As precise as areas are: a surface
-    // shows steps sooner than a colour does.
+    // A separate source, so that no other decoded image stays in memory until heights are wanted. Heights are as precise as areas: a
+    // surface shows steps sooner than a colour does.
     const readHeight = () => (height ??= createSource().gray(heightTexture, CHANNEL.height, 'areas'))
     Object.assign(set.layers[i], { heightAmplitude: heightTexture.amplitude, readHeight })
   }
@@ -107,7 +82,7 @@ async function readSet(maps: WrinkleMaps, createSource: () => Source): Promise<W
 }
 
 /** All maps but heights, which only relief needs. */
-async function readLayer(maps: WrinkleMapsLayer, source: Source): Promise<Layer<ArraySlice>> {
+async function readLayer(maps: WrinkleMapsLayer, source: MapSource): Promise<Layer<ArraySlice>> {
   const { name, kind, normalTexture, occlusionTexture, bloodTexture } = maps
   const layer = { name, kind, normalScale: normalTexture.scale } as Layer<ArraySlice>
   const readMap = async (map: 'normal' | ValueKind) => {

@@ -1,6 +1,6 @@
 import { LoaderUtils } from 'three'
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
-import { faults } from '../../runtime/file/decode-image.ts'
+import { notFetched } from '../../runtime/file/image-faults.ts'
 
 /**
  * Reads the bytes of an image of a file, in the file or beside it.
@@ -22,6 +22,6 @@ export async function readImageBytes(
   try {
     return new Uint8Array((await parser.fileLoader.loadAsync(address)) as ArrayBuffer)
   } catch {
-    throw (await faults()).notFetched(address, who)
+    throw notFetched(address, who)
   }
 }

@@ -3,7 +3,7 @@ import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import {
   extensionOf,
   type FileWrinkles,
-  type ReadOptions,
+  type OnFault,
   wrinkleReader,
 } from '../../runtime/file/read-wrinkles.ts'
 import type { WrinkledFile } from '../../runtime/file/wrinkled-file.ts'
@@ -66,12 +66,12 @@ export function wrinkledFaces(gltf: GLTF, parser: Parser): FileFace[] {
 /** `wrinkleReader` of a file that `GLTFLoader` loads. */
 export function materialReader(
   parser: Parser,
-  options?: ReadOptions,
+  onFault?: OnFault,
 ): (material: number) => Promise<FileWrinkles> {
-  return wrinkleReader(fileOf(parser), options)
+  return wrinkleReader(fileOf(parser), onFault)
 }
 
-/** Most files have no KTX 2 images: what only these need is fetched when one appears. */
+/** Few files have KTX 2 images: the code for these is fetched when one appears. */
 function fileOf(parser: Parser): WrinkledFile {
   return {
     json: parser.json,

@@ -5,13 +5,9 @@ import { isObject } from '../../core/argument.ts'
 import { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
-import type { WrinkleMaps } from '../../drivers/parse.ts'
 import { extensionOf, type FileWrinkles } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
-import { VALUE_KINDS } from '../../runtime/layer-maps.ts'
-import { areSums } from '../../runtime/morph-drivers.ts'
 import { nextTask } from '../../runtime/next-task.ts'
-import { prepareDrivers } from '../../runtime/prepare-drivers.ts'
 import { FADE } from '../fading/fade.ts'
 import { needChannels } from '../material/channels.ts'
 import type { RendererParts } from '../material/renderer-parts.ts'
@@ -23,12 +19,12 @@ import {
   type WrinkleLoaderOptions,
   type WrinklesOptions,
 } from '../options.ts'
-import type { Drive, FetchTension } from '../sources/binding.ts'
-import { targetNames, weightReader } from '../sources/morph.ts'
+import { combinableTargets } from '../sources/combined-targets.ts'
+import type { InputOptions } from '../sources/target.ts'
 import type { WrinklesBase } from '../wrinkles-base.ts'
 import { Adoption, type WatchDraws } from './adoption.ts'
 import type { AddFace } from './auto-wrinkles.ts'
-import type { LoadedFace } from './key-frames.ts'
+import { addActivationTracks, dropBrokenChannels, type LoadedFace } from './key-frames.ts'
 import { type FileFace, facesOf, materialReader, wrinkledFaces } from './read-wrinkle-maps.ts'
 
 /** The `Wrinkles` class of a renderer. */
@@ -42,7 +38,6 @@ type WrinklesClass = new (
 export interface LoaderParts {
   Wrinkles: WrinklesClass
   renderer: RendererParts
-  fetchTension: FetchTension
   watchDraws: WatchDraws
 }
 
@@ -79,10 +74,7 @@ export class WrinkleLoader {
     this.#options = { ...WRINKLES_DEFAULTS, ...others }
     this.#parser = parser
     this.#parts = parts
-    this.#read = materialReader(parser, {
-      onFault: (fault) => this.#warnings.add(fault, 'the other drivers work'),
-      onMaps: (maps) => this.#prefetch(maps),
-    })
+    this.#read = materialReader(parser, (fault) => this.#warnings.add(fault, 'the other drivers work'))
   }
 
   /** Called by the loader before it loads anything. */
@@ -90,9 +82,7 @@ export class WrinkleLoader {
     this.#begin()
     // Arrives while the rest is loaded.
     if (this.#auto) import('./auto-wrinkles.ts').catch(() => {})
-    if (!hasPointers(this.#parser)) return
-    const { dropBrokenChannels } = await import('./key-frames.ts')
-    dropBrokenChannels(this.#parser, this.#warnings)
+    if (hasPointers(this.#parser)) dropBrokenChannels(this.#parser, this.#warnings)
   }
 
   /** Begins to read the wrinkles of the meshes' materials while the rest is loaded. */
@@ -101,13 +91,6 @@ export class WrinkleLoader {
       // Whatever is wrong is told when the wrinkles are added.
       if (extensionOf(material, this.#parser) !== undefined) this.#read(material).catch(() => {})
     }
-  }
-
-  /** Begins to fetch what the wrinkles of a material take. */
-  #prefetch({ layers, drivers }: WrinkleMaps): void {
-    const hasValues = layers.some((layer) => VALUE_KINDS.some((kind) => layer[`${kind}Texture`]))
-    if (hasValues) this.#parts.renderer.channels.load().catch(() => {})
-    if (!areSums(drivers)) import('./any-drivers.ts').catch(() => {})
   }
 
   /** Called by the loader when everything else is loaded. */
@@ -137,7 +120,6 @@ export class WrinkleLoader {
       }
     }
     if (faces.length === 0 || !hasPointers(this.#parser)) return
-    const { addActivationTracks } = await import('./key-frames.ts')
     await addActivationTracks(gltf, this.#parser, faces, this.#warnings)
   }
 
@@ -155,26 +137,31 @@ export class WrinkleLoader {
     const copy = this.#byMaterial.get(material)?.cloneMaterial()
     // Another face with the same material has its own activations, and so needs its own material.
     if (copy) for (const mesh of meshes) mesh.material = copy
-    const drive = await this.#prepareDrivers(meshes[0], drivers)
     // What comes after it packs all maps: a task of its own, after that of the last image.
     await Promise.all([this.#fetchParts(set, material as WrinkleMaterial), nextTask()])
-    const own = this.#addWrinkles(meshes, this.#bySet.get(set) ?? set, drive, { file })
+    const own = this.#addWrinkles(meshes, this.#bySet.get(set) ?? set)
+    try {
+      // three-vrm may create a VRM's expressions after this.
+      own.drive(drivers, this.#inputsOf(meshes[0], file), this.#isVrm)
+    } catch (error) {
+      own.dispose()
+      throw error
+    }
     if (!this.#bySet.has(set)) this.#bySet.set(set, own)
     if (!copy) this.#byMaterial.set(material, own)
     return own
   }
 
-  async #prepareDrivers(mesh: Mesh, drivers: FileWrinkles['drivers']): Promise<Drive> {
-    const fetchAny = async () => {
-      const { planDrivers } = await import('./any-drivers.ts')
-      return planDrivers(mesh, drivers, this.#parts.fetchTension, this.#isVrm ? this.#parser : undefined)
+  /** Where the drivers of a face find its inputs. A VRM has them elsewhere than in its meshes. */
+  #inputsOf(mesh: Mesh, { userData }: GLTF): InputOptions {
+    if (!this.#isVrm) return {}
+    const { json, associations } = this.#parser
+    const index = associations.get(mesh)?.meshes
+    return {
+      // Set by the plugins of three-vrm.
+      expressions: () => userData.vrmExpressionManager ?? userData.vrm?.expressionManager,
+      ...(index !== undefined && { targetsOf: combinableTargets(json, index) }),
     }
-    if (this.#isVrm) return fetchAny()
-    return prepareDrivers<WrinklesBase>(targetNames(mesh), drivers, {
-      targetNames: (own) => targetNames(own.mesh),
-      weightReader: (own, names) => weightReader(own.mesh, names),
-      fetchAny,
-    })
   }
 
   /** Fetches what shows a face as it should be, where the default mode of normals alone does not, so that it does from the first frame on. */
@@ -194,43 +181,41 @@ export class WrinkleLoader {
   #addWrinkles(
     meshes: readonly Mesh[],
     source: WrinkleSet<ArraySlice> | WrinklesBase,
-    drive: Drive,
-    { file, copyOf }: FaceOrigin = {},
+    copyOf?: WrinklesBase,
   ): WrinklesBase {
     const { Wrinkles, watchDraws: watch } = this.#parts
     const [mesh, ...others] = meshes
-    const parts = { watch, add: (adopted: Mesh, from: WrinklesBase) => this.#tryAdd(adopted, from, drive) }
+    const parts = { watch, add: (adopted: Mesh, from: WrinklesBase) => this.#tryAdd(adopted, from) }
     const adoption = new Adoption(surfaceOf(mesh), meshes, parts, copyOf)
     let own: WrinklesBase | undefined
     try {
       own = new Wrinkles(mesh, source, this.#options)
       adoption.begin(own)
       for (const other of others) own.addMesh(other)
-      drive(own, file)
     } catch (error) {
       adoption.end()
       own?.dispose()
       throw error
     }
-    for (const part of meshes) this.#followClones(part, own, drive)
+    for (const part of meshes) this.#followClones(part, own)
     return own
   }
 
   /** For a mesh that the page made. */
-  #tryAdd(mesh: Mesh, source: WrinklesBase, drive: Drive): WrinklesBase | undefined {
+  #tryAdd(mesh: Mesh, source: WrinklesBase): WrinklesBase | undefined {
     try {
-      return this.#addWrinkles([mesh], source, drive)
+      return this.#addWrinkles([mesh], source)
     } catch (error) {
       this.#warnings.add(error, `mesh ${JSON.stringify(mesh.name)} stays plain`)
       return undefined
     }
   }
 
-  #followClones(mesh: Mesh, own: WrinklesBase, drive: Drive): void {
+  #followClones(mesh: Mesh, own: WrinklesBase): void {
     mesh.clone = (recursive) => {
       const copy: Mesh = Object.getPrototypeOf(mesh).clone.call(mesh, recursive)
       copy.material = own.cloneMaterial()
-      this.#addWrinkles([copy], own, drive, { copyOf: own })
+      this.#addWrinkles([copy], own, own)
       return copy as typeof mesh
     }
     own.onDispose(() => {
@@ -247,13 +232,6 @@ function withoutParser(given: unknown): FurrowError {
     limit: 'the GLTFParser that GLTFLoader passes to what is registered',
     remedy: 'call extendLoader(loader), or loader.register((parser) => new WrinkleLoaderPlugin(parser))',
   })
-}
-
-/** Where a face comes from. */
-interface FaceOrigin {
-  /** That it is loaded from. */
-  file?: GLTF
-  copyOf?: WrinklesBase
 }
 
 /** The materials that a file's meshes have, as far as it is sound. */

@@ -2,6 +2,7 @@ import type { Material, Mesh } from 'three'
 import type { QuadMaterials } from '../atlas/quad-materials.ts'
 import type { ReliefParts } from '../relief/relief-parts.ts'
 import type { AnyRenderer, Entry } from '../renderer.ts'
+import type { BindTension } from '../sources/tension.ts'
 import type { Channels } from './channels.ts'
 import type { Fetched } from './fetched.ts'
 import type { OtherModes } from './other-modes.ts'
@@ -42,6 +43,8 @@ export interface RendererParts {
   channels: Fetched<Channels>
   /** A black one, without lights and tone mapping. */
   unlitMaterial(): Material
+  /** Measures the tension of the skin. */
+  bindTension: BindTension
   /** What draws influence maps. */
   quads: QuadMaterials
   /** What draws relief, loaded when it is first wanted. */

@@ -1,8 +1,7 @@
 import type { Mesh } from 'three'
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import { expressionBinds } from '../../drivers/morph/vrm-binds.ts'
-import type { ReadWeights } from '../../runtime/morph-drivers.ts'
-import { targetNames, weightReader } from './morph.ts'
+import { type ReadWeights, targetNames, weightReader } from './morph.ts'
 import type { MeshTargets } from './target.ts'
 
 /**

@@ -2,11 +2,11 @@ import { type Bone, Matrix4, type Mesh, type Object3D, PropertyBinding, type Ski
 import type { InputOf } from '../../drivers/activation.ts'
 import { JointMeasurement, MATRIX } from '../../drivers/bone/measure.ts'
 import { measuredSource } from '../../drivers/sources.ts'
+import type { InputReader } from '../../runtime/driver-runtime.ts'
 import { rootOf } from '../mesh/root-of.ts'
-import type { BindInputs } from './binding.ts'
 
 /** Measures joints relative to the bind pose, or to their pose when the inputs are bound; see `restPoses`. */
-export const bindJoints: BindInputs<'joint'> = ({ mesh }, inputs) => {
+export function bindJoints(mesh: Mesh, inputs: readonly InputOf<'joint'>[]): InputReader<unknown> {
   const all = [...new Set(inputs.flatMap(({ from, joint }) => [from, joint]))]
   const names = all.filter((name) => findJoint(mesh, name))
   const measurement = new JointMeasurement(inputs, names, restPoses(mesh, names))

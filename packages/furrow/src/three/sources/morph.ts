@@ -1,5 +1,7 @@
 import type { InstancedMesh, Mesh } from 'three'
-import type { ReadWeights } from '../../runtime/morph-drivers.ts'
+
+/** Reads the weights of a mesh's blendshapes, in the order of their names. It runs in every frame, and allocates nothing. */
+export type ReadWeights = (weights: Float64Array, instance: number) => void
 
 /** Reads the weights of a mesh's blendshapes; of instances, their own if they have any (`setMorphAt`). */
 export function weightReader(mesh: Mesh, { length }: readonly string[]): ReadWeights {

@@ -7,27 +7,33 @@ import {
   type TensionSurface,
   sampledTension as tensionOf,
 } from '../../runtime/sampled-tension.ts'
+import type { WrinkleFaces } from '../../runtime/wrinkle-faces.ts'
 import { wrinkleUvs } from '../mesh/wrinkle-uvs.ts'
-import type { WrinklesBase } from '../wrinkles-base.ts'
-import type { BindInputs } from './binding.ts'
+import type { AnyRenderer } from '../renderer.ts'
 import { trianglesOf } from './geometry-arrays.ts'
 
 export { indexIn, type MeasuredArea, type TensionSurface } from '../../runtime/sampled-tension.ts'
 
-/** The surface of a mesh for some inputs. */
-export function tensionSurface(
-  wrinkles: WrinklesBase,
+/** The part of `Wrinkles` that tension needs. */
+export type DrivenFace = Pick<WrinkleFaces, 'getArea' | 'onDispose'> & { readonly mesh: Mesh }
+
+/** Measures tension as a renderer can. */
+export type BindTension = (
+  face: DrivenFace,
   inputs: readonly InputOf<'tension'>[],
-): TensionSurface {
+) => InputReader<AnyRenderer>
+
+/** The surface of a mesh for some inputs. */
+export function tensionSurface(face: DrivenFace, inputs: readonly InputOf<'tension'>[]): TensionSurface {
   if (inputs.length === 0) return { sampled: EMPTY, measured: [] }
-  return surfaceOf(sampledMesh(wrinkles.mesh), inputs, (name) => wrinkles.getArea(name))
+  return surfaceOf(sampledMesh(face.mesh), inputs, (name) => face.getArea(name))
 }
 
 const EMPTY: SampledMesh = { positions: [], uvs: [], triangles: [] }
 
 /** Measures the mesh as skinning and blendshapes deform it, on the CPU. */
-export const bindTension: BindInputs<'tension'> = (wrinkles, inputs) =>
-  sampledTension(wrinkles.mesh, tensionSurface(wrinkles, inputs), inputs)
+export const bindTension: BindTension = (face, inputs) =>
+  sampledTension(face.mesh, tensionSurface(face, inputs), inputs)
 
 /** Measures a few triangles of each area on the CPU. */
 export function sampledTension(

@@ -1,11 +1,8 @@
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import { WrinkleLoader } from '../loader/wrinkle-loader.ts'
 import type { WrinkleLoaderOptions } from '../options.ts'
-import type { FetchTension } from '../sources/binding.ts'
 import { watchDraws } from './watch-draws.ts'
 import { PARTS, WebGLWrinkles } from './webgl-wrinkles.ts'
-
-const fetchTension: FetchTension = async () => (await import('../sources/tension.ts')).bindTension
 
 /** For `GLTFLoader` and `WebGLRenderer`: `loader.register((parser) => new WrinkleLoaderPlugin(parser))`. */
 export class WrinkleLoaderPlugin extends WrinkleLoader {
@@ -14,6 +11,6 @@ export class WrinkleLoaderPlugin extends WrinkleLoader {
    * @throws FurrowError when an option is unknown or out of range.
    */
   constructor(parser: GLTFParser, options: WrinkleLoaderOptions = {}) {
-    super(parser, { Wrinkles: WebGLWrinkles, renderer: PARTS, fetchTension, watchDraws }, options)
+    super(parser, { Wrinkles: WebGLWrinkles, renderer: PARTS, watchDraws }, options)
   }
 }

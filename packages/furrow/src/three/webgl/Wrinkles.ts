@@ -4,7 +4,6 @@ import { fadeOnScreen } from '../camera/size-on-screen.ts'
 import { checkSource } from '../check-source.ts'
 import { FADE } from '../fading/fade.ts'
 import type { WrinklesOptions } from '../options.ts'
-import { type AddDrivers, addDrivers } from '../sources/add-drivers.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import { CHANNELS } from './mixing/channels.ts'
 import { OTHER_MODES } from './modes/other-modes.ts'
@@ -21,12 +20,12 @@ export class Wrinkles extends WrinklesBase {
    * @param mesh needs UVs and normals and a lit material of its own; each instance of an `InstancedMesh`
    *   or `BatchedMesh` wrinkles independently.
    * @param source a set, copied: later changes to it have no effect, use `addArea`, `removeArea`, `updateArea` and
-   *   `updateLayer`. Or the wrinkles of another mesh, which are then shown here too, at rest, from the same textures.
+   *   `updateLayer`. Or the wrinkles of another mesh, which are then shown here too, at rest, from the same textures and by the same
+   *   drivers.
    * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then unchanged.
    */
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
     super(PARTS, mesh, checkSource(source), options)
-    if ('drivers' in source) addDrivers(this, source.drivers as Parameters<AddDrivers>[1])
   }
 
   /** Those of loaded files too. @internal */

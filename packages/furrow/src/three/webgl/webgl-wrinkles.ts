@@ -6,6 +6,7 @@ import { isToon } from '../material/wrinkle-material.ts'
 import { instancesOf } from '../mesh/instances.ts'
 import { tilingOf } from '../mesh/tiling.ts'
 import type { WrinklesOptions } from '../options.ts'
+import { bindTension } from '../sources/tension.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import type { SliceSampling } from './influence/influence.ts'
 import { quadMaterials } from './influence/influence-quads.ts'
@@ -73,6 +74,7 @@ export const PARTS: RendererParts & { channels: Fetched<ShaderChannels> } = {
   others: new Fetched(async () => (await import('./modes/other-modes.ts')).OTHER_MODES),
   channels: new Fetched(async () => (await import('./mixing/channels.ts')).CHANNELS),
   unlitMaterial: () => new MeshBasicMaterial({ color: 0, toneMapped: false }),
+  bindTension,
   quads: quadMaterials,
   loadRelief: async () => (await import('./relief/relief.ts')).RELIEF_PARTS,
 }

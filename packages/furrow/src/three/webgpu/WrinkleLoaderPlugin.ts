@@ -1,12 +1,8 @@
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import { WrinkleLoader } from '../loader/wrinkle-loader.ts'
 import type { WrinkleLoaderOptions } from '../options.ts'
-import type { FetchTension } from '../sources/binding.ts'
 import { watchDraws } from './watch-draws.ts'
 import { PARTS, WebGPUWrinkles } from './webgpu-wrinkles.ts'
-
-const fetchTension: FetchTension = async () =>
-  (await import('./compute/computed-tension.ts')).bindComputedTension
 
 /** For `GLTFLoader` and `WebGPURenderer`: `loader.register((parser) => new WrinkleLoaderPlugin(parser))`. */
 export class WrinkleLoaderPlugin extends WrinkleLoader {
@@ -15,6 +11,6 @@ export class WrinkleLoaderPlugin extends WrinkleLoader {
    * @throws FurrowError when an option is unknown or out of range.
    */
   constructor(parser: GLTFParser, options: WrinkleLoaderOptions = {}) {
-    super(parser, { Wrinkles: WebGPUWrinkles, renderer: PARTS, fetchTension, watchDraws }, options)
+    super(parser, { Wrinkles: WebGPUWrinkles, renderer: PARTS, watchDraws }, options)
   }
 }

@@ -1,12 +1,10 @@
 import type { Mesh } from 'three'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
-import type { WrinkleDriver } from '../../drivers/registry.ts'
 import { fadeOnScreen } from '../camera/size-on-screen.ts'
 import { checkSource } from '../check-source.ts'
 import { FADE } from '../fading/fade.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
-import { addDrivers } from './add-drivers.ts'
 import { CHANNELS } from './mixing/channels.ts'
 import { OTHER_MODES } from './modes/other-modes.ts'
 import { PARTS, WebGPUWrinkles, withBatchChecked } from './webgpu-wrinkles.ts'
@@ -22,13 +20,13 @@ export class Wrinkles extends WrinklesBase {
    * @param mesh needs UVs and normals and a lit material of its own: a node material or a plain one; each
    *   instance of an `InstancedMesh` or `BatchedMesh` wrinkles independently.
    * @param source a set, copied: later changes to it have no effect, use `addArea`, `removeArea`, `updateArea` and
-   *   `updateLayer`. Or the wrinkles of another mesh, which are then shown here too, at rest, from the same textures.
+   *   `updateLayer`. Or the wrinkles of another mesh, which are then shown here too, at rest, from the same textures and by the same
+   *   drivers.
    * @throws FurrowError when the mesh, its material or the set does not fit, or three.js is too old or lacks what
    *   is needed; the mesh is then unchanged.
    */
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
     super(PARTS, withBatchChecked(mesh), checkSource(source), options)
-    if ('drivers' in source) addDrivers(this, source.drivers as readonly WrinkleDriver[])
   }
 
   /** Those of loaded files too. @internal */

@@ -6,7 +6,6 @@
 
 export * from '../common.ts'
 export type { ArrayTexture } from '../material/array-texture.ts'
-export { addDrivers } from './add-drivers.ts'
 export { extendLoader } from './extend-loader.ts'
 export { reorient } from './mixing/mix-normals.ts'
 export { RecomputedNormals } from './RecomputedNormals.ts'

@@ -11,6 +11,7 @@ import { instancesOf } from '../mesh/instances.ts'
 import { tilingOf } from '../mesh/tiling.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
+import { bindComputedTension } from './compute/computed-tension.ts'
 import { checkBatch } from './influence/influence.ts'
 import { quadMaterials } from './influence/influence-quads.ts'
 import { isCompiling } from './is-compiling.ts'
@@ -60,6 +61,7 @@ export const PARTS: RendererParts & { channels: Fetched<NodeChannels> } = {
   others: new Fetched(async () => (await import('./modes/other-modes.ts')).OTHER_MODES),
   channels: new Fetched(async () => (await import('./mixing/channels.ts')).CHANNELS),
   unlitMaterial: () => new MeshBasicNodeMaterial({ color: 0, toneMapped: false }),
+  bindTension: bindComputedTension,
   quads: quadMaterials,
   loadRelief: async () => (await import('./relief/relief.ts')).RELIEF_PARTS,
 }

@@ -1,5 +1,4 @@
-import type { BindInputs } from '../../sources/binding.ts'
-import { indexIn, sampledTension, tensionSurface } from '../../sources/tension.ts'
+import { type BindTension, indexIn, sampledTension, tensionSurface } from '../../sources/tension.ts'
 import { AreaTension } from './area-tension.ts'
 import { canCompute } from './buffers.ts'
 
@@ -7,12 +6,12 @@ import { canCompute } from './buffers.ts'
  * Measures all triangles under an area in compute passes. Until the first result is there, and where the renderer has no
  * compute passes, the CPU measures a sample of them.
  */
-export const bindComputedTension: BindInputs<'tension'> = (wrinkles, inputs) => {
-  const surface = tensionSurface(wrinkles, inputs)
-  const sampled = sampledTension(wrinkles.mesh, surface, inputs)
+export const bindComputedTension: BindTension = (face, inputs) => {
+  const surface = tensionSurface(face, inputs)
+  const sampled = sampledTension(face.mesh, surface, inputs)
   if (inputs.length === 0) return sampled
-  const tension = new AreaTension(wrinkles.mesh, surface)
-  wrinkles.onDispose(() => tension.dispose())
+  const tension = new AreaTension(face.mesh, surface)
+  face.onDispose(() => tension.dispose())
   const indices = inputs.map(
     (input) => 2 * indexIn(surface.measured, input) + (input.measure === 'stretch' ? 1 : 0),
   )
