@@ -3,7 +3,8 @@ import sharp from 'sharp'
 import { encodeGlb } from '../../packages/cli/dist/files/src/gltf/glb-file.js'
 import { readGlbFile } from '../../packages/cli/dist/files/src/gltf/read-glb-file.js'
 import { embedWrinkles } from '../../packages/cli/dist/files/src/pack/embed.js'
-import { packFolder } from '../../packages/cli/dist/files/src/pack/pack.js'
+import { packSet } from '../../packages/cli/dist/files/src/pack/pack.js'
+import { setOfFolder } from '../../packages/cli/dist/files/src/pack/set-to-pack.js'
 import { stripWrinkles } from '../../packages/cli/dist/files/src/pack/strip.js'
 import { readFolder, readReferenced } from '../../packages/cli/dist/files/src/wrinkles/folder.js'
 
@@ -15,13 +16,8 @@ export async function packOnce(faces) {
   const start = performance.now()
   const document = await readFolder(folder, false, WHO)
   const glb = await readGlbFile(join(faces, 'human.glb'), WHO)
-  const wrinkles = await packFolder(
-    (uri) => readReferenced(folder, uri, WHO, {}),
-    document,
-    { areasPerImage: 3, ktx2: false },
-    WHO,
-    () => {},
-  )
+  const set = setOfFolder(document, (uri) => readReferenced(folder, uri, WHO, {}), WHO)
+  const wrinkles = await packSet(set, { areasPerImage: 3, ktx2: false }, WHO, () => {})
   stripWrinkles(glb, 0, WHO)
   embedWrinkles(glb, 0, wrinkles, WHO)
   encodeGlb(glb)

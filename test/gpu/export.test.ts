@@ -1,7 +1,9 @@
 import { checkWrinkles, decodeGlb, documentOf, type Finding, GAVE_UP } from 'furrow-files'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { exportFace } from '../../studio/src/export/export-face.ts'
+import type { DocumentToPack } from '../../studio/src/document/packed-layers.ts'
+import { exportDocument } from '../../studio/src/export/export-document.ts'
 import { exportDocumentInWorker, readProjectInWorker } from '../../studio/src/export/in-worker.ts'
+import { readDocument } from '../../studio/src/export/read-document.ts'
 import { readFace } from '../../studio/src/export/read-face.ts'
 import { findingsOf } from '../../studio/src/export/validate-face.ts'
 import { type FaceFiles, openFace } from '../../studio/src/files/face-files.ts'
@@ -9,12 +11,17 @@ import type { DamagedFace } from './damaged-faces.ts'
 import type { EncodedFiles, ExportCase, ExportCases, FaultyFace } from './export-cases.ts'
 
 let project: Map<string, Uint8Array>
+/** The document of the project; it has no strokes. */
+let source: DocumentToPack
 let cases: ExportCase[]
 let faulty: FaultyFace[]
 
 beforeAll(async () => {
   const made: ExportCases = await (await fetch('/export-cases.json')).json()
   project = decoded(made.project)
+  const list = [...project].map(([path, bytes]) => ({ path, file: new File([bytes as BlobPart], path) }))
+  const { document } = await readProjectInWorker({ name: 'project', files: list })
+  source = { document, drawn: new Map() }
   cases = made.cases
   faulty = made.faulty
 })
@@ -23,7 +30,7 @@ describe('the studio exports', () => {
   it('the bytes of furrow pack, with the findings of furrow validate', async () => {
     expect(cases.length).toBe(9)
     for (const { what, face, files, options, packed, findings } of cases) {
-      const exported = await exportFace(faceOf(face, files), project, options)
+      const exported = await exportDocument(faceOf(face, files), source, options)
       expect(same(exported.bytes, bytesOf(packed)), what).toBe(true)
       expect(exported.findings, what).toEqual(findings)
       expect(exported.warnings.join(), what).toMatch(/target "missing".* does not exist; it is kept/)
@@ -36,17 +43,15 @@ describe('the studio exports', () => {
     for (const { what, packed, options } of cases) {
       if (options.ktx2) continue
       const bytes = bytesOf(packed)
-      const { face, folder } = await readFace({ name: 'face.glb', bytes })
-      const exported = await exportFace({ name: 'face.glb', bytes: face }, folder!)
+      const { face } = await readFace({ name: 'face.glb', bytes })
+      const document = (await readDocument({ name: 'face.glb', bytes }))!
+      const exported = await exportDocument({ name: 'face.glb', bytes: face }, { document, drawn: new Map() })
       expect(same(exported.bytes, bytes), what).toBe(true)
     }
   })
 
   it('step by step, and stops when it is told to', async () => {
     const [{ face, files }] = cases
-    const list = [...project].map(([path, bytes]) => ({ path, file: new File([bytes as BlobPart], path) }))
-    const { document } = await readProjectInWorker({ name: 'project', files: list })
-    const source = { document, drawn: new Map() }
     const steps: string[] = []
     const onProgress = (...step: number[]) => steps.push(step.join('/'))
     await exportDocumentInWorker(faceOf(face, files), source, {}, { onProgress })
@@ -60,14 +65,22 @@ describe('the studio exports', () => {
   it('nothing of what cannot be used, and says why', async () => {
     const [glb, , , , , , gltf] = cases
     const face = faceOf(glb.face, glb.files)
-    const withFile = (path: string, bytes: Uint8Array) => new Map(project).set(path, bytes)
-    const cut = project.get('areas/brow.png')!.subarray(0, 60)
-    await expect(exportFace(face, withFile('areas/brow.png', cut))).rejects.toThrow(
-      'Studio: cannot read the image areas/brow.png (it is cut off)',
+    const { document } = source
+    const withNormal = (bytes: Uint8Array) => {
+      const [first, ...others] = document.layers
+      const maps = { ...first.maps, normal: { mimeType: 'image/png', bytes } }
+      return { document: { ...document, layers: [{ ...first, maps }, ...others] }, drawn: new Map() }
+    }
+    const cut = project.get('layers/age/normal.png')!.subarray(0, 60)
+    await expect(exportDocument(face, withNormal(cut))).rejects.toThrow(
+      'Studio: cannot read the image normal of age (it is cut off)',
     )
-    await expect(exportFace(face, new Map())).rejects.toThrow('Studio: no layers in the project')
+    const bare = { ...document, areas: [], drivers: [] }
+    await expect(exportDocument(face, { document: bare, drawn: new Map() })).rejects.toThrow(
+      'Studio: the document has no areas',
+    )
     const alone = { name: 'parts.gltf', bytes: bytesOf(gltf.files['parts.gltf']) }
-    await expect(exportFace(alone, project)).rejects.toThrow(
+    await expect(exportDocument(alone, source)).rejects.toThrow(
       /Studio: cannot read parts.*which parts.gltf refers to/,
     )
   })

@@ -11,7 +11,7 @@ import {
   trianglesOf,
 } from 'furrow-files'
 import { type FaceFiles, openFace } from '../files/face-files.ts'
-import type { OnProgress } from './export-face.ts'
+import type { OnProgress } from './export-document.ts'
 
 const WHO = 'Studio'
 

@@ -1,72 +1,63 @@
-import { type HeightMap, halfSide, heightLevels } from 'furrow/author'
-import { encodePortablePng, withoutAlpha } from 'furrow-files'
-import type { ImageFile, StudioDocument } from '../document/document.ts'
-import type { DrawnMaps } from '../document/drawn-maps.ts'
-import type { FaceFiles, Files } from '../files/face-files.ts'
-import type { AvatarFile } from '../files/folder-files.ts'
-import { type DrawnMaps as DrawnFiles, folderFiles } from '../keep/folder-files.ts'
-import { type ExportedFace, type ExportOptions, exportFace, type OnProgress } from './export-face.ts'
+import {
+  type Cost,
+  costOf,
+  encodeGlb,
+  type Finding,
+  inspectWrinkles,
+  PACK_DEFAULTS,
+  packFace,
+  type TargetNames,
+  wrinklesOf,
+} from 'furrow-files'
+import type { DocumentToPack } from '../document/packed-layers.ts'
+import { type FaceFiles, openFace } from '../files/face-files.ts'
+import { setToPack } from './set-to-pack.ts'
+import { findingsOf } from './validate-face.ts'
 
-/** A document with the maps that were drawn from its strokes. */
-export interface DocumentToExport {
-  document: StudioDocument
-  /** By the names of layers with strokes. */
-  drawn: ReadonlyMap<string, StrokeMaps>
+/** How a face is written; all as the options of `furrow pack` of these names. */
+export interface ExportOptions extends TargetNames {
+  /** Maps and areas as KTX 2 arrays, which stay compressed on the GPU. */
+  ktx2?: boolean
+  /** Side in texels that the layers' maps are scaled to; by default they keep their size. */
+  size?: number
+  /** Side of the areas in texels; by default the document's. */
+  areaSize?: number
 }
 
-/** The maps of a layer that are drawn from strokes, with their heights. */
-export interface StrokeMaps extends DrawnMaps {
-  readonly relief: HeightMap
+/** A face with its wrinkles. */
+export interface ExportedFace {
+  /** As a `.glb`, whose name a `.vrm` may have too. */
+  bytes: Uint8Array
+  /** What `furrow validate` says about it. */
+  findings: Finding[]
+  cost: Cost
+  /** What the artist should know about what she packed. */
+  warnings: string[]
 }
+
+/** Called with the number of steps that are done, and of all. */
+export type OnProgress = (done: number, total: number) => void
+
+const WHO = 'Studio'
 
 /**
- * Adds the wrinkles of a document to a face, by way of the folder that `furrow pack` reads; see `exportFace`.
+ * Adds the wrinkles of a document to a face and validates the result. The bytes are those of `furrow pack` on the folder of the document.
  *
  * @throws FurrowError when the face or the wrinkles cannot be used.
  */
 export async function exportDocument(
   face: FaceFiles,
-  source: DocumentToExport,
-  options: ExportOptions = {},
+  source: DocumentToPack,
+  { ktx2 = PACK_DEFAULTS.ktx2, ...options }: ExportOptions = {},
   onProgress: OnProgress = () => {},
 ): Promise<ExportedFace> {
-  return exportFace(face, await projectFiles(source), options, onProgress)
-}
-
-/**
- * The folder of a document as `furrow pack` reads it.
- *
- * @param face the avatar's files, the first of which is the face; none to leave it out.
- */
-export async function projectFiles(
-  { document, drawn }: DocumentToExport,
-  face: readonly AvatarFile[] = [],
-): Promise<Files> {
-  const painted = new Set(document.layers.flatMap(({ name, maps }) => (maps.height ? name : [])))
-  const maps = new Map([...drawn].map(([layer, each]) => [layer, encodeMaps(each, painted.has(layer))]))
-  const files = await folderFiles(document, face, maps, async (pixels) => encodePortablePng(pixels))
-  const contents = files.map(async ({ path, content }): Promise<[string, Uint8Array]> => {
-    return [path, content instanceof Blob ? new Uint8Array(await content.arrayBuffer()) : content]
-  })
-  return new Map(await Promise.all(contents))
-}
-
-/**
- * Occlusion and heights have half the side of the normals, as automatic wrinkles write them: only these show how steep a crease is.
- *
- * @param hasHeights whether the layer has heights of its own, which stay.
- */
-function encodeMaps({ normal, occlusion, relief }: StrokeMaps, hasHeights: boolean): DrawnFiles {
-  const maps = {
-    normal: png(encodePortablePng(withoutAlpha({ ...normal, channels: 4 }))),
-    occlusion: png(encodePortablePng({ ...halfSide(occlusion), channels: 1 })),
-  }
-  if (hasHeights) return { maps }
-  const { levels, amplitude } = heightLevels(relief.data)
-  const height = png(encodePortablePng({ ...halfSide({ ...relief, data: levels }), channels: 1 }))
-  return { maps: { ...maps, height }, heightAmplitude: amplitude }
-}
-
-function png(bytes: Uint8Array): ImageFile {
-  return { mimeType: 'image/png', bytes }
+  const set = setToPack(source, WHO)
+  const glb = await openFace(face, WHO)
+  const packOptions = { ...PACK_DEFAULTS, ...options, ktx2 }
+  const { target, warnings } = await packFace(glb, face.name, set, packOptions, WHO, onProgress)
+  const bytes = encodeGlb(glb)
+  const packed = await openFace({ name: face.name, bytes }, WHO)
+  const findings = await findingsOf(packed)
+  const report = await inspectWrinkles(wrinklesOf(packed, target.material, WHO), WHO)
+  return { bytes, findings, cost: costOf(report, ktx2), warnings }
 }

@@ -1,13 +1,13 @@
 import { proxy, type Remote } from 'comlink'
 import { FurrowError } from 'furrow'
 import type { StudioDocument } from '../document/document.ts'
-import type { FaceFiles, Files } from '../files/face-files.ts'
-import type { AvatarFile, WrinklesFolder } from '../files/folder-files.ts'
+import type { DocumentToPack } from '../document/packed-layers.ts'
+import type { FaceFiles } from '../files/face-files.ts'
+import type { AvatarFile, FolderFile, WrinklesFolder } from '../files/folder-files.ts'
 import type { ReadFolder } from '../keep/read-folder.ts'
 import { runOnce } from '../workers/run-once.ts'
 import type { BakeTarget } from './bake-sculpt.ts'
-import type { DocumentToExport } from './export-document.ts'
-import type { ExportedFace, ExportOptions, OnProgress } from './export-face.ts'
+import type { ExportedFace, ExportOptions, OnProgress } from './export-document.ts'
 import type { Tasks } from './worker.ts'
 
 /** How the page follows a task. */
@@ -25,16 +25,19 @@ export interface Following {
  */
 export function exportDocumentInWorker(
   face: FaceFiles,
-  source: DocumentToExport,
+  source: DocumentToPack,
   options: ExportOptions = {},
   { onProgress = () => {}, signal }: Following = {},
 ): Promise<ExportedFace> {
   return run((tasks) => tasks.exportDocument(face, source, options, proxy(onProgress)), signal)
 }
 
-/** `projectFiles` in a worker of its own; see `exportDocumentInWorker`. */
-export function projectFilesInWorker(source: DocumentToExport, face: readonly AvatarFile[]): Promise<Files> {
-  return run((tasks) => tasks.projectFiles(source, face))
+/** `folderFiles` in a worker of its own; see `exportDocumentInWorker`. */
+export function folderFilesInWorker(
+  source: DocumentToPack,
+  face: readonly AvatarFile[],
+): Promise<FolderFile[]> {
+  return run((tasks) => tasks.folderFiles(source, face))
 }
 
 /** `readDocument` in a worker of its own; see `exportDocumentInWorker`. */

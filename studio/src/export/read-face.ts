@@ -1,6 +1,6 @@
 import { encodeGlb, stripWrinkles, unpackWrinkles, wrinkledFile, wrinkledMaterials } from 'furrow-files'
 import { type FaceFiles, type Files, openFace } from '../files/face-files.ts'
-import type { OnProgress } from './export-face.ts'
+import type { OnProgress } from './export-document.ts'
 
 /** A face and its wrinkles, apart. */
 export interface ReadFace {
@@ -13,7 +13,7 @@ export interface ReadFace {
 const WHO = 'Studio'
 
 /**
- * Takes the wrinkles of a face out of it, as `furrow unpack` does. `exportFace` makes the face again.
+ * Takes the wrinkles of a face out of it, as `furrow unpack` does. `exportDocument` makes the face again.
  *
  * @param options.material its name, where several materials have wrinkles.
  * @throws FurrowError when the face cannot be read, several materials have wrinkles and none is named, or the wrinkles are

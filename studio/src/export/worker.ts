@@ -1,7 +1,8 @@
 import { expose, transfer } from 'comlink'
+import { folderFiles } from '../keep/folder-files.ts'
 import { holdLife } from '../workers/life.ts'
 import { bakeSculpt } from './bake-sculpt.ts'
-import { exportDocument, projectFiles } from './export-document.ts'
+import { exportDocument } from './export-document.ts'
 import { readDocument, readProject } from './read-document.ts'
 
 /** What the worker does; bytes that it made are handed over and not copied. */
@@ -10,9 +11,10 @@ const tasks = {
     const exported = await exportDocument(...args)
     return transfer(exported, buffersOf([exported.bytes]))
   },
-  async projectFiles(...args: Parameters<typeof projectFiles>) {
-    const files = await projectFiles(...args)
-    return transfer(files, buffersOf([...files.values()]))
+  folderFiles(...args: Parameters<typeof folderFiles>) {
+    const files = folderFiles(...args)
+    const made = files.flatMap(({ content }) => (content instanceof Blob ? [] : content))
+    return transfer(files, buffersOf(made))
   },
   async bakeSculpt(...args: Parameters<typeof bakeSculpt>) {
     const bytes = await bakeSculpt(...args)

@@ -1,17 +1,13 @@
-import type { WrinkleSetDocument } from 'furrow'
 import {
   checkFileBytes,
   dataOf,
-  folderDocument,
   type Glb,
   missing,
   normalised,
   openGlb,
-  parseJson,
   pathOf,
   type ReadReference,
   type Reference,
-  WRINKLES_FILE,
 } from 'furrow-files'
 
 /** Files by their paths below a folder, with `/`. */
@@ -31,19 +27,6 @@ export async function openFace(
 ): Promise<Glb> {
   checkFileBytes(bytes.length, name, who)
   return openGlb(bytes, name, who, referencesIn(references, name, who))
-}
-
-/** The wrinkle set of a folder, as `furrow pack` reads it. Throws FurrowError when it is malformed, or there is none. */
-export function wrinkleSetIn(folder: Files, who: string): WrinkleSetDocument {
-  const document = folder.get(WRINKLES_FILE)
-  const json = document && parseJson(document, WRINKLES_FILE, who)
-  return folderDocument(json, [...folder.keys()], 'the project', 'paper', who)
-}
-
-/** Reads what a wrinkle set refers to. Throws FurrowError when that is not in the folder. */
-export function wrinkleFilesIn(folder: Files, who: string): (uri: string) => Promise<Uint8Array> {
-  const read = referencesIn(folder, WRINKLES_FILE, who)
-  return async (uri) => (await read(uri)).bytes
 }
 
 /**

@@ -1,13 +1,9 @@
 import type { WrinkleSetDocument } from 'furrow'
-import { fileNamesOf, isFileName, type StrokesDocument } from 'furrow/author'
-import { addressOf, type Pixels, paintedArea, WRINKLES_FILE } from 'furrow-files'
-import {
-  type ImageFile,
-  MAP_NAMES,
-  type MapName,
-  type StudioDocument,
-  type StudioLayer,
-} from '../document/document.ts'
+import { fileNamesOf } from 'furrow/author'
+import { addressOf, encodePortablePng, paintedArea, WRINKLES_FILE } from 'furrow-files'
+import { MAP_NAMES, type MapName } from '../document/document.ts'
+import { type DocumentToPack, type PackedLayer, packedLayers } from '../document/packed-layers.ts'
+import { strokesDocument } from '../document/stroke-document.ts'
 import type { AvatarFile, FolderFile } from '../files/folder-files.ts'
 import {
   automaticParts,
@@ -18,12 +14,6 @@ import {
   UNDER,
 } from './studio-file.ts'
 
-/** Maps of a layer as drawn from its strokes. */
-export type DrawnMaps = Pick<StudioLayer, 'maps' | 'heightAmplitude'>
-
-/** Encodes pixels as PNG, exactly. */
-export type EncodePng = (pixels: Pixels) => Promise<Uint8Array>
-
 const EXTENSIONS: Record<string, string> = { 'image/jpeg': 'jpg', 'image/webp': 'webp', 'image/avif': 'avif' }
 
 /**
@@ -32,20 +22,18 @@ const EXTENSIONS: Record<string, string> = { 'image/jpeg': 'jpg', 'image/webp': 
  * `furrow pack --face`.
  *
  * @param face the avatar's files; the first is the face.
- * @param drawn by the names of layers with strokes: their maps, which stand in the folder in the place of those they were drawn over.
  */
-export async function folderFiles(
-  document: StudioDocument,
-  face: readonly AvatarFile[],
-  drawn: ReadonlyMap<string, DrawnMaps>,
-  encode: EncodePng,
-): Promise<FolderFile[]> {
-  const layers = layerFiles(document, drawn, await flatNormal(document, drawn, encode))
+export function folderFiles(source: DocumentToPack, face: readonly AvatarFile[]): FolderFile[] {
+  const { document } = source
+  const layers = layerFiles(source)
   const areaNames = fileNamesOf(document.areas.map(({ name }) => name))
   const areaPaths = areaNames.map((name) => `areas/${name}.png`)
-  const areaImages = await Promise.all(document.areas.map(({ weights }) => encode(paintedArea(weights))))
-  const images = [...layers.images, ...areaPaths.map((path, i) => ({ path, content: areaImages[i] }))]
-  const strokes = strokesOf(document)
+  const areaImages = document.areas.map(({ weights }, i) => ({
+    path: areaPaths[i],
+    content: encodePortablePng(paintedArea(weights)),
+  }))
+  const images = [...layers.images, ...areaImages]
+  const strokes = strokesDocument(document)
   const set: WrinkleSetDocument = {
     version: 1,
     ...(document.mesh !== undefined && { mesh: document.mesh }),
@@ -85,80 +73,45 @@ export async function folderFiles(
 
 type LayerEntry = WrinkleSetDocument['layers'][number]
 
-function layerFiles(
-  { layers }: StudioDocument,
-  drawnMaps: ReadonlyMap<string, DrawnMaps>,
-  flat: ImageFile | undefined,
-): { images: FolderFile[]; entries: LayerEntry[]; drawn: Record<string, DrawnLayer> } {
-  const names = fileNamesOf(layers.map(({ name }) => name))
+function layerFiles(source: DocumentToPack): {
+  images: FolderFile[]
+  entries: LayerEntry[]
+  drawn: Record<string, DrawnLayer>
+} {
+  const names = fileNamesOf(source.document.layers.map(({ name }) => name))
   const images: FolderFile[] = []
-  const drawn: [string, DrawnLayer][] = []
-  const add = (folder: string, maps: StudioLayer['maps']) =>
+  const replaced: [string, DrawnLayer][] = []
+  const add = (folder: string, maps: PackedLayer['maps']) =>
     Object.fromEntries(
       MAP_NAMES.flatMap((map) => {
         const image = maps[map]
         if (!image) return []
-        const path = `${folder}/${map}.${EXTENSIONS[image.mimeType] ?? 'png'}`
-        images.push({ path, content: image.bytes })
+        const { mimeType, bytes } =
+          'bytes' in image ? image : { mimeType: 'image/png', bytes: encodePortablePng(image) }
+        const path = `${folder}/${map}.${EXTENSIONS[mimeType] ?? 'png'}`
+        images.push({ path, content: bytes })
         return [[map, addressOf(path)]]
       }),
     ) as { [Name in MapName]?: string }
-  const entries = layers.map((layer, i) => {
+  const entries = packedLayers(source).map(({ layer, maps, drawn, heightAmplitude }, i) => {
     const { name, kind, maps: own, normalScale, occlusionStrength, bloodAmplitude } = layer
-    const { maps: made = {}, heightAmplitude = layer.heightAmplitude } = drawnMaps.get(name) ?? {}
-    const instead = own.normal || made.normal || !flat ? made : { ...made, normal: flat }
-    const isReplaced = MAP_NAMES.filter((map) => instead[map])
-    if (isReplaced.length > 0) {
-      const covered = Object.fromEntries(Object.entries(own).filter(([map]) => instead[map as MapName]))
+    if (drawn.length > 0) {
+      const covered = Object.fromEntries(drawn.flatMap((map) => (own[map] ? [[map, own[map]]] : [])))
       const under = add(`${UNDER}/${names[i]}`, covered)
       const amplitude = layer.heightAmplitude
-      drawn.push([
-        name,
-        { drawn: isReplaced, under, ...(amplitude !== undefined && { heightAmplitude: amplitude }) },
-      ])
+      replaced.push([name, { drawn, under, ...(amplitude !== undefined && { heightAmplitude: amplitude }) }])
     }
     return {
       name,
       kind,
-      ...add(`layers/${names[i]}`, { ...own, ...instead }),
+      ...add(`layers/${names[i]}`, maps),
       ...(normalScale !== 1 && { normalScale }),
       ...(occlusionStrength !== 1 && { occlusionStrength }),
       ...(heightAmplitude !== undefined && { heightAmplitude }),
       ...(bloodAmplitude !== undefined && { bloodAmplitude }),
     } as LayerEntry
   })
-  return { images, entries, drawn: Object.fromEntries(drawn) }
-}
-
-/** A normal map of smooth skin, for layers that have none yet; undefined where all have one. */
-async function flatNormal(
-  { layers, mapSize }: StudioDocument,
-  drawn: ReadonlyMap<string, DrawnMaps>,
-  encode: EncodePng,
-): Promise<ImageFile | undefined> {
-  if (layers.every(({ name, maps }) => maps.normal ?? drawn.get(name)?.maps.normal)) return undefined
-  const data = new Uint8Array(3 * mapSize ** 2).fill(128)
-  for (let i = 2; i < data.length; i += 3) data[i] = 255
-  const bytes = await encode({ width: mapSize, height: mapSize, channels: 3, data })
-  return { mimeType: 'image/png', bytes }
-}
-
-/** The document of strokes; undefined where there are none. Shapes that it could not have are left out: names no file can have, no strokes. */
-function strokesOf(document: StudioDocument): StrokesDocument | undefined {
-  if (document.strokes.length === 0) return undefined
-  const groups = new Set(document.strokes.map(({ group }) => group))
-  const areas = document.strokeAreas?.filter(({ name, shapes, within }) => {
-    const all = within ? [...shapes, within] : shapes
-    return isFileName(name) && all.every((shape) => !('group' in shape) || groups.has(shape.group))
-  })
-  return {
-    version: 1,
-    scale: document.scale,
-    size: document.mapSize,
-    strokes: document.strokes.map(({ isAutomatic, ...stroke }) => stroke),
-    ...(document.furrows && { furrows: document.furrows }),
-    ...(areas && areas.length > 0 && { areas }),
-  }
+  return { images, entries, drawn: Object.fromEntries(replaced) }
 }
 
 function filesOfFace(face: readonly AvatarFile[]): FolderFile[] {

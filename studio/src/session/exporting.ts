@@ -1,7 +1,7 @@
 import { type ReadonlySignal, signal } from '@preact/signals'
 import type { HeightMap } from 'furrow/author'
-import type { DocumentToExport, StrokeMaps } from '../export/export-document.ts'
-import type { ExportedFace, ExportOptions } from '../export/export-face.ts'
+import type { DocumentToPack, StrokeMaps } from '../document/packed-layers.ts'
+import type { ExportedFace, ExportOptions } from '../export/export-document.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import type { DrawnDocument } from '../viewer/document-view.ts'
 import { faceFilesOf } from './face-files.ts'
@@ -41,7 +41,7 @@ export class Exporting {
         if (this.#abort === abort) this.#state.value = { kind: 'running', fraction: done / total }
       }
       const { avatar } = work
-      const source = documentToExport(work)
+      const source = documentToPack(work)
       const following = { onProgress, signal: abort.signal }
       const face = await exportDocumentInWorker(await faceFilesOf(avatar), source, options, following)
       if (this.#abort !== abort) return
@@ -64,11 +64,7 @@ export class Exporting {
 }
 
 /** The document with the maps of its strokes, and the names of the mesh and material that it is for. */
-export function documentToExport({
-  drawn: { document, maps },
-  avatar,
-  heights,
-}: DrawnWork): DocumentToExport {
+export function documentToPack({ drawn: { document, maps }, avatar, heights }: DrawnWork): DocumentToPack {
   const { skins, skin } = avatar
   const drawn = document.layers.flatMap(({ name }, i): [string, StrokeMaps][] => {
     const { normal, occlusion } = maps[i]
@@ -76,7 +72,7 @@ export function documentToExport({
     return relief && occlusion ? [[name, { normal, occlusion, relief }]] : []
   })
   return {
-    document: { ...skins[skin].target, ...document } as DocumentToExport['document'],
+    document: { ...skins[skin].target, ...document } as DocumentToPack['document'],
     drawn: new Map(drawn),
   }
 }

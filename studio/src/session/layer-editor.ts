@@ -14,7 +14,7 @@ import { freeName } from '../document/names.ts'
 import { bytesOf } from '../files/dropped-files.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import { saveFile } from '../save-file.ts'
-import { type DrawnWork, documentToExport } from './exporting.ts'
+import { type DrawnWork, documentToPack } from './exporting.ts'
 import { faceFilesOf } from './face-files.ts'
 import { readMap } from './map-file.ts'
 import type { Session } from './session.ts'
@@ -139,19 +139,18 @@ export class LayerEditor {
       const work = await this.#parts.work()
       if (!work) return
       const { avatar } = work
-      const { projectFilesInWorker } = await import('../export/in-worker.ts')
-      const all = await projectFilesInWorker(documentToExport(work), [])
-      const images = [...all].filter(([path]) => /^(layers|areas)\//.test(path) && path.startsWith(only))
+      const { folderFilesInWorker } = await import('../export/in-worker.ts')
+      const all = await folderFilesInWorker(documentToPack(work), [])
+      const images = all.filter(({ path }) => /^(layers|areas)\//.test(path) && path.startsWith(only))
       if (images.length === 1) {
-        const [[path, bytes]] = images
+        const [{ path, content }] = images
         const name = path.replace(/^[^/]*\//, '').replaceAll('/', '-')
-        saveFile(new Blob([bytes as BlobPart]), `${avatar.name}-${name}`)
+        saveFile(new Blob([content as BlobPart]), `${avatar.name}-${name}`)
         return
       }
       const { zipFolder } = await import('../files/zip.ts')
       const folder = `${avatar.name}-maps`
-      const files = images.map(([path, content]) => ({ path, content }))
-      saveFile(await zipFolder(files, folder), `${folder}.zip`)
+      saveFile(await zipFolder(images, folder), `${folder}.zip`)
     })
   }
 

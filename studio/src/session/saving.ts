@@ -2,7 +2,7 @@ import { effect, type ReadonlySignal, signal } from '@preact/signals'
 import type { FolderFile } from '../files/folder-files.ts'
 import { askToWrite, pickFolder, projectFolder, writeFolder } from '../keep/disk-folder.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
-import { documentToExport } from './exporting.ts'
+import { documentToPack } from './exporting.ts'
 import type { Workspace } from './workspace.ts'
 
 /** Saves the project as a file or a folder, which are what `furrow pack` reads. */
@@ -59,9 +59,9 @@ export class Saving {
     const work = await this.#workspace.drawnWork()
     if (!work) return null
     const { avatar } = work
-    const { projectFilesInWorker } = await import('../export/in-worker.ts')
-    const files = await projectFilesInWorker(documentToExport(work), avatar.files)
-    return { name: nameOf(avatar), files: [...files].map(([path, content]) => ({ path, content })) }
+    const { folderFilesInWorker } = await import('../export/in-worker.ts')
+    const files = await folderFilesInWorker(documentToPack(work), avatar.files)
+    return { name: nameOf(avatar), files }
   }
 
   /** Where the browser stores nothing, the folder is known until the page is closed. */

@@ -7,9 +7,10 @@ import type { PackedWrinkles } from '../../../packages/files/src/pack/embed.ts'
 import { automaticDocument, remake } from '../../../studio/src/document/automatic.ts'
 import type { AutoSettings, ImageFile, StudioDocument } from '../../../studio/src/document/document.ts'
 import { setLayer, setMap } from '../../../studio/src/document/layers.ts'
-import { projectFiles, type StrokeMaps } from '../../../studio/src/export/export-document.ts'
+import type { StrokeMaps } from '../../../studio/src/document/packed-layers.ts'
 import { readProject } from '../../../studio/src/export/read-document.ts'
 import { FACES } from '../author/auto/faces.ts'
+import { projectFiles } from './project-files.ts'
 
 const SETTINGS: AutoSettings = { age: 60, strength: 1, size: 128, seed: 1 }
 const AREA = 128
@@ -43,7 +44,7 @@ const text = (bytes: Uint8Array) => JSON.parse(new TextDecoder().decode(bytes))
 
 describe('a project of automatic wrinkles has what furrow auto writes', () => {
   it('the same areas, flushed and pale ones among them, on the same layers', async () => {
-    const files = await projectFiles({ document, drawn })
+    const files = projectFiles({ document, drawn })
     const { layers, areas } = text(files.get('wrinkles.json')!)
     const names = packed.layers.map(({ name }) => name)
     expect(areas.map(({ name, layer }: { name: string; layer: string }) => [name, layer])).toEqual(
@@ -60,12 +61,12 @@ describe('a project of automatic wrinkles has what furrow auto writes', () => {
   })
 
   it('the same drivers', async () => {
-    const files = await projectFiles({ document, drawn })
+    const files = projectFiles({ document, drawn })
     expect(text(files.get('wrinkles.json')!).drivers).toEqual(JSON.parse(JSON.stringify(packed.drivers)))
   })
 
   it('the same maps of each layer, blood among them', async () => {
-    const files = await projectFiles({ document, drawn })
+    const files = projectFiles({ document, drawn })
     const { layers } = text(files.get('wrinkles.json')!)
     for (const [i, made] of packed.layers.entries()) {
       const own = layers[i]
@@ -84,7 +85,7 @@ describe('a project of automatic wrinkles has what furrow auto writes', () => {
   })
 
   it('and is read again with its automatic blood', async () => {
-    const files = await projectFiles({ document, drawn })
+    const files = projectFiles({ document, drawn })
     const folder = [...files].map(([path, bytes]) => ({ path, file: new Blob([bytes as BlobPart]) }))
     const read = await readProject(folder, 'Face')
     expect(read.document.layers).toEqual(document.layers)

@@ -1,11 +1,16 @@
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
-import { exportFace } from '../../../studio/src/export/export-face.ts'
+import type { StudioDocument } from '../../../studio/src/document/document.ts'
+import type { DocumentToPack, StrokeMaps } from '../../../studio/src/document/packed-layers.ts'
+import { exportDocument } from '../../../studio/src/export/export-document.ts'
+import { readDocument, readProject } from '../../../studio/src/export/read-document.ts'
 import { readFace } from '../../../studio/src/export/read-face.ts'
 import { findingsOf } from '../../../studio/src/export/validate-face.ts'
-import { openFace, referencesIn, wrinkleSetIn } from '../../../studio/src/files/face-files.ts'
+import { openFace, referencesIn } from '../../../studio/src/files/face-files.ts'
 import { Workshop } from '../cli/workshop.ts'
+import { projectFiles } from './project-files.ts'
+import { sampleDocument, strokeOf } from './sample-document.ts'
 
 const shop = new Workshop()
 
@@ -17,6 +22,40 @@ async function projectAt(name: string) {
     entries.map(([path, text]) => [path, Buffer.from(text, 'base64')]),
   )
   return { folder, files, face: { name: 'face.glb', bytes: files.get('face.glb')! } }
+}
+
+const SIDE = 32
+
+/** Maps of a line across the middle. */
+const LINES: StrokeMaps = {
+  normal: { width: SIDE, height: SIDE, data: texels(4, (i) => 100 + (i % 50)) },
+  occlusion: { width: SIDE, height: SIDE, data: texels(1, (i) => 200 + (i % 50)) },
+  relief: {
+    width: SIDE,
+    height: SIDE,
+    data: Float32Array.from(
+      texels(1, (i) => i % 9),
+      (step) => step / -10,
+    ),
+  },
+}
+
+function texels(channels: number, valueAt: (index: number) => number): Uint8Array {
+  return Uint8Array.from({ length: channels * SIDE ** 2 }, (_, i) => valueAt(i))
+}
+
+/** A document whose first layer has lines instead of its maps, and whose last has neither. */
+function withLines(document: StudioDocument): StudioDocument {
+  const [age, ...others] = document.layers
+  const layers = [age, ...others.map((layer) => ({ ...layer, maps: {} }))]
+  return { ...document, mapSize: SIDE, layers, strokes: [strokeOf('age', 'brow')] }
+}
+
+/** Writes the folder of a document with a face; returns its path. */
+function saved(name: string, source: DocumentToPack, face: Uint8Array): string {
+  for (const [path, bytes] of projectFiles(source)) shop.write(`${name}/${path}`, bytes)
+  shop.write(`${name}/face.glb`, face)
+  return shop.path(name)
 }
 
 describe('the files beside a face', () => {
@@ -55,40 +94,43 @@ describe('the files beside a face', () => {
 })
 
 describe('a project', () => {
-  it('is read as furrow pack reads its folder, other files ignored', async () => {
-    const { files } = await projectAt('plain')
-    const document = wrinkleSetIn(files.set('notes.txt', Uint8Array.of(1)), 'Studio')
-    expect(document.layers.map(({ name }) => name)).toEqual(['age', 'expression'])
-    expect(document.layers[1]).toMatchObject({ baseColor: 'layers/expression/baseColor.png' })
-    expect(document.areas.map(({ image }) => image)).toContain('areas/brow.png')
-  })
-
-  it('without areas, or with a damaged document, is refused in one line', async () => {
-    const { files } = await projectAt('odd')
-    const layers = new Map([...files].filter(([path]) => !path.startsWith('areas/')))
-    expect(() => wrinkleSetIn(layers, 'Studio')).toThrow('Studio: no areas in the project')
-    expect(() => wrinkleSetIn(files.set('wrinkles.json', Uint8Array.of(123)), 'Studio')).toThrow(
-      /^Studio: cannot read wrinkles.json \(.*JSON/,
-    )
-  })
-
   it('becomes the bytes of furrow pack, validated, and a project again', async () => {
-    const { folder, files, face } = await projectAt('whole')
-    for (const [options, words] of [
-      [{}, []],
-      [{ size: 8, areaSize: 64, mesh: 'eyes' }, ['--size', '8', '--area-size', '64', '--mesh', 'eyes']],
+    const { files, face } = await projectAt('whole')
+    const list = [...files].map(([path, bytes]) => ({ path, file: new Blob([bytes as BlobPart]) }))
+    const { document } = await readProject(list, 'whole')
+    for (const [name, source] of [
+      ['images', { document, drawn: new Map() }],
+      ['lines', { document: withLines(document), drawn: new Map([['age', LINES]]) }],
     ] as const) {
-      const out = shop.path('out.glb')
-      await shop.run(packCommand, folder, '-o', out, ...words)
-      const { bytes, findings, cost, warnings } = await exportFace(face, files, options)
-      expect(Buffer.from(bytes).equals(readFileSync(out))).toBe(true)
-      expect(findings.filter(({ severity }) => severity === 'error')).toEqual([])
-      expect([cost.file, cost.gpu].every((size) => size > 0)).toBe(true)
-      expect(warnings).toEqual([])
-      const read = await readFace({ name: 'out.glb', bytes })
-      const again = await exportFace({ name: 'face.glb', bytes: read.face }, read.folder!)
-      expect(Buffer.from(again.bytes).equals(bytes)).toBe(true)
+      const folder = saved(name, source, face.bytes)
+      for (const [options, words] of [
+        [{}, []],
+        [{ size: 8, areaSize: 64, mesh: 'eyes' }, ['--size', '8', '--area-size', '64', '--mesh', 'eyes']],
+        [{ size: 8, areaSize: 16, ktx2: true }, ['--size', '8', '--area-size', '16', '--ktx2']],
+      ] as const) {
+        const out = shop.path('out.glb')
+        await shop.run(packCommand, folder, '-o', out, ...words)
+        const { bytes, findings, cost, warnings } = await exportDocument(face, source, options)
+        expect(Buffer.from(bytes).equals(readFileSync(out)), words.join(' ')).toBe(true)
+        expect(findings.filter(({ severity }) => severity === 'error')).toEqual([])
+        expect([cost.file, cost.gpu].every((size) => size > 0)).toBe(true)
+        expect(warnings).toEqual([])
+      }
     }
+    const { bytes } = await exportDocument(face, { document, drawn: new Map() })
+    const file = { name: 'out.glb', bytes }
+    const again = { document: (await readDocument(file))!, drawn: new Map() }
+    const { face: bare } = await readFace(file)
+    const { bytes: twice } = await exportDocument({ name: 'face.glb', bytes: bare }, again)
+    expect(Buffer.from(twice).equals(bytes)).toBe(true)
+  })
+
+  it('without areas is refused in one line', async () => {
+    const { face } = await projectAt('begun')
+    const document = { ...sampleDocument(), areas: [], drivers: [] }
+    await expect(exportDocument(face, { document, drawn: new Map() })).rejects.toThrow(
+      'Studio: the document has no areas',
+    )
   })
 
   it('is not there in a face without wrinkles', async () => {

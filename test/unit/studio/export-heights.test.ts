@@ -1,8 +1,9 @@
 import sharp from 'sharp'
 import { expect, it } from 'vitest'
 import type { StudioDocument } from '../../../studio/src/document/document.ts'
-import { projectFiles, type StrokeMaps } from '../../../studio/src/export/export-document.ts'
+import type { StrokeMaps } from '../../../studio/src/document/packed-layers.ts'
 import { readProject } from '../../../studio/src/export/read-document.ts'
+import { projectFiles } from './project-files.ts'
 import { sampleDocument } from './sample-document.ts'
 
 const SIDE = 64
@@ -30,7 +31,7 @@ const entryOf = (files: ReadonlyMap<string, Uint8Array>) =>
 
 it('lines give their layer a height map in millimetres, of half the side', async () => {
   const document = await documentOf({})
-  const files = await projectFiles({ document, drawn: new Map([['up', lines()]]) })
+  const files = projectFiles({ document, drawn: new Map([['up', lines()]]) })
   expect(entryOf(files)).toMatchObject({
     height: 'layers/up/height.png',
     heightAmplitude: expect.closeTo(4e-4, 8),
@@ -46,7 +47,7 @@ it('lines give their layer a height map in millimetres, of half the side', async
 
 it('a project is read without the heights that its lines make anew', async () => {
   const document = await documentOf({})
-  const files = await projectFiles({ document, drawn: new Map([['up', lines()]]) })
+  const files = projectFiles({ document, drawn: new Map([['up', lines()]]) })
   const read = async (paths: (path: string) => boolean) => {
     const list = [...files].filter(([path]) => paths(path))
     const folder = list.map(([path, bytes]) => ({ path, file: new Blob([bytes as BlobPart]) }))
@@ -60,7 +61,7 @@ it('a project is read without the heights that its lines make anew', async () =>
 it("a layer's own height map stays beside lines", async () => {
   const height = { mimeType: 'image/png', bytes: Uint8Array.of(1, 2, 3) }
   const document = await documentOf({ height }, 0.02)
-  const files = await projectFiles({ document, drawn: new Map([['up', lines()]]) })
+  const files = projectFiles({ document, drawn: new Map([['up', lines()]]) })
   expect(files.get('layers/up/height.png')).toEqual(height.bytes)
   expect(entryOf(files).heightAmplitude).toBe(0.02)
 })

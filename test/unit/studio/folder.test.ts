@@ -10,9 +10,10 @@ import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import { renameArea } from '../../../studio/src/document/areas.ts'
 import type { StudioDocument } from '../../../studio/src/document/document.ts'
 import { renameLayer } from '../../../studio/src/document/layers.ts'
+import type { StrokeMaps } from '../../../studio/src/document/packed-layers.ts'
 import type { FolderFile } from '../../../studio/src/files/folder-files.ts'
 import { unzipFolder, zipFolder } from '../../../studio/src/files/zip.ts'
-import { type DrawnMaps, folderFiles } from '../../../studio/src/keep/folder-files.ts'
+import { folderFiles } from '../../../studio/src/keep/folder-files.ts'
 import { readFolder } from '../../../studio/src/keep/read-folder.ts'
 import { Workshop } from '../cli/workshop.ts'
 import { sampleDocument } from './sample-document.ts'
@@ -51,14 +52,20 @@ async function wholeDocument(): Promise<StudioDocument> {
   }
 }
 
-async function drawnMaps(document: StudioDocument): Promise<Map<string, DrawnMaps>> {
-  const drawn = async (value: number): Promise<DrawnMaps> => ({
-    maps: { normal: await imageOf(64, value), occlusion: await imageOf(64, value + 1) },
-  })
-  return new Map([
-    [document.layers[0].name, await drawn(10)],
-    [document.layers[1].name, await drawn(20)],
-  ])
+const SIDE = 64
+
+/** Maps of lines that differ from layer to layer. */
+function strokeMaps(value: number): StrokeMaps {
+  const texels = SIDE ** 2
+  return {
+    normal: { width: SIDE, height: SIDE, data: new Uint8Array(4 * texels).fill(value) },
+    occlusion: { width: SIDE, height: SIDE, data: new Uint8Array(texels).fill(value + 1) },
+    relief: { width: SIDE, height: SIDE, data: new Float32Array(texels).fill(value / -100) },
+  }
+}
+
+function drawnMaps({ layers }: StudioDocument): Map<string, StrokeMaps> {
+  return new Map(layers.map(({ name }, i) => [name, strokeMaps(10 * (i + 1))]))
 }
 
 const FACE = [{ path: 'avatar.vrm', file: new Blob(['the face']) }]
@@ -75,14 +82,14 @@ function onDisk(name: string) {
   }))
 }
 
-async function write(document: StudioDocument, face = FACE): Promise<FolderFile[]> {
-  return folderFiles(document, face, await drawnMaps(document), encodePng)
+function write(document: StudioDocument, face = FACE): FolderFile[] {
+  return folderFiles({ document, drawn: drawnMaps(document) }, face)
 }
 
 describe('the folder of a project', () => {
   it('is read as the same document and the same face', async () => {
     const document = await wholeDocument()
-    const { document: read, face } = await readFolder(asRead(await write(document)), 'Face', decodeGray)
+    const { document: read, face } = await readFolder(asRead(write(document)), 'Face', decodeGray)
     expect(read).toEqual(document)
     expect(face.map(({ path }) => path)).toEqual(['avatar.vrm'])
     expect(await face[0].file.text()).toBe('the face')
@@ -90,7 +97,7 @@ describe('the folder of a project', () => {
 
   it('keeps names that no file can have', async () => {
     const renamed = renameArea(renameLayer(await wholeDocument(), 'up', 'brow/up?'), 'frown', '..')
-    const files = await write(renamed)
+    const files = write(renamed)
     for (const { path } of files) expect(path).toMatch(/^[\w/ -]+\.\w+$/)
     const { document } = await readFolder(asRead(files), 'Face', decodeGray)
     // A shape of strokes must have the name of a file.
@@ -107,7 +114,7 @@ describe('the folder of a project', () => {
       strokes: [],
       drivers: [],
     }
-    const files = await folderFiles(bare, [], new Map(), encodePng)
+    const files = folderFiles({ document: bare, drawn: new Map() }, [])
     expect(files.map(({ path }) => path)).toEqual(['layers/down/normal.png', 'wrinkles.json', 'studio.json'])
     expect(await readFolder(asRead(files), 'Face', decodeGray)).toEqual({ document: bare, face: [] })
   })
@@ -117,7 +124,7 @@ describe('the folder of a project', () => {
       path,
       file: new Blob([path]),
     }))
-    const files = await write(await wholeDocument(), face)
+    const files = write(await wholeDocument(), face)
     expect(files[0].path).toBe('face/head/face.gltf')
     const read = await readFolder(asRead(files), 'Face', decodeGray)
     expect(read.face.map(({ path }) => path)).toEqual(face.map(({ path }) => path))
@@ -125,7 +132,7 @@ describe('the folder of a project', () => {
 
   it('survives a .zip', async () => {
     const document = await wholeDocument()
-    const zip = await zipFolder(await write(document), 'My face')
+    const zip = await zipFolder(write(document), 'My face')
     const files = await unzipFolder(zip, 'My face.zip')
     expect((await readFolder(files, 'Face', decodeGray)).document).toEqual(document)
   })
@@ -136,7 +143,7 @@ describe('furrow pack', () => {
     const document = { ...(await wholeDocument()), mesh: undefined, material: undefined }
     const bytes = readFileSync(join(await shop.makeFolder('hand'), 'face.glb'))
     const face = [{ path: 'avatar.glb', file: new Blob([bytes]) }]
-    for (const { path, content } of await write(document, face)) {
+    for (const { path, content } of write(document, face)) {
       const file = content instanceof Blob ? new Uint8Array(await content.arrayBuffer()) : content
       shop.write(`project/${path}`, file)
     }

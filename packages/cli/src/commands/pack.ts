@@ -7,8 +7,9 @@ import {
   cannotRead,
   kilobytes,
   PACK_DEFAULTS,
-  type PackedFolder,
+  type PackedSet,
   packFace,
+  setOfFolder,
   strokesBytes,
 } from 'furrow-files'
 import { FACE_EXTENSIONS, readFolder, readGlbFile, readReferenced, statOf } from 'furrow-files/node'
@@ -111,7 +112,7 @@ async function pack(folder: string, options: Options): Promise<void> {
   const { mesh: meshName, material: materialName } = options
   const packOptions = { mesh: meshName, material: materialName, areasPerImage, ktx2, areaSize, size }
   const { target, wrinkles, warnings } = await withBar('pack', (progress) =>
-    packFace(glb, face, document, read, packOptions, WHO, progress),
+    packFace(glb, face, setOfFolder(document, read, WHO), packOptions, WHO, progress),
   )
   const morphNormals = options.morphNormals
     ? await withBar('normals', (progress) => addMorphNormals(glb, face, target.mesh, WHO, progress))
@@ -172,7 +173,7 @@ function describe(result: Result): string {
 }
 
 /** Bytes of all images, each once. */
-function imageBytes({ layers, areas }: PackedFolder): number {
+function imageBytes({ layers, areas }: PackedSet): number {
   const maps = layers.flatMap(({ normal, baseColor, roughness, occlusion, height, blood }) => {
     return [normal, baseColor, roughness, occlusion, height, blood]
   })

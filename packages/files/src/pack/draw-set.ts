@@ -20,7 +20,7 @@ import { decodeGray } from '../images/decode-gray.ts'
 import { addressOf } from '../wrinkles/folder-document.ts'
 import { layersOf } from '../wrinkles/strokes.ts'
 import { encodeLayer } from './encode-layer.ts'
-import type { ReadFile } from './pack.ts'
+import type { ReadFile } from './set-to-pack.ts'
 
 type LayerEntry = WrinkleSetDocument['layers'][number]
 

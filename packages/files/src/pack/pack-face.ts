@@ -1,4 +1,4 @@
-import { WRINKLE_MAPS, type WrinkleSetDocument } from 'furrow'
+import { WRINKLE_MAPS } from 'furrow'
 import type { Progress } from '../base/progress.ts'
 import type { Glb } from '../gltf/glb.ts'
 import { jointNamesOf, targetNamesOf } from '../json/gltf-json.ts'
@@ -6,40 +6,39 @@ import type { Target, TargetNames } from '../json/target-names.ts'
 import { findTarget } from '../mesh/target.ts'
 import { findDriverFaults } from '../wrinkles/driver-faults.ts'
 import { embedWrinkles } from './embed.ts'
-import { type PackedFolder, type PackOptions, packFolder, type ReadFile } from './pack.ts'
+import { type PackedSet, type PackOptions, packSet } from './pack.ts'
+import type { SetToPack } from './set-to-pack.ts'
 import { stripWrinkles } from './strip.ts'
 
 /** A face that got wrinkles. */
 export interface PackedFace {
   target: Target
-  wrinkles: PackedFolder
+  wrinkles: PackedSet
   /** For the user. */
   warnings: string[]
 }
 
 /**
- * Adds the wrinkles of a folder to a face, in place of those that the material has.
+ * Adds a wrinkle set to a face, in place of the one that the material has.
  *
  * @param glb changed in place.
  * @param face path of the face, for errors.
- * @param read reads the files of the folder.
- * @param options the mesh and the material by default those of the document, or as `findTarget` finds them.
+ * @param options the mesh and the material by default those of the set, or as `findTarget` finds them.
  * @throws FurrowError when the wrinkles cannot be used, or there is no such mesh or material.
  */
 export async function packFace(
   glb: Glb,
   face: string,
-  document: WrinkleSetDocument,
-  read: ReadFile,
+  set: SetToPack,
   options: PackOptions & TargetNames,
   who: string,
   progress: Progress,
 ): Promise<PackedFace> {
   const target = await findTarget(glb, face, who, {
-    mesh: options.mesh ?? document.mesh,
-    material: options.material ?? document.material,
+    mesh: options.mesh ?? set.mesh,
+    material: options.material ?? set.material,
   })
-  const wrinkles = await packFolder(read, document, options, who, progress)
+  const wrinkles = await packSet(set, options, who, progress)
   const isWrinkled = glb.json.materials![target.material].extensions?.[WRINKLE_MAPS] !== undefined
   if (isWrinkled) stripWrinkles(glb, target.material, who)
   embedWrinkles(glb, target.material, wrinkles, who)

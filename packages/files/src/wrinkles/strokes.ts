@@ -32,6 +32,16 @@ export function readStrokes(
   return checkedStrokes(json, layers, `${who}: ${path}`)
 }
 
+/** Checks strokes in memory as `readStrokes` does those in a file. */
+export function checkStrokes(
+  strokes: StrokesDocument,
+  layers: readonly string[],
+  who: string,
+): StoredStrokes {
+  checkFileBytes(strokesBytes(strokes), 'the document of strokes', who, MAX_STROKES_BYTES)
+  return checkedStrokes(strokes, layers, who)
+}
+
 /** The strokes in a file, or what is wrong with them: no renderer needs them, so that nothing else suffers. */
 export function strokesIn(
   { glb, material, maps }: WrinkledFile,

@@ -1,0 +1,64 @@
+import { areaWeights, type GrayImage, type WrinkleSetDocument } from 'furrow'
+import { decodeGray } from '../images/decode-gray.ts'
+import type { Pixels } from '../images/pixels.ts'
+import { MAP_SLOTS, type MapName } from '../wrinkles/map-slots.ts'
+import { readStrokes, type StoredStrokes } from '../wrinkles/strokes.ts'
+
+type LayerEntry = WrinkleSetDocument['layers'][number]
+type AreaEntry = WrinkleSetDocument['areas'][number]
+
+/** A wrinkle set and its images. Images are asked for in turn, so that not all need to be in memory. */
+export interface SetToPack extends Pick<WrinkleSetDocument, 'mesh' | 'material' | 'areaSize' | 'drivers'> {
+  layers: readonly LayerToPack[]
+  areas: readonly AreaToPack[]
+  strokes?: () => Promise<StoredStrokes>
+}
+
+/** A layer as in `wrinkles.json`, with its maps. */
+export interface LayerToPack extends Omit<LayerEntry, MapName> {
+  maps: { [Name in MapName]?: () => Promise<MapToPack> } & { normal(): Promise<MapToPack> }
+}
+
+/** A map: a PNG or JPEG file and its path for errors, or pixels that become a PNG file. */
+export type MapToPack = { path: string; bytes: Uint8Array } | Pixels
+
+/** An area as in `wrinkles.json`, with its weights. */
+export interface AreaToPack extends Omit<AreaEntry, 'image' | 'convention'> {
+  weights(): Promise<GrayImage>
+  /** Continues the warning that the area is visible nowhere. */
+  hint?: string
+}
+
+/** Reads a file by its address in the wrinkle set. */
+export type ReadFile = (uri: string) => Promise<Uint8Array>
+
+/** The wrinkle set of a folder; its images are read when they are packed. */
+export function setOfFolder(document: WrinkleSetDocument, read: ReadFile, who: string): SetToPack {
+  const { mesh, material, areaSize, drivers, strokes } = document
+  const names = document.layers.map(({ name }) => name)
+  return {
+    mesh,
+    material,
+    areaSize,
+    drivers,
+    layers: document.layers.map((entry) => layerOfFolder(entry, read)),
+    areas: document.areas.map(({ image, convention, ...area }) => ({
+      ...area,
+      weights: async () =>
+        areaWeights(await decodeGray(await read(image), image, who), convention, `${who}: ${image}`),
+      hint: `; is ${image} in the other convention (--white-is-visible)?`,
+    })),
+    ...(strokes !== undefined && {
+      strokes: async () => readStrokes(await read(strokes), strokes, names, who),
+    }),
+  }
+}
+
+function layerOfFolder(entry: LayerEntry, read: ReadFile): LayerToPack {
+  const { normal, baseColor, roughness, occlusion, height, blood, ...layer } = entry
+  const maps = MAP_SLOTS.flatMap(([map]) => {
+    const path = entry[map]
+    return path === undefined ? [] : [[map, async () => ({ path, bytes: await read(path) })] as const]
+  })
+  return { ...layer, maps: Object.fromEntries(maps) as unknown as LayerToPack['maps'] }
+}

@@ -1,0 +1,81 @@
+import { type HeightMap, halfSide, heightLevels } from 'furrow/author'
+import { type Pixels, withoutAlpha } from 'furrow-files'
+import { type ImageFile, MAP_NAMES, type MapName, type StudioDocument, type StudioLayer } from './document.ts'
+import type { DrawnMaps } from './drawn-maps.ts'
+
+/** A document with the maps that were drawn from its strokes. */
+export interface DocumentToPack {
+  document: StudioDocument
+  /** By the names of layers with strokes. */
+  drawn: ReadonlyMap<string, StrokeMaps>
+}
+
+/** The maps of a layer that are drawn from strokes, with their heights. */
+export interface StrokeMaps extends DrawnMaps {
+  readonly relief: HeightMap
+}
+
+/** A map as it is in a file, or pixels that are not encoded yet. */
+export type LayerMap = ImageFile | Pixels
+
+/** A layer with the maps that a file holds. */
+export interface PackedLayer {
+  layer: StudioLayer
+  /** At least a normal map. */
+  maps: { [Name in MapName]?: LayerMap }
+  /** Maps that are drawn and stand in the place of the layer's own. */
+  drawn: MapName[]
+  heightAmplitude?: number
+}
+
+/** The layers of a document as files hold them: with the maps of their strokes, and with flat normals where they have none. */
+export function packedLayers({ document: { layers, mapSize }, drawn }: DocumentToPack): PackedLayer[] {
+  let flat: Pixels | undefined
+  return layers.map((layer): PackedLayer => {
+    const strokeMaps = drawn.get(layer.name)
+    const { maps: made, heightAmplitude = layer.heightAmplitude } = strokeMaps
+      ? mapsOf(strokeMaps, layer)
+      : { maps: {} }
+    if (!layer.maps.normal && !made.normal) {
+      flat ??= flatNormal(mapSize)
+      made.normal = flat
+    }
+    return {
+      layer,
+      maps: { ...layer.maps, ...made },
+      drawn: MAP_NAMES.filter((map) => made[map]),
+      ...(heightAmplitude !== undefined && { heightAmplitude }),
+    }
+  })
+}
+
+/**
+ * Occlusion and heights have half the side of the normals, as automatic wrinkles write them: only normals show how steep a crease is. Heights
+ * of the layer's own stay.
+ */
+function mapsOf(
+  { normal, occlusion, relief }: StrokeMaps,
+  layer: StudioLayer,
+): Pick<PackedLayer, 'heightAmplitude'> & { maps: { [Name in MapName]?: Pixels } } {
+  const maps = {
+    normal: withoutAlpha({ ...normal, channels: 4 }),
+    occlusion: gray(halfSide(occlusion)),
+  }
+  if (layer.maps.height) return { maps }
+  const { levels, amplitude } = heightLevels(relief.data)
+  return {
+    maps: { ...maps, height: gray(halfSide({ ...relief, data: levels })) },
+    heightAmplitude: amplitude,
+  }
+}
+
+function gray({ width, height, data }: Omit<Pixels, 'channels'>): Pixels {
+  return { width, height, channels: 1, data }
+}
+
+/** A normal map of smooth skin. */
+function flatNormal(size: number): Pixels {
+  const data = new Uint8Array(3 * size ** 2).fill(128)
+  for (let i = 2; i < data.length; i += 3) data[i] = 255
+  return { width: size, height: size, channels: 3, data }
+}

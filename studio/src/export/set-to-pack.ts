@@ -1,0 +1,63 @@
+import { FurrowError, parseDrivers } from 'furrow'
+import { checkStrokes, type MapToPack, type SetToPack } from 'furrow-files'
+import { type DocumentToPack, type LayerMap, packedLayers } from '../document/packed-layers.ts'
+import { strokesDocument } from '../document/stroke-document.ts'
+
+/**
+ * The wrinkle set of a document, equal to the one that `furrow pack` reads in its folder.
+ *
+ * @param who for errors.
+ * @throws FurrowError where there are no areas, or a driver is malformed.
+ */
+export function setToPack(source: DocumentToPack, who: string): SetToPack {
+  const { document } = source
+  const { mesh, material, areaSize } = document
+  if (document.areas.length === 0) throw withoutAreas(who)
+  const layers = packedLayers(source).map(({ layer, maps, heightAmplitude }) => {
+    const { name, kind, normalScale, occlusionStrength, bloodAmplitude } = layer
+    const images = Object.entries(maps).map(([map, image]) => [
+      map,
+      async () => mapToPack(image, `${map} of ${name}`),
+    ])
+    return {
+      name,
+      kind,
+      normalScale,
+      occlusionStrength,
+      ...(heightAmplitude !== undefined && { heightAmplitude }),
+      ...(bloodAmplitude !== undefined && { bloodAmplitude }),
+      maps: Object.fromEntries(images) as SetToPack['layers'][number]['maps'],
+    }
+  })
+  const strokes = strokesDocument(document)
+  const layerNames = layers.map(({ name }) => name)
+  const areaNames = document.areas.map(({ name }) => name)
+  return {
+    ...(mesh !== undefined && { mesh }),
+    ...(material !== undefined && { material }),
+    areaSize,
+    layers,
+    areas: document.areas.map(({ name, layer, combine, activation, weights }) => ({
+      name,
+      layer,
+      combine,
+      activation,
+      weights: async () => weights,
+    })),
+    drivers: parseDrivers(document.drivers, areaNames, who),
+    ...(strokes && { strokes: async () => checkStrokes(strokes, layerNames, who) }),
+  }
+}
+
+function mapToPack(map: LayerMap, path: string): MapToPack {
+  return 'bytes' in map ? { path, bytes: map.bytes } : map
+}
+
+function withoutAreas(who: string): FurrowError {
+  return new FurrowError({
+    who,
+    what: 'the document has no areas',
+    limit: 'at least one',
+    remedy: 'add an area and paint where its wrinkles show',
+  })
+}

@@ -1,0 +1,7 @@
+import type { DocumentToPack } from '../../../studio/src/document/packed-layers.ts'
+import { folderFiles } from '../../../studio/src/keep/folder-files.ts'
+
+/** The files of the folder of a document without a face, by their paths. */
+export function projectFiles(source: DocumentToPack): Map<string, Uint8Array> {
+  return new Map(folderFiles(source, []).map(({ path, content }) => [path, content as Uint8Array]))
+}
