@@ -124,7 +124,6 @@ function gpuProject(name: string, include: string[]): TestProjectInlineConfigura
         '@gltf-transform/extensions',
         'comlink',
         'fast-png',
-        'fastest-levenshtein',
         'furrow-files > ktx-parse',
         'gltf-validator',
         'draco3d',

@@ -55,7 +55,6 @@ export default defineConfig({
       '@gltf-transform/extensions',
       'draco3d',
       'fast-png',
-      'fastest-levenshtein',
       'furrow-files > ktx-parse',
       'gltf-validator',
       'meshoptimizer/decoder',

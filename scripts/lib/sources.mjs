@@ -1,9 +1,9 @@
 import { fileURLToPath } from 'node:url'
 
-// Only the workspace has this entry: see the file.
-const alias = {
-  'furrow/internal': fileURLToPath(new URL('../../packages/furrow/internal.ts', import.meta.url)),
-}
+const internal = (file) => fileURLToPath(new URL(`../../packages/furrow/internal/${file}`, import.meta.url))
+
+// Only the workspace has these entries: see their files. The first that fits is taken.
+const alias = { 'furrow/internal/three': internal('three.ts'), 'furrow/internal': internal('index.ts') }
 
 const conditions = (platform) => ['furrow-source', 'module', platform, 'development|production']
 

@@ -87,7 +87,7 @@ describe.each([
     const { exports, imports } = JSON.parse(read(join(content, 'package.json')))
     expect(Object.keys(exports).filter((entry) => entry.includes('internal'))).toEqual([])
     expect(imports).toBeUndefined()
-    expect(files.filter((file) => /\/internal\.(d\.)?[jt]s/.test(file))).toEqual([])
+    expect(files.filter((file) => /\binternal\b/.test(file.slice(content.length)))).toEqual([])
     const imported = files
       .filter((file) => /\.([cm]?js|ts)$/.test(file))
       .filter((file) => {

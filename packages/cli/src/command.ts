@@ -1,6 +1,6 @@
 import { Command, type CommanderError } from 'commander'
 import { FurrowError } from 'furrow'
-import { didYouMean } from 'furrow-files'
+import { didYouMean } from 'furrow/internal'
 
 /**
  * A command whose errors are thrown as `FurrowError`, those of commander (unknown options, missing or wrong

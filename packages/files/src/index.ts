@@ -6,7 +6,6 @@ export { cannotRead, cannotWrite, firstLine, withCommandErrors } from './base/er
 export { HEAD_BYTES, kindOf } from './base/file-kind.ts'
 export { checkFileBytes, MAX_JSON_BYTES } from './base/file-size.ts'
 export { jsonFile, parseJson } from './base/json-file.ts'
-export { didYouMean } from './base/nearest.ts'
 export type { OutputFile } from './base/output-file.ts'
 export type { Progress } from './base/progress.ts'
 export { dataOf, missing, normalised, pathOf, type ReadReference, type Reference } from './base/references.ts'

@@ -1,6 +1,7 @@
 import type { TangentFrame } from 'furrow/author'
 import type { Skin } from 'furrow/auto'
-import { readMeshes, skinOf } from 'furrow/internal'
+import { skinOf } from 'furrow/internal'
+import { readMeshes } from 'furrow/internal/three'
 import type { OpenedAvatar } from '../open/avatar.ts'
 
 /** The skin of an avatar as wrinkles are made and drawn on it. */

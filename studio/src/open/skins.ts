@@ -1,15 +1,14 @@
 import { chooseSkin, MOST_TRIANGLES } from 'furrow/author'
+import { type FileWrinkles, skinOf } from 'furrow/internal'
 import {
   canCrease,
-  type FileWrinkles,
   facesOf,
   materialReader,
   readMeshes,
   readsNormalMap,
-  skinOf,
   surfaceOf,
   wrinkledFaces,
-} from 'furrow/internal'
+} from 'furrow/internal/three'
 import { namesOfTarget, type TargetNames } from 'furrow-files'
 import type { Mesh } from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'

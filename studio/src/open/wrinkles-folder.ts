@@ -1,4 +1,5 @@
-import { type FileWrinkles, readImages } from 'furrow/internal'
+import type { FileWrinkles } from 'furrow/internal'
+import { readImages } from 'furrow/internal/three'
 import { folderDocument, WRINKLES_FILE } from 'furrow-files'
 import { Folder } from '../files/folder.ts'
 import type { WrinklesFolder } from '../files/folder-files.ts'

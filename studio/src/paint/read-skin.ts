@@ -1,6 +1,6 @@
 import { FurrowError } from 'furrow'
 import { joinParts, type Skin, type SkinPart } from 'furrow/author'
-import { placementOf, vectorsOf } from 'furrow/internal'
+import { placementOf, vectorsOf } from 'furrow/internal/three'
 import {
   type BufferAttribute,
   type InterleavedBufferAttribute,

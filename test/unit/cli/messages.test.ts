@@ -2,6 +2,7 @@ import { execFileSync } from 'node:child_process'
 import { closeSync, mkdirSync, openSync, rmSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Command } from 'commander'
+import { nearestName } from 'furrow/internal'
 import { cannotRead, cannotWrite, otherFormat } from 'furrow-files'
 import { readGlbFile } from 'furrow-files/node'
 import { describe, expect, it, vi } from 'vitest'
@@ -12,7 +13,6 @@ import { normalsCommand } from '../../../packages/cli/src/commands/normals.ts'
 import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
 import { escaped, print, warn } from '../../../packages/cli/src/print.ts'
-import { nearest } from '../../../packages/files/src/base/nearest.ts'
 import { editGlb } from '../../glb.ts'
 import { faceBytes, Workshop } from './workshop.ts'
 
@@ -176,7 +176,7 @@ describe('the nearest name', () => {
     ['tongueOut', undefined],
     ['x'.repeat(100_000), undefined],
   ])('of %.20s is %s', (name, expected) => {
-    expect(nearest(name, NAMES)).toBe(expected)
+    expect(nearestName(name, NAMES)).toBe(expected)
   })
 
   it('is offered for meshes, materials, blendshapes and choices', async () => {

@@ -20,7 +20,6 @@ const PORTABLE = [
   'comlink',
   'draco3d',
   'fast-png',
-  'fastest-levenshtein',
   'furrow',
   'gltf-validator',
   'ktx-parse',

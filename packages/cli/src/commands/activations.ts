@@ -9,7 +9,8 @@ import {
   findTargets,
   needsMesh,
 } from 'furrow'
-import { didYouMean, targetNamesOf } from 'furrow-files'
+import { didYouMean } from 'furrow/internal'
+import { targetNamesOf } from 'furrow-files'
 import { readWrinkledFile } from 'furrow-files/node'
 import { createCommand } from '../command.ts'
 import { allowOutsideOption, assignmentParser, parseWeight } from '../options.ts'

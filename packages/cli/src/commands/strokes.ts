@@ -18,8 +18,8 @@ import {
   strokesToHeight,
   type TangentFrame,
 } from 'furrow/author'
+import { didYouMean } from 'furrow/internal'
 import {
-  didYouMean,
   jsonFile,
   layersOf,
   type OutputFile,

@@ -9,7 +9,8 @@ import {
   parseWrinkleSetDocument,
   WRINKLE_MAPS,
 } from 'furrow'
-import { cannotRead, didYouMean, encodeGlb, type GltfJson, targetNamesOf } from 'furrow-files'
+import { didYouMean } from 'furrow/internal'
+import { cannotRead, encodeGlb, type GltfJson, targetNamesOf } from 'furrow-files'
 import { type ReadOptions, readGlbFile, readJson, resolveInside } from 'furrow-files/node'
 import { type PageJob, PICTURE_DEFAULTS, PICTURE_SIDE, type PictureRequest } from './picture.ts'
 

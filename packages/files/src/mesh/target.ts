@@ -1,5 +1,5 @@
 import { FurrowError } from 'furrow'
-import { didYouMean } from '../base/nearest.ts'
+import { didYouMean } from 'furrow/internal'
 import { documentOf } from '../gltf/document.ts'
 import type { Glb } from '../gltf/glb.ts'
 import {

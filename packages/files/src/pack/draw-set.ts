@@ -14,7 +14,7 @@ import {
   type TangentFrame,
   valleyBlood,
 } from 'furrow/author'
-import { didYouMean } from '../base/nearest.ts'
+import { didYouMean } from 'furrow/internal'
 import type { OutputFile } from '../base/output-file.ts'
 import { decodeGray } from '../images/decode-gray.ts'
 import { addressOf } from '../wrinkles/folder-document.ts'

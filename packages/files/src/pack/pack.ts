@@ -1,6 +1,6 @@
 import { DEFAULT_AREA_SIZE, FurrowError, type GrayImage, resampleGray } from 'furrow'
+import { didYouMean } from 'furrow/internal'
 import { sameBytes } from '../base/bytes.ts'
-import { didYouMean } from '../base/nearest.ts'
 import type { Progress } from '../base/progress.ts'
 import { withImageErrors } from '../images/image-errors.ts'
 import { encodePortablePng } from '../images/png.ts'

@@ -1,10 +1,10 @@
 import { FurrowError, WRINKLE_MAPS } from 'furrow'
 import { parseStrokes, type StrokesDocument } from 'furrow/author'
+import { didYouMean } from 'furrow/internal'
 import { utf8 } from '../base/bytes.ts'
 import { withCommandErrors } from '../base/errors.ts'
 import { checkFileBytes } from '../base/file-size.ts'
 import { parseJson } from '../base/json-file.ts'
-import { didYouMean } from '../base/nearest.ts'
 import type { WrinkledFile } from './wrinkled-file.ts'
 
 /** Most bytes of the strokes of a set: with the line breaks of a `.gltf`, ten times as many must be within `MAX_JSON_BYTES`. */

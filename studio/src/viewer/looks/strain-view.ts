@@ -1,4 +1,4 @@
-import { coordinates, trianglesOf } from 'furrow/internal'
+import { coordinates, trianglesOf } from 'furrow/internal/three'
 import { BufferAttribute, BufferGeometry, type Mesh, MeshBasicMaterial, Vector3 } from 'three'
 import { PoseWatch } from '../pose/pose-watch.ts'
 import { strainColour, strainOf } from './strain.ts'

@@ -8,7 +8,8 @@ import {
   valueSource,
   type WrinkleDriver,
 } from 'furrow'
-import { bindInputs, bindTension, inputName } from 'furrow/internal'
+import { inputName } from 'furrow/internal'
+import { bindInputs, bindTension } from 'furrow/internal/three'
 import type { Wrinkles } from '../../../../stage/stage.ts'
 
 /** What the face has beyond its mesh. Both maps are read whenever the drivers are evaluated. */

@@ -1,0 +1,9 @@
+/** `furrow/internal/three`: as `furrow/internal`, of the rooms of three.js. */
+
+export { readImages } from '../src/three/loader/load-wrinkle-set.ts'
+export { canCrease, placementOf, readMeshes } from '../src/three/loader/read-character.ts'
+export { facesOf, materialReader, wrinkledFaces } from '../src/three/loader/read-wrinkle-maps.ts'
+export { readsNormalMap, surfaceOf } from '../src/three/material/surface.ts'
+export { bindInputs } from '../src/three/sources/bind-inputs.ts'
+export { coordinates, trianglesOf, vectorsOf } from '../src/three/sources/geometry-arrays.ts'
+export { bindTension } from '../src/three/sources/tension.ts'
