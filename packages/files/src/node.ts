@@ -19,7 +19,7 @@ export {
   MAX_HEIGHT,
 } from './images/encode.ts'
 export { type HeightImage, readHeightImage } from './images/height-image.ts'
-export { openImage } from './images/open-image.ts'
+export { readLayers } from './ktx2/read-layers.ts'
 export { type FaceMesh, readFaceMesh } from './mesh/face-mesh.ts'
 export { drawSet } from './pack/draw-set.ts'
 export { type OpenSet, openSet } from './pack/open-set.ts'

@@ -10,8 +10,7 @@ import {
   readArray,
   writeArray,
 } from 'furrow-files'
-import { encodePngWithoutOpaqueAlpha, readBytes } from 'furrow-files/node'
-import { readLayers } from '../array/read-layers.ts'
+import { encodePngWithoutOpaqueAlpha, readBytes, readLayers } from 'furrow-files/node'
 import { createCommand } from '../command.ts'
 import { writeAll } from '../files.ts'
 import { checkFolder, checkOutputs } from '../outputs.ts'

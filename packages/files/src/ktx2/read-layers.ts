@@ -1,8 +1,14 @@
 import { parse } from 'node:path'
 import { type ErrorCode, FurrowError, MAX_AREAS } from 'furrow'
 import { fileNamesOf, isFileName, type RgbaImage } from 'furrow/author'
-import { cannotRead, checkDecodedBytes, EXACT_IMAGES, type NamedArray, withImageErrors } from 'furrow-files'
-import { openImage, readBytes, statOf } from 'furrow-files/node'
+import { cannotRead } from '../base/errors.ts'
+import { statOf } from '../disk/file-status.ts'
+import { readBytes } from '../disk/read-bytes.ts'
+import { EXACT_IMAGES } from '../images/check-image.ts'
+import { checkDecodedBytes } from '../images/decoded-bytes.ts'
+import { withImageErrors } from '../images/image-errors.ts'
+import { openImage } from '../images/open-image.ts'
+import type { NamedArray } from './image-array.ts'
 
 const WHO = 'furrow array'
 
