@@ -4,7 +4,7 @@ import { rmSync } from 'node:fs'
 import { join } from 'node:path'
 import { build as buildWithVite } from 'vite'
 import { build as buildPages } from 'vitepress'
-import { main, ROOT, say } from '../scripts/lib/run.mjs'
+import { main, must, ROOT, say } from '../scripts/lib/run.mjs'
 import { setUp } from '../scripts/lib/set-up.mjs'
 
 const SITE = join(ROOT, 'site')
@@ -14,6 +14,7 @@ const DIST = join(SITE, 'dist')
 await main(async () => {
   await setUp()
   await inOrder([
+    ['reference', () => must(['npm', 'run', 'api', '--silent'])],
     ['pages', gather],
     ['site', () => buildPages(SITE)],
     ['examples', buildExamples],

@@ -39,7 +39,9 @@ export function pageFiles() {
       .filter((entry) => entry.isDirectory())
       .map(({ name }) => `${folder}/${name}`),
   )
-  const found = [...FOLDERS, ...below].flatMap((folder) =>
+  // The API reference is only there once it was generated.
+  const present = [...FOLDERS, ...below].filter((folder) => existsSync(join(ROOT, folder)))
+  const found = present.flatMap((folder) =>
     readdirSync(join(ROOT, folder))
       .filter((name) => name.endsWith('.md'))
       .map((name) => `${folder}/${name}`),

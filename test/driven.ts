@@ -1,4 +1,5 @@
-import { DriverProgram, planDrivers, targetSource, valueSource, type WrinkleDriver } from 'furrow'
+import type { WrinkleDriver } from 'furrow'
+import { DriverProgram, planDrivers, targetSource, valueSource } from 'furrow/internal'
 
 /** Drivers that read blendshapes and named inputs, evaluated without an engine. */
 export function driven(drivers: readonly WrinkleDriver[], targetNames: readonly string[] = []) {

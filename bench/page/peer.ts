@@ -1,5 +1,6 @@
 /** Common code of other techniques: each computes the normal in its own way, in GLSL for WebGL and in TSL for WebGPU. */
-import { type GrayImage, packColours, type WrinkleSet } from 'furrow'
+import type { GrayImage, WrinkleSet } from 'furrow'
+import { packColours } from 'furrow/internal'
 import {
   type DataArrayTexture,
   DataTexture,

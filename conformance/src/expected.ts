@@ -1,4 +1,5 @@
-import { type GrayImage, packAreas, reference } from 'furrow'
+import type { GrayImage } from 'furrow'
+import { packAreas, reference } from 'furrow/internal'
 import type { MapImage } from './map-image.ts'
 import type { Pose, Sample, SampleFile, SampleLayer } from './sample.ts'
 

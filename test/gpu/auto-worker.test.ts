@@ -1,8 +1,9 @@
 // No GPU is used, but a browser: its workers are not those of Node.
 
 import { FurrowError } from 'furrow'
-import { AUTO_STEPS, autoWrinkles, type Skin } from 'furrow/author'
+import { autoWrinkles, type Skin } from 'furrow/author'
 import { autoWrinklesInWorker } from 'furrow/auto'
+import { AUTO_STEPS } from 'furrow/internal'
 import { afterEach, describe, expect, it, vi } from 'vitest'
 import { sheet } from '../unit/author/auto/sheet.ts'
 

@@ -1,4 +1,5 @@
-import { type Area, type GrayImage, type Layer, packAreas, packGrays, reference } from 'furrow'
+import type { Area, GrayImage, Layer } from 'furrow'
+import { packAreas, packGrays, reference } from 'furrow/internal'
 import { Color, DirectionalLight, MeshLambertMaterial, Scene } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { randomAreas } from '../cases.ts'

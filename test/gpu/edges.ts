@@ -1,4 +1,5 @@
-import { type Area, packAreas, reference, type WrinkleSet } from 'furrow'
+import type { Area, WrinkleSet } from 'furrow'
+import { packAreas, reference } from 'furrow/internal'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 

@@ -1,5 +1,6 @@
-import { packAreas, type RgbaImage, reference, type WrinkleSet } from 'furrow'
+import type { RgbaImage, WrinkleSet } from 'furrow'
 import { combineNormals } from 'furrow/author'
+import { packAreas, reference } from 'furrow/internal'
 import { loadWrinkleSet } from 'furrow/three'
 import {
   AmbientLight,

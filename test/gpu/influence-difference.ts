@@ -1,4 +1,5 @@
-import { packAreas, reference, type WrinkleSet } from 'furrow'
+import type { WrinkleSet } from 'furrow'
+import { packAreas, reference } from 'furrow/internal'
 
 /** The square's texture coordinates, see `square`. */
 export interface UvTransform {

@@ -1,4 +1,5 @@
-import { curveAt, type InputDriver } from 'furrow'
+import type { InputDriver } from 'furrow'
+import { curveAt } from 'furrow/internal'
 import { addDrivers } from 'furrow/three'
 import { addDrivers as addComputedDrivers } from 'furrow/webgpu'
 import { MeshStandardMaterial } from 'three'

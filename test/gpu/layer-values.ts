@@ -1,4 +1,5 @@
-import { type GrayImage, type Layer, packGrays, type RgbaImage, reference } from 'furrow'
+import type { GrayImage, Layer, RgbaImage } from 'furrow'
+import { packGrays, reference } from 'furrow/internal'
 import { randomImage } from '../cases.ts'
 
 /** Side of the maps in texels. */

@@ -1,4 +1,4 @@
-import { packAreas, packColours, packGrays, reference } from 'furrow'
+import { packAreas, packColours, packGrays, reference } from 'furrow/internal'
 import {
   AmbientLight,
   DataTexture,

@@ -1,4 +1,5 @@
-import { type GrayImage, type LayerKind, packAreas, packColours, reference } from 'furrow'
+import type { GrayImage, LayerKind } from 'furrow'
+import { packAreas, packColours, reference } from 'furrow/internal'
 import type { WrinklesOptions } from 'furrow/three'
 import { removeArea } from 'furrow/three'
 import { type Camera, DataTexture, DirectionalLight, LinearFilter, MeshLambertMaterial, Scene } from 'three'

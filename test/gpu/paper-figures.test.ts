@@ -1,4 +1,5 @@
-import { EXPRESSIONS, reference, type WrinkleSet } from 'furrow'
+import { EXPRESSIONS, type WrinkleSet } from 'furrow'
+import { reference } from 'furrow/internal'
 import { ExpressionPlayer } from 'furrow/three'
 import { type MeshStandardMaterial, NoColorSpace } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'

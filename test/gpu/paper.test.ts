@@ -1,4 +1,4 @@
-import { packAreas, packColours, reference } from 'furrow'
+import { packAreas, packColours, reference } from 'furrow/internal'
 import type { WrinkleMode } from 'furrow/three'
 import {
   AmbientLight,

@@ -1,4 +1,5 @@
-import { type RgbaImage, reference } from 'furrow'
+import type { RgbaImage } from 'furrow'
+import { reference } from 'furrow/internal'
 import {
   AmbientLight,
   DataTexture,

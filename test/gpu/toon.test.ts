@@ -1,4 +1,4 @@
-import { packAreas, packColours, reference } from 'furrow'
+import { packAreas, packColours, reference } from 'furrow/internal'
 import { Color, DataTexture, DirectionalLight, MeshToonMaterial, NearestFilter, Scene } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { layer, randomAreas, randomNormals } from '../cases.ts'

@@ -9,15 +9,11 @@ beforeAll(async () => {
 })
 afterAll(() => remove(folder))
 
-it('docs/api is what the sources say, and they say something of every export', async () => {
+it('every export has a summary, and every entry a page', async () => {
+  // Fails where a comment is missing: see packages/furrow/typedoc.jsonc.
   await run(ROOT, 'npm', 'run', 'api', '--', '--out', folder)
-  const pages = readdirSync(folder)
-  expect(pages).toContain('furrow.md')
-  expect(readdirSync(join(ROOT, 'docs/api'))).toEqual(pages)
-  for (const page of pages) {
-    const committed = readFileSync(join(ROOT, 'docs/api', page), 'utf8')
-    expect(committed, `docs/api/${page} is not up to date: npm run api`).toBe(
-      readFileSync(join(folder, page), 'utf8'),
-    )
-  }
+  const { exports } = JSON.parse(readFileSync(join(ROOT, 'packages/furrow/package.json'), 'utf8'))
+  const entries = Object.keys(exports).filter((entry) => entry !== './package.json')
+  const pages = entries.map((entry) => `furrow${entry.slice(1).replaceAll('/', '.')}.md`)
+  expect(readdirSync(folder).sort()).toEqual(['README.md', ...pages].sort())
 })

@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os'
 import { join, resolve } from 'node:path'
 import { performance } from 'node:perf_hooks'
 import { setTimeout } from 'node:timers/promises'
-import { AUTO_STEPS } from 'furrow/author'
+import { AUTO_STEPS } from 'furrow/internal'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { startFurrow } from './run-furrow.ts'
 

@@ -19,6 +19,14 @@ const PAGES = [
     .map((file) => `docs/${file}`),
 ]
 
+/** Pages of the API reference. */
+const REFERENCE = [
+  'README.md',
+  ...Object.keys(JSON.parse(readFileSync(join(ROOT, 'packages/furrow/package.json'), 'utf8')).exports).map(
+    (entry) => `furrow${entry.slice(1).replaceAll('/', '.')}.md`,
+  ),
+]
+
 const read = (path: string) => readFileSync(join(ROOT, path), 'utf8')
 
 /** Fenced blocks of one language on one page. */
@@ -57,6 +65,11 @@ describe('documentation', () => {
   it.each(PAGES)('%s links to files that are there', (page) => {
     const links = [...read(page).matchAll(/\]\((?!https?:|#)([^)#]+)\)/g)].map((match) => match[1])
     for (const link of links) {
+      // The reference is generated: a page for each entry of the package.
+      if (/^(\.\.\/|\.\/)*(docs\/)?api\//.test(link)) {
+        expect(REFERENCE, `${page}: ${link}`).toContain(link.replace(/^.*api\//, ''))
+        continue
+      }
       const target = resolve(ROOT, dirname(page), link)
       expect(ts.sys.fileExists(target) || ts.sys.directoryExists(target), `${page}: ${link}`).toBe(true)
     }

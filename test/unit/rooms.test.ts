@@ -87,7 +87,7 @@ function isAllowed(room: string, name: string): boolean {
     return other === room || others.some((each) => other === each || other === `${home}/${each}`)
   }
   if (name.startsWith('.') || /^furrow\b/.test(name))
-    return others.includes(name) || (home !== LIBRARY && PUBLIC.includes(name))
+    return others.includes(name) || (home !== LIBRARY && [...PUBLIC, 'furrow/internal'].includes(name))
   // Of packages of others only the library's are listed.
   return home !== LIBRARY || others.includes(name.replace(/^((?:@[^/]+\/)?[^/]+).*$/, '$1'))
 }

@@ -3,20 +3,136 @@
  * lies outside `src`, no `exports` of the package name it, and only `scripts/lib/sources.mjs` and `tsconfig.base.json` resolve it.
  */
 
-export { canvasAgain, canvasArrays, type SkinCanvasArrays } from '../src/author/skin/canvas.ts'
+export { AUTO_STEPS, strokesOf } from '../src/author/auto/auto.ts'
+export type { AutoBlood, BloodArea } from '../src/author/auto/blood/draw-blood.ts'
+export type { MissingRegion } from '../src/author/auto/fit/fit-driver.ts'
+export type { AutoFurrows, FurrowArea } from '../src/author/auto/furrows/draw-net.ts'
+export { halfSide, heightLevels } from '../src/author/auto/raster/half-side.ts'
+export { type StrainMap, strainMaps } from '../src/author/auto/strain-map.ts'
+export { MOST_TRIANGLES } from '../src/author/auto/surface/check-skin.ts'
+export { chooseSkin, type SkinCandidate, type SkinChoice } from '../src/author/auto/surface/choose-skin.ts'
+export { middleOf } from '../src/author/auto/surface/detect-face.ts'
+export { joinParts, type SkinPart } from '../src/author/auto/surface/join-parts.ts'
+export type { LandmarkPosition as Place, Landmarks } from '../src/author/auto/surface/landmarks.ts'
+export { skinSurface } from '../src/author/auto/surface/skin-surface.ts'
+export { faceShapeFinder } from '../src/author/auto/surface/stand-ins.ts'
+export { moveToFirstTile } from '../src/author/auto/surface/uv-tiles.ts'
+export { type AutoDriver, autoDrivers } from '../src/author/auto/wrinkle-set.ts'
+export { meshDiagonal } from '../src/author/bake/bake.ts'
+export { sharedNormals } from '../src/author/bake/mesh.ts'
+export type { AnyHit } from '../src/author/bake/occlusion.ts'
+export { fileNamesOf, isFileName } from '../src/author/file-names.ts'
+export { addFurrows } from '../src/author/furrows/furrows.ts'
+export { FURROW_DEFAULTS, type FurrowRegion, type Furrows } from '../src/author/furrows/read-furrows.ts'
+export { type Metric, surfaceMetric } from '../src/author/metric.ts'
+export type { Green } from '../src/author/relief/relief-to-normal.ts'
+export type { Edges } from '../src/author/relief/slope.ts'
+export { canvasAgain, canvasArrays, mapSkin, type SkinCanvasArrays } from '../src/author/skin/canvas.ts'
+export type { SkinTexels, TexelVisitor } from '../src/author/skin/skin-texels.ts'
+export { crossOf, type SkinSurface } from '../src/author/skin/surface.ts'
 export { type UvGrid, UvLocator } from '../src/author/skin/uv-locator.ts'
-export { positionAt } from '../src/author/skin/walk.ts'
+export { barycentricsAt, positionAt, walk } from '../src/author/skin/walk.ts'
+export type { GroupShape, PolygonShape } from '../src/author/strokes/area-definitions.ts'
+export type { LocatedSkin } from '../src/author/strokes/curve.ts'
+export { type AreaShape, type CurveKind, STROKE_DEFAULTS } from '../src/author/strokes/document.ts'
+export {
+  nearestOnStroke,
+  type StrokeCurve,
+  type StrokePoint,
+  strokeCurves,
+} from '../src/author/strokes/edit/curve-in-space.ts'
+export { type MirrorPlane, mirrorStroke } from '../src/author/strokes/edit/mirror.ts'
+export { splineOf } from '../src/author/strokes/edit/spline-of.ts'
 export { knotsOf, traceStroke, uvOf } from '../src/author/strokes/edit/traced-stroke.ts'
 export { BANK_WIDTHS } from '../src/author/strokes/lay-out.ts'
+export { GROUP_SHAPE, type PaintedArea, paintArea, paintedNames } from '../src/author/strokes/paint-areas.ts'
+export { drawUvLayout, type UvLayoutOptions } from '../src/author/uv-layout.ts'
+export { BLOOD_AMPLITUDE, changedBlood, valleyBlood } from '../src/author/valley-blood.ts'
 export { buffersOf } from '../src/auto/buffers.ts'
 export { skinOf } from '../src/auto/character.ts'
+export { type ActivationPointer, parseActivationPointer } from '../src/core/activation-pointer.ts'
+export { BLOOD_ABSORPTION, BLOOD_AT_REST, MAX_BLOOD_AMPLITUDE } from '../src/core/blood.ts'
+export type { Bounds } from '../src/core/bounds.ts'
 export { CHANNEL, channelOf } from '../src/core/channels.ts'
+export { resampleGray } from '../src/core/image.ts'
+export {
+  DEFAULT_AREA_SIZE,
+  LONGEST_NAME,
+  MAX_AREAS,
+  MAX_IMAGE_BYTES,
+  MAX_IMAGE_SIDE,
+  MAX_LAYERS,
+} from '../src/core/limits.ts'
+export { checkDeclared, WRINKLE_MAPS } from '../src/core/maps/declared.ts'
+export { DecodedBytes } from '../src/core/maps/decoded-bytes.ts'
+export { imageDamage } from '../src/core/maps/image-file.ts'
+export { type ImageFileType, imageTypeOf } from '../src/core/maps/image-type.ts'
+export {
+  type Ktx2Fault,
+  type Ktx2Header,
+  type Ktx2Image,
+  readKtx2Header,
+  readKtx2Image,
+} from '../src/core/maps/ktx2-header.ts'
+export {
+  drawnTextures,
+  type MapProblem,
+  mapProblems,
+  type TextureShape,
+  texturesOfFace,
+} from '../src/core/maps/rules.ts'
+export type {
+  MapsAndAreas,
+  TextureReference,
+  WrinkleMapsArea,
+  WrinkleMapsLayer,
+} from '../src/core/maps/wrinkle-maps.ts'
+export { isName } from '../src/core/name.ts'
 export { didYouMean, nearestName } from '../src/core/nearest-name.ts'
+export { packAreas, packColours, packGrays } from '../src/core/pack.ts'
+export * as reference from '../src/core/reference.ts'
 export { interpolateTexels } from '../src/core/reference.ts'
+export { checkWrinkleSet } from '../src/core/wrinkle-set.ts'
 export { inputName } from '../src/drivers/activation.ts'
-export { targetFinder } from '../src/drivers/morph/target-names.ts'
+export { AGES, type AgeDriver } from '../src/drivers/age/definition.ts'
+export { JointMeasurement } from '../src/drivers/bone/measure.ts'
+export type { Contribution } from '../src/drivers/contribution.ts'
+export { curveAt } from '../src/drivers/curve.ts'
+export { describeDriver, describeLink } from '../src/drivers/describe.ts'
+export {
+  type Explanation,
+  explain,
+  type LinkPart,
+  needsMesh,
+  type Part,
+  type Situation,
+} from '../src/drivers/explain.ts'
+export { expressionsOf } from '../src/drivers/expression/expression.ts'
+export { canonicalTargetName, targetFinder } from '../src/drivers/morph/target-names.ts'
+export { VrmWeights } from '../src/drivers/morph/vrm.ts'
+export { parseWrinkleMaps, type WrinkleMaps } from '../src/drivers/parse.ts'
+export {
+  type DriverPlan,
+  type PlannedActivation,
+  type PlannedFilter,
+  planDrivers,
+} from '../src/drivers/plan.ts'
+export {
+  type BoundInput,
+  DriverProgram,
+  type DriverState,
+  type InputSource,
+  type InputSources,
+} from '../src/drivers/program.ts'
+export { DRIVER_TYPES, isKnownDriver } from '../src/drivers/registry.ts'
+export { measuredSource, targetSource, valueSource } from '../src/drivers/sources.ts'
+export { TensionMeasurement, type TensionSample } from '../src/drivers/tension/measure.ts'
+export { type SampledMesh, sampleTriangles } from '../src/drivers/tension/samples.ts'
+export { DeformedNormals, morphNormalDeltas, type RestMesh } from '../src/math/deformed-normals.ts'
 export { splineKnots } from '../src/math/spline.ts'
 export { principalStretches, restInverse } from '../src/math/stretch.ts'
 export { dot } from '../src/math/vector.ts'
+export { Activations } from '../src/runtime/activations.ts'
+export { ExpressionMix } from '../src/runtime/expression-mix.ts'
 export { readImage } from '../src/runtime/file/read-image.ts'
 export type { FileWrinkles } from '../src/runtime/file/read-wrinkles.ts'

@@ -1,4 +1,5 @@
-import { type Combine, FurrowError, type GrayImage, MAX_AREAS } from 'furrow'
+import { type Combine, FurrowError, type GrayImage } from 'furrow'
+import { MAX_AREAS } from 'furrow/internal'
 import type { StudioArea, StudioDocument } from './document.ts'
 import { driversOfNewArea, onOtherSide, renameInDrivers, withoutArea } from './drivers.ts'
 import { changed, checkCount, checkNewName, freeName, named, withNamed } from './names.ts'

@@ -1,5 +1,6 @@
-import { FurrowError, MAX_LAYERS } from 'furrow'
-import { type AutoWrinkles, autoDrivers, strokesOf } from 'furrow/author'
+import { FurrowError } from 'furrow'
+import type { AutoWrinkles } from 'furrow/author'
+import { autoDrivers, MAX_LAYERS, strokesOf } from 'furrow/internal'
 import {
   type AutoSettings,
   type ImageFile,

@@ -1,4 +1,4 @@
-import { DEFAULT_AREA_SIZE } from 'furrow'
+import { DEFAULT_AREA_SIZE } from 'furrow/internal'
 import { type AutoSettings, LAYER_DEFAULTS, type StudioDocument } from './document.ts'
 
 /** Of a face in metres, as glTF has them. */

@@ -1,4 +1,5 @@
-import { type Curve, curveAt } from 'furrow'
+import type { Curve } from 'furrow'
+import { curveAt } from 'furrow/internal'
 
 /** Numbers from the least to the greatest. */
 export type Range = readonly [low: number, high: number]

@@ -1,5 +1,6 @@
 import type { Combine, GrayImage, LayerKind, WrinkleDriver } from 'furrow'
-import type { AutoRegion, Furrows, Stroke, StrokesDocument } from 'furrow/author'
+import type { AutoRegion, Stroke, StrokesDocument } from 'furrow/author'
+import type { Furrows } from 'furrow/internal'
 
 /**
  * What an artist works on: the wrinkles of one face as plain data that never changes. An operation makes another document, in which

@@ -1,13 +1,5 @@
-import {
-  type ConflictDriver,
-  canonicalTargetName,
-  driversOf,
-  findTargets,
-  isKnownDriver,
-  type MorphDriver,
-  planDrivers,
-  type WrinkleDriver,
-} from 'furrow'
+import { type ConflictDriver, driversOf, findTargets, type MorphDriver, type WrinkleDriver } from 'furrow'
+import { canonicalTargetName, isKnownDriver, planDrivers } from 'furrow/internal'
 import { areaOf } from './drivers.ts'
 
 /** Why a driver has less effect than it says, and what to do about it. */

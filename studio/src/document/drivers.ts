@@ -1,5 +1,4 @@
 import {
-  canonicalTargetName,
   driversOf,
   FurrowError,
   type Link,
@@ -7,6 +6,7 @@ import {
   parseDrivers,
   type WrinkleDriver,
 } from 'furrow'
+import { canonicalTargetName } from 'furrow/internal'
 import type { StudioDocument } from './document.ts'
 import { changed, kept, named } from './names.ts'
 import { otherSide } from './sides.ts'

@@ -1,4 +1,5 @@
-import { FurrowError, MAX_BLOOD_AMPLITUDE, MAX_LAYERS } from 'furrow'
+import { FurrowError } from 'furrow'
+import { MAX_BLOOD_AMPLITUDE, MAX_LAYERS } from 'furrow/internal'
 import {
   type ImageFile,
   LAYER_DEFAULTS,

@@ -1,4 +1,5 @@
-import { FurrowError, isName, LONGEST_NAME } from 'furrow'
+import { FurrowError } from 'furrow'
+import { isName, LONGEST_NAME } from 'furrow/internal'
 
 /** What has a name of its own among its kind. */
 interface Named {

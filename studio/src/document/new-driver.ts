@@ -1,4 +1,5 @@
-import { AGES, type Curve, type DriverType, type WrinkleDriver } from 'furrow'
+import type { Curve, DriverType, WrinkleDriver } from 'furrow'
+import { AGES } from 'furrow/internal'
 import type { StudioDocument } from './document.ts'
 import { freeName } from './names.ts'
 

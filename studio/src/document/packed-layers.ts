@@ -1,4 +1,5 @@
-import { type HeightMap, halfSide, heightLevels } from 'furrow/author'
+import type { HeightMap } from 'furrow/author'
+import { halfSide, heightLevels } from 'furrow/internal'
 import { type Pixels, withoutAlpha } from 'furrow-files'
 import { type ImageFile, MAP_NAMES, type MapName, type StudioDocument, type StudioLayer } from './document.ts'
 import type { DrawnMaps } from './drawn-maps.ts'

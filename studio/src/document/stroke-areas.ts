@@ -1,4 +1,5 @@
-import type { AreaDefinition, AreaShape } from 'furrow/author'
+import type { AreaDefinition } from 'furrow/author'
+import type { AreaShape } from 'furrow/internal'
 import type { StudioDocument } from './document.ts'
 import { changed, kept } from './names.ts'
 

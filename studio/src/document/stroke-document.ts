@@ -1,4 +1,5 @@
-import { isFileName, type StrokesDocument } from 'furrow/author'
+import type { StrokesDocument } from 'furrow/author'
+import { isFileName } from 'furrow/internal'
 import type { StudioDocument } from './document.ts'
 
 /**

@@ -1,4 +1,4 @@
-import type { Bounds } from 'furrow/author'
+import type { Bounds } from 'furrow/internal'
 
 interface Pixels {
   width: number

@@ -1,6 +1,7 @@
 import { type Remote, wrap } from 'comlink'
 import { FurrowError, type RgbaImage } from 'furrow'
-import type { Bounds, HeightMap, Stroke } from 'furrow/author'
+import type { HeightMap, Stroke } from 'furrow/author'
+import type { Bounds } from 'furrow/internal'
 import type { LayerStroke } from '../document/document.ts'
 import type { DrawnMaps } from '../document/drawn-maps.ts'
 import { endOf } from '../workers/life.ts'

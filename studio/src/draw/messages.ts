@@ -1,5 +1,6 @@
 import type { RgbaImage } from 'furrow'
-import type { Bounds, MetricMesh, Stroke, TangentFrame } from 'furrow/author'
+import type { MetricMesh, Stroke, TangentFrame } from 'furrow/author'
+import type { Bounds } from 'furrow/internal'
 import type { ListChanges } from './changes.ts'
 
 /** The skin that strokes are drawn on, and how. */

@@ -1,7 +1,8 @@
 /** Draws strokes into maps, away from the page. */
 
 import { expose, transfer } from 'comlink'
-import { type Bounds, type SkinCanvas, type Stroke, StrokeLayer, skinCanvas } from 'furrow/author'
+import { type SkinCanvas, type Stroke, StrokeLayer, skinCanvas } from 'furrow/author'
+import type { Bounds } from 'furrow/internal'
 import { holdLife } from '../workers/life.ts'
 import { applyChanges } from './changes.ts'
 import { copyRect } from './copy-rect.ts'

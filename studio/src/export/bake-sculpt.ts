@@ -1,5 +1,6 @@
 import { FurrowError } from 'furrow'
-import { bakeMaps, meshDiagonal } from 'furrow/author'
+import { bakeMaps } from 'furrow/author'
+import { meshDiagonal } from 'furrow/internal'
 import {
   DEFAULT_CAGE,
   documentOf,

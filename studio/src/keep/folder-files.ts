@@ -1,5 +1,5 @@
 import type { WrinkleSetDocument } from 'furrow'
-import { fileNamesOf } from 'furrow/author'
+import { fileNamesOf } from 'furrow/internal'
 import { addressOf, encodePortablePng, paintedArea, WRINKLES_FILE } from 'furrow-files'
 import { MAP_NAMES, type MapName } from '../document/document.ts'
 import { type DocumentToPack, type PackedLayer, packedLayers } from '../document/packed-layers.ts'

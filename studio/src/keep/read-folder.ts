@@ -1,13 +1,7 @@
 import { ImageUtils } from '@gltf-transform/core'
-import {
-  areaWeights,
-  DEFAULT_AREA_SIZE,
-  type GrayImage,
-  imageTypeOf,
-  resampleGray,
-  type WrinkleSetDocument,
-} from 'furrow'
+import { areaWeights, type GrayImage, type WrinkleSetDocument } from 'furrow'
 import { parseStrokes, type StrokesDocument } from 'furrow/author'
+import { DEFAULT_AREA_SIZE, imageTypeOf, resampleGray } from 'furrow/internal'
 import { folderDocument, WRINKLES_FILE } from 'furrow-files'
 import {
   type ImageFile,

@@ -1,5 +1,6 @@
 import type { GrayImage } from 'furrow'
-import { GROUP_SHAPE, paintArea as paintWeights, type SkinCanvas, type Uv } from 'furrow/author'
+import type { SkinCanvas, Uv } from 'furrow/author'
+import { GROUP_SHAPE, paintArea as paintWeights } from 'furrow/internal'
 import { addArea, paintArea } from '../document/areas.ts'
 import type { LayerStroke, StudioArea, StudioDocument } from '../document/document.ts'
 import { freeName } from '../document/names.ts'

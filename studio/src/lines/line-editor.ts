@@ -1,15 +1,6 @@
 import { computed, effect, type ReadonlySignal, signal } from '@preact/signals'
-import {
-  insertPoint,
-  type MirrorPlane,
-  mirrorStroke,
-  removePoint,
-  type SkinCanvas,
-  smoothStroke,
-  splineOf,
-  splitStroke,
-  type Uv,
-} from 'furrow/author'
+import { insertPoint, removePoint, type SkinCanvas, smoothStroke, splitStroke, type Uv } from 'furrow/author'
+import { type MirrorPlane, mirrorStroke, splineOf } from 'furrow/internal'
 import type { LayerStroke, StudioDocument } from '../document/document.ts'
 import { replaceStroke } from '../document/strokes.ts'
 import type { Session } from '../session/session.ts'

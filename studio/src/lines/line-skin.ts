@@ -1,13 +1,5 @@
-import {
-  barycentricsAt,
-  type MirrorPlane,
-  middleOf,
-  type Skin,
-  type SkinCanvas,
-  skinCanvas,
-  splineOf,
-} from 'furrow/author'
-import { knotsOf, traceStroke } from 'furrow/internal'
+import { type Skin, type SkinCanvas, skinCanvas } from 'furrow/author'
+import { barycentricsAt, knotsOf, type MirrorPlane, middleOf, splineOf, traceStroke } from 'furrow/internal'
 import type { Mesh } from 'three'
 import type { LayerStroke } from '../document/document.ts'
 import { makeCanvasInWorker } from '../paint/in-worker.ts'

@@ -1,5 +1,4 @@
-import { chooseSkin, MOST_TRIANGLES } from 'furrow/author'
-import { type FileWrinkles, skinOf } from 'furrow/internal'
+import { chooseSkin, type FileWrinkles, MOST_TRIANGLES, skinOf } from 'furrow/internal'
 import {
   canCrease,
   facesOf,

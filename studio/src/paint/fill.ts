@@ -1,5 +1,5 @@
 import type { GrayImage } from 'furrow'
-import { barycentricsAt, walk } from 'furrow/author'
+import { barycentricsAt, walk } from 'furrow/internal'
 import type { PaintMap } from './paint-map.ts'
 import type { PaintSkin, SkinPoint } from './paint-skin.ts'
 

@@ -1,4 +1,5 @@
-import { moveToFirstTile, type Skin, type SkinSurface } from 'furrow/author'
+import type { Skin } from 'furrow/author'
+import { moveToFirstTile, type SkinSurface } from 'furrow/internal'
 import { MeshBVH, type SerializedBVH } from 'three-mesh-bvh'
 import { hierarchyOf } from './hierarchy.ts'
 import { type PaintMapArrays, paintMapArrays } from './paint-map.ts'

@@ -1,6 +1,6 @@
 import { FurrowError, type GrayImage } from 'furrow'
-import { mapSkin, type Skin, type SkinSurface, type SkinTexels, type UvLocator } from 'furrow/author'
-import type { UvGrid } from 'furrow/internal'
+import type { Skin } from 'furrow/author'
+import { mapSkin, type SkinSurface, type SkinTexels, type UvGrid, type UvLocator } from 'furrow/internal'
 
 /** Sides of maps that can be painted, in texels. */
 const PAINTED_SIDES = [2, 1024] as const

@@ -1,6 +1,6 @@
 import { FurrowError } from 'furrow'
-import { barycentricsAt, moveToFirstTile, type Skin, type SkinSurface, skinSurface } from 'furrow/author'
-import { UvLocator } from 'furrow/internal'
+import type { Skin } from 'furrow/author'
+import { barycentricsAt, moveToFirstTile, type SkinSurface, skinSurface, UvLocator } from 'furrow/internal'
 import { Vector3 } from 'three'
 import type { MeshBVH } from 'three-mesh-bvh'
 import { hierarchyOf } from './hierarchy.ts'

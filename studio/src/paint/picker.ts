@@ -1,4 +1,4 @@
-import type { SkinSurface } from 'furrow/author'
+import type { SkinSurface } from 'furrow/internal'
 import {
   BackSide,
   Box3,

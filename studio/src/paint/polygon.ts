@@ -1,6 +1,5 @@
 import { FurrowError, type GrayImage } from 'furrow'
-import { crossOf, type SkinSurface } from 'furrow/author'
-import { dot } from 'furrow/internal'
+import { crossOf, dot, type SkinSurface } from 'furrow/internal'
 import { fade } from './brush.ts'
 import { checkPaintable, type PaintMap } from './paint-map.ts'
 import type { PaintSkin, SkinPoint } from './paint-skin.ts'

@@ -1,4 +1,4 @@
-import type { SkinSurface } from 'furrow/author'
+import type { SkinSurface } from 'furrow/internal'
 import type { SkinPoint } from './paint-skin.ts'
 import { squaredDistance } from './vectors.ts'
 

@@ -1,5 +1,6 @@
 import { FurrowError } from 'furrow'
-import { joinParts, type Skin, type SkinPart } from 'furrow/author'
+import type { Skin } from 'furrow/author'
+import { joinParts, type SkinPart } from 'furrow/internal'
 import { placementOf, vectorsOf } from 'furrow/internal/three'
 import {
   type BufferAttribute,

@@ -1,5 +1,4 @@
-import { crossOf, type SkinSurface } from 'furrow/author'
-import { dot } from 'furrow/internal'
+import { crossOf, dot, type SkinSurface } from 'furrow/internal'
 import type { SkinPoint } from './paint-skin.ts'
 import { crossed, distanceBetween } from './vectors.ts'
 

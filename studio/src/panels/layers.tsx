@@ -1,4 +1,4 @@
-import { MAX_BLOOD_AMPLITUDE } from 'furrow'
+import { MAX_BLOOD_AMPLITUDE } from 'furrow/internal'
 import { useId, useRef } from 'preact/hooks'
 import { MAP_NAMES, type MapName, type StudioLayer } from '../document/document.ts'
 import type { LayerEditor } from '../session/layer-editor.ts'

@@ -1,5 +1,6 @@
 import { batch, computed, effect, type ReadonlySignal, type Signal, signal } from '@preact/signals'
-import { type GrayImage, resampleGray } from 'furrow'
+import type { GrayImage } from 'furrow'
+import { resampleGray } from 'furrow/internal'
 import {
   type AreaFields,
   addArea,

@@ -1,5 +1,5 @@
 import { type ReadonlySignal, signal } from '@preact/signals'
-import { fileNamesOf } from 'furrow/author'
+import { fileNamesOf } from 'furrow/internal'
 import type { MapName, StudioDocument } from '../document/document.ts'
 import {
   addLayer,

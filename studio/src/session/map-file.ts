@@ -1,4 +1,5 @@
-import { FurrowError, type GrayImage, imageTypeOf, type RgbaImage } from 'furrow'
+import { FurrowError, type GrayImage, type RgbaImage } from 'furrow'
+import { imageTypeOf } from 'furrow/internal'
 import { decodeImage } from 'furrow/three'
 import type { ImageFile, MapName } from '../document/document.ts'
 import { bytesOf } from '../files/dropped-files.ts'

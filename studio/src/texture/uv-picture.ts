@@ -1,4 +1,4 @@
-import { drawUvLayout } from 'furrow/author'
+import { drawUvLayout } from 'furrow/internal'
 import type { Mesh, MeshStandardMaterial } from 'three'
 import { readSkin } from '../paint/read-skin.ts'
 

@@ -1,5 +1,5 @@
 import { type Area, driversOf, type GrayImage, type Layer, type RgbaImage } from 'furrow'
-import type { Bounds } from 'furrow/author'
+import type { Bounds } from 'furrow/internal'
 import { scaleLayer, updateArea, updateLayer } from 'furrow/three'
 import type { Wrinkles } from '../../../stage/stage.ts'
 import type { StudioArea, StudioDocument, StudioLayer } from '../document/document.ts'

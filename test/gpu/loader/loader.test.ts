@@ -1,5 +1,5 @@
 import { VRMExpressionLoaderPlugin } from '@pixiv/three-vrm-core'
-import { packAreas, reference } from 'furrow'
+import { packAreas, reference } from 'furrow/internal'
 import { wrinklesOf } from 'furrow/three'
 import type { Mesh, WebGLRenderer } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'

@@ -1,4 +1,5 @@
-import { type Area, type ArraySlice, type GrayImage, type Layer, packAreas, reference } from 'furrow'
+import type { Area, ArraySlice, GrayImage, Layer } from 'furrow'
+import { packAreas, reference } from 'furrow/internal'
 import { readWrinkleMaps } from 'furrow/three'
 import type { Mesh, Object3D } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'

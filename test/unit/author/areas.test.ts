@@ -1,5 +1,5 @@
+import { paintAreas, parseStrokes } from 'furrow/author'
 import { describe, expect, it } from 'vitest'
-import { paintAreas, parseStrokes } from '../../../packages/furrow/src/author/index.ts'
 import { flatCanvas } from './planes.ts'
 
 const line = (v: number, group?: string) => ({

@@ -1,10 +1,6 @@
+import { type BakeMesh, type BakeSource, bakeMaps } from 'furrow/author'
+import { sharedNormals } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
-import {
-  type BakeMesh,
-  type BakeSource,
-  bakeMaps,
-  sharedNormals,
-} from '../../../packages/furrow/src/author/index.ts'
 
 /** A square of 100 mm in the plane z = 0 with u along x and v against y: two triangles, six corners. */
 function square(): BakeMesh {

@@ -1,18 +1,14 @@
-import { describe, expect, it } from 'vitest'
 import {
   insertPoint,
-  middleOf,
-  mirrorStroke,
-  nearestOnStroke,
   parseStrokes,
   removePoint,
   type Stroke,
   skinCanvas,
   smoothStroke,
-  splineOf,
   splitStroke,
-  strokeCurves,
-} from '../../../packages/furrow/src/author/index.ts'
+} from 'furrow/author'
+import { middleOf, mirrorStroke, nearestOnStroke, splineOf, strokeCurves } from 'furrow/internal'
+import { describe, expect, it } from 'vitest'
 import { layOutStroke } from '../../../packages/furrow/src/author/strokes/lay-out.ts'
 import { cylinder, RADIUS, uvOf } from './skins.ts'
 

@@ -1,5 +1,5 @@
 import fc from 'fast-check'
-import { fileNamesOf, isFileName } from 'furrow/author'
+import { fileNamesOf, isFileName } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 
 describe('fileNamesOf', () => {

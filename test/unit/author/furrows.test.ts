@@ -1,13 +1,7 @@
+import { parseStrokes, skinCanvas, strokesToHeight } from 'furrow/author'
+import { addFurrows, FURROW_DEFAULTS, type FurrowRegion } from 'furrow/internal'
 import { describe, expect, test } from 'vitest'
 import { furrowHeights } from '../../../packages/furrow/src/author/furrows/furrows.ts'
-import {
-  addFurrows,
-  FURROW_DEFAULTS,
-  type FurrowRegion,
-  parseStrokes,
-  skinCanvas,
-  strokesToHeight,
-} from '../../../packages/furrow/src/author/index.ts'
 import { flatCanvas, sheet } from './planes.ts'
 
 const SIDE = 40

@@ -1,11 +1,5 @@
+import { parseStrokes, type SkinCanvas, type Stroke, skinCanvas, strokesToHeight } from 'furrow/author'
 import { describe, expect, it } from 'vitest'
-import {
-  parseStrokes,
-  type SkinCanvas,
-  type Stroke,
-  skinCanvas,
-  strokesToHeight,
-} from '../../../packages/furrow/src/author/index.ts'
 import { flatCanvas, sheet } from './planes.ts'
 
 const strokes = (...list: object[]): Stroke[] => parseStrokes({ version: 1, strokes: list }).strokes

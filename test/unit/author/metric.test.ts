@@ -1,5 +1,5 @@
+import { surfaceMetric } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
-import { surfaceMetric } from '../../../packages/furrow/src/author/index.ts'
 import { sheet } from './planes.ts'
 
 describe('surfaceMetric', () => {

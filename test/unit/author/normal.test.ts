@@ -1,10 +1,6 @@
+import { type HeightMap, heightToNormal } from 'furrow/author'
+import { type Metric, surfaceMetric } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
-import {
-  type HeightMap,
-  heightToNormal,
-  type Metric,
-  surfaceMetric,
-} from '../../../packages/furrow/src/author/index.ts'
 import { slopeAt } from '../../../packages/furrow/src/author/relief/slope.ts'
 import { seeded } from '../../random.ts'
 import { flatMetric, sheet } from './planes.ts'

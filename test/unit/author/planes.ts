@@ -1,10 +1,5 @@
-import {
-  type Metric,
-  type MetricMesh,
-  type SkinCanvas,
-  skinCanvas,
-  surfaceMetric,
-} from '../../../packages/furrow/src/author/index.ts'
+import { type MetricMesh, type SkinCanvas, skinCanvas } from 'furrow/author'
+import { type Metric, surfaceMetric } from 'furrow/internal'
 
 /** A flat sheet P(u, v) = u a + v b, a and b in millimetres, over a rectangle of the texture. */
 export function sheet(

@@ -1,5 +1,5 @@
+import { type ReliefOptions, reliefToNormal } from 'furrow/author'
 import { describe, expect, it } from 'vitest'
-import { type ReliefOptions, reliefToNormal } from '../../../packages/furrow/src/author/index.ts'
 
 const relief = (width: number, height: number, f: (x: number, y: number) => number) => ({
   width,

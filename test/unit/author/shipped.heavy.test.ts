@@ -1,27 +1,29 @@
 import { existsSync, readFileSync } from 'node:fs'
 import { parseWrinkleSetDocument } from 'furrow'
-import { findSkin } from 'furrow-files'
-import { decodeNormalMap, readDocument, readFaceMesh } from 'furrow-files/node'
-import sharp from 'sharp'
-import { beforeAll, describe, expect, it } from 'vitest'
 import {
   type AutoOptions,
   type AutoWrinkles,
   autoWrinkles,
-  BLOOD_AMPLITUDE,
   type GrayImage,
-  halfSide,
-  heightLevels,
   paintAreas,
   parseStrokes,
   StrokeLayer,
   type StrokesDocument,
   skinCanvas,
-  strokesOf,
   strokesToHeight,
+} from 'furrow/author'
+import {
+  BLOOD_AMPLITUDE,
+  halfSide,
+  heightLevels,
+  strokesOf,
   surfaceMetric,
   valleyBlood,
-} from '../../../packages/furrow/src/author/index.ts'
+} from 'furrow/internal'
+import { findSkin } from 'furrow-files'
+import { decodeNormalMap, readDocument, readFaceMesh } from 'furrow-files/node'
+import sharp from 'sharp'
+import { beforeAll, describe, expect, it } from 'vitest'
 
 const faces = new URL('../../../faces/', import.meta.url)
 const path = (name: string) => new URL(name, faces).pathname

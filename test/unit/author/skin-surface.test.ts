@@ -1,5 +1,5 @@
 import { fileURLToPath } from 'node:url'
-import { mapSkin, skinSurface } from 'furrow/author'
+import { mapSkin, skinSurface } from 'furrow/internal'
 import { findSkin } from 'furrow-files'
 import { readDocument } from 'furrow-files/node'
 import { describe, expect, it } from 'vitest'

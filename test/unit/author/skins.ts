@@ -1,4 +1,4 @@
-import type { MetricMesh } from '../../../packages/furrow/src/author/index.ts'
+import type { MetricMesh } from 'furrow/author'
 
 /** Radius and height of the cylinder in millimetres. */
 export const RADIUS = 20

@@ -1,5 +1,4 @@
 import fc from 'fast-check'
-import { describe, expect, it } from 'vitest'
 import {
   combineNormals,
   heightToNormal,
@@ -8,7 +7,8 @@ import {
   type Stroke,
   StrokeLayer,
   skinCanvas,
-} from '../../../packages/furrow/src/author/index.ts'
+} from 'furrow/author'
+import { describe, expect, it } from 'vitest'
 import { drawStrokes } from '../../../packages/furrow/src/author/strokes/height.ts'
 import { layOutStroke } from '../../../packages/furrow/src/author/strokes/lay-out.ts'
 import { flatCanvas } from './planes.ts'

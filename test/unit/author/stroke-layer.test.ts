@@ -1,5 +1,5 @@
+import { type Stroke, StrokeLayer, skinCanvas } from 'furrow/author'
 import { describe, expect, it, vi } from 'vitest'
-import { type Stroke, StrokeLayer, skinCanvas } from '../../../packages/furrow/src/author/index.ts'
 import { LineGrid } from '../../../packages/furrow/src/author/strokes/line-grid.ts'
 import { cylinder, uvOf } from './skins.ts'
 

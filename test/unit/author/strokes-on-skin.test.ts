@@ -1,10 +1,5 @@
+import { parseStrokes, type Stroke, skinCanvas, strokesToHeight } from 'furrow/author'
 import { describe, expect, it } from 'vitest'
-import {
-  parseStrokes,
-  type Stroke,
-  skinCanvas,
-  strokesToHeight,
-} from '../../../packages/furrow/src/author/index.ts'
 import { layOutStroke } from '../../../packages/furrow/src/author/strokes/lay-out.ts'
 import { cylinder, folded, RADIUS, uvOf } from './skins.ts'
 

@@ -1,7 +1,8 @@
 import { readFileSync } from 'node:fs'
 import Ajv2020 from 'ajv/dist/2020.js'
+import { parseStrokes } from 'furrow/author'
+import { STROKE_DEFAULTS } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
-import { parseStrokes, STROKE_DEFAULTS } from '../../../packages/furrow/src/author/index.ts'
 import { compareWithParser } from '../gltf/mutations.ts'
 import { STROKES } from '../gltf/sample.ts'
 

@@ -1,7 +1,8 @@
 import { readFileSync } from 'node:fs'
 import * as fc from 'fast-check'
+import { parseStrokes } from 'furrow/author'
+import { STROKE_DEFAULTS } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
-import { parseStrokes, STROKE_DEFAULTS } from '../../../packages/furrow/src/author/index.ts'
 import { FurrowError } from '../../../packages/furrow/src/core/error.ts'
 
 const plain = {

@@ -1,6 +1,6 @@
 import { execFile } from 'node:child_process'
 import { promisify } from 'node:util'
-import { DRIVER_TYPES } from 'furrow'
+import { DRIVER_TYPES } from 'furrow/internal'
 import { expect, it } from 'vitest'
 
 /** Runs in a process of its own, as the benchmark does: in a test process, code is compiled and optimised differently. */

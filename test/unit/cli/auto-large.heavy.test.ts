@@ -1,5 +1,5 @@
 import { readFileSync, writeFileSync } from 'node:fs'
-import { parseWrinkleMaps } from 'furrow'
+import { parseWrinkleMaps } from 'furrow/internal'
 import { describe, expect, test } from 'vitest'
 import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
 import { BARE_FACES } from '../../bare-faces/bare-faces.ts'

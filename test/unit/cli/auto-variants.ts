@@ -4,7 +4,7 @@ import { type Document, Logger, type Mesh, NodeIO, type Primitive } from '@gltf-
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
 import draco3d from 'draco3d'
 import { driversOf, type GrayImage } from 'furrow'
-import { faceShapeFinder } from 'furrow/author'
+import { faceShapeFinder } from 'furrow/internal'
 import { type WrinkledFile, weightsOf } from 'furrow-files'
 import { readWrinkledFile } from 'furrow-files/node'
 import { MeshoptDecoder } from 'meshoptimizer/decoder'

@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs'
-import { FurrowError, type GrayImage, parseWrinkleMaps, type RgbaImage } from 'furrow'
+import { FurrowError, type GrayImage, type RgbaImage } from 'furrow'
+import { parseWrinkleMaps } from 'furrow/internal'
 import { readWrinkleMaps } from 'furrow/three'
 import sharp from 'sharp'
 import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest'

@@ -1,4 +1,5 @@
-import { Activations, FurrowError } from 'furrow'
+import { FurrowError } from 'furrow'
+import { Activations } from 'furrow/internal'
 import { afterEach, beforeEach, describe, expect, it, type MockInstance, vi } from 'vitest'
 
 const area = (name: string) => ({ name })

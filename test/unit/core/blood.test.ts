@@ -1,4 +1,5 @@
-import { type ImageArray, packAreas, parseWrinkleSetDocument, reference } from 'furrow'
+import { type ImageArray, parseWrinkleSetDocument } from 'furrow'
+import { packAreas, reference } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 import { BLOOD_ABSORPTION } from '../../../packages/furrow/src/core/blood.ts'
 import { packPairs } from '../../../packages/furrow/src/core/pack-pairs.ts'

@@ -1,4 +1,4 @@
-import { DecodedBytes } from 'furrow'
+import { DecodedBytes } from 'furrow/internal'
 import { expect, test } from 'vitest'
 
 const large = { width: 8192, height: 8192 }

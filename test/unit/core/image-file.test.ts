@@ -1,4 +1,4 @@
-import { imageDamage, imageTypeOf } from 'furrow'
+import { imageDamage, imageTypeOf } from 'furrow/internal'
 import sharp, { type Sharp } from 'sharp'
 import { describe, expect, it } from 'vitest'
 

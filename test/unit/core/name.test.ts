@@ -1,4 +1,4 @@
-import { isName } from 'furrow'
+import { isName } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 
 describe('isName', () => {

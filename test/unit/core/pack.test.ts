@@ -1,4 +1,4 @@
-import { packAreas, packColours, reference, resampleGray } from 'furrow'
+import { packAreas, packColours, reference, resampleGray } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 import { randomImage } from '../../cases.ts'
 import { seeded } from '../../random.ts'

@@ -1,5 +1,5 @@
 import fc from 'fast-check'
-import { packAreas, reference } from 'furrow'
+import { packAreas, reference } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 
 const flat = (value: number) => ({ width: 2, height: 2, data: new Uint8Array(4).fill(value) })

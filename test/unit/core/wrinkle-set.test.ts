@@ -1,5 +1,6 @@
 import fc from 'fast-check'
-import { areaWeights, checkWrinkleSet, FurrowError, parseWrinkleSetDocument, type WrinkleSet } from 'furrow'
+import { areaWeights, FurrowError, parseWrinkleSetDocument, type WrinkleSet } from 'furrow'
+import { checkWrinkleSet } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 
 const normal = { width: 2, height: 2, data: new Uint8Array(16) }

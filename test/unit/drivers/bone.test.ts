@@ -1,11 +1,5 @@
-import {
-  type BoneDriver,
-  type Curve,
-  DriverProgram,
-  JointMeasurement,
-  measuredSource,
-  planDrivers,
-} from 'furrow'
+import type { BoneDriver, Curve } from 'furrow'
+import { DriverProgram, JointMeasurement, measuredSource, planDrivers } from 'furrow/internal'
 import { Euler, Matrix4, Quaternion, Vector3 } from 'three'
 import { describe, expect, it } from 'vitest'
 import { seeded } from '../../random.ts'

@@ -1,4 +1,5 @@
-import { type Curve, DriverProgram, explain, planDrivers, targetSource, type WrinkleDriver } from 'furrow'
+import type { Curve, WrinkleDriver } from 'furrow'
+import { DriverProgram, explain, planDrivers, targetSource } from 'furrow/internal'
 import { expect, it } from 'vitest'
 
 const STRAIGHT: Curve = [

@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs'
-import { type Easing, EXPRESSIONS, type Expression, ExpressionMix, parseWrinkleSetDocument } from 'furrow'
+import { type Easing, EXPRESSIONS, type Expression, parseWrinkleSetDocument } from 'furrow'
+import { ExpressionMix } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 
 const ARKIT =

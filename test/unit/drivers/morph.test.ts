@@ -1,4 +1,5 @@
-import { curveAt, type MorphDriver } from 'furrow'
+import type { MorphDriver } from 'furrow'
+import { curveAt } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 import { driven } from '../../driven.ts'
 

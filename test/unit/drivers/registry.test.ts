@@ -1,15 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs'
-import {
-  DRIVER_TYPES,
-  type DriverDefinition,
-  describeDriver,
-  explain,
-  isKnownDriver,
-  parseDrivers,
-  parseWrinkleMaps,
-  registerDriver,
-  type WrinkleDriver,
-} from 'furrow'
+import { type DriverDefinition, parseDrivers, registerDriver, type WrinkleDriver } from 'furrow'
+import { DRIVER_TYPES, describeDriver, explain, isKnownDriver, parseWrinkleMaps } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 import { driven } from '../../driven.ts'
 

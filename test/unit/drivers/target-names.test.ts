@@ -1,4 +1,5 @@
-import { ALIASES, canonicalTargetName, EXPRESSIONS, findTargets } from 'furrow'
+import { ALIASES, EXPRESSIONS, findTargets } from 'furrow'
+import { canonicalTargetName } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 
 describe('canonicalTargetName', () => {

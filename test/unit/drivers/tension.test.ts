@@ -1,14 +1,12 @@
+import type { Curve, GrayImage, TensionDriver } from 'furrow'
 import {
-  type Curve,
   DriverProgram,
-  type GrayImage,
   measuredSource,
   planDrivers,
   sampleTriangles,
-  type TensionDriver,
   TensionMeasurement,
   type TensionSample,
-} from 'furrow'
+} from 'furrow/internal'
 import { Euler, Matrix4, Vector3 } from 'three'
 import { describe, expect, it } from 'vitest'
 import { seeded } from '../../random.ts'

@@ -4,7 +4,7 @@ import {
   VRMExpressionMorphTargetBind,
   VRMExpressionOverrideType,
 } from '@pixiv/three-vrm-core'
-import { VrmWeights } from 'furrow'
+import { VrmWeights } from 'furrow/internal'
 import { addDrivers, Wrinkles } from 'furrow/three'
 import { Float32BufferAttribute, Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
 import { describe, expect, it } from 'vitest'

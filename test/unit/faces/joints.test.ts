@@ -2,15 +2,9 @@ import { fileURLToPath } from 'node:url'
 import { type Document, NodeIO, type vec4 } from '@gltf-transform/core'
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
 import { cloneDocument } from '@gltf-transform/functions'
-import {
-  type BoneDriver,
-  type Curve,
-  DriverProgram,
-  JointMeasurement,
-  measuredSource,
-  planDrivers,
-} from 'furrow'
+import type { BoneDriver, Curve } from 'furrow'
 import { FurrowWrinkleMaps, type MaterialWrinkles } from 'furrow/gltf'
+import { DriverProgram, JointMeasurement, measuredSource, planDrivers } from 'furrow/internal'
 import sharp from 'sharp'
 import { Matrix4, Quaternion, Vector3 } from 'three'
 import { describe, expect, it } from 'vitest'

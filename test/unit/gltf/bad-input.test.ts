@@ -1,6 +1,7 @@
 import type { JSONDocument } from '@gltf-transform/core'
 import fc from 'fast-check'
-import { FurrowError, parseWrinkleMaps, type WrinkleMaps } from 'furrow'
+import { FurrowError } from 'furrow'
+import { parseWrinkleMaps, type WrinkleMaps } from 'furrow/internal'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { MUTATED, mutate, mutation } from './mutations.ts'
 import { createIO, createSample, NAME } from './sample.ts'

@@ -11,7 +11,8 @@ import {
   textureCompress,
   unpartition,
 } from '@gltf-transform/functions'
-import { FurrowError, parseWrinkleMaps } from 'furrow'
+import { FurrowError } from 'furrow'
+import { parseWrinkleMaps } from 'furrow/internal'
 import { MeshoptEncoder } from 'meshoptimizer'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'

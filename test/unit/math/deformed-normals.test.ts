@@ -1,4 +1,4 @@
-import { DeformedNormals } from 'furrow'
+import { DeformedNormals } from 'furrow/internal'
 import {
   IcosahedronGeometry,
   Matrix3,

@@ -1,4 +1,5 @@
-import { autoWrinkles, halfSide } from 'furrow/author'
+import { autoWrinkles } from 'furrow/author'
+import { halfSide } from 'furrow/internal'
 import { findSkin } from 'furrow-files'
 import { encodePng, packAuto, readDocument } from 'furrow-files/node'
 import sharp from 'sharp'

@@ -1,4 +1,5 @@
-import { type Curve, curveAt } from 'furrow'
+import type { Curve } from 'furrow'
+import { curveAt } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 import {
   addPoint,

@@ -1,4 +1,5 @@
-import { curveAt, type MorphDriver, parseDrivers } from 'furrow'
+import { type MorphDriver, parseDrivers } from 'furrow'
+import { curveAt } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 import { type AreaDriverType, type Drivable, newDriver } from '../../../studio/src/document/new-driver.ts'
 import { LABELS } from '../../../studio/src/panels/drivers/labels.ts'

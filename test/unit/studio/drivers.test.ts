@@ -1,4 +1,5 @@
-import { explain, parseDrivers, type WrinkleDriver } from 'furrow'
+import { parseDrivers, type WrinkleDriver } from 'furrow'
+import { explain } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 import { addDriver, recordPose, removeDriver, setDriver } from '../../../studio/src/document/drivers.ts'
 import { DRIVERS, frozen, sampleDocument } from './sample-document.ts'

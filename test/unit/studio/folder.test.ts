@@ -1,6 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { resampleGray } from 'furrow'
+import { resampleGray } from 'furrow/internal'
 import { decodeGray } from 'furrow-files'
 import { encodePng } from 'furrow-files/node'
 import sharp from 'sharp'

@@ -1,15 +1,13 @@
 import { Option } from 'commander'
+import { EXPRESSIONS, FurrowError, findTargets } from 'furrow'
 import {
   describeDriver,
   describeLink,
-  EXPRESSIONS,
+  didYouMean,
   type Explanation,
   explain,
-  FurrowError,
-  findTargets,
   needsMesh,
-} from 'furrow'
-import { didYouMean } from 'furrow/internal'
+} from 'furrow/internal'
 import { targetNamesOf } from 'furrow-files'
 import { readWrinkledFile } from 'furrow-files/node'
 import { createCommand } from '../command.ts'

@@ -1,7 +1,7 @@
 import { join } from 'node:path'
 import { Option } from 'commander'
 import { FurrowError } from 'furrow'
-import { fileNamesOf } from 'furrow/author'
+import { fileNamesOf } from 'furrow/internal'
 import {
   COMPRESSIONS,
   type Compression,

@@ -1,14 +1,8 @@
 import { join } from 'node:path'
 import { Option } from 'commander'
-import { FurrowError, WRINKLE_MAPS } from 'furrow'
-import {
-  AUTO_DEFAULTS,
-  AUTO_REGIONS,
-  AUTO_STEPS,
-  type AutoRegion,
-  autoWrinkles,
-  strokesOf,
-} from 'furrow/author'
+import { FurrowError } from 'furrow'
+import { AUTO_DEFAULTS, AUTO_REGIONS, type AutoRegion, autoWrinkles } from 'furrow/author'
+import { AUTO_STEPS, strokesOf, WRINKLE_MAPS } from 'furrow/internal'
 import {
   checkBasisSize,
   checkTriangles,

@@ -1,7 +1,8 @@
 import { performance } from 'node:perf_hooks'
 import { Option } from 'commander'
-import { FurrowError, MAX_IMAGE_SIDE } from 'furrow'
-import { BAKE_DEFAULTS, type BakedMaps, type BakeOptions, bakeMaps, meshDiagonal } from 'furrow/author'
+import { FurrowError } from 'furrow'
+import { BAKE_DEFAULTS, type BakedMaps, type BakeOptions, bakeMaps } from 'furrow/author'
+import { MAX_IMAGE_SIDE, meshDiagonal } from 'furrow/internal'
 import { DEFAULT_CAGE, type OutputFile, raySourceOf, withCommandErrors } from 'furrow-files'
 import {
   encodeHeight,

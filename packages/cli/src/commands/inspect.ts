@@ -1,4 +1,5 @@
-import { describeDriver, driversOf, FurrowError } from 'furrow'
+import { driversOf, FurrowError } from 'furrow'
+import { describeDriver } from 'furrow/internal'
 import {
   documentOf,
   type Glb,

@@ -1,6 +1,6 @@
 import { join } from 'node:path'
 import { Option } from 'commander'
-import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE } from 'furrow'
+import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE } from 'furrow/internal'
 import {
   type AreasPerImage,
   addMorphNormals,

@@ -1,15 +1,11 @@
 import { join } from 'node:path'
 import { Option } from 'commander'
-import { DEFAULT_AREA_SIZE, FurrowError, MAX_IMAGE_SIDE } from 'furrow'
+import { FurrowError } from 'furrow'
 import {
-  addFurrows,
   combineNormals,
-  fileNamesOf,
   type HeightMap,
   heightToNormal,
-  isFileName,
   paintAreas,
-  paintedNames,
   parseStrokes,
   type RgbaImage,
   type Stroke,
@@ -18,7 +14,15 @@ import {
   strokesToHeight,
   type TangentFrame,
 } from 'furrow/author'
-import { didYouMean } from 'furrow/internal'
+import {
+  addFurrows,
+  DEFAULT_AREA_SIZE,
+  didYouMean,
+  fileNamesOf,
+  isFileName,
+  MAX_IMAGE_SIDE,
+  paintedNames,
+} from 'furrow/internal'
 import {
   jsonFile,
   layersOf,

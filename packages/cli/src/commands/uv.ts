@@ -1,4 +1,4 @@
-import { MAX_IMAGE_SIDE } from 'furrow'
+import { MAX_IMAGE_SIDE } from 'furrow/internal'
 import { documentOf, findSkin } from 'furrow-files'
 import { encodePng, type ReadOptions, readGlbFile } from 'furrow-files/node'
 import { createCommand } from '../command.ts'

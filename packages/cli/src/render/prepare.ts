@@ -1,15 +1,8 @@
 import { access } from 'node:fs/promises'
 import { dirname, join, parse, resolve } from 'node:path'
 import { fileURLToPath, pathToFileURL } from 'node:url'
-import {
-  EXPRESSIONS,
-  FurrowError,
-  findTargets,
-  parseWrinkleMaps,
-  parseWrinkleSetDocument,
-  WRINKLE_MAPS,
-} from 'furrow'
-import { didYouMean } from 'furrow/internal'
+import { EXPRESSIONS, FurrowError, findTargets, parseWrinkleSetDocument } from 'furrow'
+import { didYouMean, parseWrinkleMaps, WRINKLE_MAPS } from 'furrow/internal'
 import { cannotRead, encodeGlb, type GltfJson, targetNamesOf } from 'furrow-files'
 import { type ReadOptions, readGlbFile, readJson, resolveInside } from 'furrow-files/node'
 import { type PageJob, PICTURE_DEFAULTS, PICTURE_SIDE, type PictureRequest } from './picture.ts'

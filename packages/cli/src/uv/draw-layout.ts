@@ -1,4 +1,4 @@
-import { drawUvLayout } from 'furrow/author'
+import { drawUvLayout } from 'furrow/internal'
 import { type FoundSkin, type Glb, pixelsOf, withCommandErrors } from 'furrow-files'
 import sharp from 'sharp'
 

@@ -1,4 +1,5 @@
-import { FurrowError, imageTypeOf } from 'furrow'
+import { FurrowError } from 'furrow'
+import { imageTypeOf } from 'furrow/internal'
 import type { ReadReference, Reference } from '../base/references.ts'
 import { compressedViews } from '../json/gltf-json.ts'
 import { BufferViewWriter } from './buffer-view-writer.ts'

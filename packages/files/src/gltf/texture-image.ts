@@ -1,4 +1,5 @@
-import { FurrowError, imageTypeOf, type Ktx2Header, readKtx2Header } from 'furrow'
+import { FurrowError } from 'furrow'
+import { imageTypeOf, type Ktx2Header, readKtx2Header } from 'furrow/internal'
 import type { Glb } from './glb.ts'
 
 /** The encoded image of a texture. */

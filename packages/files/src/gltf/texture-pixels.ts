@@ -1,4 +1,5 @@
-import { DecodedBytes, FurrowError, type TextureReference } from 'furrow'
+import { FurrowError } from 'furrow'
+import { DecodedBytes, type TextureReference } from 'furrow/internal'
 import { decodeImage, measureImage } from '#images'
 import { withImageErrors } from '../images/image-errors.ts'
 import type { Pixels } from '../images/pixels.ts'

@@ -1,4 +1,5 @@
-import { FurrowError, imageDamage, imageTypeOf, MAX_IMAGE_SIDE } from 'furrow'
+import { FurrowError } from 'furrow'
+import { imageDamage, imageTypeOf, MAX_IMAGE_SIDE } from 'furrow/internal'
 import { latin1 } from '../base/bytes.ts'
 import { cannotRead } from '../base/errors.ts'
 import { kindOf } from '../base/file-kind.ts'

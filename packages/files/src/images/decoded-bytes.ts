@@ -1,4 +1,5 @@
-import { FurrowError, MAX_IMAGE_BYTES } from 'furrow'
+import { FurrowError } from 'furrow'
+import { MAX_IMAGE_BYTES } from 'furrow/internal'
 
 /**
  * Checks a size that a header gives, before anything is allocated for it.

@@ -1,4 +1,4 @@
-import { LONGEST_NAME } from 'furrow'
+import { LONGEST_NAME } from 'furrow/internal'
 import type { GltfJson, GltfMesh } from './gltf-json.ts'
 
 /** The mesh or material that commands choose when none is named and several exist. */

@@ -1,4 +1,4 @@
-import { type Ktx2Image, readKtx2Image } from 'furrow'
+import { type Ktx2Image, readKtx2Image } from 'furrow/internal'
 import { kindOf } from '../base/file-kind.ts'
 
 /**

@@ -1,4 +1,4 @@
-import { isFileName } from 'furrow/author'
+import { isFileName } from 'furrow/internal'
 import {
   KHR_DF_CHANNEL_RGBSDA_ALPHA,
   KHR_DF_KHR_DESCRIPTORTYPE_BASICFORMAT,

@@ -1,5 +1,5 @@
 import { FurrowError } from 'furrow'
-import { MOST_TRIANGLES } from 'furrow/author'
+import { MOST_TRIANGLES } from 'furrow/internal'
 import type { Glb } from '../gltf/glb.ts'
 import type { GltfMesh } from '../json/gltf-json.ts'
 

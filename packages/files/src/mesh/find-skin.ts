@@ -1,7 +1,7 @@
 import type { Document, Mesh } from '@gltf-transform/core'
 import { FurrowError } from 'furrow'
-import { chooseSkin, type Skin } from 'furrow/author'
-import { didYouMean } from 'furrow/internal'
+import type { Skin } from 'furrow/author'
+import { chooseSkin, didYouMean } from 'furrow/internal'
 import { trianglesOf } from './mesh-nodes.ts'
 import { readSkin } from './read-skin.ts'
 

@@ -1,5 +1,5 @@
 import type { Accessor, Primitive } from '@gltf-transform/core'
-import { morphNormalDeltas } from 'furrow'
+import { morphNormalDeltas } from 'furrow/internal'
 import type { Progress } from '../base/progress.ts'
 import { BufferViewWriter } from '../gltf/buffer-view-writer.ts'
 import { documentOf } from '../gltf/document.ts'

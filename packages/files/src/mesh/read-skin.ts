@@ -1,5 +1,6 @@
 import type { Accessor, Material, Mesh, Node, Primitive } from '@gltf-transform/core'
-import { joinParts, type Skin, type SkinPart } from 'furrow/author'
+import type { Skin } from 'furrow/author'
+import { joinParts, type SkinPart } from 'furrow/internal'
 import { Matrix4 } from 'three'
 import { namesOfTargets } from '../json/gltf-json.ts'
 import { readCoordinates } from './coordinates.ts'

@@ -1,20 +1,22 @@
 import { FurrowError, type GrayImage, type WrinkleSetDocument } from 'furrow'
 import {
-  addFurrows,
-  BLOOD_AMPLITUDE,
-  changedBlood,
-  fileNamesOf,
   type HeightMap,
-  halfSide,
-  heightLevels,
   heightToNormal,
   type SkinCanvas,
   StrokeLayer,
   type StrokesDocument,
   type TangentFrame,
-  valleyBlood,
 } from 'furrow/author'
-import { didYouMean } from 'furrow/internal'
+import {
+  addFurrows,
+  BLOOD_AMPLITUDE,
+  changedBlood,
+  didYouMean,
+  fileNamesOf,
+  halfSide,
+  heightLevels,
+  valleyBlood,
+} from 'furrow/internal'
 import type { OutputFile } from '../base/output-file.ts'
 import { decodeGray } from '../images/decode-gray.ts'
 import { addressOf } from '../wrinkles/folder-document.ts'

@@ -1,4 +1,5 @@
-import { parseWrinkleMaps, WRINKLE_MAPS, type WrinkleDriver, type WrinkleSetDocument } from 'furrow'
+import type { WrinkleDriver, WrinkleSetDocument } from 'furrow'
+import { parseWrinkleMaps, WRINKLE_MAPS } from 'furrow/internal'
 import { BufferViewWriter } from '../gltf/buffer-view-writer.ts'
 import type { Glb } from '../gltf/glb.ts'
 import type { GltfJson } from '../json/gltf-json.ts'

@@ -1,5 +1,6 @@
 import type { GrayImage } from 'furrow'
-import { type HeightMap, halfSide, heightLevels, type RgbaImage } from 'furrow/author'
+import type { HeightMap, RgbaImage } from 'furrow/author'
+import { halfSide, heightLevels } from 'furrow/internal'
 import { encodeMap, encodeRgbaNormalMap } from '../images/encode.ts'
 import type { Pixels } from '../images/pixels.ts'
 import type { MapName } from '../wrinkles/map-slots.ts'

@@ -1,6 +1,7 @@
 import { join } from 'node:path'
 import type { WrinkleSetDocument } from 'furrow'
-import { paintedNames, type StrokesDocument } from 'furrow/author'
+import type { StrokesDocument } from 'furrow/author'
+import { paintedNames } from 'furrow/internal'
 import { statOf } from '../disk/file-status.ts'
 import { readJson } from '../disk/read-bytes.ts'
 import { readFolder } from '../wrinkles/folder.ts'

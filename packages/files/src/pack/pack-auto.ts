@@ -1,4 +1,5 @@
-import { type AutoWrinkles, autoDrivers, halfSide, strokesOf } from 'furrow/author'
+import type { AutoWrinkles } from 'furrow/author'
+import { autoDrivers, halfSide, strokesOf } from 'furrow/internal'
 import { encodePng } from '../images/encode.ts'
 import { encodeAreaImages } from './area-images.ts'
 import type { PackedArea, PackedWrinkles } from './embed.ts'

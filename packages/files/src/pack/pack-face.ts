@@ -1,4 +1,4 @@
-import { WRINKLE_MAPS } from 'furrow'
+import { WRINKLE_MAPS } from 'furrow/internal'
 import type { Progress } from '../base/progress.ts'
 import type { Glb } from '../gltf/glb.ts'
 import { jointNamesOf, targetNamesOf } from '../json/gltf-json.ts'

@@ -1,5 +1,5 @@
-import { DEFAULT_AREA_SIZE, FurrowError, type GrayImage, resampleGray } from 'furrow'
-import { didYouMean } from 'furrow/internal'
+import { FurrowError, type GrayImage } from 'furrow'
+import { DEFAULT_AREA_SIZE, didYouMean, resampleGray } from 'furrow/internal'
 import { sameBytes } from '../base/bytes.ts'
 import type { Progress } from '../base/progress.ts'
 import { withImageErrors } from '../images/image-errors.ts'

@@ -1,4 +1,4 @@
-import { parseWrinkleMaps, WRINKLE_MAPS } from 'furrow'
+import { parseWrinkleMaps, WRINKLE_MAPS } from 'furrow/internal'
 import type { Glb } from '../gltf/glb.ts'
 import { type BufferView, compressedViews, type GltfJson } from '../json/gltf-json.ts'
 import { KTX2_EXTENSION, usesKtx2 } from './embed.ts'

@@ -1,4 +1,4 @@
-import { WRINKLE_MAPS } from 'furrow'
+import { WRINKLE_MAPS } from 'furrow/internal'
 import { runValidator } from '#validator'
 import { normalised, unescaped } from '../base/references.ts'
 import type { Glb } from '../gltf/glb.ts'

@@ -1,11 +1,5 @@
-import {
-  checkDeclared,
-  FurrowError,
-  mapProblems,
-  parseWrinkleMaps,
-  texturesOfFace,
-  WRINKLE_MAPS,
-} from 'furrow'
+import { FurrowError } from 'furrow'
+import { checkDeclared, mapProblems, parseWrinkleMaps, texturesOfFace, WRINKLE_MAPS } from 'furrow/internal'
 import { firstLine } from '../base/errors.ts'
 import type { Glb } from '../gltf/glb.ts'
 import { ktx2HeaderOf } from '../gltf/texture-image.ts'

@@ -1,13 +1,12 @@
+import { driversOf, type WrinkleDriver } from 'furrow'
 import {
   type DriverPlan,
   DriverProgram,
-  driversOf,
   measuredSource,
   planDrivers,
   targetSource,
   valueSource,
-  type WrinkleDriver,
-} from 'furrow'
+} from 'furrow/internal'
 
 /** What is wrong with drivers, worth a warning and no more: a player leaves these out and plays the others. */
 export interface DriverFaults {

@@ -1,10 +1,5 @@
-import {
-  type AreaConvention,
-  FurrowError,
-  MAX_BLOOD_AMPLITUDE,
-  parseWrinkleSetDocument,
-  type WrinkleSetDocument,
-} from 'furrow'
+import { type AreaConvention, FurrowError, parseWrinkleSetDocument, type WrinkleSetDocument } from 'furrow'
+import { MAX_BLOOD_AMPLITUDE } from 'furrow/internal'
 import { MAP_SLOTS } from './map-slots.ts'
 
 type Json = Record<string, unknown>

@@ -1,4 +1,5 @@
-import type { GrayImage, TextureReference, WrinkleDriver } from 'furrow'
+import type { GrayImage, WrinkleDriver } from 'furrow'
+import type { TextureReference } from 'furrow/internal'
 import { imageOf } from '../gltf/texture-image.ts'
 import { pixelsOf, sizeOf } from '../gltf/texture-pixels.ts'
 import { channelOf } from '../images/pixels.ts'

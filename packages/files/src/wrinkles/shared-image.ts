@@ -1,4 +1,5 @@
-import type { GrayImage, WrinkleMapsLayer } from 'furrow'
+import type { GrayImage } from 'furrow'
+import type { WrinkleMapsLayer } from 'furrow/internal'
 import type { Glb } from '../gltf/glb.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
 import { channelOf, type Pixels } from '../images/pixels.ts'

@@ -1,6 +1,6 @@
-import { FurrowError, WRINKLE_MAPS } from 'furrow'
+import { FurrowError } from 'furrow'
 import { parseStrokes, type StrokesDocument } from 'furrow/author'
-import { didYouMean } from 'furrow/internal'
+import { didYouMean, WRINKLE_MAPS } from 'furrow/internal'
 import { utf8 } from '../base/bytes.ts'
 import { withCommandErrors } from '../base/errors.ts'
 import { checkFileBytes } from '../base/file-size.ts'

@@ -1,4 +1,5 @@
-import { drawnTextures, FurrowError, type TextureShape, WRINKLE_MAPS, type WrinkleMaps } from 'furrow'
+import { FurrowError } from 'furrow'
+import { drawnTextures, type TextureShape, WRINKLE_MAPS, type WrinkleMaps } from 'furrow/internal'
 import type { Glb } from '../gltf/glb.ts'
 import { imageOf, isKtx2, ktx2HeaderOf } from '../gltf/texture-image.ts'
 import { arrayOf, pixelsOf } from '../gltf/texture-pixels.ts'

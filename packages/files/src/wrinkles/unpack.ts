@@ -1,5 +1,5 @@
-import type { GrayImage, TextureReference, WrinkleSetDocument } from 'furrow'
-import { fileNamesOf } from 'furrow/author'
+import type { GrayImage, WrinkleSetDocument } from 'furrow'
+import { fileNamesOf, type TextureReference } from 'furrow/internal'
 import { checkWhole, decodeImage, encodeMap } from '#images'
 import { utf8 } from '../base/bytes.ts'
 import { jsonFile } from '../base/json-file.ts'

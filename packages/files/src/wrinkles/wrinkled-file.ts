@@ -1,5 +1,5 @@
-import { FurrowError, parseWrinkleMaps, WRINKLE_MAPS, type WrinkleMaps } from 'furrow'
-import { didYouMean } from 'furrow/internal'
+import { FurrowError } from 'furrow'
+import { didYouMean, parseWrinkleMaps, WRINKLE_MAPS, type WrinkleMaps } from 'furrow/internal'
 import type { Glb } from '../gltf/glb.ts'
 
 /** A file and the wrinkles of one of its materials. */

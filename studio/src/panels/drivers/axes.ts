@@ -1,4 +1,5 @@
-import { AGES, type Curve } from 'furrow'
+import type { Curve } from 'furrow'
+import { AGES } from 'furrow/internal'
 import { type Range, rangeAround } from '../../document/curve.ts'
 
 /** How the input of a curve is drawn and written. */

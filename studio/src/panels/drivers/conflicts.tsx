@@ -1,5 +1,6 @@
 import { useComputed } from '@preact/signals'
-import { type ConflictDriver, canonicalTargetName } from 'furrow'
+import type { ConflictDriver } from 'furrow'
+import { canonicalTargetName } from 'furrow/internal'
 import { conflictsOf } from '../../document/driver-faults.ts'
 import type { DriverContext } from './context.ts'
 import { NameSelect, optionsOf } from './fields.tsx'

@@ -1,5 +1,5 @@
 import type { ReadonlySignal } from '@preact/signals'
-import type { Contribution } from 'furrow'
+import type { Contribution } from 'furrow/internal'
 import type { DriverEditor } from '../../session/driver-editor.ts'
 import type { PanelModel } from '../model.ts'
 

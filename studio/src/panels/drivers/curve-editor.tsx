@@ -1,5 +1,6 @@
 import { effect, type ReadonlySignal, useSignal } from '@preact/signals'
-import { type Curve, curveAt } from 'furrow'
+import type { Curve } from 'furrow'
+import { curveAt } from 'furrow/internal'
 import { useLayoutEffect, useRef } from 'preact/hooks'
 import {
   addPoint,

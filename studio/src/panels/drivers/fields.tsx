@@ -1,5 +1,6 @@
 import { type ReadonlySignal, useComputed } from '@preact/signals'
-import type { Contribution, Curve } from 'furrow'
+import type { Curve } from 'furrow'
+import type { Contribution } from 'furrow/internal'
 import { useId } from 'preact/hooks'
 import { type Axis, textOn } from './axes.ts'
 import type { DriverContext } from './context.ts'

@@ -1,5 +1,4 @@
 import type {
-  AgeDriver,
   AreaDriver,
   BoneDriver,
   DriverType,
@@ -10,6 +9,7 @@ import type {
   TimeDriver,
   WrinkleDriver,
 } from 'furrow'
+import type { AgeDriver } from 'furrow/internal'
 import type { FunctionComponent } from 'preact'
 import { jointsOf } from '../../viewer/pose/joints.ts'
 import { NumberSlider } from '../controls/number-slider.tsx'

@@ -1,5 +1,6 @@
 import { useComputed, useSignal } from '@preact/signals'
-import { type Curve, canonicalTargetName, type Link } from 'furrow'
+import type { Curve, Link } from 'furrow'
+import { canonicalTargetName } from 'furrow/internal'
 import { axisOf } from './axes.ts'
 import type { DriverContext } from './context.ts'
 import { CurveEditor } from './curve-editor.tsx'

@@ -1,5 +1,5 @@
 import { useSignal } from '@preact/signals'
-import { WRINKLE_MAPS } from 'furrow'
+import { WRINKLE_MAPS } from 'furrow/internal'
 import { useId } from 'preact/hooks'
 import type { ExportState } from '../../session/exporting.ts'
 import { Section } from '../controls/section.tsx'

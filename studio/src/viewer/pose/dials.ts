@@ -1,4 +1,4 @@
-import { canonicalTargetName } from 'furrow'
+import { canonicalTargetName } from 'furrow/internal'
 import type { Mesh, Object3D } from 'three'
 import type { Wrinkles } from '../../../../stage/stage.ts'
 

@@ -1,4 +1,5 @@
-import { EXPRESSIONS, type Expression, expressionsOf } from 'furrow'
+import { EXPRESSIONS, type Expression } from 'furrow'
+import { expressionsOf } from 'furrow/internal'
 import type { FaceDrivers } from './face-drivers.ts'
 
 /**

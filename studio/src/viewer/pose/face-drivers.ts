@@ -1,14 +1,14 @@
+import type { WrinkleDriver } from 'furrow'
 import {
   type Contribution,
   canonicalTargetName,
   type DriverPlan,
   DriverProgram,
   type DriverState,
+  inputName,
   planDrivers,
   valueSource,
-  type WrinkleDriver,
-} from 'furrow'
-import { inputName } from 'furrow/internal'
+} from 'furrow/internal'
 import { bindInputs, bindTension } from 'furrow/internal/three'
 import type { Wrinkles } from '../../../../stage/stage.ts'
 

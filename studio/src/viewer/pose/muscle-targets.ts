@@ -1,4 +1,5 @@
-import { type MuscleDriver, morphNormalDeltas, muscleOffsets } from 'furrow'
+import { type MuscleDriver, muscleOffsets } from 'furrow'
+import { morphNormalDeltas } from 'furrow/internal'
 import { coordinates, trianglesOf } from 'furrow/internal/three'
 import { addMuscles } from 'furrow/three'
 import type { BufferAttribute, BufferGeometry, Mesh } from 'three'

@@ -1,4 +1,5 @@
-import { canonicalTargetName, driversOf, type Expression, explain, type WrinkleDriver } from 'furrow'
+import { driversOf, type Expression, type WrinkleDriver } from 'furrow'
+import { canonicalTargetName, explain } from 'furrow/internal'
 
 /** Activation from which on an expression shows an area. */
 const SHOWN = 0.2

@@ -1,14 +1,13 @@
+import type { GrayImage, TensionDriver } from 'furrow'
+import { type AutoWrinkles, autoWrinkles, type Skin } from 'furrow/author'
 import {
   DriverProgram,
-  type GrayImage,
   measuredSource,
   planDrivers,
   reference,
   sampleTriangles,
-  type TensionDriver,
   TensionMeasurement,
-} from 'furrow'
-import { type AutoWrinkles, autoWrinkles, type Skin } from 'furrow/author'
+} from 'furrow/internal'
 import { findSkin } from 'furrow-files'
 import { readDocument } from 'furrow-files/node'
 import { beforeAll, describe, expect, test } from 'vitest'

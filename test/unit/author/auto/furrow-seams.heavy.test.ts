@@ -1,4 +1,5 @@
-import { addFurrows, FURROW_DEFAULTS, skinCanvas } from 'furrow/author'
+import { skinCanvas } from 'furrow/author'
+import { addFurrows, FURROW_DEFAULTS } from 'furrow/internal'
 import { findSkin } from 'furrow-files'
 import { readDocument } from 'furrow-files/node'
 import { expect, test } from 'vitest'

@@ -1,13 +1,12 @@
 import {
   type AutoOptions,
   type AutoWrinkles,
-  addFurrows,
   autoWrinkles,
   parseStrokes,
   type Skin,
   skinCanvas,
-  strokesOf,
 } from 'furrow/author'
+import { addFurrows, strokesOf } from 'furrow/internal'
 import { findSkin } from 'furrow-files'
 import { readDocument } from 'furrow-files/node'
 import { beforeAll, describe, expect, test } from 'vitest'

@@ -1,4 +1,5 @@
-import { type AutoOptions, autoWrinkles, strokesOf } from 'furrow/author'
+import { type AutoOptions, autoWrinkles } from 'furrow/author'
+import { strokesOf } from 'furrow/internal'
 import { findSkin } from 'furrow-files'
 import { readDocument } from 'furrow-files/node'
 import { beforeAll, expect, test } from 'vitest'

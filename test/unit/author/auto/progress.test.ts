@@ -1,4 +1,5 @@
-import { AUTO_STEPS, autoWrinkles } from 'furrow/author'
+import { autoWrinkles } from 'furrow/author'
+import { AUTO_STEPS } from 'furrow/internal'
 import { expect, test } from 'vitest'
 import { sheet } from './sheet.ts'
 

@@ -1,4 +1,5 @@
-import { autoWrinkles, heightToNormal, type Skin, surfaceMetric } from 'furrow/author'
+import { autoWrinkles, heightToNormal, type Skin } from 'furrow/author'
+import { surfaceMetric } from 'furrow/internal'
 import { findSkin } from 'furrow-files'
 import { readDocument } from 'furrow-files/node'
 import { beforeAll, describe, expect, test } from 'vitest'

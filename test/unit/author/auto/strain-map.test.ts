@@ -1,4 +1,4 @@
-import { strainMaps } from 'furrow/author'
+import { strainMaps } from 'furrow/internal'
 import { describe, expect, test } from 'vitest'
 
 /** Metres, and texels. */

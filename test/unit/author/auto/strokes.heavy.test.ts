@@ -1,15 +1,15 @@
-import { findSkin } from 'furrow-files'
-import { readDocument } from 'furrow-files/node'
-import { describe, expect, test } from 'vitest'
 import {
   type AutoWrinkles,
   autoWrinkles,
   parseStrokes,
   type Skin,
   skinCanvas,
-  strokesOf,
   strokesToHeight,
-} from '../../../../packages/furrow/src/author/index.ts'
+} from 'furrow/author'
+import { strokesOf } from 'furrow/internal'
+import { findSkin } from 'furrow-files'
+import { readDocument } from 'furrow-files/node'
+import { describe, expect, test } from 'vitest'
 import { decimatedSkin } from './decimated.ts'
 import { FACES } from './faces.ts'
 

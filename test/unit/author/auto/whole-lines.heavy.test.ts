@@ -1,4 +1,5 @@
-import { autoWrinkles, heightToNormal, type Skin, surfaceMetric } from 'furrow/author'
+import { autoWrinkles, heightToNormal, type Skin } from 'furrow/author'
+import { surfaceMetric } from 'furrow/internal'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { unroll } from '../../../../packages/furrow/src/author/auto/surface/head-chart.ts'
 import { poseOf } from '../../../../packages/furrow/src/author/auto/surface/pose.ts'

@@ -1,5 +1,5 @@
+import { autoWrinkleSet } from 'furrow/author'
 import { expect, it } from 'vitest'
-import { autoWrinkleSet } from '../../../../packages/furrow/src/author/index.ts'
 
 it('a set of automatic wrinkles has heights in levels of half the side, and their amplitude in metres', () => {
   const gray = { width: 4, height: 4, data: new Uint8Array(16).fill(255) }

@@ -1,4 +1,5 @@
-import type { AutoArea, Landmarks, Place } from 'furrow/author'
+import type { AutoArea } from 'furrow/author'
+import type { Landmarks, Place } from 'furrow/internal'
 import { htmlPage } from '../../html-page.ts'
 import { type Content, html, type Markup } from '../../markup.ts'
 import type { BeforeAndAfter, ReportImage } from './pictures.ts'

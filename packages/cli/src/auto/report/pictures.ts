@@ -1,5 +1,6 @@
 import { FurrowError } from 'furrow'
-import { type Skin, strainMaps } from 'furrow/author'
+import type { Skin } from 'furrow/author'
+import { strainMaps } from 'furrow/internal'
 import { type Progress, pixelsOf, type WrinkledFile, weightsOf } from 'furrow-files'
 import sharp from 'sharp'
 import { scaled, scaledWeights, skinOf, tinted } from '../../inspect/sheet.ts'

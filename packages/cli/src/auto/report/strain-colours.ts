@@ -1,4 +1,4 @@
-import type { StrainMap } from 'furrow/author'
+import type { StrainMap } from 'furrow/internal'
 
 /** The compression that gets the last colour; higher ones are clamped to it. */
 export const MAX_COMPRESSION = 0.2
