@@ -74,7 +74,35 @@ describe('documentation', () => {
       expect(ts.sys.fileExists(target) || ts.sys.directoryExists(target), `${page}: ${link}`).toBe(true)
     }
   })
+
+  it.each(PAGES)('%s names paths that are there', (page) => {
+    const missing = pathsIn(page).filter(
+      (path) => ![...SOURCE_ROOTS, dirname(page)].some((folder) => isThere(join(ROOT, folder, path))),
+    )
+    expect(missing).toEqual([])
+  })
 })
+
+/** Folders that paths in documents begin at. */
+const SOURCE_ROOTS = ['', 'packages/furrow/src']
+
+/** Paths that builds make. */
+const GENERATED = /^(docs\/api|site\/dist|faces\/\.venv|blender\/\.venv)/
+
+/** Paths of the repository among the code spans of a page: in one of its folders, or of a source file. */
+function pathsIn(page: string): string[] {
+  const folders = readdirSync(ROOT).filter((name) => name !== 'node_modules')
+  return [...read(page).matchAll(/`([\w.@<>*-]+(?:\/[\w.@<>*-]+)+)\/?`/g)]
+    .map(([, path]) => path)
+    .filter((path) => folders.includes(path.split('/')[0]) || /\.(ts|tsx|mjs|py)$/.test(path))
+    .filter((path) => !GENERATED.test(path))
+}
+
+/** Whether a file or folder is there; of a pattern, the folder before its first wildcard. */
+function isThere(path: string): boolean {
+  const fixed = path.replace(/\/[^/]*[*<].*$/, '')
+  return ts.sys.fileExists(fixed) || ts.sys.directoryExists(fixed)
+}
 
 /** All blocks of one language, by the paths that they are compiled at. */
 function examplesIn(language: string): Map<string, string> {
