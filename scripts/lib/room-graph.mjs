@@ -1,4 +1,4 @@
-import { readdirSync, readFileSync } from 'node:fs'
+import { readdirSync } from 'node:fs'
 import { join } from 'node:path'
 import { instance } from '@viz-js/viz'
 import { readImports } from './imports.mjs'
@@ -6,92 +6,90 @@ import { ROOT } from './run.mjs'
 
 const LIBRARY = 'packages/furrow/src'
 
-/** Rooms outside the library, by folder. */
-const OTHERS = ['packages/files', 'packages/cli', 'studio', 'stage']
-
 /** Rooms inside `three`, which each serve one renderer. */
 const RENDERERS = ['three/webgl', 'three/webgpu']
+
+/** Folders outside the library, which import it as a whole: through its entries. */
+const OUTSIDE = ['packages/files', 'packages/cli', 'studio', 'stage']
+
+/** Specifiers of workspace packages, by the folder they lead to. */
+const PACKAGES = [
+  [/^furrow-files(\/|$)/, 'packages/files/'],
+  [/^furrow(\/|$)/, `${LIBRARY}/`],
+]
 
 /** Draws the rooms and their imports as an SVG. */
 export async function drawRooms() {
   const viz = await instance()
-  return viz.renderString(toDot(readRooms()), { format: 'svg' })
+  return viz.renderString(toDot(libraryImports(), outsideImports()), { format: 'svg' })
+}
+
+/** For each room of the library, the rooms it imports. */
+function libraryImports() {
+  const folders = readdirSync(join(ROOT, LIBRARY), { withFileTypes: true }).filter((entry) =>
+    entry.isDirectory(),
+  )
+  const names = [...folders.map(({ name }) => name), ...RENDERERS]
+  const imports = importsBetween(new Map(names.map((name) => [name, `${LIBRARY}/${name}`])))
+  // An entry may export from rooms within its own, as `furrow/three` does from `three/webgl`.
+  for (const [room, others] of imports) {
+    for (const other of others) if (other.startsWith(`${room}/`)) others.delete(other)
+  }
+  return imports
+}
+
+/** For each folder outside the library, the others it imports; `furrow` is the library. */
+function outsideImports() {
+  const folders = OUTSIDE.map((folder) => [folder.split('/').at(-1), folder])
+  return importsBetween(new Map([...folders, ['furrow', LIBRARY]]))
 }
 
 /**
- * Reads which room imports which.
+ * Reads which folder imports which.
  *
- * @returns {Map<string, Set<string>>} for each room, the rooms it imports.
+ * @param {Map<string, string>} folders path of each, by its name.
+ * @returns {Map<string, Set<string>>} names of the folders that each imports.
  */
-export function readRooms() {
-  const library = readdirSync(join(ROOT, LIBRARY), { withFileTypes: true })
-  const inside = library.filter((entry) => entry.isDirectory()).map(({ name }) => name)
-  const folders = new Map([
-    ...[...inside, ...RENDERERS].map((name) => [name, `${LIBRARY}/${name}`]),
-    ...OTHERS.map((folder) => [folder.split('/').at(-1), folder]),
-  ])
-  const entries = workspaceEntries()
-  const entryFiles = new Set(entries.values())
+function importsBetween(folders) {
   const roomOf = (path) => {
-    const [deepest] = [...folders]
-      .filter(([, folder]) => path.startsWith(`${folder}/`))
-      .sort(([, a], [, b]) => b.length - a.length)
-    return deepest?.[0]
+    const found = [...folders].filter(([, folder]) => path.startsWith(`${folder}/`))
+    return found.sort(([, a], [, b]) => b.length - a.length)[0]?.[0]
   }
-  const rooms = new Map([...folders.keys()].map((name) => [name, new Set()]))
-  for (const { path, imports } of readImports([LIBRARY, ...OTHERS])) {
+  const resolve = (specifier) => PACKAGES.find(([pattern]) => pattern.test(specifier))?.[1] ?? specifier
+  const imports = new Map([...folders.keys()].map((name) => [name, new Set()]))
+  for (const { path, imports: files } of readImports([LIBRARY, ...OUTSIDE])) {
     const room = roomOf(path)
-    for (const name of imports) {
-      const other = roomOf(entries.get(name) ?? name)
-      // An entry may export from rooms within its own, as `furrow/three` does from `three/webgl`.
-      if (entryFiles.has(path) && other?.startsWith(`${room}/`)) continue
-      if (room && other && other !== room) rooms.get(room).add(other)
+    if (!room) continue
+    for (const other of files.map((file) => roomOf(resolve(file)))) {
+      if (other && other !== room) imports.get(room).add(other)
     }
   }
-  return rooms
+  return imports
 }
 
-/** Source file of each specifier under which workspaces import each other, such as `furrow/author`. */
-function workspaceEntries() {
-  return new Map(
-    ['furrow', 'files'].flatMap((folder) => {
-      const { name, exports } = JSON.parse(
-        readFileSync(join(ROOT, 'packages', folder, 'package.json'), 'utf8'),
-      )
-      return Object.entries(exports).flatMap(([entry, { 'furrow-source': source }]) =>
-        source ? [[name + entry.slice(1), `packages/${folder}/${source.slice(2)}`]] : [],
-      )
-    }),
+/** The graph in Graphviz's language. */
+function toDot(library, outside) {
+  const inner = edgesOf(library).map(([from, to]) => `"${from}" -> "${to}"`)
+  const outer = edgesOf(outside).map(([from, to]) =>
+    to === 'furrow' ? `"${from}" -> "react" [lhead=cluster_furrow]` : `"${from}" -> "${to}"`,
   )
-}
-
-/** The graph in Graphviz's language, without the edges that others imply. */
-function toDot(rooms) {
-  const reached = (from, skip) => {
-    const seen = new Set()
-    const visit = (room) => {
-      for (const next of rooms.get(room)) {
-        if (seen.has(next) || (room === from && next === skip)) continue
-        seen.add(next)
-        visit(next)
-      }
-    }
-    visit(from)
-    return seen
-  }
-  const edges = [...rooms].flatMap(([room, others]) =>
-    [...others].filter((other) => !reached(room, other).has(other)).map((other) => `"${room}" -> "${other}"`),
-  )
-  const library = [...rooms.keys()].filter((room) => !OTHERS.some((folder) => folder.endsWith(room)))
   return `digraph rooms {
-  bgcolor="#ffffff" ranksep=0.45 nodesep=0.25
+  bgcolor="#ffffff" ranksep=0.45 nodesep=0.25 compound=true
   node [shape=box style="rounded,filled" fillcolor="#f6f3ee" color="#8a7f70" fontname="Helvetica" fontsize=13]
   edge [color="#6b6358" arrowsize=0.7]
   subgraph cluster_furrow {
-    label="packages/furrow/src" fontname="Helvetica" fontsize=12 color="#c9c0b2" style="rounded"
-    ${library.map((room) => `"${room}"`).join(' ')}
+    label="packages/furrow/src" fontname="Helvetica" fontsize=12 color="#8a7f70" style="rounded"
+    ${[...library.keys()].map((room) => `"${room}"`).join(' ')}
   }
-  ${[...rooms.keys()].map((room) => `"${room}"`).join(' ')}
-  ${edges.sort().join('\n  ')}
+  ${[...inner, ...outer].sort().join('\n  ')}
 }`
+}
+
+/** Imports as pairs, without those that others imply. */
+function edgesOf(imports) {
+  const reaches = (from, to, skip) =>
+    [...imports.get(from)].some((next) => next !== skip && (next === to || reaches(next, to)))
+  return [...imports].flatMap(([from, others]) =>
+    [...others].filter((to) => !reaches(from, to, to)).map((to) => [from, to]),
+  )
 }

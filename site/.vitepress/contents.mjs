@@ -35,6 +35,7 @@ const GUIDES = [
   group('The format', [
     doc('FURROW_wrinkle_maps', 'FURROW_wrinkle_maps'),
     doc('Conformance', 'conformance'),
+    doc('Architecture', 'architecture'),
     doc('Versions', 'versions'),
   ]),
   group('The project', [

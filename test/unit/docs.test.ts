@@ -87,7 +87,7 @@ describe('documentation', () => {
 const SOURCE_ROOTS = ['', 'packages/furrow/src']
 
 /** Paths that builds make. */
-const GENERATED = /^(docs\/api|site\/dist|faces\/\.venv|blender\/\.venv)/
+const GENERATED = /^(docs\/(api|.*\.html)|site\/dist|faces\/\.venv|blender\/\.venv)/
 
 /** Paths of the repository among the code spans of a page: in one of its folders, or of a source file. */
 function pathsIn(page: string): string[] {

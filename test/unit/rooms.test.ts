@@ -1,7 +1,9 @@
 import { readdirSync, readFileSync } from 'node:fs'
-import { dirname, join, relative, resolve } from 'node:path'
+import { dirname, join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { describe, expect, it } from 'vitest'
+import { readImports } from '../../scripts/lib/imports.mjs'
+import { drawRooms } from '../../scripts/lib/room-graph.mjs'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 const LIBRARY = 'packages/furrow/src'
@@ -15,46 +17,27 @@ const INTERNAL = 'packages/furrow/internal'
 /** Everything that has code: in all of it, files import each other in no circle. */
 const CODE = ['packages', 'studio', 'stage', 'bench', 'conformance', 'examples', 'site', 'scripts', 'test']
 
-/** A file and what it imports, types included: files by their paths in the repository, others as they are written. */
-interface Source {
-  path: string
-  imports: string[]
-}
-
 const readJson = (path: string) => JSON.parse(readFileSync(join(ROOT, path), 'utf8'))
 const PUBLIC = Object.keys(readJson('packages/furrow/package.json').exports).map(
   (entry) => `furrow${entry.slice(1)}`,
 )
 const PLATFORMS: Record<string, Record<string, string>> = readJson('packages/files/package.json').imports
 
-const sources = CODE.flatMap(codeIn).map((path): Source => ({ path, imports: importsOf(path) }))
-
-function codeIn(folder: string): string[] {
-  return readdirSync(join(ROOT, folder), { withFileTypes: true }).flatMap((entry) => {
-    const path = `${folder}/${entry.name}`
-    if (entry.isDirectory())
-      return /^(node_modules|dist|cache|pages)$|^\.venv/.test(entry.name) && !path.startsWith('test/')
-        ? []
-        : codeIn(path)
-    return /\.(ts|tsx|mjs)$/.test(entry.name) ? [path] : []
-  })
-}
-
-function importsOf(path: string): string[] {
-  const text = readFileSync(join(ROOT, path), 'utf8')
-  const found = [...text.matchAll(/(?:from|import)\s*\(?\s*'([^']+)'/g)].map(([, specifier]) => specifier)
-  return found.flatMap((specifier) => {
-    if (specifier.startsWith('.')) return relative(ROOT, resolve(ROOT, dirname(path), specifier))
-    const files = specifier.startsWith('#') ? Object.values(PLATFORMS[specifier] ?? {}) : []
-    return files.length > 0 ? files.map((file) => join('packages/files', file)) : specifier
-  })
-}
+/** Imports that differ by platform count as those of every platform. */
+const sources = readImports(CODE).map(({ path, imports }) => ({
+  path,
+  imports: imports.flatMap((name) => {
+    const files = name.startsWith('#') ? Object.values(PLATFORMS[name] ?? {}) : []
+    return files.length > 0 ? files.map((file) => join('packages/files', file)) : name
+  }),
+}))
+const importsOf = new Map(sources.map(({ path, imports }) => [path, imports]))
 
 const homeOf = (path: string) => HOMES.find((home) => path.startsWith(`${home}/`))
 
-/** Rows of CONTRIBUTING's tables: each room, and the rooms and packages that it may import. */
+/** Rows of docs/architecture's tables: each room, and the rooms and packages that it may import. */
 function allowedImports(): Map<string, string[]> {
-  const page = readFileSync(join(ROOT, 'CONTRIBUTING.md'), 'utf8')
+  const page = readFileSync(join(ROOT, 'docs/architecture.md'), 'utf8')
   const rows = page.matchAll(/^\| `((?:packages\/|studio\/|stage)[\w/]*)` \| [^|]+ \| ([^|]+) \|$/gm)
   return new Map(
     [...rows].map(([, room, imports]) => [room, [...imports.matchAll(/`([^`]+)`/g)].map(([, name]) => name)]),
@@ -75,7 +58,7 @@ function isEntry(path: string, room: string | undefined): boolean {
   if (room === undefined || path === `${LIBRARY}/three/index.ts`) return true
   // At the top of a package: what imports its rooms.
   if (dirname(path) !== room || !HOMES.includes(room)) return false
-  return importsOf(path).some((name) => name.startsWith(`${room}/`) && dirname(name) !== room)
+  return (importsOf.get(path) ?? []).some((name) => name.startsWith(`${room}/`) && dirname(name) !== room)
 }
 
 /** Whether a room may import a file, or a name as it is written. */
@@ -127,7 +110,7 @@ const WITHIN = [
 ]
 
 describe('the rooms', () => {
-  it.each(HOMES)('of %s are all in the tables of CONTRIBUTING', (home) => {
+  it.each(HOMES)('of %s are all in the tables of docs/architecture', (home) => {
     const own = sources.filter(({ path }) => path.startsWith(`${home}/`))
     expect(own.length).toBeGreaterThan(0)
     const folders = new Set(own.map(({ path }) => path.split('/').slice(0, home.split('/').length + 1)))
@@ -187,6 +170,11 @@ describe('the rooms', () => {
   })
 })
 
+it('the picture of the rooms is drawn from their imports', async () => {
+  const picture = readFileSync(join(ROOT, 'docs/figures/rooms.svg'), 'utf8')
+  expect(picture, 'npm run rooms draws it').toBe(await drawRooms())
+})
+
 it('no files import each other in a circle', () => {
-  expect(circlesIn(new Map(sources.map(({ path, imports }) => [path, imports])))).toEqual([])
+  expect(circlesIn(importsOf)).toEqual([])
 })
