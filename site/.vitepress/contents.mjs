@@ -20,6 +20,7 @@ const GUIDES = [
     doc('Drivers', 'drivers'),
     doc('Skin', 'skin'),
     doc('React Three Fiber', 'react'),
+    doc('Other frameworks', 'frameworks'),
     doc('Babylon.js', 'babylon'),
     doc('VRM', 'vrm'),
     doc('Blender', 'blender'),

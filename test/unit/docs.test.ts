@@ -50,6 +50,18 @@ describe('documentation', () => {
     expect(compile(new Map([...plain, ...react]))).toEqual([])
   })
 
+  it('has recipes for other frameworks that compile', () => {
+    const scripts = ['svelte', 'vue'].flatMap((language) =>
+      blocks('docs/frameworks.md', language).map(
+        (text) => /<script[^>]*>([\s\S]*?)<\/script>/.exec(text)![1],
+      ),
+    )
+    expect(scripts).toHaveLength(2)
+    const files = new Map(scripts.map((text, i) => [join(ROOT, `test/recipe-${i}.ts`), text]))
+    // The template uses what the script declares.
+    expect(compile(files, { noUnusedLocals: false })).toEqual([])
+  })
+
   it('has a wrinkles.json that parses', () => {
     const [document] = blocks('docs/guide.md', 'json')
     expect(parseWrinkleSetDocument(JSON.parse(document)).areas.map(({ name }) => name)).toEqual([
@@ -111,10 +123,10 @@ function examplesIn(language: string): Map<string, string> {
 }
 
 /** Type-checks texts as if they were files of the project; returns what the compiler says. */
-function compile(files: Map<string, string>): string[] {
+function compile(files: Map<string, string>, own: ts.CompilerOptions = {}): string[] {
   const config = ts.readConfigFile(join(ROOT, 'tsconfig.json'), ts.sys.readFile)
-  const { options: own } = ts.parseJsonConfigFileContent(config.config, ts.sys, ROOT)
-  const options = { ...own, jsxImportSource: 'react' }
+  const { options: ofProject } = ts.parseJsonConfigFileContent(config.config, ts.sys, ROOT)
+  const options = { ...ofProject, jsxImportSource: 'react', ...own }
   const host = ts.createCompilerHost(options)
   const { readFile, fileExists } = host
   host.readFile = (path) => files.get(path) ?? readFile(path)
@@ -126,7 +138,8 @@ function compile(files: Map<string, string>): string[] {
       ? getSourceFile(path, ...rest)
       : ts.createSourceFile(path, text, ts.ScriptTarget.ES2022)
   }
-  const program = ts.createProgram([...files.keys()], options, host)
+  const types = join(ROOT, 'test/unit/frameworks.d.ts')
+  const program = ts.createProgram([...files.keys(), types], options, host)
   // The project's own files are those of the type check.
   return [...files.keys()]
     .flatMap((path) => ts.getPreEmitDiagnostics(program, program.getSourceFile(path)))

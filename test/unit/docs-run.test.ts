@@ -1,0 +1,103 @@
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { EXPRESSIONS, type WrinkleSet } from 'furrow'
+import { FaceScores, Wrinkles } from 'furrow/three'
+import { Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
+import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
+import { randomSet } from '../cases.ts'
+import { seeded } from '../random.ts'
+
+const ROOT = fileURLToPath(new URL('../..', import.meta.url))
+
+/** Examples as files, which Vite compiles. Ignored by git. */
+const FOLDER = join(ROOT, 'test/output/docs-run')
+beforeAll(() => mkdirSync(FOLDER, { recursive: true }))
+afterAll(() => rmSync(FOLDER, { recursive: true, force: true }))
+afterEach(() => vi.restoreAllMocks())
+
+const read = (page: string) => readFileSync(join(ROOT, page), 'utf8')
+
+/** The example of a page that exports a function, as a module. */
+async function example(page: string, name: string) {
+  const texts = [...read(page).matchAll(/^```ts\n([\s\S]*?)^```$/gm)].map(([, text]) => text)
+  const text = texts.find((each) => each.includes(`export function ${name}(`))
+  expect(text, `${page} has an example ${name}`).toBeDefined()
+  const file = join(FOLDER, `${page.replaceAll('/', '-')}-${name}.ts`)
+  writeFileSync(file, text!)
+  return (await import(/* @vite-ignore */ file))[name]
+}
+
+/** Areas of the shipped face, and of `furrow auto`'s regions. */
+const AREAS: string[] = JSON.parse(read('faces/human/wrinkles.json')).areas.map(
+  (area: { name: string }) => area.name,
+)
+
+function set(): WrinkleSet {
+  const { layers, areas } = randomSet(seeded(1), 1, 8)
+  return { layers, areas: AREAS.map((name) => ({ ...areas[0], name })) }
+}
+
+/** A face with the blendshapes of the presets. */
+function face() {
+  const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
+  const targets = [...new Set(EXPRESSIONS.flatMap((expression) => Object.keys(expression.targets)))]
+  mesh.morphTargetDictionary = Object.fromEntries(targets.map((name, i) => [name, i]))
+  mesh.morphTargetInfluences = targets.map(() => 0)
+  return { mesh, wrinkles: new Wrinkles(mesh, set()) }
+}
+
+describe('examples of the documentation run', () => {
+  it('drivers: follow sets the scores of each picture, and looks for names once', async () => {
+    const { mesh } = face()
+    const bind = vi.spyOn(mesh, 'traverse')
+    const set = vi.spyOn(FaceScores.prototype, 'set')
+    const follow = (await example('docs/drivers.md', 'follow'))(mesh)
+    for (let i = 0; i < 3; i++) {
+      follow({ faceBlendshapes: [{ categories: [{ categoryName: 'jawOpen', score: 0.5 }] }] })
+    }
+    expect(mesh.morphTargetInfluences![mesh.morphTargetDictionary!.jawOpen]).toBe(0.5)
+    expect([set.mock.calls.length, bind.mock.calls.length]).toEqual([3, 1])
+  })
+
+  it('drivers: react plays expressions', async () => {
+    const { mesh, wrinkles } = face()
+    const player = (await example('docs/drivers.md', 'react'))(mesh, wrinkles)
+    player.update(1)
+    expect(mesh.morphTargetInfluences!.some((weight) => weight > 0)).toBe(true)
+  })
+
+  it('drivers: scorn animates an area', async () => {
+    const { mesh, wrinkles } = face()
+    const mixer = (await example('docs/drivers.md', 'scorn'))(mesh)
+    mixer.update(0.5)
+    expect(wrinkles.getActivation('nose')).toBe(1)
+  })
+
+  it('drivers: hear sets an input', async () => {
+    const { wrinkles } = face()
+    ;(await example('docs/drivers.md', 'hear'))(wrinkles, 70)
+    expect(wrinkles.inputs.get('loudness')).toBe(70)
+  })
+
+  it('guide: raiseBrow activates an area', async () => {
+    const { wrinkles } = face()
+    ;(await example('docs/guide.md', 'raiseBrow'))(wrinkles, 0.5)
+    expect(wrinkles.getActivation('foreheadLeft')).toBe(0.5)
+  })
+
+  it('guide: play plays an expression of its own', async () => {
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const { mesh, wrinkles } = face()
+    ;(await example('docs/guide.md', 'play'))(mesh, wrinkles)
+    expect(warn).not.toHaveBeenCalled()
+  })
+
+  it('name areas of the shipped face alone', () => {
+    for (const page of ['docs/babylon.md', 'docs/drivers.md', 'docs/guide.md']) {
+      const names = [...read(page).matchAll(/setActivation\('(\w+)'/g)].map(([, name]) => name)
+      // Added by the example itself.
+      expect(AREAS, page).toEqual(expect.arrayContaining(names.filter((name) => name !== 'scar')))
+    }
+  })
+})

@@ -1,0 +1,40 @@
+// The signatures that docs/frameworks.md uses, as the packages declare them: Svelte and Vue would take minutes to install for two calls.
+
+/** @threlte/core 8.6.0, dist/hooks/useLoader.d.ts */
+declare module '@threlte/core' {
+  type AsyncLoader = { loadAsync: (url: string) => Promise<unknown> }
+  export function useLoader<Proto extends new (...args: never[]) => AsyncLoader>(
+    Proto: Proto,
+    options?: { extend?: (loader: InstanceType<Proto>) => void },
+  ): { load(url: string): Promise<Awaited<ReturnType<InstanceType<Proto>['loadAsync']>>> }
+  export const T: unknown
+}
+
+/** @tresjs/core 5.9.1, dist/tres.d.ts */
+declare module '@tresjs/core' {
+  type TresLoader<T> = import('three').Loader & { loadAsync: (url: string) => Promise<T> }
+  export function useLoader<T>(
+    Loader: new (manager?: import('three').LoadingManager) => TresLoader<T>,
+    path: string,
+    options?: { extensions?: (loader: TresLoader<T>) => void },
+  ): { state: { value: T } }
+}
+
+/** aframe 1.8.0, which has no types of its own: https://aframe.io/docs/1.7.0/core/component.html */
+declare module 'aframe' {
+  interface Component {
+    data: string
+    el: {
+      setObject3D(type: string, object: import('three').Object3D): void
+      removeObject3D(type: string): void
+      emit(name: string, detail: object): void
+    }
+  }
+  const AFRAME: {
+    registerComponent(
+      name: string,
+      definition: { schema: object; update(): void; remove(): void } & ThisType<Component>,
+    ): void
+  }
+  export default AFRAME
+}
