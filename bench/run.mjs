@@ -1,7 +1,6 @@
 // Times wrinkles against a plain face: `npm run bench`, or `npm run bench -- --quick`. See bench/README.md.
 
-import { mkdir, writeFile } from 'node:fs/promises'
-import { join } from 'node:path'
+import { writeFile } from 'node:fs/promises'
 import { parseArgs } from 'node:util'
 import { setUp } from '../scripts/lib/set-up.mjs'
 import { parseRounds, parseSize } from './options.mjs'
@@ -13,7 +12,6 @@ const { values: options } = parseArgs({
     json: { type: 'string' },
     size: { type: 'string', default: '800x600' },
     renderer: { type: 'string', multiple: true },
-    plot: { type: 'string' },
     node: { type: 'boolean', default: false },
   },
 })
@@ -33,7 +31,6 @@ if (options.node) process.exit()
 async function run() {
   const { listCases, PLANS, RENDERER_KINDS } = await server.ssrLoadModule('/bench/case.ts')
   const { toLine } = await server.ssrLoadModule('/bench/line.ts')
-  const { toPlot } = await server.ssrLoadModule('/bench/plot.ts')
   const { toResults, toTable } = await server.ssrLoadModule('/bench/report.ts')
   const { CROWD_KINDS, CROWD_PICTURE } = await server.ssrLoadModule('/bench/page/crowd.ts')
   const { median, spread } = await server.ssrLoadModule('/bench/statistics.ts')
@@ -71,7 +68,6 @@ async function run() {
     return found
   }).finally(() => host.close())
   if (options.json) await writeFile(options.json, `${JSON.stringify(results, null, 2)}\n`)
-  if (options.plot) await writePlots(options.plot, results, toPlot)
   const adapters = new Set(results.map(({ adapter, timing }) => `${adapter}, timed by ${timing}`))
   process.stdout.write(`${[...adapters].join('\n')}\n${toTable(results)}\n\n`)
   for (const [renderer, { faces, pixels, areaSize }, fractions] of crowds) {
@@ -103,15 +99,6 @@ async function run() {
   }
   const line = toLine(results, { browser: host.name, date: new Date() })
   process.stdout.write(`\nto send what was measured here, paste this line into an issue:\n\n${line}\n`)
-}
-
-/** Writes one plot per renderer. */
-async function writePlots(folder, results, toPlot) {
-  await mkdir(folder, { recursive: true })
-  for (const kind of new Set(results.map(({ renderer }) => renderer))) {
-    const ofKind = results.filter(({ renderer }) => renderer === kind)
-    await writeFile(join(folder, `${kind}.svg`), toPlot(ofKind))
-  }
 }
 
 function checkRenderers(names, allowed) {

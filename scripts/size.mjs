@@ -1,6 +1,6 @@
 // What pages download of the library, beside the figures in bench/sizes.json: `npm run size`, and `npm run size -- --write` to keep what
-// is measured as the figures. Growth is a warning and no failure. `--floor` measures the least that shows the shipped face too, `--executed` what
-// its first frame executes, `--peers` other libraries.
+// is measured as the figures. Growth is a warning and no failure. `--floor` measures the least that shows the shipped face too,
+// `--peers` other libraries.
 
 import { main, say } from './lib/run.mjs'
 import { setUp } from './lib/set-up.mjs'
@@ -10,7 +10,6 @@ await main(async () => {
   // These need what it installs.
   const { compareDownload, warnings, writeFigures } = await import('./lib/download.mjs')
   const { measureFloor, measurePeers } = await import('../bench/size.mjs')
-  const { measureExecuted } = await import('../bench/download/executed.mjs')
   const rows = await compareDownload()
   for (const { what, size, figure } of rows)
     print(size, `${what} (${figure ? `${figure.gzip} before` : 'new'})`)
@@ -18,7 +17,6 @@ await main(async () => {
   if (process.argv.includes('--write')) writeFigures(rows)
   const more = {
     ...(process.argv.includes('--floor') && (await measureFloor())),
-    ...(process.argv.includes('--executed') && (await measureExecuted())),
     ...(process.argv.includes('--peers') && (await measurePeers())),
   }
   for (const [what, size] of Object.entries(more)) print(size, what)

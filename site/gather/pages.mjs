@@ -3,8 +3,8 @@ import { dirname, join } from 'node:path'
 import { ROOT } from '../../scripts/lib/run.mjs'
 import { pageFiles, pageOf } from '../places.mjs'
 
-/** What pages show, and what they link to. */
-const FIGURES = ['docs/figures', 'docs/bench']
+/** Pictures on pages, and files that pages link to. */
+const FIGURES = ['docs/figures']
 const PUBLIC = ['docs/schema']
 
 /** Copies the Markdown files, their figures and the files that they link to. */
