@@ -1,5 +1,5 @@
 import { parseStrokes, skinCanvas, strokesToHeight } from 'furrow/author'
-import { addFurrows, FURROW_DEFAULTS, type FurrowRegion } from 'furrow/internal'
+import { addFurrows, FINE_FURROW_DEFAULTS, type FurrowRegion } from 'furrow/internal'
 import { describe, expect, test } from 'vitest'
 import { furrowHeights } from '../../../packages/furrow/src/author/furrows/furrows.ts'
 import { flatCanvas, sheet } from './planes.ts'
@@ -8,7 +8,7 @@ const SIDE = 40
 const SIZE = 400
 /** In a millimetre. */
 const TEXELS = SIZE / SIDE
-const FURROWS = { ...FURROW_DEFAULTS, size: 2, depth: 0.1 }
+const FURROWS = { ...FINE_FURROW_DEFAULTS, size: 2, depth: 0.1 }
 
 /** A line across the middle of the sheet, without depth: it gives directions alone. */
 const level = parseStrokes({

@@ -1,5 +1,5 @@
 import { skinCanvas } from 'furrow/author'
-import { addFurrows, FURROW_DEFAULTS } from 'furrow/internal'
+import { addFurrows, FINE_FURROW_DEFAULTS } from 'furrow/internal'
 import { findSkin } from 'furrow-files'
 import { readDocument } from 'furrow-files/node'
 import { expect, test } from 'vitest'
@@ -8,7 +8,7 @@ import { FACES } from './faces.ts'
 
 const SIZE = 1024
 /** Seven texels of this size make a furrow. */
-const FURROWS = { ...FURROW_DEFAULTS, size: 9, depth: 0.1 }
+const FURROWS = { ...FINE_FURROW_DEFAULTS, size: 9, depth: 0.1 }
 
 test('fine furrows are as deep on both sides of a cut of the texture', async () => {
   const [, path] = FACES[0]

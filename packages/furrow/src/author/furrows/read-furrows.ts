@@ -28,7 +28,12 @@ export interface FurrowRegion {
 }
 
 /** A net of adult skin, between those of a cheek at 30 and at 70 years that `furrow auto` makes (docs/auto.md has the sources). */
-export const FURROW_DEFAULTS = { size: 1.5, depth: 0.05, stretch: 1.6, seed: 1 } as const satisfies Furrows
+export const FINE_FURROW_DEFAULTS = {
+  size: 1.5,
+  depth: 0.05,
+  stretch: 1.6,
+  seed: 1,
+} as const satisfies Furrows
 
 const REGIONS_AT_MOST = 64
 
@@ -36,9 +41,9 @@ const REGIONS_AT_MOST = 64
 export function readFurrows(read: JsonReader, json: unknown): Furrows {
   const field = read.object(json, 'furrows', ['size', 'depth', 'stretch', 'seed', 'layer', 'regions'])
   const furrows: Furrows = {
-    ...readCells(read, field, 'furrows', FURROW_DEFAULTS),
-    stretch: read.number(or(field.stretch, FURROW_DEFAULTS.stretch), 'furrows.stretch', 1, 2, ''),
-    seed: read.integer(or(field.seed, FURROW_DEFAULTS.seed), 'furrows.seed', 0, 2 ** 31 - 1),
+    ...readCells(read, field, 'furrows', FINE_FURROW_DEFAULTS),
+    stretch: read.number(or(field.stretch, FINE_FURROW_DEFAULTS.stretch), 'furrows.stretch', 1, 2, ''),
+    seed: read.integer(or(field.seed, FINE_FURROW_DEFAULTS.seed), 'furrows.seed', 0, 2 ** 31 - 1),
   }
   if (field.layer !== undefined) furrows.layer = read.name(field.layer, 'furrows.layer')
   if (field.regions !== undefined) {
