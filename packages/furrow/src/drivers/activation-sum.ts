@@ -28,6 +28,10 @@ export interface BoundActivation {
 /** Evaluates area activations in order. `addTo` allocates nothing, unless a registered rule does. */
 export class ActivationSum {
   readonly #activations: readonly BoundActivation[]
+  /** By driver: index of its area. */
+  readonly #areaIndices: Uint16Array
+  /** By driver. */
+  readonly #curves: readonly CurvePoints[]
   /** By driver: whether it sums single inputs, as most do. */
   readonly #areSums: readonly boolean[]
   /** By driver: index after its last link in the flat lists below, which read twice as fast as the links. */
@@ -45,6 +49,8 @@ export class ActivationSum {
   constructor(activations: readonly BoundActivation[]) {
     const links = activations.flatMap((own) => own.links)
     this.#activations = activations
+    this.#areaIndices = Uint16Array.from(activations, ({ area }) => area)
+    this.#curves = activations.map(({ points }) => points)
     this.#areSums = activations.map(
       (own) => own.rule === 'sum' && own.links.every((link) => sourceOf(link) >= 0),
     )
@@ -67,17 +73,20 @@ export class ActivationSum {
     const sources = this.#sources
     const weights = this.#weights
     const ends = this.#ends
+    const areaIndices = this.#areaIndices
+    const curves = this.#curves
     let link = 0
     for (let i = 0; i < activations.length; i++) {
+      const end = ends[i]
       let sum = Number.NaN
-      if (areSums[i]) for (sum = 0; link < ends[i]; link++) sum += inputs[sources[link]] * weights[link]
-      else link = ends[i]
+      if (areSums[i]) for (sum = 0; link < end; link++) sum += inputs[sources[link]] * weights[link]
+      link = end
       if (Number.isNaN(sum)) {
         this.#combine(i, areas, inputs)
         sum = this.#value[0]
       }
-      const { area, points } = activations[i]
-      areas[area] = Math.min(1, areas[area] + outputOf(points, sum))
+      const area = areaIndices[i]
+      areas[area] = Math.min(1, areas[area] + outputOf(curves[i], sum))
     }
   }
 

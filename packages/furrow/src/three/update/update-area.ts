@@ -13,8 +13,8 @@ import { changesOf } from './texture-changes.ts'
 /**
  * Gives an area new weights, which the next frame shows: on these wrinkles, and on all that use the same textures. Its activation,
  * drivers, layer and place in the order stay. Only the rectangle that the area covers is uploaded, so that it may be called for every
- * movement of a brush. Tension is measured under the weights that the area had when its drivers were added: call `setDrivers(wrinkles, wrinkles.drivers)` after
- * a stroke.
+ * movement of a brush. Tension is measured under the weights that the area had when its drivers were set: call
+ * `setDrivers(wrinkles, wrinkles.drivers)` after a stroke.
  *
  * @param wrinkles of the face.
  * @param name of the area.
