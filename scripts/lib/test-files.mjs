@@ -32,9 +32,11 @@ export const PROMISES = [
 
 /** Unit tests that have more random cases in `npm run test:all`. */
 export const MORE_CASES = [
+  'test/unit/author/strokes-schema.test.ts',
   'test/unit/cli/fuzz.test.ts',
-  'test/unit/drivers/usual-maps.test.ts',
+  'test/unit/core/wrinkles-schema.test.ts',
   'test/unit/gltf/bad-input.test.ts',
+  'test/unit/gltf/specification.test.ts',
 ]
 
 /** Whether `npm test` runs a file in a project. */

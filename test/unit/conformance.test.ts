@@ -3,7 +3,6 @@ import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { checkWrinkles, decodeGlb } from 'furrow-files'
 import { describe, expect, it } from 'vitest'
-import { filesOf } from '../../conformance/src/make.ts'
 import { SAMPLES } from '../../conformance/src/samples.ts'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
@@ -29,15 +28,6 @@ it('the folder holds the files of the samples, none above 50 kB', () => {
     SAMPLES.map(({ name }) => `${name}.glb`).sort(),
   )
   for (const name of files) expect(statSync(join(FOLDER, name)).size, name).toBeLessThan(LARGEST_FILE)
-})
-
-// What other programs store differs with their versions.
-const own = SAMPLES.filter(({ file }) => file.storage === undefined)
-
-it.each(own)('$name is what npm run conformance makes', async (sample) => {
-  for (const [name, bytes] of await filesOf(sample)) {
-    expect(Buffer.compare(readFileSync(join(FOLDER, name)), bytes), name).toBe(0)
-  }
 })
 
 describe.each(SAMPLES)('$name', (sample) => {
