@@ -28,10 +28,11 @@ export function changedFirst(tests) {
   return [...turned.filter(isChanged), ...turned.filter((test) => !isChanged(test))]
 }
 
-/** Begins with another element for each number, in strides that reach far-off ones. */
+/** All elements in strides, which mix what stands together, and with another one first for each number. */
 function turn(list, number) {
-  const start = (number * 7) % list.length
-  return [...list.slice(start), ...list.slice(0, start)]
+  // Strides of a prime visit all of a list that is no multiple of it.
+  const stride = list.length % 61 === 0 ? 59 : 61
+  return list.map((_, i) => list[((number + i) * stride) % list.length])
 }
 
 /** Whether a test imports a changed file, by other files or not. */
