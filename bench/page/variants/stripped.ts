@@ -10,7 +10,7 @@ import {
 import { float, int, texture, uniform, uv, vec3, vec4 } from 'three/tsl'
 import type { Node, NodeMaterial, TextureNode } from 'three/webgpu'
 import { valueTextures } from '../../../packages/furrow/src/three/material/value-textures.ts'
-import { CHANNELS } from '../../../packages/furrow/src/three/webgl/mixing/channels.ts'
+import { addValues } from '../../../packages/furrow/src/three/webgl/mixing/add-values.ts'
 import {
   BLOOD_COLOUR,
   BLOOD_OF,
@@ -95,7 +95,7 @@ function mixNormal(base: Node<'vec3'>, strippedWrinkles: Texture, influence: Nod
 function withValues(normals: Peer, { layers: [layer] }: WrinkleSet): Peer {
   const values = valueTextures([layer as Layer], 1)
   const { occlusionStrength: strength = 1, bloodAmplitude: amplitude = 0 } = layer
-  const { mixOthers } = CHANNELS.add(valueLayers(values), { isToon: false, normal: '' })
+  const { mixOthers } = addValues(valueLayers(values), { isToon: false, normal: '' })
   const textures = { ...normals.textures, strippedValues: values.occlusion!.texture }
   const influence = texture(normals.textures.strippedInfluence, uv()).x.toVar()
   return {

@@ -4,7 +4,7 @@ import { WrinkleLoaderPlugin as WebGPUPlugin } from 'furrow/webgpu'
 import { DirectionalLight, type Mesh, type Object3D, OrthographicCamera, Scene } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
-import { Appearance } from '../../../packages/furrow/src/three/fading/appearance.ts'
+import { Appearance } from '../../../packages/furrow/src/three/appearance.ts'
 import { largestDifference, ROUNDING } from '../difference.ts'
 import { createHarness, type Harness, RENDERERS } from '../harness.ts'
 import {

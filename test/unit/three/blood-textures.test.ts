@@ -1,7 +1,6 @@
 import type { Layer } from 'furrow'
 import { RGFormat } from 'three'
 import { describe, expect, it } from 'vitest'
-import { valueTextures } from '../../../packages/furrow/src/three/material/value-textures.ts'
 import { createTextures, listTextures } from '../../../packages/furrow/src/three/material/wrinkle-textures.ts'
 
 const gray = (value: number, size = 2) => ({
@@ -19,7 +18,7 @@ describe('blood on the GPU', () => {
       layer('neither', {}),
       layer('blood', { blood: gray(100), bloodAmplitude: 0.5 }),
     ]
-    const textures = createTextures(layers, 1, { valueTextures })
+    const textures = createTextures(layers, 1)
     const { occlusion, blood } = textures.values
     expect(listTextures(textures)).toEqual([textures.normals.texture, occlusion!.texture])
     expect(blood!.texture).toBe(occlusion!.texture)
@@ -30,7 +29,7 @@ describe('blood on the GPU', () => {
   })
 
   it('costs nothing where there is none', () => {
-    const { values } = createTextures([layer('plain', { occlusion: gray(10) })], 1, { valueTextures })
+    const { values } = createTextures([layer('plain', { occlusion: gray(10) })], 1)
     expect(Object.keys(values)).toEqual(['occlusion'])
     expect((values.occlusion!.texture.image as { data: Uint8Array }).data).toHaveLength(4)
   })

@@ -2,7 +2,7 @@ import type { RgbaImage, WrinkleSet } from 'furrow'
 import { updateLayer, Wrinkles } from 'furrow/three'
 import { type DataArrayTexture, Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
 import { expect, it } from 'vitest'
-import { WebGLWrinkles } from '../../../packages/furrow/src/three/webgl/webgl-wrinkles.ts'
+import { ReadSet } from '../../../packages/furrow/src/three/check-source.ts'
 import type { WrinklesBase } from '../../../packages/furrow/src/three/wrinkles-base.ts'
 
 const map = (value: number, channels: number) => ({
@@ -38,7 +38,7 @@ it.each([createSet, createLayered])(
   (create) => {
     const set = create()
     const values = set.layers.map(({ normal, occlusion }) => [normal.data[0], occlusion!.data[0]])
-    const wrinkles = new WebGLWrinkles(face(), set)
+    const wrinkles = new Wrinkles(face(), new ReadSet(set))
     const [normals, occlusions] = texelsOf(wrinkles)
     for (const [i, { normal, occlusion }] of set.layers.entries()) {
       expect(normal.data).toEqual(normals.subarray(16 * i, 16 * (i + 1)))
@@ -70,7 +70,7 @@ it.each([createSet, createLayered])('maps of a set that a page made remain its o
 it('an image that two layers have is not changed where one of them is', () => {
   const { layers, areas } = createLayered()
   for (const layer of layers) layer.normal = layers[0].normal
-  const wrinkles = new WebGLWrinkles(face(), { layers, areas })
+  const wrinkles = new Wrinkles(face(), new ReadSet({ layers, areas }))
   updateLayer(wrinkles, 'pores', { normal: map(128, 4) })
   const { textures } = wrinkles.editable('test').inputs
   expect(textures.layers.map(({ normal }) => (normal as RgbaImage).data[0])).toEqual([255, 128])

@@ -11,10 +11,10 @@ import type { FrameEntry } from '../runtime/frame.ts'
 import { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
 import { noteAdded } from './added-to.ts'
 import { exposeAreas } from './animated-areas.ts'
+import type { Appearance } from './appearance.ts'
 import { createAreaArray } from './atlas/area-array.ts'
 import type { InfluenceAtlas } from './atlas/influence-atlas.ts'
-import type { Appearance } from './fading/appearance.ts'
-import { FADE } from './fading/fade.ts'
+import { fadeOnScreen } from './camera/size-on-screen.ts'
 import { frameOf, type RendererFrame } from './frame.ts'
 import { checkMaterial } from './material/check-material.ts'
 import { PatchedMaterial } from './material/patched-material.ts'
@@ -100,8 +100,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     checkMesh(mesh)
     const material = checkMaterial(mesh)
     const areas = inputs?.areas ?? createAreaArray(given, layers, allOptions.areaSize, 'Wrinkles')
-    const textures =
-      inputs?.textures ?? createTextures(layers, material.normalMap?.anisotropy ?? 1, renderer.channels.value)
+    const textures = inputs?.textures ?? createTextures(layers, material.normalMap?.anisotropy ?? 1)
     super(countFaces(mesh), inputs ? given : copyAreas(given), areas)
     this.mesh = mesh
     this.#renderer = renderer
@@ -131,12 +130,11 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
 
   /** How wrinkles are shown. */
   get mode(): WrinkleMode {
-    return this.#material.wanted
+    return this.#material.mode
   }
 
   /**
-   * Changes how wrinkles are shown; the material's program is recompiled. The composed mode shows normals only, and does not fade. On a
-   * page that loads files and does not import `Wrinkles`, `paper` and `composed` are fetched when first wanted, and shown then.
+   * Changes how wrinkles are shown; the material's program is recompiled. The composed mode shows normals only, and does not fade.
    *
    * @throws FurrowError when the mode is not possible: `paper` with more than one layer, or with maps of the material that
    *   cannot be read or differ in size; `paper` and `composed` for instances; `paper` for a material that cannot be patched. The mode then
@@ -197,8 +195,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
 
   /**
    * Creates a material that shows influence as gray on the moving mesh, black = none, white = 1: the current influence, or the weights
-   * of some areas, whatever their activations. Dispose of it after use, and create it again after areas were added or removed. On a page
-   * that loads files and does not import `Wrinkles`, it is black until what draws it was fetched.
+   * of some areas, whatever their activations. Dispose of it after use, and create it again after areas were added or removed.
    *
    * @param area name or names; by default, the current influence.
    *
@@ -336,7 +333,7 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
     const appeared = this.#appearance?.advance(this.clock) ?? 1
     const { fadeBelow } = this.#options
     if (fadeBelow === 0 || this.#material.mode === 'composed' || instancesOf(this.mesh)) return appeared
-    return appeared * (FADE.value?.(mesh, camera, renderer, fadeBelow) ?? 1)
+    return appeared * fadeOnScreen(mesh, camera, renderer, fadeBelow)
   }
 
   /** Takes the drivers of a set or of another face. A copy may get its skeleton later, and does not show the expressions of a VRM. */
@@ -352,9 +349,9 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
 
   async #fetchRelief(): Promise<ReliefControl | null> {
     if (!this.#inputs.textures.layers.some(canRise)) return null
-    const { ReliefControl } = await import('./relief/relief-control.ts')
+    const createRelief = await this.#renderer.loadRelief()
     if (this.isDisposed) return null
-    this.#relief ??= new ReliefControl(
+    this.#relief ??= createRelief(
       {
         wrinkles: this,
         faces: this.faces,
@@ -362,7 +359,6 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
         place: this.#place,
         material: this.#material,
         inputs: this.#inputs,
-        parts: this.#renderer,
       },
       this.#reliefMode,
     )

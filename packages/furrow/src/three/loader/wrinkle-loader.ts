@@ -8,11 +8,8 @@ import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { extensionOf, type FileWrinkles } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
 import { nextTask } from '../../runtime/next-task.ts'
-import { FADE } from '../fading/fade.ts'
-import { needChannels } from '../material/channels.ts'
-import type { RendererParts } from '../material/renderer-parts.ts'
+import { ReadSet } from '../check-source.ts'
 import { surfaceOf } from '../material/surface.ts'
-import type { WrinkleMaterial } from '../material/wrinkle-material.ts'
 import {
   checkLoaderOptions,
   WRINKLES_DEFAULTS,
@@ -37,7 +34,6 @@ type WrinklesClass = new (
 /** What depends on the renderer. */
 export interface LoaderParts {
   Wrinkles: WrinklesClass
-  renderer: RendererParts
   watchDraws: WatchDraws
 }
 
@@ -138,8 +134,8 @@ export class WrinkleLoader {
     // Another face with the same material has its own activations, and so needs its own material.
     if (copy) for (const mesh of meshes) mesh.material = copy
     // What comes after it packs all maps: a task of its own, after that of the last image.
-    await Promise.all([this.#fetchParts(set, material as WrinkleMaterial), nextTask()])
-    const own = this.#addWrinkles(meshes, this.#bySet.get(set) ?? set)
+    await nextTask()
+    const own = this.#addWrinkles(meshes, this.#bySet.get(set) ?? new ReadSet(set))
     try {
       // three-vrm may create a VRM's expressions after this.
       own.drive(drivers, this.#inputsOf(meshes[0], file), this.#isVrm)
@@ -162,19 +158,6 @@ export class WrinkleLoader {
       expressions: () => userData.vrmExpressionManager ?? userData.vrm?.expressionManager,
       ...(index !== undefined && { targetsOf: combinableTargets(json, index) }),
     }
-  }
-
-  /** Fetches what shows a face as it should be, where the default mode of normals alone does not, so that it does from the first frame on. */
-  async #fetchParts({ layers }: FileWrinkles['set'], material: WrinkleMaterial): Promise<void> {
-    const { others, channels, canPatch } = this.#parts.renderer
-    const { mode, fadeBelow } = this.#options
-    const needOthers = mode === 'default' ? !canPatch(material) : mode !== 'off'
-    await Promise.all([
-      needOthers && others.load(),
-      needChannels(layers, material) && channels.load(),
-      // They are shown without it too.
-      fadeBelow > 0 && FADE.load().catch(() => {}),
-    ])
   }
 
   /** Adds wrinkles to the meshes of one face, to every copy of them, and to what is drawn with their material. */

@@ -1,20 +1,26 @@
 import type { Mesh, Texture, WebGLRenderer } from 'three'
 import type { Activations } from '../../runtime/activations.ts'
 import type { AnyRenderer } from '../renderer.ts'
+import type { ShaderInputs } from './shader-inputs.ts'
+import type { WrinkleMaterial } from './wrinkle-material.ts'
 
-/** What a patched material is called and asked when its shader is compiled. */
-export interface PatchEvents {
+/** What a mode is shown on, and the events of its shader's compilation. */
+export interface ModeHost {
+  readonly material: WrinkleMaterial
+  readonly inputs: ShaderInputs
+  /** The meshes of the face: a list that may grow. */
+  readonly meshes: readonly Mesh[]
   /** The shader cannot be edited after all; it then stays as it was. */
   refuse(): void
-  /** On `WebGLRenderer`, which in `compile` does nothing else that is done before a mesh is drawn. */
+  /** Called on `WebGLRenderer` when an edited shader is about to be compiled. `compile` calls nothing else that precedes a draw. */
   onCompile(renderer: WebGLRenderer): void
 }
 
-/** What makes a material show wrinkles. Whoever changes it has the material built anew. */
+/** What makes a material show wrinkles. Whoever changes it has the material built again. */
 export interface ShownMode {
   /** The material's own normal map, where another one is in its place. */
   base?: Texture
-  /** That one. */
+  /** The map in that place. */
   composed?: Texture
   /** Phase 5 of a frame: takes the activations of the face, when its influence map is up to date. */
   update?: (renderer: AnyRenderer, activations: Activations) => void

@@ -5,12 +5,15 @@ import { instancesOf } from '../mesh/instances.ts'
 import type { WrinkleMode } from '../options.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import { patchedMaterials } from './check-material.ts'
-import type { InfluenceView } from './other-modes.ts'
-import type { PatchEvents, ShownMode } from './patch.ts'
+import { createInfluenceMaterial } from './influence-material.ts'
+import type { InfluenceView } from './influence-view.ts'
+import { showMode } from './modes.ts'
+import type { ModeHost, ShownMode } from './patch.ts'
 import type { RendererParts } from './renderer-parts.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import { withSurface } from './surface.ts'
 import { flatNormalTexture } from './textures.ts'
+import { updatePaper } from './update-paper.ts'
 import { cloneByClass, type WrinkleMaterial } from './wrinkle-material.ts'
 
 /** The user's own material while it shows wrinkles. */
@@ -30,11 +33,9 @@ export class PatchedMaterial {
   views = 0
   /** Whether the shader turned out to be one that cannot be patched. */
   #isRefused = false
-  /** The mode that is shown as soon as what it takes was fetched. */
-  #pending: WrinkleMode | null = null
   /** What makes it show the mode; null while it is plain. */
   #shown: ShownMode | null = null
-  readonly #onCompile: PatchEvents['onCompile']
+  readonly #onCompile: ModeHost['onCompile']
 
   /** @param meshes of the face: a list that may grow, see `follow`. */
   constructor(
@@ -42,7 +43,7 @@ export class PatchedMaterial {
     material: WrinkleMaterial,
     inputs: ShaderInputs,
     renderer: RendererParts,
-    onCompile: PatchEvents['onCompile'],
+    onCompile: ModeHost['onCompile'],
   ) {
     this.#onCompile = onCompile
     this.#meshes = meshes
@@ -60,19 +61,13 @@ export class PatchedMaterial {
     return this.#shown?.update
   }
 
-  /** The mode that is shown, or is about to be. */
-  get wanted(): WrinkleMode {
-    return this.#pending ?? this.mode
-  }
-
   /**
-   * Changes the mode, at once or when what it takes was fetched. A material that cannot be patched shows the composed mode instead of the
+   * Changes the mode. A material that cannot be patched shows the composed mode instead of the
    * default one.
    *
    * @throws FurrowError when the mode is not possible; it then stays as it was.
    */
   show(wanted: WrinkleMode): void {
-    const { others } = this.#renderer
     const mode = wanted === 'default' && !this.#isPatchable ? 'composed' : wanted
     if (mode === 'paper' && !this.#isPatchable) {
       throw new FurrowError({
@@ -84,15 +79,8 @@ export class PatchedMaterial {
         remedy: 'use the composed mode',
       })
     }
-    if (mode !== 'default' && mode !== 'off') {
-      checkNotInstanced(this.#mesh, mode)
-      if (!others.value) {
-        this.#showFetched(mode)
-        return
-      }
-    }
+    if (mode === 'paper' || mode === 'composed') checkNotInstanced(this.#mesh, mode)
     if (mode === 'paper') this.#packPaper()
-    this.#pending = null
     this.#apply(mode)
   }
 
@@ -145,13 +133,11 @@ export class PatchedMaterial {
     return withSurface(this.#mesh, this.#material, this.clone())
   }
 
-  /** Creates a material that shows influence as gray: black until what draws it was fetched. */
+  /** Creates a material that shows influence as gray. */
   influenceMaterial(weights?: InfluenceView['weights']): Material {
-    const { others, unlitMaterial } = this.#renderer
-    const material = unlitMaterial()
     const wrinkled = { normalMap: this.#material.normalMap ?? this.#flat }
     const view = { wrinkled, inputs: this.#inputs, instances: instancesOf(this.#mesh), weights }
-    others.use((modes) => modes.showInfluence(material, view))
+    const material = createInfluenceMaterial(view, this.#renderer)
     if (!weights) {
       this.views++
       material.addEventListener('dispose', () => this.views--)
@@ -189,24 +175,9 @@ export class PatchedMaterial {
     this.mode = mode
   }
 
-  /** Until then what is shown stays. */
-  async #showFetched(mode: WrinkleMode): Promise<void> {
-    if (this.#pending === mode) return
-    this.#pending = mode
-    try {
-      await this.#renderer.others.load()
-      if (this.#pending === mode) this.show(mode)
-    } catch (error) {
-      this.#pending = null
-      // A shader that cannot be patched would ask for it again in every frame.
-      if (this.#isRefused) this.show('off')
-      console.warn((error as Error).message)
-    }
-  }
-
   #packPaper(): void {
     const map = this.#shown?.base ?? this.#material.normalMap
-    this.#renderer.others.value!.updatePaper(this.#inputs, this.#material, map === this.#flat ? null : map)
+    updatePaper(this.#inputs, this.#material, map === this.#flat ? null : map)
   }
 
   #patch(mode: WrinkleMode): void {
@@ -216,11 +187,14 @@ export class PatchedMaterial {
     const refuse = () => {
       this.#isRefused = true
     }
-    const { others, patch, quads } = this.#renderer
-    this.#shown =
-      mode === 'default'
-        ? patch(material, this.#inputs, this.#meshes, { refuse, onCompile: this.#onCompile })
-        : others.value![mode](material, this.#inputs, { refuse, hasContents: quads.hasContents })
+    const host: ModeHost = {
+      material,
+      inputs: this.#inputs,
+      meshes: this.#meshes,
+      refuse,
+      onCompile: this.#onCompile,
+    }
+    this.#shown = showMode(mode, host, this.#renderer)
     this.#undoRelief = this.#patchRelief?.(material)
   }
 
@@ -234,11 +208,24 @@ export class PatchedMaterial {
 
   /** Makes a material plain whose shader the GPU refuses. */
   #checkShader(renderer: AnyRenderer): void {
-    const { others, faultOf } = this.#renderer
-    const fault = faultOf(this.#material, renderer)
+    const fault = this.#renderer.faultOf(this.#material, renderer)
     if (fault === null) return
     const { mode } = this
     this.show('off')
-    others.use((modes) => modes.tellFault(this.#mesh, mode, fault))
+    warnOfFault(this.#mesh, mode, fault)
   }
+}
+
+function warnOfFault({ name }: Mesh, mode: WrinkleMode, fault: string): void {
+  const { message } = new FurrowError({
+    code: 'unsupported',
+    who: 'Wrinkles',
+    what: `the shader of mesh "${name}" does not compile in the ${mode} mode, so it is shown without wrinkles`,
+    value: fault,
+    remedy:
+      mode === 'composed'
+        ? 'give it another material, such as MeshStandardMaterial'
+        : 'use the composed mode, or another material',
+  })
+  console.warn(message)
 }

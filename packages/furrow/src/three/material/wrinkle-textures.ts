@@ -2,8 +2,8 @@ import { Vector4 } from 'three'
 import type { ArraySlice, Layer, LayerKind } from '../../core/types.ts'
 import { VALUE_KINDS, type ValueKind } from '../../runtime/layer-maps.ts'
 import type { ArrayTexture, Upload } from './array-texture.ts'
-import type { Channels } from './channels.ts'
 import { type LayerMaps, layerMaps } from './layer-textures.ts'
+import { valueTextures } from './value-textures.ts'
 
 export { type LayerMaps, VALUE_KINDS, type ValueKind }
 
@@ -28,21 +28,16 @@ export interface WrinkleTextures {
  *
  * @param layers whose images of each kind have one size.
  * @param anisotropy that of the map they are mixed with.
- * @param channels where `needChannels` says so.
  * @throws FurrowError when maps of one kind are in several arrays.
  */
-export function createTextures(
-  layers: readonly Layer<ArraySlice>[],
-  anisotropy: number,
-  channels: Channels | null,
-): WrinkleTextures {
+export function createTextures(layers: readonly Layer<ArraySlice>[], anisotropy: number): WrinkleTextures {
   const normals = layerMaps(layers, 'normal', anisotropy)!
   const kinds = layers.map(({ kind }) => kind)
   return {
     layers: [...layers],
     kinds,
     normals,
-    values: channels?.valueTextures(layers, anisotropy) ?? {},
+    values: valueTextures(layers, anisotropy),
     normalScale: { value: perLayer(layers.map(({ normalScale }) => normalScale ?? 1)) },
     occlusionStrength: { value: perLayer(layers.map(({ occlusionStrength }) => occlusionStrength ?? 1)) },
     bloodAmplitude: { value: perLayer(layers.map(({ bloodAmplitude }) => bloodAmplitude ?? 0)) },

@@ -3,7 +3,6 @@ import { smoothstep } from '../../math/scalar.ts'
 import type { Face } from '../../runtime/face.ts'
 import type { AreaArray } from '../atlas/area-array.ts'
 import { pixelsPerUnit } from '../camera/size-on-screen.ts'
-import type { RendererParts } from '../material/renderer-parts.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
 import type { MeshPlace } from '../mesh/mesh-place.ts'
 import type { ReliefMode, WrinkleMode } from '../options.ts'
@@ -11,7 +10,8 @@ import type { AnyRenderer } from '../renderer.ts'
 import { limitationOf } from './limitation.ts'
 import { type MeshUnits, meshUnits } from './mesh-units.ts'
 import { canRise } from './raised-layer.ts'
-import type { Relief, ReliefHost } from './relief.ts'
+import { Relief, type ReliefHost } from './relief.ts'
+import type { ReliefParts } from './relief-parts.ts'
 
 /** Pixels per millimetre at which relief by size begins, and at which it is full: between them it grows, so that nobody sees it come. */
 const SIZES = [1, 1.5] as const
@@ -42,13 +42,16 @@ export interface ReliefOwner {
     setRelief(patch: ((own: Material) => () => void) | null): void
   }
   inputs: ShaderInputs
-  parts: RendererParts
 }
+
+/** Creates the relief of a face by a renderer's shaders. */
+export type CreateRelief = (owner: ReliefOwner, mode: ReliefMode) => ReliefControl
 
 /** Whether a face is drawn with relief: splits its meshes when that is first wanted, and shows it while it can be seen. */
 export class ReliefControl {
   #mode: ReliefMode
   readonly #owner: ReliefOwner
+  readonly #parts: ReliefParts
   readonly #units: MeshUnits
   #relief: Relief | null = null
   #making: Promise<void> | null = null
@@ -66,8 +69,9 @@ export class ReliefControl {
   /** Draws in a row in which nothing of it was seen. */
   #unseen = 0
 
-  constructor(owner: ReliefOwner, mode: ReliefMode) {
+  constructor(owner: ReliefOwner, parts: ReliefParts, mode: ReliefMode) {
     this.#owner = owner
+    this.#parts = parts
     this.#units = meshUnits(owner.wrinkles.mesh, owner.place)
     this.#isPossible = owner.inputs.textures.layers.some(canRise)
     this.#mode = mode
@@ -154,7 +158,7 @@ export class ReliefControl {
   }
 
   async #split(): Promise<void> {
-    const { wrinkles, meshes, material, inputs, parts } = this.#owner
+    const { wrinkles, meshes, material, inputs } = this.#owner
     this.#areas = inputs.areas
     this.#version = inputs.areas.version
     this.#geometries = meshes.map(({ geometry }) => geometry)
@@ -164,7 +168,6 @@ export class ReliefControl {
       return
     }
     try {
-      const [{ Relief }, reliefParts] = await Promise.all([import('./relief.ts'), parts.loadRelief()])
       const host: ReliefHost = {
         meshes,
         material: material.material,
@@ -174,7 +177,7 @@ export class ReliefControl {
         prepare: (renderer, camera, mesh) => wrinkles.prepare(renderer, camera, mesh),
         refuse: (error) => this.#limit(error as Error),
       }
-      const made = await Relief.create(host, reliefParts, () => !this.#isDisposed)
+      const made = await Relief.create(host, this.#parts, () => !this.#isDisposed)
       if (made) this.#exchange(made)
     } catch (error) {
       this.#end()

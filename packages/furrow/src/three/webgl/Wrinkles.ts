@@ -1,18 +1,9 @@
 import type { Mesh } from 'three'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
-import { fadeOnScreen } from '../camera/size-on-screen.ts'
 import { checkSource } from '../check-source.ts'
-import { FADE } from '../fading/fade.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
-import { CHANNELS } from './mixing/channels.ts'
-import { OTHER_MODES } from './modes/other-modes.ts'
-import { PARTS, WebGLWrinkles } from './webgl-wrinkles.ts'
-
-// A page that makes wrinkles of its own has all modes and maps at once, and what fades.
-FADE.value = fadeOnScreen
-PARTS.others.value = OTHER_MODES
-PARTS.channels.value = CHANNELS
+import { WEBGL } from './parts.ts'
 
 /** Wrinkles on one mesh for `WebGLRenderer`. */
 export class Wrinkles extends WrinklesBase {
@@ -25,14 +16,6 @@ export class Wrinkles extends WrinklesBase {
    * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then unchanged.
    */
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
-    super(PARTS, mesh, checkSource(source), options)
-  }
-
-  /** Those of loaded files too. @internal */
-  static override [Symbol.hasInstance](value: unknown): boolean {
-    // biome-ignore lint/complexity/noThisInStatic: those of a class that extends it are fewer
-    const isOwn = Function.prototype[Symbol.hasInstance].call(this, value)
-    // biome-ignore lint/complexity/noThisInStatic: as above
-    return isOwn || (this === Wrinkles && value instanceof WebGLWrinkles)
+    super(WEBGL, mesh, checkSource(source), options)
   }
 }

@@ -1,8 +1,8 @@
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import { WrinkleLoader } from '../loader/wrinkle-loader.ts'
 import type { WrinkleLoaderOptions } from '../options.ts'
+import { Wrinkles } from './Wrinkles.ts'
 import { watchDraws } from './watch-draws.ts'
-import { PARTS, WebGPUWrinkles } from './webgpu-wrinkles.ts'
 
 /** For `GLTFLoader` and `WebGPURenderer`: `loader.register((parser) => new WrinkleLoaderPlugin(parser))`. */
 export class WrinkleLoaderPlugin extends WrinkleLoader {
@@ -11,6 +11,6 @@ export class WrinkleLoaderPlugin extends WrinkleLoader {
    * @throws FurrowError when an option is unknown or out of range.
    */
   constructor(parser: GLTFParser, options: WrinkleLoaderOptions = {}) {
-    super(parser, { Wrinkles: WebGPUWrinkles, renderer: PARTS, watchDraws }, options)
+    super(parser, { Wrinkles, watchDraws }, options)
   }
 }

@@ -1,18 +1,11 @@
 import type { Mesh } from 'three'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
-import { fadeOnScreen } from '../camera/size-on-screen.ts'
 import { checkSource } from '../check-source.ts'
-import { FADE } from '../fading/fade.ts'
+import { instancesOf } from '../mesh/instances.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
-import { CHANNELS } from './mixing/channels.ts'
-import { OTHER_MODES } from './modes/other-modes.ts'
-import { PARTS, WebGPUWrinkles, withBatchChecked } from './webgpu-wrinkles.ts'
-
-// A page that makes wrinkles of its own has all modes and maps at once, and what fades.
-FADE.value = fadeOnScreen
-PARTS.others.value = OTHER_MODES
-PARTS.channels.value = CHANNELS
+import { checkBatch } from './influence/influence.ts'
+import { WEBGPU } from './parts.ts'
 
 /** Wrinkles on one mesh for `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
 export class Wrinkles extends WrinklesBase {
@@ -26,14 +19,12 @@ export class Wrinkles extends WrinklesBase {
    *   is needed; the mesh is then unchanged.
    */
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
-    super(PARTS, withBatchChecked(mesh), checkSource(source), options)
+    super(WEBGPU, withBatchChecked(mesh), checkSource(source), options)
   }
+}
 
-  /** Those of loaded files too. @internal */
-  static override [Symbol.hasInstance](value: unknown): boolean {
-    // biome-ignore lint/complexity/noThisInStatic: those of a class that extends it are fewer
-    const isOwn = Function.prototype[Symbol.hasInstance].call(this, value)
-    // biome-ignore lint/complexity/noThisInStatic: as above
-    return isOwn || (this === Wrinkles && value instanceof WebGPUWrinkles)
-  }
+/** @throws FurrowError when three.js lacks what is needed for a `BatchedMesh`. */
+function withBatchChecked(mesh: Mesh): Mesh {
+  if (instancesOf(mesh) === 'batched') checkBatch(mesh)
+  return mesh
 }

@@ -8,8 +8,9 @@ import {
   sliceSampling,
 } from '../influence/influence.ts'
 import { MAIN, replace, replaceChunk } from '../patch/shader-text.ts'
+import { addValues } from './add-values.ts'
 import { type NormalLayers, normalMixing } from './mix-normals.ts'
-import type { ShaderChannels, Values } from './value-layers.ts'
+import type { Values } from './value-layers.ts'
 
 /** What a program depends on: never the number of areas. */
 export interface ShaderVariant extends NormalLayers {
@@ -29,14 +30,9 @@ export interface ShaderVariant extends NormalLayers {
  * it, or another that reads its normal map as these do, such as MToon's. Such a one shows the layers' normals only: it need not
  * have the texture coordinates before its other maps are read.
  *
- * @param channels mix the other maps; null where there are none.
  * @throws Error when it reads its normal map in another way, or not at all.
  */
-export function defaultFragment(
-  fragment: string,
-  variant: ShaderVariant,
-  channels: ShaderChannels | null,
-): string {
+export function defaultFragment(fragment: string, variant: ShaderVariant): string {
   const shader = replaceChunk(fragment, 'normal_fragment_maps')
   const [, uv] = shader.match(MAP_READ) ?? []
   const [scaled, normal] = shader.match(NORMAL_SCALED) ?? []
@@ -44,20 +40,20 @@ export function defaultFragment(
   const { kinds, cell, isTiled, sampling } = variant
   const isBuiltIn = uv === BUILT_IN_UV
   const values = isBuiltIn ? variant.values : {}
-  const added = channels?.add(values, { ...variant, normal })
+  const added = addValues(values, { ...variant, normal })
   const influence = influenceFromMap(kinds.length, cell, isTiled)
   const sample = `furrowSampleInfluence(${uv});`
   const mixed = [
     isBuiltIn ? '' : sample,
     `vec3 furrowOwn = ${normal};`,
     `${normal} = furrowMixNormals(furrowOwn);`,
-    added?.tint,
+    added.tint,
     scaled,
   ].join('\n\t')
-  const declarations = [influence, sliceSampling(sampling), normalMixing(variant), added?.declarations]
-  const started = [...declarations, MAIN, isBuiltIn ? sample : '', added?.begin].join('\n')
+  const declarations = [influence, sliceSampling(sampling), normalMixing(variant), added.declarations]
+  const started = [...declarations, MAIN, isBuiltIn ? sample : '', added.begin].join('\n')
   const shown = replace(replace(shader, scaled, mixed), MAIN, started)
-  return added ? added.mixOthers(shown) : shown
+  return added.mixOthers(shown)
 }
 
 /** Whether `defaultFragment` can edit a shader. */

@@ -1,5 +1,5 @@
 import { Color, type IUniform } from 'three'
-import type { ShowInfluence } from '../../material/other-modes.ts'
+import type { ShowInfluence } from '../../material/influence-view.ts'
 import { influenceFromMap } from '../influence/influence.ts'
 import { areaUniforms, influenceFromAreas } from '../influence/influence-from-areas.ts'
 import { instancedVertex } from '../mixing/default-shader.ts'

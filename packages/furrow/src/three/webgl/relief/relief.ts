@@ -13,6 +13,7 @@ import {
 } from 'three'
 import { FurrowError } from '../../../core/error.ts'
 import { COARSE_WIDTH, type CoarseParts } from '../../relief/coarse-pass.ts'
+import { type CreateRelief, ReliefControl } from '../../relief/relief-control.ts'
 import type { ReliefInputs } from '../../relief/relief-inputs.ts'
 import type { ReliefParts } from '../../relief/relief-parts.ts'
 import { NEWEST_THREE } from '../../three-version.ts'
@@ -187,7 +188,7 @@ const duringShadow: ReliefParts['duringShadow'] = (renderer, draw) => {
   state.viewport(viewport)
 }
 
-export const RELIEF_PARTS: ReliefParts = {
+const PARTS: ReliefParts = {
   coarseMaterial,
   hasContents: quadMaterials.hasContents,
   patch,
@@ -195,3 +196,6 @@ export const RELIEF_PARTS: ReliefParts = {
   outlineMaterial,
   duringShadow,
 }
+
+/** Relief on `WebGLRenderer`. */
+export const createRelief: CreateRelief = (owner, mode) => new ReliefControl(owner, PARTS, mode)

@@ -10,7 +10,7 @@ import { negateOnBackSide } from '../newer-nodes.ts'
 import { materialProperty, normalScale, typed } from '../node.ts'
 import type { Added, Patched } from '../patch/patch-nodes.ts'
 import { byGradients, bySampler, mapUv, repeat } from '../texture-sampling.ts'
-import type { NodeChannels } from './channels.ts'
+import { addValues } from './add-values.ts'
 import { type LayerInfluence, mixNormals, unpack } from './mix-normals.ts'
 
 /**
@@ -18,15 +18,8 @@ import { type LayerInfluence, mixNormals, unpack } from './mix-normals.ts'
  *
  * @param mesh one of the face.
  * @param isTiled whether texture coordinates leave 0..1, and so wrap.
- * @param channels mix the other maps; null where there are none.
  */
-export function layerNodes(
-  material: Patched,
-  inputs: ShaderInputs,
-  mesh: Mesh,
-  isTiled: boolean,
-  channels: NodeChannels | null,
-): Added {
+export function layerNodes(material: Patched, inputs: ShaderInputs, mesh: Mesh, isTiled: boolean): Added {
   const { normalNode: node } = material
   // A material whose normals are those of a node has a flat map under them.
   const own = node ? vec3(0, 0, 1) : unpack(materialProperty('normalMap', 'texture', material).xyz)
@@ -35,7 +28,7 @@ export function layerNodes(
   const added: Added = {
     normalNode: node ? ontoNormal(typed(node), mixed, material) : inView(mixed, material),
   }
-  channels?.add(added, material, inputs, { layers, ownNormal: own, mixed })
+  addValues(added, material, inputs, { layers, ownNormal: own, mixed })
   return added
 }
 

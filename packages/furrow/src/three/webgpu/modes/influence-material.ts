@@ -1,6 +1,6 @@
 import { Color } from 'three'
 import { max, vec3 } from 'three/tsl'
-import type { ShowInfluence } from '../../material/other-modes.ts'
+import type { ShowInfluence } from '../../material/influence-view.ts'
 import { influenceFromMap } from '../influence/influence.ts'
 import { influenceFromAreas } from '../influence/influence-from-areas.ts'
 import { materialProperty } from '../node.ts'

@@ -14,6 +14,7 @@ import {
 } from 'three/tsl'
 import type { NodeMaterial } from 'three/webgpu'
 import { COARSE_WIDTH, type CoarseParts } from '../../relief/coarse-pass.ts'
+import { type CreateRelief, ReliefControl } from '../../relief/relief-control.ts'
 import type { ReliefParts } from '../../relief/relief-parts.ts'
 import { quadMaterial, quadMaterials } from '../influence/influence-quads.ts'
 import { typed } from '../node.ts'
@@ -56,7 +57,7 @@ const patch: ReliefParts['patch'] = (material: Patched, relief, inputs, instance
   }
 }
 
-export const RELIEF_PARTS: ReliefParts = {
+const PARTS: ReliefParts = {
   coarseMaterial,
   hasContents: quadMaterials.hasContents,
   patch,
@@ -66,3 +67,6 @@ export const RELIEF_PARTS: ReliefParts = {
   outlineMaterial: () => null,
   duringShadow: (_renderer, draw) => draw(),
 }
+
+/** Relief on `WebGPURenderer`. */
+export const createRelief: CreateRelief = (owner, mode) => new ReliefControl(owner, PARTS, mode)

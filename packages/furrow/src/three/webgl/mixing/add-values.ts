@@ -1,33 +1,46 @@
-import { valueTextures } from '../../material/value-textures.ts'
 import type { ValueKind } from '../../material/wrinkle-textures.ts'
 import { includeOf, replace, replaceChunk } from '../patch/shader-text.ts'
 import { BLOOD_COLOUR, MICRO_SHADOW, TOON_COLOUR, valueMixing, valueReading } from './mix-values.ts'
-import type { ShaderChannels, Values } from './value-layers.ts'
+import type { Values } from './value-layers.ts'
 
-/** What layers with other maps than normals take on `WebGLRenderer`, and materials that light in steps. */
-export const CHANNELS: ShaderChannels = {
-  valueTextures,
-  add(values, { isToon, normal }) {
-    const hasValues = Object.keys(values).length > 0
-    return {
-      declarations: [
-        isToon ? TOON_COLOUR : '',
-        hasValues ? valueReading(values) : '',
-        ...Object.entries(values).map(([kind, layers]) => valueMixing(kind as ValueKind, layers)),
-        values.occlusion ? MICRO_SHADOW : '',
-        values.blood ? BLOOD_COLOUR : '',
-      ].join(''),
-      begin: [
-        hasValues ? 'furrowReadValues();' : '',
-        values.occlusion ? 'furrowOcclude( furrowMix_occlusion( 1.0 ) );' : '',
-      ].join('\n\t'),
-      tint: isToon ? `diffuseColor.rgb = furrowToonColour(diffuseColor.rgb, furrowOwn, ${normal});` : '',
-      mixOthers: (fragment) => mixOthers(fragment, values),
-    }
-  },
+interface EditedShader {
+  isToon: boolean
+  /** The variable of the mixed normal. */
+  normal: string
 }
 
-/** See `AddedChannels`. */
+/** The parts of a shader that mix the layers' other maps in, and draw wrinkles as lines on materials that light in steps. */
+export interface AddedValues {
+  declarations: string
+  /** First in `main`, behind the influence. */
+  begin: string
+  /** Behind the mixed normal, beside `furrowOwn`. */
+  tint: string
+  /** Mixes into the material's own maps where it reads them; without a map its own value is 1. */
+  mixOthers(fragment: string): string
+}
+
+/** Mixes the layers' other maps, and draws the lines of a material that lights in steps. */
+export function addValues(values: Values, { isToon, normal }: EditedShader): AddedValues {
+  const hasValues = Object.keys(values).length > 0
+  return {
+    declarations: [
+      isToon ? TOON_COLOUR : '',
+      hasValues ? valueReading(values) : '',
+      ...Object.entries(values).map(([kind, layers]) => valueMixing(kind as ValueKind, layers)),
+      values.occlusion ? MICRO_SHADOW : '',
+      values.blood ? BLOOD_COLOUR : '',
+    ].join(''),
+    begin: [
+      hasValues ? 'furrowReadValues();' : '',
+      values.occlusion ? 'furrowOcclude( furrowMix_occlusion( 1.0 ) );' : '',
+    ].join('\n\t'),
+    tint: isToon ? `diffuseColor.rgb = furrowToonColour(diffuseColor.rgb, furrowOwn, ${normal});` : '',
+    mixOthers: (fragment) => mixOthers(fragment, values),
+  }
+}
+
+/** See `AddedValues`. */
 function mixOthers(fragment: string, { baseColor, roughness, occlusion, blood }: Values): string {
   let shader = fragment
   // Before the edit below, which replaces the include.

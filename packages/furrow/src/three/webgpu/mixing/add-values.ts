@@ -1,21 +1,13 @@
 import type { MeshStandardMaterial } from 'three'
 import { float, vec4 } from 'three/tsl'
 import type { Node, NodeMaterial } from 'three/webgpu'
-import type { Channels } from '../../material/channels.ts'
 import type { ShaderInputs } from '../../material/shader-inputs.ts'
-import { valueTextures } from '../../material/value-textures.ts'
 import { isToon } from '../../material/wrinkle-material.ts'
 import { materialProperty } from '../node.ts'
 import type { Added, Patched } from '../patch/patch-nodes.ts'
 import { shadowHighlights } from './micro-shadow.ts'
 import type { LayerInfluence } from './mix-normals.ts'
 import { bloodColour, toonColour, valueMixer } from './mix-values.ts'
-
-/** What adds nodes for the layers' other maps, and for materials that light in steps. */
-export interface NodeChannels extends Channels {
-  /** Mixes them. */
-  add(added: Added, material: Patched, inputs: ShaderInputs, mixing: Mixing): void
-}
 
 /** The normals that are mixed, unpacked, and by what. */
 interface Mixing {
@@ -24,10 +16,8 @@ interface Mixing {
   mixed: Node<'vec3'>
 }
 
-/** What layers with other maps than normals take on `WebGPURenderer`, and materials that light in steps. */
-export const CHANNELS: NodeChannels = { valueTextures, add }
-
-function add(
+/** Adds nodes that mix the layers' other maps, and draw the lines of a material that lights in steps. */
+export function addValues(
   added: Added,
   material: Patched,
   inputs: ShaderInputs,

@@ -1,0 +1,19 @@
+import type { Material } from 'three'
+import type { Area } from '../../core/types.ts'
+import type { Instances } from '../mesh/instances.ts'
+import type { ActivationTable } from './activation-table.ts'
+import type { ShaderInputs } from './shader-inputs.ts'
+import type { WrinkleMaterial } from './wrinkle-material.ts'
+
+/** What a material shows as gray. */
+export interface InfluenceView {
+  /** Its normal map has the texture coordinates. */
+  wrinkled: Pick<WrinkleMaterial, 'normalMap'>
+  inputs: ShaderInputs
+  instances: Instances
+  /** The weights of some areas; by default, the current influence. */
+  weights?: { areas: readonly Area<unknown>[]; names: readonly string[] } | undefined
+}
+
+/** Makes an unlit material show the influence map as gray, or the areas of a table by their activations in it. */
+export type ShowInfluence = (material: Material, view: InfluenceView, table: ActivationTable | null) => void
