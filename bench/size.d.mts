@@ -7,8 +7,5 @@ interface Chunk {
 }
 
 export function measureSizes(): Promise<Record<string, Size>>
-export function measurePeers(): Promise<Record<string, Size>>
-export function measureFloor(): Promise<Record<string, Size>>
-export function bundle(code: string, external: RegExp): Promise<Chunk[]>
 export function closure(chunks: readonly Chunk[], all: readonly Chunk[]): Chunk[]
 export function compressed(chunks: readonly { code: string }[]): Size

@@ -1,14 +1,11 @@
-// What a page downloads of the library, minified, then gzipped or as Brotli; three.js and the user's own code apart. A page's own size is
-// that of all it loads before a file: what files need is fetched when they do, and measured apart.
+// What a page downloads of the library: minified, each file compressed by itself, without three.js and other peers.
 
 import { brotliCompressSync, gzipSync } from 'node:zlib'
 import { build } from 'vite'
 import { ROOT } from './serve.mjs'
 
-/** What pages have besides. */
-export const ELSEWHERE = /^(three|react|react-dom|@react-three\/fiber|@babylonjs\/(?:core|loaders))(\/|$)/
+const PEERS = /^(three|react|react-dom|@react-three\/fiber|@babylonjs\/(?:core|loaders))(\/|$)/
 
-/** What each page imports. */
 const PAGES = {
   'the loader, furrow/three': "import { WrinkleLoaderPlugin as used } from 'furrow/three'",
   'the loader, furrow/webgpu': "import { WrinkleLoaderPlugin as used } from 'furrow/webgpu'",
@@ -21,38 +18,23 @@ const PAGES = {
   'all of furrow/babylon': "import * as used from 'furrow/babylon'",
 }
 
-/** Fetched by pages with the loader alone: the modules that are imported on demand. */
-const FETCHED = {
-  'the modes composed and paper': ['three/webgl/modes/other-modes', 'three/webgpu/modes/other-modes'],
-  'other maps than normals': ['three/webgl/mixing/channels', 'three/webgpu/mixing/channels'],
-  'KTX 2': ['three/loader/ktx2', 'babylon/loader/ktx2'],
-  'the option fadeBelow': ['three/camera/size-on-screen'],
-  relief: [
-    'three/relief/relief',
-    'three/webgl/relief/relief',
-    'three/webgpu/relief/relief',
-    'three/relief/relief-control',
-  ],
-  'the option auto': ['three/loader/auto-wrinkles', 'auto/start-worker'],
-}
+/** The lazy chunks, by the names of the package's files. */
+const LAZY = { relief: /relief-web/, 'automatic wrinkles': /auto-wrinkles/, 'KTX 2': /ktx2/ }
 
 /**
- * Bytes by gzip and Brotli: of each page, and of what is fetched later by pages with the loader alone.
+ * Bytes by gzip and Brotli: of each page, and of the lazy chunks of pages with a loader.
  *
  * @returns {Promise<Record<string, { gzip: number, brotli: number }>>}
  */
 export async function measureSizes() {
   const sizes = {}
   for (const [page, code] of Object.entries(PAGES)) {
-    const chunks = await bundle(`${code}; globalThis.used = used`, ELSEWHERE)
-    const [entry] = chunks
-    const own = closure([entry], chunks)
+    const chunks = await bundle(`${code}; globalThis.used = used`)
+    const own = closure([chunks[0]], chunks)
     sizes[page] = compressed(own)
     if (!page.startsWith('the loader')) continue
-    for (const [what, modules] of Object.entries(FETCHED)) {
-      const roots = chunks.filter(({ facadeModuleId: id }) =>
-        modules.some((name) => id?.endsWith(`/furrow/dist/${name}.js`)),
-      )
+    for (const [what, file] of Object.entries(LAZY)) {
+      const roots = chunks.filter(({ facadeModuleId: id }) => file.test(id ?? ''))
       const later = closure(roots, chunks).filter((chunk) => !own.includes(chunk))
       if (later.length > 0) sizes[`${page}: ${what}`] = compressed(later)
     }
@@ -60,46 +42,10 @@ export async function measureSizes() {
   return sizes
 }
 
-/** Other libraries that add to a character or a scene, for comparison. */
-const PEERS = {
-  '@pixiv/three-vrm': ['VRMLoaderPlugin'],
-  '@react-three/drei': ['Text', 'Facemesh', 'Stage', 'useGLTF', 'Environment', 'OrbitControls'],
-}
-
-/** The same of what pages import of other libraries, without three.js and React. */
-export async function measurePeers() {
-  const sizes = {}
-  for (const [library, names] of Object.entries(PEERS)) {
-    for (const name of names) {
-      const code = `import { ${name} as used } from '${library}'; globalThis.used = used`
-      const chunks = await bundle(code, ELSEWHERE)
-      sizes[`${name}, ${library}`] = compressed(closure([chunks[0]], chunks))
-    }
-  }
-  return sizes
-}
-
-/** The least that shows the shipped face, see `bench/download/floor.ts`. */
-const FLOOR = {
-  'the floor, normals only':
-    "import { floorPlugin } from '/bench/download/floor.ts'; const used = floorPlugin()",
-  'the floor, all maps of the shipped face':
-    "import { floorPlugin } from '/bench/download/floor.ts'; import { surfaceChannels } from '/bench/download/surface.ts'; const used = floorPlugin(surfaceChannels)",
-}
-
-/** The same of the floor. */
-export async function measureFloor() {
-  const sizes = {}
-  for (const [what, code] of Object.entries(FLOOR)) {
-    sizes[what] = compressed(await bundle(`${code}; globalThis.used = used`, ELSEWHERE))
-  }
-  return sizes
-}
-
 const PAGE = 'virtual:page'
 
-/** Builds a page as a bundler would; its first chunk comes first. */
-export async function bundle(code, external) {
+/** Builds a page as a bundler would. The page's own chunk comes first. */
+async function bundle(code) {
   const { NODE_ENV } = process.env
   const { output } = await build({
     root: ROOT,
@@ -112,11 +58,11 @@ export async function bundle(code, external) {
       minify: true,
       // Without Vite's own helper for dynamic imports.
       ssr: true,
-      // Not as a library: of those Vite leaves the spaces.
-      rolldownOptions: { input: PAGE, external },
+      // Not as a library: Vite leaves the spaces in those.
+      rolldownOptions: { input: PAGE, external: PEERS },
     },
   })
-  // Vite sets it, and what is run after this would be built for production too.
+  // Vite sets it, and whatever runs after this would be built for production too.
   if (NODE_ENV === undefined) delete process.env.NODE_ENV
   return output.filter(({ type }) => type === 'chunk').sort((a, b) => Number(b.isEntry) - Number(a.isEntry))
 }

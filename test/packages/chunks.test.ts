@@ -1,4 +1,4 @@
-// The loader as published, in pages made by bundlers and by none: what files with blendshapes have no use for is fetched by other files.
+// The loader as published, in pages made by bundlers and by none: relief is a chunk of its own.
 
 import { cp } from 'node:fs/promises'
 import { join } from 'node:path'
@@ -8,8 +8,8 @@ import { openBrowser } from '../pages/browser.ts'
 import { createApp, DEPENDENCIES, ROOT, remove, run, temporaryFolder } from './npm.ts'
 import { buildByEsbuild, buildByWebpack, titleOf } from './pages.ts'
 
-const AT_ONCE = 'morph 0.5; input 0.25'
-const IN_CHUNKS = 'morph 0.5; input 0.25, fetched'
+const AT_ONCE = 'morph 0.5; input 0.25; relief'
+const IN_CHUNKS = 'morph 0.5; input 0.25; relief fetched'
 
 let folder: string
 let app: string

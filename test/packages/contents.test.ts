@@ -98,26 +98,6 @@ describe.each([
 
   if (name !== 'furrow') return
 
-  // See `scripts/join-modules.mjs`.
-  it('has its checks in one file, and their modules export what their types say', async () => {
-    const dist = join(content, 'dist')
-    expect(readdirSync(join(dist, 'core')).filter((file) => file.startsWith('checks.'))).toEqual([
-      'checks.js',
-      'checks.js.map',
-    ])
-    const core = ['error', 'argument', 'limits', 'name', 'image', 'check-areas'].map((name) => `core/${name}`)
-    const others = ['runtime/atlas-cells', 'three/three-version']
-    for (const name of [...core, ...others]) {
-      const [, exported] =
-        read(join(dist, `${name}.js`)).match(/^export \{ (.+) \} from "(?:\.|.*\/core)\/checks\.js";\s*$/) ??
-        []
-      const declared = read(join(dist, `${name}.d.ts`)).matchAll(
-        /^export declare (?:const|class|function) (\w+)/gm,
-      )
-      expect(exported?.split(', '), name).toEqual([...declared].map(([, what]) => what).sort())
-    }
-  })
-
   it('has types that resolve at every entry', async () => {
     const analysis = await checkPackage(createPackageFromTarballData(tarball))
     if (!analysis.types) throw new Error('there are no types')

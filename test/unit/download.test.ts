@@ -7,14 +7,14 @@ describe('the guard of the download', () => {
   const warningsOf = (now: number, before: number) =>
     warnings(compare({ 'the loader': size(now) }, { 'the loader': size(before) }))
 
-  it('warns of growth by more than 1%, with both numbers', () => {
-    expect(warningsOf(1011, 1000)).toEqual([
-      expect.stringContaining('the loader has grown by 1.1%, from 1000 to 1011 bytes'),
+  it('warns of growth by more than 2%, with both numbers', () => {
+    expect(warningsOf(1021, 1000)).toEqual([
+      expect.stringContaining('the loader has grown by 2.1%, from 1000 to 1021 bytes'),
     ])
   })
 
   it('says nothing of less, of what shrinks, and of what is new', () => {
-    expect(warningsOf(1010, 1000)).toEqual([])
+    expect(warningsOf(1020, 1000)).toEqual([])
     expect(warningsOf(500, 1000)).toEqual([])
     expect(warnings(compare({ new: size(5) }, {}))).toEqual([])
   })

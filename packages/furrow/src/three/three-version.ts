@@ -15,7 +15,7 @@ export function releaseOf(revision: string): number {
 /**
  * Checks that three.js is recent enough for an entry: shaders of an older one do not compile, and the mesh vanishes.
  *
- * @param revision three.js's `REVISION`. This module does not import three.js: see `scripts/join-modules.mjs`.
+ * @param revision three.js's `REVISION`.
  * @throws FurrowError when it is older than `OLDEST_THREE`.
  */
 export function checkThree(entry: Entry, revision: string): void {

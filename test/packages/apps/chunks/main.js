@@ -1,4 +1,5 @@
-// Loads a face that a blendshape drives, then one that an input drives; the title says what they came to, and whether that took more files.
+// Loads a face that a blendshape drives, then one that an input drives, and splits the second for relief; the title says what they came to,
+// and whether relief took more files.
 import { WrinkleLoaderPlugin, wrinklesOf } from 'furrow/three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
@@ -21,7 +22,9 @@ function file(driver) {
     [1, 1],
   ]
   const wrinkles = {
-    layers: [{ name: 'skin', normalTexture: { index: 0 } }],
+    layers: [
+      { name: 'skin', normalTexture: { index: 0 }, heightTexture: { index: 1 }, heightAmplitude: 0.001 },
+    ],
     areas: [{ name: 'nose', texture: { index: 1 } }],
     drivers: [{ ...driver, area: 'nose', curve }],
   }
@@ -59,19 +62,22 @@ function file(driver) {
 const scripts = () =>
   performance.getEntriesByType('resource').filter(({ name }) => name.endsWith('.js')).length
 
-/** What a driver makes of its area, and whether files were fetched for it. */
-async function result(driver) {
-  const before = scripts()
+/** Loads a face with a driver. */
+async function load(driver) {
   const loader = new GLTFLoader().register((parser) => new WrinkleLoaderPlugin(parser))
   const [wrinkles] = wrinklesOf(await loader.parseAsync(file(driver), ''))
   if (driver.type === 'input') wrinkles.inputs.set('stress', 0.25)
   wrinkles.update()
-  return `${driver.type} ${wrinkles.getActivation('nose')}${scripts() > before ? ', fetched' : ''}`
+  return wrinkles
 }
 
 try {
-  const morph = await result({ type: 'morph', targets: [{ name: 'jawOpen' }] })
-  document.title = `${morph}; ${await result({ type: 'input', name: 'stress' })}`
+  const morph = await load({ type: 'morph', targets: [{ name: 'jawOpen' }] })
+  const input = await load({ type: 'input', name: 'stress' })
+  const before = scripts()
+  await input.reliefReady()
+  const relief = scripts() > before ? 'relief fetched' : 'relief'
+  document.title = `morph ${morph.getActivation('nose')}; input ${input.getActivation('nose')}; ${relief}`
 } catch (error) {
   document.title = error.message
 }
