@@ -87,7 +87,7 @@ describe('parseStrokes', () => {
     [
       'a misspelt field',
       document({ ...plain, widht: 3 }),
-      'strokes[0] has an unknown field, got "widht", allowed: group, layer, curve, points, width, depth, depths, taper, shoulder, bank, lean, softness, waviness; correct the name or remove it',
+      'strokes[0] has an unknown field, got "widht", allowed: group, layer, curve, points, width, depth, depths, taper, shoulder, bank, lean, softness, waviness; did you mean "width"?',
     ],
     [
       'a width in quotes',

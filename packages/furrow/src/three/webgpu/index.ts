@@ -5,10 +5,7 @@
  */
 
 export * from '../common.ts'
-export type { ArrayTexture } from '../material/array-texture.ts'
 export { extendLoader } from './extend-loader.ts'
-export { reorient } from './mixing/mix-normals.ts'
 export { RecomputedNormals } from './RecomputedNormals.ts'
-export { type Gradients, sampleSlice } from './texture-sampling.ts'
 export { WrinkleLoaderPlugin } from './WrinkleLoaderPlugin.ts'
 export { Wrinkles } from './Wrinkles.ts'
