@@ -22,7 +22,7 @@ export const FILES_FOR_OLDEST = [
   'relief/relief',
 ].map((name) => `test/gpu/${name}.test.ts`)
 
-/** Runs a project on `three-oldest`, the oldest three.js that is allowed. */
+/** Runs a project on `three-oldest`, the oldest three.js whose `WebGPURenderer` is supported; `WebGLRenderer` is supported from r160 on. */
 export function onOldestThree(project: TestProjectInlineConfiguration): TestProjectInlineConfiguration {
   const oldest = (name: string) => name.replace(/^three(?=\/|$)/, 'three-oldest')
   return {

@@ -1,20 +1,25 @@
-// An app in Babylon.js, in strict TypeScript, built by Vite from the packed package.
+// Apps in Babylon.js, in strict TypeScript, built by Vite from the packed package.
 
-import { afterAll, beforeAll, expect, it } from 'vitest'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { DEPENDENCIES } from './npm.ts'
 import { expectFaceThatChanges } from './pressed-app.ts'
 import { type ServedApp, serveApp } from './served-app.ts'
 
-let served: ServedApp
+describe.each([
+  ['the newest Babylon.js', DEPENDENCIES.babylon],
+  ['Babylon.js 8.0', DEPENDENCIES.oldestBabylon],
+])('an app in %s', (_, packages) => {
+  let served: ServedApp
+  beforeAll(async () => {
+    served = await serveApp('babylon', packages)
+  })
+  afterAll(() => served?.close())
 
-beforeAll(async () => {
-  served = await serveApp('babylon', DEPENDENCIES.babylon)
+  it.each([
+    ['WebGL 2', ''],
+    ['WebGPU', 'webgpu'],
+  ])(
+    'shows a surprised face on %s, and the same without wrinkles, from its own files alone',
+    async (_, way) => expect(await expectFaceThatChanges(served, way)).toEqual([]),
+  )
 })
-afterAll(() => served?.close())
-
-it.each([
-  ['WebGL 2', ''],
-  ['WebGPU', 'webgpu'],
-])('shows a surprised face on %s, and the same without wrinkles, from its own files alone', async (_, way) =>
-  expect(await expectFaceThatChanges(served, way)).toEqual([]),
-)

@@ -32,6 +32,7 @@ describe.each([
   },
   { source: 'gltf.ts', peers: GLTF_TRANSFORM, prints: { areas: ['nose'] } },
   { source: 'scene.ts', peers: THREE, prints: { classes: ['Wrinkles', 'Wrinkles'] } },
+  { source: 'webgl.ts', peers: DEPENDENCIES.oldestThree, prints: { classes: ['Wrinkles'] } },
 ])('apps/$source', ({ source, peers, prints }) => {
   let app: string
   beforeAll(async () => {

@@ -15,6 +15,7 @@ const at = (name: string) => `${name}@${devDependencies[name]}`
 export const DEPENDENCIES = {
   three: at('three'),
   types: at('@types/three'),
+  oldestThree: ['three@0.160', '@types/three@0.160'],
   vite: at('vite'),
   typescript: at('typescript'),
   react: [
@@ -25,7 +26,16 @@ export const DEPENDENCIES = {
     '@react-three/fiber',
     '@react-three/drei',
   ].map(at),
+  oldestReact: [
+    'react@18',
+    'react-dom@18',
+    '@types/react@18',
+    '@types/react-dom@18',
+    '@react-three/fiber@8',
+    '@react-three/drei@9',
+  ],
   babylon: ['@babylonjs/core', '@babylonjs/loaders'].map(at),
+  oldestBabylon: ['@babylonjs/core@8.0.1', '@babylonjs/loaders@8.0.1'],
   // Only applications of our tests use these.
   webpack: 'webpack@5.112.2',
   esbuild: 'esbuild@0.28.2',

@@ -1,22 +1,38 @@
-// An app in React Three Fiber, in strict TypeScript, built by Vite from the packed package.
+// Apps in React Three Fiber, in strict TypeScript, built by Vite from the packed package.
 
-import { afterAll, beforeAll, expect, it } from 'vitest'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { DEPENDENCIES } from './npm.ts'
 import { expectFaceThatChanges } from './pressed-app.ts'
 import { type ServedApp, serveApp } from './served-app.ts'
 
-let served: ServedApp
+const { three, types, react, oldestThree, oldestReact } = DEPENDENCIES
 
-beforeAll(async () => {
-  const { three, types, react } = DEPENDENCIES
-  served = await serveApp('react', [three, types, ...react])
-})
-afterAll(() => served?.close())
-
-it.each([
-  ['of a hook', ''],
+const WEBGL = [
+  ['of a hook', 'webgl'],
   ["of a component round drei's <Gltf>", 'gltf'],
-  ['on WebGPURenderer', 'webgpu'],
-])('shows a surprised face by properties %s, and follows them', async (_, way) => {
-  expect(await expectFaceThatChanges(served, way)).toEqual([])
+]
+
+describe.each([
+  {
+    name: 'React Three Fiber 9, React 19 and the newest three.js',
+    packages: [three, types, ...react],
+    ways: [...WEBGL, ['on WebGPURenderer', 'webgpu']],
+    without: [],
+  },
+  {
+    name: 'React Three Fiber 8, React 18 and the oldest three.js',
+    packages: [...oldestThree, ...oldestReact],
+    ways: WEBGL,
+    without: ['ways/webgpu.tsx'],
+  },
+])('an app in $name', ({ packages, ways, without }) => {
+  let served: ServedApp
+  beforeAll(async () => {
+    served = await serveApp('react', packages, without)
+  })
+  afterAll(() => served?.close())
+
+  it.each(ways)('shows a surprised face by properties %s, and follows them', async (_, way) => {
+    expect(await expectFaceThatChanges(served, way!)).toEqual([])
+  })
 })

@@ -16,12 +16,18 @@ export interface ServedApp {
  * Builds an app of `apps` by Vite, with the packed package and the shipped face.
  *
  * @param packages what it installs beside ours, Vite and TypeScript.
+ * @param without files of its sources that it does without.
  */
-export async function serveApp(source: string, packages: readonly string[]): Promise<ServedApp> {
+export async function serveApp(
+  source: string,
+  packages: readonly string[],
+  without: readonly string[] = [],
+): Promise<ServedApp> {
   const folder = await temporaryFolder()
   const { vite, typescript } = DEPENDENCIES
   const app = await createApp(join(folder, 'app'), [inject('tarballs').furrow, vite, typescript, ...packages])
   await cp(join(ROOT, 'test/packages/apps', source), app, { recursive: true })
+  for (const file of without) await remove(join(app, file))
   await cp(join(ROOT, 'faces/human.glb'), join(app, 'public/wrinkled.glb'))
   await run(app, 'npx', 'tsc')
   await run(app, 'npx', 'vite', 'build')

@@ -1,4 +1,6 @@
 import type { WebGLRenderer } from 'three'
+// biome-ignore lint/suspicious/noTsIgnore: it is for those who read the declarations, there is no error here
+/** @ts-ignore Releases of three.js before r167 have no `three/webgpu`: the type is then `any`. */
 import type { WebGPURenderer } from 'three/webgpu'
 import { FurrowError } from '../core/error.ts'
 

@@ -1,7 +1,7 @@
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { GLTFLoader } from '@babylonjs/loaders/glTF/2.0/glTFLoader.js'
 import type { IGLTFLoaderExtension } from '@babylonjs/loaders/glTF/2.0/glTFLoaderExtension.js'
-import type { INode } from '@babylonjs/loaders/glTF/2.0/glTFLoaderInterfaces.js'
+import type { INode, IScene } from '@babylonjs/loaders/glTF/2.0/glTFLoaderInterfaces.js'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import { notFetched } from '../../runtime/file/image-faults.ts'
 import { extensionOf, type FileWrinkles, wrinkleReader } from '../../runtime/file/read-wrinkles.ts'
@@ -36,8 +36,15 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
     this.#transcoderPath = transcoderPath
   }
 
-  /** Called by the loader when everything else is loaded. */
-  async onReady(): Promise<void> {
+  /** Adds the wrinkles when everything else is loaded: Babylon.js 8 waits for this hook, and not for `onReady`. */
+  async loadSceneAsync(context: string, scene: IScene): Promise<void> {
+    await this.#loader.loadSceneAsync(context, scene)
+    await this.#addAll()
+  }
+
+  dispose(): void {}
+
+  async #addAll(): Promise<void> {
     const faces = facesOf(this.#loader)
     if (faces.length === 0) return
     const read = wrinkleReader(fileOf(this.#loader, this.#transcoderPath), (fault) =>
@@ -53,8 +60,6 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
       }
     }
   }
-
-  dispose(): void {}
 
   #add(
     [mesh, ...others]: AbstractMesh[],

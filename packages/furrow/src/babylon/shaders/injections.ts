@@ -26,12 +26,16 @@ export function vertexInjections(isWgsl: boolean): Injections {
  */
 export function fragmentInjections(kind: ShaderKind, isWgsl: boolean, layers: MixedLayers): Injections {
   const d = isWgsl ? WGSL : GLSL
-  const normal = texel(d, 'bump', 'Bump')
-  return {
-    CUSTOM_FRAGMENT_DEFINITIONS: mixing(d, layers),
-    [replacing(normal)]: `furrowMixNormals(${normal},${d.passed('vBumpUV')}+uvOffset)`,
-    ...(kind === 'pbr' ? pbr(d, layers.values) : standard(d, layers.values)),
+  const injections = kind === 'pbr' ? pbr(d, layers.values) : standard(d, layers.values)
+  injections.CUSTOM_FRAGMENT_DEFINITIONS = mixing(d, layers)
+  for (const own of texels(d, 'bump', 'Bump')) {
+    // Told apart by what follows: of several equal texts Babylon.js 8 replaces the first one again and again.
+    for (const next of [',', '*']) {
+      injections[replacing(`${own}.xyz${next}`)] =
+        `furrowMixNormals(${own}.xyz,${d.passed('vBumpUV')}+uvOffset)${next}`
+    }
   }
+  return injections
 }
 
 type Values = Readonly<Partial<Record<ValueKind, unknown>>>
@@ -63,8 +67,9 @@ metallicRoughness.g*=furrowMix_roughness(${one}).x;
   }
   if (occlusion) {
     injections.CUSTOM_FRAGMENT_BEFORE_LIGHTS = `furrowVisibility = furrowMix_occlusion(${one}).x;`
-    const map = `${texel(d, 'ambient', 'Ambient').replace('.xyz', '.rgb')}`
-    injections[replacing(`${map};`)] = `furrowMix_occlusion(${map});`
+    for (const own of texels(d, 'ambient', 'Ambient')) {
+      injections[replacing(`${own}.rgb;`)] = `furrowMix_occlusion(${own}.rgb);`
+    }
     const unoccluded = d.isWgsl
       ? 'var ambientOcclusionColor: vec3f= vec3f(1.,1.,1.);'
       : 'vec3 ambientOcclusionColor=vec3(1.,1.,1.);'
@@ -101,8 +106,9 @@ function standard(d: Dialect, { baseColor, occlusion, blood }: Values): Injectio
     `if (dot(furrowInfluence, ${vec4}(1.0)) > 0.0) { baseColor=${vec4}(${toGamma}(${change}(${toLinear}(baseColor.rgb))),baseColor.a); }`
   const injections: Injections = {}
   if (baseColor) {
-    const map = `baseColor=${texel(d, 'diffuse', 'Diffuse').replace('.xyz', '')};`
-    injections[replacing(map)] = `${map}\n${inLinear('furrowMix_baseColor')}`
+    for (const own of texels(d, 'diffuse', 'Diffuse')) {
+      injections[replacing(`baseColor=${own};`)] = `baseColor=${own};\n${inLinear('furrowMix_baseColor')}`
+    }
   }
   injections.CUSTOM_FRAGMENT_UPDATE_DIFFUSE = [
     baseColor
@@ -111,17 +117,19 @@ function standard(d: Dialect, { baseColor, occlusion, blood }: Values): Injectio
     blood ? inLinear('furrowBloodColour') : '',
   ].join('\n')
   if (occlusion) {
-    const map = texel(d, 'ambient', 'Ambient').replace('.xyz', '.rgb')
-    injections[replacing(`${map}*`)] = `furrowMix_occlusion(${map})*`
+    for (const own of texels(d, 'ambient', 'Ambient')) {
+      injections[replacing(`${own}.rgb*`)] = `furrowMix_occlusion(${own}.rgb)*`
+    }
     injections.CUSTOM_FRAGMENT_BEFORE_LIGHTS = `#ifndef AMBIENT\nbaseAmbientColor=furrowMix_occlusion(${one});\n#endif`
   }
   return injections
 }
 
-/** How Babylon.js reads the texel of a map. */
-function texel({ isWgsl, passed }: Dialect, map: string, name: string): string {
+/** How Babylon.js reads the texel of a map: by a macro in newer releases, by the function itself in 8 and 9.0. */
+function texels({ isWgsl, passed }: Dialect, map: string, name: string): string[] {
   const textures = isWgsl ? `${map}Sampler,${map}SamplerSampler` : `${map}Sampler`
-  return `TEXRD(${textures},${passed(`v${name}UV`)}+uvOffset).xyz`
+  const functions = ['TEXRD', isWgsl ? 'textureSample' : 'texture2D']
+  return functions.map((read) => `${read}(${textures},${passed(`v${name}UV`)}+uvOffset)`)
 }
 
 /** The key of what replaces a text of the shader. */

@@ -1,14 +1,8 @@
-import { useGLTF } from '@react-three/drei'
+import { Gltf } from '@react-three/drei'
 import { Canvas } from '@react-three/fiber'
-import { extendLoader, useWrinkles, type WrinkleState } from 'furrow/react'
+import { extendLoader, Wrinkles } from 'furrow/react'
 import { Suspense, useState } from 'react'
-import { Framed } from './framed.tsx'
-
-function Face(state: WrinkleState) {
-  const gltf = useGLTF('/wrinkled.glb', true, true, extendLoader)
-  useWrinkles(gltf, state)
-  return <primitive object={gltf.scene} />
-}
+import { Framed } from '../framed.tsx'
 
 export function App() {
   const [mode, setMode] = useState<'default' | 'off'>('default')
@@ -17,7 +11,9 @@ export function App() {
       <directionalLight intensity={3} position={[-0.5, 0, 1]} />
       <Suspense>
         <Framed>
-          <Face expression="surprised" mode={mode} />
+          <Wrinkles expression={{ surprised: 1 }} mode={mode}>
+            <Gltf src="/wrinkled.glb" extendLoader={extendLoader} />
+          </Wrinkles>
         </Framed>
       </Suspense>
     </Canvas>

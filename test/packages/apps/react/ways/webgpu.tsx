@@ -3,7 +3,7 @@ import { extendLoader, Wrinkles } from 'furrow/react/webgpu'
 import { Suspense, useState } from 'react'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import * as THREE from 'three/webgpu'
-import { Framed } from './framed.tsx'
+import { Framed } from '../framed.tsx'
 
 declare module '@react-three/fiber' {
   interface ThreeElements extends ThreeToJSXElements<typeof THREE> {}

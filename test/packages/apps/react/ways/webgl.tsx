@@ -1,8 +1,14 @@
-import { Gltf } from '@react-three/drei'
+import { useGLTF } from '@react-three/drei'
 import { Canvas } from '@react-three/fiber'
-import { extendLoader, Wrinkles } from 'furrow/react'
+import { extendLoader, useWrinkles, type WrinkleState } from 'furrow/react'
 import { Suspense, useState } from 'react'
-import { Framed } from './framed.tsx'
+import { Framed } from '../framed.tsx'
+
+function Face(state: WrinkleState) {
+  const gltf = useGLTF('/wrinkled.glb', true, true, extendLoader)
+  useWrinkles(gltf, state)
+  return <primitive object={gltf.scene} />
+}
 
 export function App() {
   const [mode, setMode] = useState<'default' | 'off'>('default')
@@ -11,9 +17,7 @@ export function App() {
       <directionalLight intensity={3} position={[-0.5, 0, 1]} />
       <Suspense>
         <Framed>
-          <Wrinkles expression={{ surprised: 1 }} mode={mode}>
-            <Gltf src="/wrinkled.glb" extendLoader={extendLoader} />
-          </Wrinkles>
+          <Face expression="surprised" mode={mode} />
         </Framed>
       </Suspense>
     </Canvas>

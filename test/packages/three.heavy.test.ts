@@ -1,0 +1,76 @@
+// The page of `three.test.ts` with all its steps: on both ends of each range of releases in docs/versions.md.
+
+import type { Browser } from 'playwright-core'
+import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { NEWEST_THREE, OLDEST_THREE } from '../../packages/furrow/src/three/three-version.ts'
+import { openBrowser } from '../pages/browser.ts'
+import { remove, temporaryFolder } from './npm.ts'
+import { type Drawn, expectAllFeatures, expectSameUnlit, reportOf } from './three-releases.ts'
+
+const RELEASES = [160, 161, 162, 165, 166, 169, 170, 172, 173, 182, 185, 186]
+const NO_RELIEF =
+  /^Wrinkles\.relief of mesh "skin": three\.js is too old for relief, got "r16[01]", allowed: r162 or later/
+
+let folder: string
+let browser: Browser
+let newest: Drawn
+beforeAll(async () => {
+  folder = await temporaryFolder()
+  browser = await openBrowser()
+  newest = await reportOf<Drawn>(browser, folder, NEWEST_THREE, 'index.html')
+})
+afterAll(async () => {
+  await browser?.close()
+  await remove(folder)
+})
+
+it('the newest three.js draws all features, relief too', () => {
+  expectAllFeatures(newest, newest)
+  const { relief, default: plain } = newest.light.result
+  expect(relief).not.toEqual(plain)
+  expect(newest.light.warnings).toEqual([])
+})
+
+it.each(RELEASES)('r%i draws what the newest three.js draws, except for light', async (release) => {
+  const drawn = await reportOf<Drawn>(browser, folder, release, 'index.html')
+  expect(drawn.release).toBe(String(release))
+  expectSameUnlit(drawn, newest)
+  expectAllFeatures(drawn, newest)
+  const { relief, default: plain } = drawn.light.result
+  if (release < 162) {
+    expect(relief).toEqual(plain)
+    expect(drawn.light.warnings).toEqual([expect.stringMatching(NO_RELIEF)])
+  } else {
+    expect(relief).not.toEqual(plain)
+    expect(drawn.light.warnings).toEqual([])
+  }
+})
+
+describe('a three.js that is too old', () => {
+  it.each([
+    ['webgl', OLDEST_THREE['furrow/three'] - 1, 'furrow/three'],
+    ['webgpu', 168, 'furrow/webgpu'],
+    ['webgpu', OLDEST_THREE['furrow/webgpu'] - 1, 'furrow/webgpu'],
+  ] as const)(
+    'for %s, r%i, names the release that is needed; the face is plain',
+    async (way, release, entry) => {
+      // npm itself refuses what is older than the peer range.
+      const options = ['--force']
+      const page = `refused-${way}.html` as const
+      const report = await reportOf<{ warnings: string[]; meshes: number }>(
+        browser,
+        folder,
+        release,
+        page,
+        options,
+      )
+      const oldest = OLDEST_THREE[entry]
+      expect(report.warnings).toEqual([
+        expect.stringContaining(
+          `Wrinkles of ${entry}: three.js is too old, got "r${release}", allowed: r${oldest} or later; npm install three@^0.${oldest}.0`,
+        ),
+      ])
+      expect(report.meshes).toBeGreaterThan(0)
+    },
+  )
+})
