@@ -42,7 +42,7 @@ afterEach(() => {
 })
 
 describe.each(RENDERERS)('loaded for %s', (name) => {
-  const load = async (file: Uint8Array<ArrayBuffer>, relief: 'on' | 'off' | 'auto') => {
+  const load = async (file: Uint8Array<ArrayBuffer>, relief: 'on' | 'off' | 'near') => {
     const harness = await createHarness(name)
     const loader = new GLTFLoader().register((parser) => new harness.Plugin(parser, { relief }))
     return { harness, gltf: await loader.parseAsync(file.slice().buffer, '') }
@@ -77,7 +77,7 @@ describe.each(RENDERERS)('loaded for %s', (name) => {
 
   it('by size heights are read when a millimetre is more than a pixel, and not before', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
-    const { harness, gltf } = await load(await fileWithoutImage(), 'auto')
+    const { harness, gltf } = await load(await fileWithoutImage(), 'near')
     const scene = sceneOf(gltf.scene as never)
     await harness.renderBytes(scene, squareCamera(), 32)
     await new Promise((resolve) => setTimeout(resolve, 100))

@@ -249,7 +249,7 @@ describe.each(RENDERERS)('%s', (name) => {
 
   it('by size on screen, relief is drawn only where it can be seen', async () => {
     const mesh = ball()
-    const wrinkles = new harness.Wrinkles(mesh, heightSet(), { relief: 'auto' })
+    const wrinkles = new harness.Wrinkles(mesh, heightSet(), { relief: 'near' })
     const scene = sceneOf(mesh)
     const far = sideCamera(0.5)
     await picture(scene, far)
@@ -331,7 +331,7 @@ describe.each(RENDERERS)('%s', (name) => {
     ['heights of 10 m', () => ball(), 10, 'reach too far'],
     ['positions that are not numbers', () => brokenBall(), 0.003, 'positions that are not numbers'],
   ])('%s cost the relief and one warning, also by size', async (_, make, heightAmplitude, message) => {
-    for (const relief of ['on', 'auto'] as const) {
+    for (const relief of ['on', 'near'] as const) {
       const { layers, areas } = heightSet()
       const { warnings } = await drawn(make(), { layers: [{ ...layers[0], heightAmplitude }], areas }, relief)
       expect(warnings).toEqual([expect.stringContaining(message)])
@@ -351,7 +351,7 @@ describe.each(RENDERERS)('%s', (name) => {
     const { layers, areas } = heightSet()
     const readHeight = vi.fn()
     const unread = { ...layers[0], height: undefined, readHeight }
-    const { wrinkles, warnings, scene } = await drawn(make(), { layers: [unread], areas }, 'auto')
+    const { wrinkles, warnings, scene } = await drawn(make(), { layers: [unread], areas }, 'near')
     expect(warnings).toEqual([])
     expect(readHeight).not.toHaveBeenCalled()
     wrinkles.relief = 'on'
@@ -364,7 +364,7 @@ describe.each(RENDERERS)('%s', (name) => {
     const large = ball()
     large.geometry.scale(20, 20, 20)
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
-    const wrinkles = await raised(large, heightSet(), { relief: 'auto' })
+    const wrinkles = await raised(large, heightSet(), { relief: 'near' })
     expect(warn).not.toHaveBeenCalled()
     wrinkles.relief = 'on'
     expect(warn.mock.calls).toEqual([[expect.stringContaining('so their edges are longer')]])
@@ -373,7 +373,7 @@ describe.each(RENDERERS)('%s', (name) => {
   })
 
   /** What has been warned of when a mesh that cannot have relief was drawn some times, and will be. */
-  async function drawn(mesh: Mesh, set: WrinkleSet, relief: 'on' | 'auto') {
+  async function drawn(mesh: Mesh, set: WrinkleSet, relief: 'on' | 'near') {
     const warnings: string[] = []
     vi.spyOn(console, 'warn').mockImplementation((text) => warnings.push(text))
     const wrinkles = await raised(mesh, set, { relief })

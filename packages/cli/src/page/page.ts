@@ -64,7 +64,7 @@ async function draw(job: PageJob): Promise<PageReport> {
   stage.camera.aspect = width / height
   stage.view(job.view)
   // By size on screen, it is the first frame that tells whether the next ones have relief.
-  if (job.relief === 'auto') await readPicture(stage, width, height)
+  if (job.relief === 'near') await readPicture(stage, width, height)
   const pixels = await readPicture(stage, width, height)
   const response = await fetch(job.uploadTo, { method: 'POST', body: pixels as BodyInit })
   if (!response.ok) throw new Error(`the picture was not received (HTTP status ${response.status})`)

@@ -4,7 +4,7 @@
 export const VIEW_NAMES = ['front', 'left', 'right', 'three-quarter', 'close'] as const
 export const RENDERER_NAMES = ['webgl', 'webgpu'] as const
 export const MODE_NAMES = ['default', 'paper', 'composed', 'off'] as const
-export const RELIEF_NAMES = ['off', 'on', 'auto'] as const
+export const RELIEF_NAMES = ['off', 'on', 'near'] as const
 
 /** Limits of the sides of a picture in pixels. */
 export const PICTURE_SIDE = { min: 16, max: 8192 } as const
@@ -48,7 +48,7 @@ export const PICTURE_DEFAULTS = {
   view: 'front',
   renderer: 'webgl',
   mode: 'default',
-  relief: 'auto',
+  relief: 'near',
 } as const satisfies Partial<PictureRequest>
 
 /** What the page is to draw: the request with all defaults applied and files as addresses. */

@@ -12,12 +12,12 @@ export type WrinkleMode = 'default' | 'paper' | 'composed' | 'off'
 const MODES: readonly WrinkleMode[] = ['default', 'paper', 'composed', 'off']
 
 /**
- * `on` moves the surface itself by the layers' heights, so that wrinkles change outlines and shadows; `auto` does so where a millimetre
+ * `on` moves the surface itself by the layers' heights, so that wrinkles change outlines and shadows; `near` does so where a millimetre
  * is more than a pixel and an area is active; `off` never does.
  */
-export type ReliefMode = 'off' | 'on' | 'auto'
+export type ReliefMode = 'off' | 'on' | 'near'
 
-const RELIEF_MODES: readonly ReliefMode[] = ['off', 'on', 'auto']
+const RELIEF_MODES: readonly ReliefMode[] = ['off', 'on', 'near']
 
 /** How wrinkles are shown; defaults are in `WRINKLES_DEFAULTS`. */
 export interface WrinklesOptions {
@@ -30,7 +30,7 @@ export interface WrinklesOptions {
    * never fade.
    */
   fadeBelow?: number
-  /** Whether the layers' heights move the surface, `auto` by default. Heights are decoded, and triangles split, when that is first wanted. */
+  /** Whether the layers' heights move the surface, `near` by default. Heights are decoded, and triangles split, when that is first wanted. */
   relief?: ReliefMode
 }
 
@@ -48,7 +48,7 @@ export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = {
   mode: 'default',
   areaSize: DEFAULT_AREA_SIZE,
   fadeBelow: 0,
-  relief: 'auto',
+  relief: 'near',
 }
 
 /** @throws FurrowError when there is no such mode. */

@@ -85,7 +85,7 @@ export class ReliefControl {
     this.#mode = mode
     this.#tellLimitation()
     // By size the next frame tells.
-    if (mode !== 'auto') this.#show(mode === 'on')
+    if (mode !== 'near') this.#show(mode === 'on')
   }
 
   /** Splits the meshes, and shows the relief if the mode is `on`. */
