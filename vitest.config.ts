@@ -98,7 +98,7 @@ function gpuProject(name: string, include: string[]): TestProjectInlineConfigura
   return {
     resolve,
     ssr,
-    plugins: [serveFaces(ssr), mtoonNodes()],
+    plugins: [serveFaces(SOURCES), mtoonNodes()],
     optimizeDeps: {
       // What is found late is optimised then, and reloads the page in the middle of a test: what is not listed is served as it is.
       noDiscovery: true,

@@ -13,9 +13,9 @@ const moduleOf = (name: string) => fileURLToPath(new URL(name, import.meta.url))
  * list of bare faces at `/packed/bare-faces.json`; those of `damaged-faces.ts` at `/damaged-faces.json`, and the cases of
  * `export-cases.ts` at `/export-cases.json`.
  *
- * @param ssr how the modules that make them are resolved, in Node.
+ * @param sources how the modules that make them are resolved, in Node.
  */
-export function serveFaces(ssr: InlineConfig['ssr']): Plugin {
+export function serveFaces(sources: Sources): Plugin {
   return {
     name: 'furrow-faces',
     configureServer({ middlewares, config: { root } }) {
@@ -26,7 +26,7 @@ export function serveFaces(ssr: InlineConfig['ssr']): Plugin {
       const serve = (path: string, answer: (faces: Modules, url: string) => Promise<string | Readable>) =>
         middlewares.use(path, async ({ url = '' }, response, next) => {
           try {
-            opened ??= openModules(root, ssr)
+            opened ??= openModules(root, sources)
             const content = await answer(await opened, url)
             if (typeof content === 'string') response.end(content)
             else content.pipe(response)
@@ -52,11 +52,14 @@ type Modules = typeof import('./pack-faces.ts') &
   typeof import('./damaged-faces.ts') &
   typeof import('./export-cases.ts')
 
+type Sources = Pick<InlineConfig, 'resolve' | 'ssr'>
+
 /** In a server of its own: Vitest's changes dynamic imports so that they work in the browser alone. */
-async function openModules(root: string, ssr: InlineConfig['ssr']): Promise<Modules> {
+async function openModules(root: string, { resolve, ssr }: Sources): Promise<Modules> {
   const server = await createServer({
     root,
     configFile: false,
+    resolve: { alias: resolve?.alias },
     ssr,
     optimizeDeps: { noDiscovery: true },
     server: { middlewareMode: true, hmr: false, ws: false, watch: null },
