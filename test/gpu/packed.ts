@@ -41,7 +41,7 @@ export async function posedPicture(harness: Harness, gltf: GLTF, mode: 'default'
 function skinOf(gltf: GLTF): Mesh {
   let skin: Mesh | undefined
   gltf.scene.traverse((object) => {
-    if (wrinklesOf(object as Mesh)) skin ??= object as Mesh
+    if ((object as Mesh).isMesh && wrinklesOf(object as Mesh)) skin ??= object as Mesh
   })
   return skin!
 }

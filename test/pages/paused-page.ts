@@ -47,7 +47,7 @@ export async function drawSettled(page: Page): Promise<void> {
     Promise.all([import('three'), import('furrow/three')]).then(([{ Scene }, { wrinklesOf }]) => {
       Scene.prototype.onBeforeRender = (_, scene) => {
         const all = new Set()
-        scene.traverse((object) => all.add(wrinklesOf(object)))
+        scene.traverse((object) => object.isMesh && all.add(wrinklesOf(object)))
         window.reliefReady ??= Promise.all([...all].map((wrinkles) => wrinkles?.reliefReady()))
       }
     })`)
@@ -65,7 +65,7 @@ export async function switchWrinkles(page: Page, mode: 'off' | 'default'): Promi
     Promise.all([import('three'), import('${furrow}')]).then(([{ Scene }, { wrinklesOf }]) => {
       Scene.prototype.onBeforeRender = (_, scene) =>
         scene.traverse((object) => {
-          const wrinkles = wrinklesOf(object)
+          const wrinkles = object.isMesh && wrinklesOf(object)
           if (wrinkles) wrinkles.mode = '${mode}'
         })
     })`)
