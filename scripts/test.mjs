@@ -125,7 +125,10 @@ async function prepared(project, test) {
   return before.every(({ state }) => state === 'passed') ? [...before, await test()] : before
 }
 
-const node = (script, ...words) => [process.execPath, `node_modules/${script}`, ...words]
+/** Words that run a script of an installed package. */
+function node(script, ...words) {
+  return [process.execPath, `node_modules/${script}`, ...words]
+}
 
 async function checkAdapters() {
   const adapters = await readAdapters()
