@@ -10,6 +10,7 @@ import { validateBytes } from 'gltf-validator'
 import { strokesIn } from '../../packages/files/src/wrinkles/strokes.ts'
 import { readBases } from './bases.ts'
 import { type Case, makeCase } from './cases.ts'
+import { peakMemory } from './peak-memory.ts'
 import { quietly } from './quietly.ts'
 import { Random } from './random.ts'
 
@@ -93,7 +94,7 @@ async function attempt({ command, seed, index, seconds, folder }: Task): Promise
     outcome = 'left files'
   if (outcome === 'success') message = await newErrors(made)
   if (message && outcome === 'success') outcome = 'invalid output'
-  const peak = 1024 * process.resourceUsage().maxRSS
+  const peak = peakMemory()
   return { outcome, message, milliseconds, bytes: made.bytes, peak }
 }
 

@@ -7,6 +7,7 @@ import { packCommand } from '../../packages/cli/src/commands/pack.ts'
 import { strokesCommand } from '../../packages/cli/src/commands/strokes.ts'
 import { unpackCommand } from '../../packages/cli/src/commands/unpack.ts'
 import { validateCommand } from '../../packages/cli/src/commands/validate.ts'
+import { peakMemory } from './peak-memory.ts'
 import { quietly } from './quietly.ts'
 
 export interface RunCost {
@@ -34,10 +35,10 @@ const error = await quietly(() => command.parseAsync(parameters, { from: 'user' 
   () => undefined,
   ({ name, message }: Error) => ({ name, message }),
 )
-const { maxRSS, userCPUTime, systemCPUTime } = process.resourceUsage()
+const { userCPUTime, systemCPUTime } = process.resourceUsage()
 const cost: RunCost = {
   ...(error && { error }),
-  megabytes: Math.round(maxRSS / 1024),
+  megabytes: Math.round(peakMemory() / 2 ** 20),
   seconds: (userCPUTime + systemCPUTime) / 1e6,
 }
 process.stdout.write(JSON.stringify(cost))
