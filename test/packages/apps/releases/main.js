@@ -1,6 +1,14 @@
 // The shipped face on one release of three.js: what it draws by way of `WebGLRenderer`, in steps, of which `?step=influence` names some.
 
-import { frameFace, updateArea, updateLayer, WrinkleLoaderPlugin, Wrinkles, wrinklesOf } from 'furrow/three'
+import {
+  frameFace,
+  setDrivers,
+  updateArea,
+  updateLayer,
+  WrinkleLoaderPlugin,
+  Wrinkles,
+  wrinklesOf,
+} from 'furrow/three'
 import {
   AmbientLight,
   BatchedMesh,
@@ -153,6 +161,8 @@ async function batch() {
     mesh.setMatrixAt(id, place.matrix)
   }
   const wrinkles = new Wrinkles(mesh, source)
+  // The planes have no blendshapes for the face's drivers.
+  setDrivers(wrinkles, [])
   wrinkles.setActivation('foreheadLeft', 1, ids[1])
   showNormals(material)
   const camera = new OrthographicCamera(-1, 1, 1, -1, 0, 2)
