@@ -68,7 +68,7 @@ const LAZY_CHUNKS: typeof CHUNKS = [
   ['relief-webgl', /^three\/webgl\/relief\//],
   ['relief-webgpu', /^three\/webgpu\/relief\//],
   ['relief', /(^|\/)relief\//],
-  ['auto', /^auto\//],
+  ['auto-worker', /^auto\//],
 ]
 
 interface Graph {

@@ -56,7 +56,7 @@ it('runs as built by Vite, in a file that is fetched when it is used', async () 
   const dist = join(app, 'dist')
   expect(await titleOf(browser, dist, 'index.html')).toBe(MADE)
   const [page] = (await readdir(join(dist, 'assets'))).filter((file) => file.startsWith('index-'))
-  expect((await readFile(join(dist, 'assets', page!))).length).toBeLessThan(10_000)
+  expect((await readFile(join(dist, 'assets', page!))).length).toBeLessThan(15_000)
 })
 
 it('runs as built by webpack', async () => {
