@@ -1,4 +1,4 @@
-// What a page downloads of the library: minified, each file compressed by itself, without three.js and other peers.
+// The download of a page: minified, each file compressed by itself, without three.js and other peers.
 
 import { brotliCompressSync, gzipSync } from 'node:zlib'
 import { build } from 'vite'

@@ -1,4 +1,4 @@
-// What must hold before every change: `npm test`. All that it leaves out: `npm run test:all`, which takes hours on two cores; with
+// `npm test` checks every change. `npm run test:all` runs the rest, which takes hours on two cores; with
 // `-- --shard 2/8` the second of eight parts, with `-- --minutes 10` what that time allows, what changed lately first.
 // Other words after `--` go to Vitest, e.g. `npm test -- --project unit test/unit/drivers`.
 
@@ -24,7 +24,7 @@ const TOGETHER = 8
 const LEAST = 150_000
 const SITE = 360_000
 
-/** What some projects need first. */
+/** Steps that some projects need first. */
 const PREPARATIONS = {
   site: async () => {
     if (Date.now() > process.env.FURROW_TEST_UNTIL - SITE) return [{ name: 'site', state: 'left out' }]
@@ -74,7 +74,7 @@ function readShard(text) {
   throw new Failure(`test: --shard is "${text}", allowed: I/N with I from 1 to N; e.g. 2/8`)
 }
 
-/** What `npm test` runs, two things at a time, each of which keeps a core busy. */
+/** Runs `npm test`, two parts at a time, each of which keeps a core busy. */
 async function testQuickly() {
   const tests = (await listTests()).filter(isQuick)
   return sideBySide([
@@ -86,7 +86,7 @@ async function testQuickly() {
   ])
 }
 
-/** What `npm test` leaves out: all, one shard, or what the time allows. */
+/** Runs the tests that `npm test` leaves out: all, one shard, or as many as the time allows. */
 async function testAll(shard, until) {
   const tests = (await listTests()).filter(isInAll)
   if (until === undefined) {
@@ -104,7 +104,7 @@ async function testAll(shard, until) {
   return results
 }
 
-/** What the words for Vitest say. */
+/** Runs the tests that the words for Vitest name. */
 async function testWith(words) {
   const [, project] = /--project[= ](\S+)/.exec(words.join(' ')) ?? []
   return prepared(project, () => vitest(project ?? 'tests', words))
@@ -195,7 +195,7 @@ async function vitest(name, words) {
   }
 }
 
-/** Of steps other than tests what they print is shown only if they fail. */
+/** Runs a step. The output of steps other than tests is shown only if they fail. */
 async function timed(name, words, options = { quiet: true }) {
   say(name)
   const start = performance.now()

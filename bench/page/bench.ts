@@ -9,7 +9,7 @@ export interface Bench {
   timedRenderer: TimedRenderer
   face: Face
   scene: Scene
-  /** What occlusion darkens: lights alone cast no light that it would. */
+  /** Ambient light, the only light that occlusion darkens. */
   surroundings: Light
   camera: PerspectiveCamera
 }

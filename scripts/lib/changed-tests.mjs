@@ -106,7 +106,7 @@ function commitNumber() {
     : Number(git('rev-list', '--count', 'HEAD'))
 }
 
-/** What git prints; nothing where it fails. */
+/** Output of git; empty where it fails. */
 function git(...words) {
   return spawnSync('git', words, { cwd: ROOT, encoding: 'utf8' }).stdout.trim()
 }

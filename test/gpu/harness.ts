@@ -21,7 +21,7 @@ import { inject } from 'vitest'
 const PATHS = ['webgl', 'webgpu', 'webgpu on webgl2'] as const
 export type RendererName = (typeof PATHS)[number]
 
-/** Those that are tested: before every change without the second renderer's other backend, which runs the same nodes. */
+/** Renderers that are tested: before every change without the second renderer's other backend, which runs the same nodes. */
 export const RENDERERS: readonly RendererName[] = inject('inDepth') ? PATHS : ['webgl', 'webgpu']
 
 /** The number of random cases that are compared with the reference, or the first of them. */

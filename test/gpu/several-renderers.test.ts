@@ -47,7 +47,7 @@ it.each(RENDERERS)('faces of two renderers on one page do not disturb each other
       expect(largestDifference(await second.picture(), wanted), `${lead} second ${i}`).toBe(0)
       expect(largestDifference(await first.picture(), wanted), `${lead} first ${i}`).toBe(0)
     }
-    // What stands is not drawn again because the other renderer drew its own.
+    // A face that stands still is not drawn again because the other renderer drew its own.
     for (let i = 0; i < 2; i++) for (const { images } of faces) expect(await images()).toBe(1)
     for (const { set } of faces) set(0.9)
     const moved = await first.picture()

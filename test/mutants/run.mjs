@@ -127,7 +127,7 @@ function childrenOf(pid) {
     .map(([child]) => Number(child))
 }
 
-/** What each test file reaches, and how long it takes. Files that fail by themselves tell nothing. */
+/** Reach and time of each test file. Files that fail by themselves are left out. */
 async function whatIsReached() {
   const folder = values.reached ?? mkdtempSync(join(tmpdir(), 'furrow-reached-'))
   const report = join(folder, 'report')

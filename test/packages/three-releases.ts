@@ -7,7 +7,7 @@ import { openPage } from '../pages/browser.ts'
 import { startStaticServer } from '../pages/static-server.ts'
 import { createApp, ROOT } from './npm.ts'
 
-/** What a step of the page drew, in RGB, and what the console was told meanwhile. */
+/** Picture of a step of the page, in RGB, and the warnings meanwhile. */
 interface Step<T> {
   result: T
   warnings: string[]
@@ -22,7 +22,7 @@ interface Unlit {
 /** The steps of `apps/releases/main.js` that depend on wrinkles alone. */
 const UNLIT = ['influence', 'normals'] as const
 
-/** What `apps/releases/main.js` reports. */
+/** The report of `apps/releases/main.js`. */
 export interface Drawn extends Record<(typeof UNLIT)[number], Step<Unlit>> {
   release: string
   /** Normals of two faces of a `BatchedMesh`, side by side. */

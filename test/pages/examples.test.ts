@@ -145,7 +145,7 @@ test.each([
   expect(widthsOnPhone.get(name)).toBeLessThanOrEqual(PHONE.width)
 })
 
-// That it makes wrinkles, and takes its bar away: `examples-auto.test.ts`.
+// `examples-auto.test.ts` checks that it makes wrinkles and takes its bar away.
 test('auto.html shows the face and its bar while it makes wrinkles', async () => {
   const { page, complaints } = await openPage(browser, { viewport: PHONE })
   await openPaused(page, `${server.origin}/examples/auto.html`)

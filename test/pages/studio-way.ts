@@ -35,7 +35,7 @@ export interface Heights {
   chin: number
 }
 
-/** Of the shipped face. */
+/** Heights of the shipped face. */
 export const OF_HUMAN: Heights = { forehead: 0.23, chin: 0.67 }
 
 /** Mean difference of pictures of the same work, in 0..255. */

@@ -7,7 +7,7 @@ import { SAMPLES } from '../../conformance/src/samples.ts'
 
 const FOLDER = fileURLToPath(new URL('../../conformance/files', import.meta.url))
 
-// What other programs store differs with their versions.
+// Files of other programs differ with their versions.
 const own = SAMPLES.filter(({ file }) => file.storage === undefined)
 
 it.each(own)('$name is what npm run conformance makes', async (sample) => {

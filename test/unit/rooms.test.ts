@@ -71,7 +71,7 @@ function isAllowed(room: string, name: string): boolean {
   }
   if (name.startsWith('.') || /^furrow\b/.test(name))
     return others.includes(name) || (home !== LIBRARY && [...PUBLIC, 'furrow/internal'].includes(name))
-  // Of packages of others only the library's are listed.
+  // The table lists other packages for the library alone.
   return home !== LIBRARY || others.includes(name.replace(/^((?:@[^/]+\/)?[^/]+).*$/, '$1'))
 }
 

@@ -28,10 +28,10 @@ export interface ExportOptions extends TargetNames {
 export interface ExportedFace {
   /** As a `.glb`, whose name a `.vrm` may have too. */
   bytes: Uint8Array
-  /** What `furrow validate` says about it. */
+  /** Findings of `furrow validate`. */
   findings: Finding[]
   cost: Cost
-  /** What the artist should know about what she packed. */
+  /** Warnings for the artist. */
   warnings: string[]
 }
 

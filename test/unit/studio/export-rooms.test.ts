@@ -7,7 +7,7 @@ const ROOT = fileURLToPath(new URL('../../../', import.meta.url))
 const EXPORT = join(ROOT, 'studio/src/export')
 const FILES = join(ROOT, 'packages/files')
 
-/** What Node and browsers do differently, by the name that is imported. */
+/** Modules that differ between Node and browsers, by the imported name. */
 const PLATFORMS: Record<string, { node: string; default: string }> = JSON.parse(
   readFileSync(join(FILES, 'package.json'), 'utf8'),
 ).imports

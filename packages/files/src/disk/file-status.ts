@@ -7,7 +7,7 @@ export function fileProblem(found: Pick<Stats, 'isFile' | 'isDirectory'> | undef
   return found.isDirectory() ? 'it is a folder' : 'it is a device, pipe or socket'
 }
 
-/** What is at a path; undefined where nothing is. */
+/** Reads the status of a path; undefined where there is nothing. */
 export async function statOf(path: string): Promise<Stats | undefined> {
   return stat(path).catch(ignoreMissing)
 }

@@ -10,6 +10,6 @@ export interface Glb {
   fileBytes: number
   /** The file as it was read. */
   bytes: Uint8Array
-  /** What it referred to, by URI, which is part of the binary chunk now. */
+  /** Files that the source referred to, by URI; the binary chunk has their bytes. */
   references: ReadonlyMap<string, Reference>
 }

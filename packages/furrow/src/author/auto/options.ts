@@ -16,7 +16,7 @@ export interface AutoOptions {
   areaSize?: number
   /** Any whole number; the same one gives the same wrinkles. */
   seed?: number
-  /** Of regions of a face that get other lines than `seed` gives them. The forehead has one, `foreheadInner`: its lines run through both. */
+  /** Seeds of single regions, in place of `seed`. The forehead has one, `foreheadInner`: its lines run through both of its regions. */
   seeds?: Readonly<Partial<Record<AutoRegion, number>>>
   /** Layers at most, 1..4; with fine furrows 2 or more. */
   layers?: number

@@ -5,7 +5,7 @@ import type { ActivationTable } from './activation-table.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
-/** What a material shows as gray. */
+/** Influence that a material shows as gray. */
 export interface InfluenceView {
   /** Its normal map has the texture coordinates. */
   wrinkled: Pick<WrinkleMaterial, 'normalMap'>

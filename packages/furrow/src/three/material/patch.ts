@@ -4,7 +4,7 @@ import type { AnyRenderer } from '../renderer.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
-/** What a mode is shown on, and the events of its shader's compilation. */
+/** The face that a mode is shown on, and the events of its shader's compilation. */
 export interface ModeHost {
   readonly material: WrinkleMaterial
   readonly inputs: ShaderInputs
@@ -16,7 +16,7 @@ export interface ModeHost {
   onCompile(renderer: WebGLRenderer): void
 }
 
-/** What makes a material show wrinkles. Whoever changes it has the material built again. */
+/** A change that makes a material show wrinkles. The caller has the material built again. */
 export interface ShownMode {
   /** The material's own normal map, where another one is in its place. */
   base?: Texture

@@ -14,7 +14,7 @@ export const showDefault: RendererParts['showDefault'] = ({ material, inputs, me
   return { ...patchNodes(material, layerNodes(material, inputs, meshes[0], isTiled)), isFor, isCurrent }
 }
 
-/** Which of the maps that layers are mixed into a material has, as bits: nodes are made for these. */
+/** Bits for the maps of a material that layers are mixed into: nodes are made for these. */
 function ownedMaps(material: WrinkleMaterial): number {
   const { map, roughnessMap, aoMap } = material as Partial<MeshStandardMaterial>
   return (map ? 1 : 0) + (roughnessMap ? 2 : 0) + (aoMap ? 4 : 0)
