@@ -20,8 +20,10 @@ const LISTED = 20
 /** How many files of tests begin together where time is limited. */
 const TOGETHER = 8
 
-/** Nothing more begins where less time than this is left, in milliseconds: eight files take two minutes. */
-const LEAST = 150_000
+/** Time that must be left for more files to begin, in milliseconds. */
+const LEAST = 60_000
+
+/** Time that must be left for the site to be built, in milliseconds. */
 const SITE = 360_000
 
 /** Steps that some projects need first. */

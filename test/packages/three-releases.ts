@@ -13,7 +13,7 @@ interface Step<T> {
   warnings: string[]
 }
 
-/** Pictures that depend on wrinkles alone, before and after areas or layers were painted anew. */
+/** Pictures that depend on wrinkles alone, before and after areas or layers are repainted. */
 interface Unlit {
   drawn: number[]
   painted: number[]
@@ -86,7 +86,7 @@ export function expectSameUnlit(drawn: Drawn, other: Drawn): void {
       const difference = largestDifference(own[what], expected[what])
       expect(difference, `${step} ${what} on r${drawn.release}`).toBeLessThanOrEqual(2)
     }
-    expect(largestDifference(own.drawn, own.painted), `${step} painted anew`).toBeGreaterThan(30)
+    expect(largestDifference(own.drawn, own.painted), `${step} repainted`).toBeGreaterThan(30)
     expect(drawn[step].warnings).toEqual([])
   }
 }

@@ -1,4 +1,4 @@
-// The shipped face on one release of three.js: what it draws by way of `WebGLRenderer`, in steps, of which `?step=influence` names some.
+// Draws the shipped face with `WebGLRenderer` on one release of three.js, in steps; `?step=influence` picks single ones.
 
 import {
   frameFace,
@@ -103,7 +103,7 @@ function showAlone(scene, mesh) {
 
 const gray = (size, value) => ({ width: size, height: size, data: new Uint8Array(size * size).fill(value) })
 
-/** The influence map on the moving skin, before and after an area was painted anew. */
+/** The influence map on the moving skin, before and after an area is repainted. */
 async function influence() {
   const { scene, camera, wrinkles } = await openFace()
   showAlone(scene, wrinkles.mesh)
@@ -113,7 +113,7 @@ async function influence() {
   return { drawn, painted: await picture(scene, camera) }
 }
 
-/** Normals of the skin, before and after a layer was painted anew. */
+/** Normals of the skin, before and after a layer is repainted. */
 async function normals() {
   const { scene, camera, wrinkles } = await openFace()
   showAlone(scene, wrinkles.mesh)
