@@ -1,8 +1,8 @@
 /** What each figure is to stay below, by how its name begins: milliseconds until the frame, on a software rasteriser. */
 const GOALS: Record<string, number> = {
   'drop to face': 1000,
-  'first stroke to relief': 100,
-  'stroke to relief': 100,
+  'first stroke to heights': 100,
+  'stroke to heights': 100,
   'longest task': 50,
   'furrow/auto: low': 1000,
   'furrow/auto: scan': 4000,

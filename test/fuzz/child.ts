@@ -4,7 +4,7 @@ import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:f
 import { join } from 'node:path'
 import { Worker } from 'node:worker_threads'
 import { FurrowError } from 'furrow'
-import { wrinkledMaterials, wrinklesOf } from 'furrow-files'
+import { parseWrinkledFile, wrinkledMaterials } from 'furrow-files'
 import { readGlbFile } from 'furrow-files/node'
 import { validateBytes } from 'gltf-validator'
 import { strokesIn } from '../../packages/files/src/wrinkles/strokes.ts'
@@ -125,7 +125,7 @@ async function newErrors({ faces }: Case): Promise<string> {
 async function strokeProblems(path: string): Promise<string[]> {
   try {
     const glb = await readGlbFile(path, 'strokes')
-    const files = wrinkledMaterials(glb).map((material) => wrinklesOf(glb, material, 'strokes'))
+    const files = wrinkledMaterials(glb).map((material) => parseWrinkledFile(glb, material, 'strokes'))
     return files.flatMap((file) => strokesIn(file, 'strokes').problem ?? [])
   } catch {
     // What else is wrong with a face, the validator tells.

@@ -162,7 +162,7 @@ test('an area is painted by a polygon, filled from an image, and mirrored', asyn
 test('the face is shown as clay, and by its strain, which follows the pose', async () => {
   const shaded = await shootAside(page)
   const show = page.getByRole('group', { name: 'Show' })
-  await show.getByText('Relief').click()
+  await show.getByText('Clay').click()
   expect(await meanPngDifference(shaded, await shootAside(page))).toBeGreaterThan(2)
   await show.getByText('Strain').click()
   const rest = await shootAside(page)

@@ -14,7 +14,7 @@ import {
 } from './studio-page.ts'
 
 const AREA = 'lowerLip'
-const LOOKS = ['Relief', 'Strain'] as const
+const LOOKS = ['Clay', 'Strain'] as const
 
 const studio = openStudio({ width: 900, height: 600 })
 let page: Page

@@ -21,7 +21,7 @@ export async function measureLines(bench, add) {
     for (let i = 1; i <= MOVES; i++) {
       const point = { x: to.x, y: to.y + 4 * i }
       const time = await studio.timeToPixel('pointermove', point, () => page.mouse.move(point.x, point.y))
-      add(`${i === 1 ? 'first ' : ''}stroke to relief: ${count} lines`, time)
+      add(`${i === 1 ? 'first ' : ''}stroke to heights: ${count} lines`, time)
     }
     await page.mouse.up()
     const end = { x: to.x, y: to.y + 4 * MOVES }

@@ -48,4 +48,9 @@ export { partOfImage } from './wrinkles/shared-image.ts'
 export { type GpuSizes, kilobytes } from './wrinkles/sizes.ts'
 export { checkStrokes, layersOf, strokesBytes } from './wrinkles/strokes.ts'
 export { unpackWrinkles } from './wrinkles/unpack.ts'
-export { type WrinkledFile, wrinkledFile, wrinkledMaterials, wrinklesOf } from './wrinkles/wrinkled-file.ts'
+export {
+  parseWrinkledFile,
+  type WrinkledFile,
+  wrinkledFile,
+  wrinkledMaterials,
+} from './wrinkles/wrinkled-file.ts'

@@ -13,7 +13,7 @@ export interface DocumentToPack {
 
 /** The maps of a layer that are drawn from strokes, with their heights. */
 export interface StrokeMaps extends DrawnMaps {
-  readonly relief: HeightMap
+  readonly heights: HeightMap
 }
 
 /** A map as it is in a file, or pixels that are not encoded yet. */
@@ -55,7 +55,7 @@ export function packedLayers({ document: { layers, mapSize }, drawn }: DocumentT
  * of the layer's own stay.
  */
 function mapsOf(
-  { normal, occlusion, relief }: StrokeMaps,
+  { normal, occlusion, heights }: StrokeMaps,
   layer: StudioLayer,
 ): Pick<PackedLayer, 'heightAmplitude'> & { maps: { [Name in MapName]?: Pixels } } {
   const maps = {
@@ -63,9 +63,9 @@ function mapsOf(
     occlusion: gray(halfSide(occlusion)),
   }
   if (layer.maps.height) return { maps }
-  const { levels, amplitude } = heightLevels(relief.data)
+  const { levels, amplitude } = heightLevels(heights.data)
   return {
-    maps: { ...maps, height: gray(halfSide({ ...relief, data: levels })) },
+    maps: { ...maps, height: gray(halfSide({ ...heights, data: levels })) },
     heightAmplitude: amplitude,
   }
 }

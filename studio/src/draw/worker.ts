@@ -43,7 +43,7 @@ const service: DrawingService = {
     return preparation.run(stroke ? stepsOf(stroke) : null)
   },
   heights(name) {
-    const heights = sheets.get(name)!.layer.relief.data.slice()
+    const heights = sheets.get(name)!.layer.heights.data.slice()
     return transfer(heights, [heights.buffer])
   },
 }

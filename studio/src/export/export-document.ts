@@ -6,8 +6,8 @@ import {
   inspectWrinkles,
   PACK_DEFAULTS,
   packFace,
+  parseWrinkledFile,
   type TargetNames,
-  wrinklesOf,
 } from 'furrow-files'
 import type { DocumentToPack } from '../document/packed-layers.ts'
 import { type FaceFiles, openFace } from '../files/face-files.ts'
@@ -58,6 +58,6 @@ export async function exportDocument(
   const bytes = encodeGlb(glb)
   const packed = await openFace({ name: face.name, bytes }, WHO)
   const findings = await findingsOf(packed)
-  const report = await inspectWrinkles(wrinklesOf(packed, target.material, WHO), WHO)
+  const report = await inspectWrinkles(parseWrinkledFile(packed, target.material, WHO), WHO)
   return { bytes, findings, cost: costOf(report, ktx2), warnings }
 }

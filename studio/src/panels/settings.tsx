@@ -21,7 +21,7 @@ const MODES: readonly { value: Exclude<WrinkleMode, 'composed'>; label: string; 
 
 const LOOKS: readonly { value: LookName; label: string; title?: string }[] = [
   { value: 'shaded', label: 'Shaded' },
-  { value: 'relief', label: 'Relief', title: 'The shape alone, in clay' },
+  { value: 'clay', label: 'Clay', title: 'The shape alone' },
   { value: 'normals', label: 'Normals' },
   { value: 'influence', label: 'Areas', title: 'Areas of influence times their activations' },
   { value: 'strain', label: 'Strain', title: 'How the present pose compresses and stretches the skin' },

@@ -68,8 +68,8 @@ export function documentToPack({ drawn: { document, maps }, avatar, heights }: D
   const { skins, skin } = avatar
   const drawn = document.layers.flatMap(({ name }, i): [string, StrokeMaps][] => {
     const { normal, occlusion } = maps[i]
-    const relief = heights.get(name)
-    return relief && occlusion ? [[name, { normal, occlusion, relief }]] : []
+    const own = heights.get(name)
+    return own && occlusion ? [[name, { normal, occlusion, heights: own }]] : []
   })
   return {
     document: { ...skins[skin].target, ...document } as DocumentToPack['document'],

@@ -1,6 +1,6 @@
 // `furrow`, `furrow/author` and `furrow/auto`, where nothing else is installed.
 import { EXPRESSIONS, FurrowError, parseWrinkleSetDocument, type WrinkleSetDocument } from 'furrow'
-import { type NormalMap, reliefToNormal } from 'furrow/author'
+import { bumpToNormal, type NormalMap } from 'furrow/author'
 import { autoWrinklesInWorker } from 'furrow/auto'
 
 const set: WrinkleSetDocument = parseWrinkleSetDocument({
@@ -16,7 +16,7 @@ try {
   if (error instanceof FurrowError) message = error.message
 }
 
-const flat: NormalMap = reliefToNormal({ width: 2, height: 1, data: new Float32Array(2) })
+const flat: NormalMap = bumpToNormal({ width: 2, height: 1, data: new Float32Array(2) })
 
 let inNode = ''
 try {

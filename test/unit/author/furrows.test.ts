@@ -96,9 +96,9 @@ describe('furrowHeights', () => {
   })
 
   test('has cells that are longer along the lines of the skin', () => {
-    const relief = strokesToHeight(level, canvas)
-    addFurrows(relief, canvas, { ...FURROWS, stretch: 2 }, level)
-    expect(spacing(relief.data, 'rows') / spacing(relief.data, 'columns')).toBeGreaterThan(1.25)
+    const heights = strokesToHeight(level, canvas)
+    addFurrows(heights, canvas, { ...FURROWS, stretch: 2 }, level)
+    expect(spacing(heights.data, 'rows') / spacing(heights.data, 'columns')).toBeGreaterThan(1.25)
     expect(spacing(data, 'rows') / spacing(data, 'columns')).toBeLessThan(1.15)
   })
 

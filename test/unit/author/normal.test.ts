@@ -1,7 +1,7 @@
 import { type HeightMap, heightToNormal } from 'furrow/author'
 import { type Metric, surfaceMetric } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
-import { slopeAt } from '../../../packages/furrow/src/author/relief/slope.ts'
+import { slopeAt } from '../../../packages/furrow/src/author/normals/slope.ts'
 import { seeded } from '../../random.ts'
 import { flatMetric, sheet } from './planes.ts'
 
@@ -9,7 +9,7 @@ type Vector = [number, number, number]
 
 const SIDE = 256
 
-function relief(f: (u: number, v: number) => number, side = SIDE): HeightMap {
+function heights(f: (u: number, v: number) => number, side = SIDE): HeightMap {
   const data = new Float32Array(side * side)
   for (let i = 0; i < data.length; i++) {
     data[i] = f(((i % side) + 0.5) / side, (Math.floor(i / side) + 0.5) / side)
@@ -42,7 +42,7 @@ describe('heightToNormal', () => {
     const side = 24
     const next = seeded(3)
     for (let round = 0; round < 40; round++) {
-      const map = relief(() => (next() < 0.01 ? 5 : 0), side)
+      const map = heights(() => (next() < 0.01 ? 5 : 0), side)
       const { data } = heightToNormal(map, flatMetric(side, side, side))
       for (let i = 0; i < side * side; i++) {
         const [x, y] = [i % side, Math.floor(i / side)]
@@ -61,10 +61,10 @@ describe('heightToNormal', () => {
     const metric = flatMetric(200, 80, SIDE)
     const [ku, kv] = [2 * Math.PI * 8, 2 * Math.PI * 5]
     const [au, av] = [(0.3 * 200) / ku, (0.5 * 80) / kv]
-    const map = relief((u, v) => au * Math.sin(ku * u) + av * Math.sin(kv * v))
+    const map = heights((u, v) => au * Math.sin(ku * u) + av * Math.sin(kv * v))
     const worst = worstAngle(map, metric, (u, v) => [
       -0.3 * Math.cos(ku * u),
-      // Green points to smaller v, so a relief that rises with v leans that way.
+      // Green points to smaller v, so a slope that rises with v leans that way.
       0.5 * Math.cos(kv * v),
       1,
     ])
@@ -73,7 +73,7 @@ describe('heightToNormal', () => {
 
   it('gives the slope of a cone all round', () => {
     const metric = flatMetric(100, 100, SIDE)
-    const map = relief((u, v) => -0.7 * Math.hypot(100 * (u - 0.5), 100 * (v - 0.5)))
+    const map = heights((u, v) => -0.7 * Math.hypot(100 * (u - 0.5), 100 * (v - 0.5)))
     const worst = worstAngle(map, metric, (u, v) => {
       const r = Math.hypot(u - 0.5, v - 0.5)
       // The tip itself has no normal.
@@ -90,15 +90,15 @@ describe('heightToNormal', () => {
   it('works in the orthonormal frame of a sheared texture', () => {
     // P = u (100, 0, 0) + v (50, -80, 0) mm: +u is x, and smaller v at a right angle to it is y.
     const metric = surfaceMetric(sheet([100, 0, 0], [50, -80, 0]), SIDE)
-    // A plane relief that falls 0.4 mm per mm along x and rises 0.3 along y, written in u and v.
-    const map = relief((u, v) => -0.4 * (100 * u + 50 * v) + 0.3 * (-80 * v))
+    // A plane that falls 0.4 mm per mm along x and rises 0.3 along y, written in u and v.
+    const map = heights((u, v) => -0.4 * (100 * u + 50 * v) + 0.3 * (-80 * v))
     expect(worstAngle(map, metric, () => [0.4, -0.3, 1])).toBeLessThan(0.3)
   })
 
   it('writes what the derivative frame of three.js turns back into the slope', () => {
     // P = u (100, 0, 0) + v (50, -80, 0) mm has the gradients grad u = (1, 0.625) / 100, grad v = (0, -1) / 80.
     const metric = surfaceMetric(sheet([100, 0, 0], [50, -80, 0]), SIDE)
-    const map = relief((u, v) => -0.4 * (100 * u + 50 * v) + 0.3 * (-80 * v))
+    const map = heights((u, v) => -0.4 * (100 * u + 50 * v) + 0.3 * (-80 * v))
     const { data } = heightToNormal(map, metric, 'derivative')
     const longer = Math.max(Math.hypot(1, 0.625) / 100, 1 / 80)
     const [tangent, bitangent] = [
@@ -113,13 +113,13 @@ describe('heightToNormal', () => {
 
   it('gives the same map for both frames where the texture is square', () => {
     const metric = flatMetric(100, 100, 64)
-    const map = relief((u, v) => Math.sin(40 * u) + Math.cos(30 * v), 64)
+    const map = heights((u, v) => Math.sin(40 * u) + Math.cos(30 * v), 64)
     expect(heightToNormal(map, metric, 'derivative')).toEqual(heightToNormal(map, metric, 'orthonormal'))
   })
 
   it('is the flat colour where nothing is drawn', () => {
     const { data } = heightToNormal(
-      relief(() => 0, 4),
+      heights(() => 0, 4),
       flatMetric(10, 10, 4),
     )
     for (let i = 0; i < data.length; i += 4) {
@@ -130,7 +130,7 @@ describe('heightToNormal', () => {
   it('refuses a metric of another size', () => {
     expect(() =>
       heightToNormal(
-        relief(() => 0, 8),
+        heights(() => 0, 8),
         flatMetric(10, 10, 4),
       ),
     ).toThrow(

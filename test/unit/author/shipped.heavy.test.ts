@@ -114,16 +114,16 @@ describe.each(FACES)('faces/%s', (name) => {
   })
 
   it('has their heights, by which relief moves the skin', async () => {
-    const { levels, amplitude } = heightLevels(lines.relief.data)
+    const { levels, amplitude } = heightLevels(lines.heights.data)
     expect(layer.heightAmplitude).toBeCloseTo(amplitude, 6)
     const heights = await grayOf(`${name}/layers/expression/height.png`)
     expect(
-      largestDifference(heights.data, halfSide({ ...lines.relief, data: levels }).data),
+      largestDifference(heights.data, halfSide({ ...lines.heights, data: levels }).data),
     ).toBeLessThanOrEqual(1)
   })
 
   it('has valleys that are deeper in tone', async () => {
-    const { width, height, data } = lines.relief
+    const { width, height, data } = lines.heights
     const { levels, amplitude } = heightLevels(data)
     const half = halfSide({ width, height, data: levels })
     const expected = valleyBlood({
@@ -184,7 +184,7 @@ describe('the areas that ship', () => {
     }
   })
 
-  it('cover every stroke: no relief is left uncovered', async () => {
+  it('cover every stroke: no height is left uncovered', async () => {
     const total = new Float64Array(128 * 128)
     for (const name of AREAS) {
       const weights = await committed(name)

@@ -17,13 +17,13 @@ import { cylinder, folded } from './skins.ts'
 const SIZE = 96
 
 /** All maps of a layer, as bytes. */
-const bytesOf = ({ relief, occlusion, normal }: Pick<StrokeLayer, 'relief' | 'occlusion' | 'normal'>) =>
-  [relief, occlusion, normal].map(({ data }) => Buffer.from(data.buffer.slice(0)))
+const bytesOf = ({ heights, occlusion, normal }: Pick<StrokeLayer, 'heights' | 'occlusion' | 'normal'>) =>
+  [heights, occlusion, normal].map(({ data }) => Buffer.from(data.buffer.slice(0)))
 
 function drawnAnew(strokes: readonly Stroke[], canvas: SkinCanvas, base?: RgbaImage): Buffer[] {
   const laid = strokes.flatMap((stroke) => layOutStroke(stroke, canvas))
   const drawn = drawStrokes(laid, canvas)
-  const detail = heightToNormal(drawn.relief, canvas.metric, 'derivative')
+  const detail = heightToNormal(drawn.heights, canvas.metric, 'derivative')
   return bytesOf({ ...drawn, normal: base ? combineNormals(base, detail) : detail })
 }
 

@@ -47,9 +47,9 @@ describe('a layer of strokes', () => {
     for (const { y0, y1 } of layer.draw([...others, { ...own, depth: 0.5 }]))
       expect(y1 - y0).toBeLessThan(most)
     // What was spoilt elsewhere is still there: it was not drawn again.
-    layer.relief.data.fill(9)
+    layer.heights.data.fill(9)
     layer.draw([...others, own])
-    expect(layer.relief.data.filter((value) => value === 9).length).toBeGreaterThan(200 * 200)
+    expect(layer.heights.data.filter((value) => value === 9).length).toBeGreaterThan(200 * 200)
   })
 
   it('looks for the lines round one that is bent only once', () => {
@@ -105,7 +105,7 @@ describe('a layer of strokes', () => {
       // Only texels within reach of it are looked at.
       expect(found).toBe(first / 2)
       expect(draw(layer, bent(2))).toBe(first / 2)
-      for (const map of ['relief', 'normal', 'occlusion'] as const) {
+      for (const map of ['heights', 'normal', 'occlusion'] as const) {
         const [own, other] = [layer, plain].map((each) => Buffer.from(each[map].data.buffer))
         expect(own.equals(other)).toBe(true)
       }

@@ -4,7 +4,7 @@ import { type Result, toTable } from '../../../bench/studio/table.ts'
 it('has a row per figure, with the goal that its name begins with', () => {
   const rows: Result[] = [
     {
-      figure: 'stroke to relief: 500 lines',
+      figure: 'stroke to heights: 500 lines',
       medians: { before: { submitted: 2200.4, seen: 3000 }, now: { submitted: 59.4, seen: 968 } },
     },
     { figure: 'dab', medians: { now: { submitted: 9.04 } } },
@@ -12,7 +12,7 @@ it('has a row per figure, with the goal that its name begins with', () => {
   expect(toTable(rows, ['before', 'now']).split('\n')).toEqual([
     '| figure | before | drawn | now | drawn | goal |',
     '| --- | --- | --- | --- | --- | --- |',
-    '| stroke to relief: 500 lines | 2,200 | 3,000 | 59 | 968 | 100 |',
+    '| stroke to heights: 500 lines | 2,200 | 3,000 | 59 | 968 | 100 |',
     '| dab |  |  | 9.0 |  |  |',
     '',
   ])

@@ -136,7 +136,7 @@ describe('the report', () => {
     expect(html).toContain('no face was found')
     const sources = [...html.matchAll(/<img src="([^"]+)"/g)].map(([, source]) => source!)
     const areas = areasOf(file('out.glb')).map((_, i) => `area-${i + 1}.webp`)
-    const maps = ['strain-1.webp', ...areas, 'layer-1-normal.webp', 'layer-1-relief.webp']
+    const maps = ['strain-1.webp', ...areas, 'layer-1-normal.webp', 'layer-1-height.webp']
     expect(sources).toEqual(maps)
     expect(readdirSync(file('report')).sort()).toEqual([...maps, 'index.html'].sort())
     for (const source of sources)

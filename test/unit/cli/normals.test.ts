@@ -190,7 +190,7 @@ describe('furrow normals', () => {
     expect(angle(mean, SHAPES.plane.normal())).toBeLessThan(0.5)
   })
 
-  it('turns the relief inside out with a negative strength', async () => {
+  it('turns bumps inside out with a negative strength', async () => {
     await run(file('small.png'), '-o', file('out.png'), '--strength', '4')
     await run(file('small.png'), '-o', file('in.png'), '--strength', '-4')
     const [out] = await readNormals(file('out.png'), 'up')

@@ -16,7 +16,7 @@ import { parseWrinkleMaps } from 'furrow/internal'
 import { MeshoptEncoder } from 'meshoptimizer'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { createIO, createSample, DRIVERS, NAME, STROKES, summary, wrinklesOf } from './sample.ts'
+import { createIO, createSample, DRIVERS, NAME, STROKES, summary, wrinkleMapsOf } from './sample.ts'
 
 const io = createIO()
 const texturesOf = async () => (await createSample()).getRoot().listTextures()
@@ -65,19 +65,19 @@ describe('FurrowWrinkleMaps', () => {
     const copy = cloneDocument(document)
     const before = summary(document)
     expect(summary(copy)).toEqual(before)
-    wrinklesOf(document).listAreas()[0].setName('other').setTexture(null)
-    wrinklesOf(document).setDrivers([]).setStrokes(null)
+    wrinkleMapsOf(document).listAreas()[0].setName('other').setTexture(null)
+    wrinkleMapsOf(document).setDrivers([]).setStrokes(null)
     expect(summary(copy)).toEqual(before)
-    expect(wrinklesOf(copy).listAreas()[1].getLayer()).toBe(wrinklesOf(copy).listLayers()[1])
+    expect(wrinkleMapsOf(copy).listAreas()[1].getLayer()).toBe(wrinkleMapsOf(copy).listLayers()[1])
     expect(await io.writeBinary(copy)).toEqual(await io.writeBinary(await createSample()))
   })
 
   it('keeps strokes as they are, malformed or none', async () => {
     const document = await createSample()
     const strokesAfter = async (strokes: unknown) => {
-      wrinklesOf(document).setStrokes(strokes)
+      wrinkleMapsOf(document).setStrokes(strokes)
       const written = await io.writeJSON(document)
-      const read = wrinklesOf(await io.readJSON(written)).getStrokes()
+      const read = wrinkleMapsOf(await io.readJSON(written)).getStrokes()
       return [(written.json.materials![0].extensions![NAME] as { strokes?: unknown }).strokes, read]
     }
     expect(await strokesAfter(null)).toEqual([undefined, null])
@@ -87,15 +87,15 @@ describe('FurrowWrinkleMaps', () => {
 
   it('preserves slices in files and copies, and distinguishes slices of an array', async () => {
     const document = await createSample()
-    const [layers, areas] = [wrinklesOf(document).listLayers(), wrinklesOf(document).listAreas()]
+    const [layers, areas] = [wrinkleMapsOf(document).listLayers(), wrinkleMapsOf(document).listAreas()]
     const array = areas[0].getTexture()
     for (const [slice, area] of areas.entries()) area.setTexture(array, 0).setSlice(slice)
     layers[0].setSlice('occlusionTexture', 3).setSlice('bloodTexture', 3)
     const slicesOf = (from: typeof document) => [
-      wrinklesOf(from)
+      wrinkleMapsOf(from)
         .listAreas()
         .map((area) => area.getSlice()),
-      wrinklesOf(from)
+      wrinkleMapsOf(from)
         .listLayers()
         .map((layer) => [layer.getSlice('occlusionTexture'), layer.getSlice('normalTexture')]),
     ]
@@ -137,7 +137,7 @@ describe('FurrowWrinkleMaps', () => {
   it('preserves a texture transform', async () => {
     const document = await createSample()
     const transform = document.createExtension(KHRTextureTransform).createTransform().setOffset([0.25, 0])
-    const [layer] = wrinklesOf(document).listLayers()
+    const [layer] = wrinkleMapsOf(document).listLayers()
     layer.getTextureInfo('normalTexture')!.setTexCoord(1).setExtension('KHR_texture_transform', transform)
     const { json } = await io.writeJSON(document)
     expect(json.materials![0].extensions![NAME]).toMatchObject({
@@ -152,7 +152,7 @@ describe('FurrowWrinkleMaps', () => {
         {},
       ],
     })
-    const back = wrinklesOf(await io.readBinary(await io.writeBinary(document)))
+    const back = wrinkleMapsOf(await io.readBinary(await io.writeBinary(document)))
     const info = back.listLayers()[0].getTextureInfo('normalTexture')!
     expect(info.getTexCoord()).toBe(1)
     expect(info.getExtension<Transform>('KHR_texture_transform')!.getOffset()).toEqual([0.25, 0])
@@ -162,32 +162,32 @@ describe('FurrowWrinkleMaps', () => {
     const [one, two] = await Promise.all([createSample(), createSample()])
     const materials = [one, two].map((document) => document.getRoot().listMaterials()[0])
     expect(materials[0].equals(materials[1])).toBe(true)
-    wrinklesOf(two).setDrivers([{ type: 'weather', area: 'brow' }])
+    wrinkleMapsOf(two).setDrivers([{ type: 'weather', area: 'brow' }])
     expect(materials[0].equals(materials[1])).toBe(false)
   })
 
   it.each<[string, (document: Awaited<ReturnType<typeof createSample>>) => void, string]>([
-    ['a texture', (d) => wrinklesOf(d).listAreas()[0].setTexture(null), 'area "brow" has no texture'],
+    ['a texture', (d) => wrinkleMapsOf(d).listAreas()[0].setTexture(null), 'area "brow" has no texture'],
     [
       'a normal map',
-      (d) => wrinklesOf(d).listLayers()[1].setTexture('normalTexture', null),
+      (d) => wrinkleMapsOf(d).listLayers()[1].setTexture('normalTexture', null),
       'layer "down" has no normal texture',
     ],
     [
       'its layer',
-      (d) => wrinklesOf(d).removeLayer(wrinklesOf(d).listLayers()[1]),
+      (d) => wrinkleMapsOf(d).removeLayer(wrinkleMapsOf(d).listLayers()[1]),
       'area "nose" has no layer among those of its material',
     ],
     [
       'areas',
       (d) => {
-        for (const area of wrinklesOf(d).listAreas()) area.dispose()
+        for (const area of wrinkleMapsOf(d).listAreas()) area.dispose()
       },
       'areas has the wrong number',
     ],
     [
       'a driven area',
-      (d) => wrinklesOf(d).setDrivers([{ type: 'morph', area: 'x', targets: [], curve: [] }]),
+      (d) => wrinkleMapsOf(d).setDrivers([{ type: 'morph', area: 'x', targets: [], curve: [] }]),
       'drivers[0].area is unknown, got "x"',
     ],
   ])('refuses to write wrinkles that lack %s', async (_, breakDocument, message) => {
@@ -206,12 +206,12 @@ describe('a script of glTF-Transform', () => {
   beforeAll(async () => {
     const document = await createSample()
     // A duplicate image for dedup: the second layer has a copy of the first one's normals.
-    const twin = wrinklesOf(document).listLayers()[1].getTexture('normalTexture')!
-    twin.setImage(wrinklesOf(document).listLayers()[0].getTexture('normalTexture')!.getImage()!)
+    const twin = wrinkleMapsOf(document).listLayers()[1].getTexture('normalTexture')!
+    twin.setImage(wrinkleMapsOf(document).listLayers()[0].getTexture('normalTexture')!.getImage()!)
     // A uniform image, which prune would replace by a factor.
     const white = { width: 8, height: 8, channels: 3 as const, background: '#fff' }
     const flat = await sharp({ create: white }).png().toBuffer()
-    wrinklesOf(document)
+    wrinkleMapsOf(document)
       .listLayers()[0]
       .getTexture('occlusionTexture')!
       .setImage(flat as Uint8Array as Uint8Array<ArrayBuffer>)
@@ -234,7 +234,7 @@ describe('a script of glTF-Transform', () => {
   })
 
   it('leaves every image readable, in its new size and format', async () => {
-    const wrinkles = wrinklesOf(after)
+    const wrinkles = wrinkleMapsOf(after)
     const images = [
       ...wrinkles.listAreas().map((area) => area.getTexture()!),
       ...wrinkles.listLayers().map((layer) => layer.getTexture('normalTexture')!),

@@ -195,7 +195,7 @@ export async function createSample(): Promise<Document> {
   return document
 }
 
-export function wrinklesOf(document: Document): MaterialWrinkles {
+export function wrinkleMapsOf(document: Document): MaterialWrinkles {
   const material = document
     .getRoot()
     .listMaterials()
@@ -205,7 +205,7 @@ export function wrinklesOf(document: Document): MaterialWrinkles {
 
 /** The extension as plain data, with images by name: what tools must preserve. */
 export function summary(document: Document) {
-  const wrinkles = wrinklesOf(document)
+  const wrinkles = wrinkleMapsOf(document)
   const slots = ['normal', 'baseColor', 'roughness', 'occlusion', 'height', 'blood'] as const
   return {
     extras: wrinkles.getExtras(),

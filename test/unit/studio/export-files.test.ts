@@ -30,7 +30,7 @@ const SIDE = 32
 const LINES: StrokeMaps = {
   normal: { width: SIDE, height: SIDE, data: texels(4, (i) => 100 + (i % 50)) },
   occlusion: { width: SIDE, height: SIDE, data: texels(1, (i) => 200 + (i % 50)) },
-  relief: {
+  heights: {
     width: SIDE,
     height: SIDE,
     data: Float32Array.from(

@@ -15,7 +15,7 @@ function lines(): StrokeMaps {
   return {
     normal: { width: SIDE, height: SIDE, data: new Uint8Array(4 * texels).fill(128) },
     occlusion: { width: SIDE, height: SIDE, data: new Uint8Array(texels).fill(250) },
-    relief: { width: SIDE, height: SIDE, data },
+    heights: { width: SIDE, height: SIDE, data },
   }
 }
 

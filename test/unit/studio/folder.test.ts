@@ -60,7 +60,7 @@ function strokeMaps(value: number): StrokeMaps {
   return {
     normal: { width: SIDE, height: SIDE, data: new Uint8Array(4 * texels).fill(value) },
     occlusion: { width: SIDE, height: SIDE, data: new Uint8Array(texels).fill(value + 1) },
-    relief: { width: SIDE, height: SIDE, data: new Float32Array(texels).fill(value / -100) },
+    heights: { width: SIDE, height: SIDE, data: new Float32Array(texels).fill(value / -100) },
   }
 }
 

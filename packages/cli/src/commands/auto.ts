@@ -15,10 +15,10 @@ import {
   type Glb,
   inspectWrinkles,
   jsonFile,
+  parseWrinkledFile,
   shadingOf,
   stripWrinkles,
   withCommandErrors,
-  wrinklesOf,
 } from 'furrow-files'
 import { FACE_EXTENSIONS, packAuto, readGlbFile } from 'furrow-files/node'
 import { makeReport } from '../auto/report/make-report.ts'
@@ -185,7 +185,7 @@ async function auto(face: string, options: Options): Promise<void> {
     steps.begin('encoding')
     const packed = await packAuto(wrinkles, ktx2, WHO)
     embedWrinkles(glb, found.material, packed, WHO)
-    const cost = costOf(await inspectWrinkles(wrinklesOf(glb, found.material, WHO), WHO), ktx2)
+    const cost = costOf(await inspectWrinkles(parseWrinkledFile(glb, found.material, WHO), WHO), ktx2)
     const files = await faceFiles(glb, output, WHO, rules)
     const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0)
     if (strokes !== undefined) files.push({ path: strokes, bytes: jsonFile(strokesOf(wrinkles)) })

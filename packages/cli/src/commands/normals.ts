@@ -1,6 +1,6 @@
 import { Option } from 'commander'
 import { FurrowError } from 'furrow'
-import { type NormalMap, RELIEF_DEFAULTS, type ReliefOptions, reliefToNormal } from 'furrow/author'
+import { BUMP_DEFAULTS, type BumpOptions, bumpToNormal, type NormalMap } from 'furrow/author'
 import { encodeNormalMap, type HeightImage, readHeightImage } from 'furrow-files/node'
 import { createCommand } from '../command.ts'
 import { writeAll } from '../files.ts'
@@ -11,7 +11,7 @@ import { withBar } from '../progress.ts'
 
 const WHO = 'furrow normals'
 
-interface Options extends Required<Pick<ReliefOptions, 'green' | 'edges'>> {
+interface Options extends Required<Pick<BumpOptions, 'green' | 'edges'>> {
   output: string
   /** In millimetres. */
   depth?: number
@@ -41,17 +41,15 @@ export const normalsCommand = createCommand('normals')
   .addOption(
     new Option('--green <direction>', 'direction of green: glTF and OpenGL use up, Direct3D down')
       .choices(['up', 'down'])
-      .default(RELIEF_DEFAULTS.green),
+      .default(BUMP_DEFAULTS.green),
   )
   .addOption(
     new Option('--edges <kind>', 'wrap for images that tile')
       .choices(['wrap', 'clamp'])
-      .default(RELIEF_DEFAULTS.edges),
+      .default(BUMP_DEFAULTS.edges),
   )
   .addOption(
-    new Option('--bits <bits>', 'bits per channel')
-      .choices(['8', '16'])
-      .default(String(RELIEF_DEFAULTS.bits)),
+    new Option('--bits <bits>', 'bits per channel').choices(['8', '16']).default(String(BUMP_DEFAULTS.bits)),
   )
   .addOption(forceOption())
   .option('--json', 'print the result as JSON')
@@ -71,8 +69,8 @@ async function makeNormals(path: string, options: Options): Promise<void> {
   await checkOutputs([output], WHO, { inputs: [path], force })
   const image = await readHeightImage(path, WHO)
   const { width, height } = image
-  const relief = { width, height, data: inTexels(image, heightRange(width)) }
-  const map = withBar('normals', (progress) => reliefToNormal(relief, { green, edges, bits }, progress))
+  const bump = { width, height, data: inTexels(image, heightRange(width)) }
+  const map = withBar('normals', (progress) => bumpToNormal(bump, { green, edges, bits }, progress))
   await writeAll([{ path: output, bytes: await encodeNormalMap(map) }], WHO)
   const made = { file: output, width, height, bits, green, edges, steepest: steepestSlope(map, bits) }
   const line = json

@@ -133,28 +133,28 @@ async function drawLayer(
   const layer = new StrokeLayer(canvas, { frame })
   const own = strokes.filter((stroke) => (stroke.layer ?? name) === name)
   layer.draw(own)
-  const { relief, occlusion } = layer
-  const blood = await bloodOf(entry, relief, read, who)
-  return encodeLayer({ name, normal: normalOf(), relief, occlusion, blood }, own.length > 0, false)
+  const { heights, occlusion } = layer
+  const blood = await bloodOf(entry, heights, read, who)
+  return encodeLayer({ name, normal: normalOf(), heights, occlusion, blood }, own.length > 0, false)
 
   /** Fine furrows are too shallow for heights: normals alone show them. */
   function normalOf() {
     if (!furrows || (furrows.layer ?? name) !== name) return layer.normal
-    const heights = { ...relief, data: relief.data.slice() }
-    addFurrows(heights, canvas, furrows, strokes)
-    return heightToNormal(heights, canvas.metric, frame)
+    const withFurrows = { ...heights, data: heights.data.slice() }
+    addFurrows(withFurrows, canvas, furrows, strokes)
+    return heightToNormal(withFurrows, canvas.metric, frame)
   }
 }
 
-/** The blood of a layer with new lines, of half the side of its relief. Its valleys are those of its stored heights, so that they can be told apart later. */
+/** The blood of a layer with new lines, of half the side of its heights. Its valleys are those of its stored heights, so that they can be told apart later. */
 async function bloodOf(
   entry: LayerEntry,
-  relief: HeightMap,
+  heights: HeightMap,
   read: ReadFile,
   who: string,
 ): Promise<GrayImage> {
-  const { levels, amplitude } = heightLevels(relief.data)
-  const lines = valleyBlood(millimetresOf(halfSide({ ...relief, data: levels }), amplitude))
+  const { levels, amplitude } = heightLevels(heights.data)
+  const lines = valleyBlood(millimetresOf(halfSide({ ...heights, data: levels }), amplitude))
   if (entry.blood === undefined) return lines
   const { blood, height, heightAmplitude = 0 } = entry
   const old = await decodeGray(await read(blood), blood, who)

@@ -8,13 +8,13 @@ import { joinChannels } from '../wrinkles/shared-image.ts'
 import type { CheckedImage } from './checked-image.ts'
 import type { LayerImages } from './embed.ts'
 
-/** A layer of lines that was drawn. */
-export interface DrawnLayer {
+/** The maps of a layer of lines, as pixels. */
+export interface LayerToEncode {
   name: string
   /** Of kind `detail`. */
   normal: RgbaImage
   /** Millimetres, of the size of the normals, as is the occlusion. */
-  relief: HeightMap
+  heights: HeightMap
   occlusion: GrayImage
   /** With half the side of the normals. */
   blood: GrayImage
@@ -35,7 +35,7 @@ export interface LayerMaps extends Omit<LayerImages, MapName> {
  * @param isShared whether occlusion and blood are one image, as in files; otherwise each is an image of its own.
  */
 export async function encodeLayer(
-  { name, normal, relief, occlusion, blood }: DrawnLayer,
+  { name, normal, heights, occlusion, blood }: LayerToEncode,
   hasHeight: boolean,
   isShared: boolean,
 ): Promise<LayerMaps> {
@@ -53,9 +53,9 @@ export async function encodeLayer(
     blood: shared || (await image(`${name} blood`, { ...blood, channels: 1 })),
   }
   if (!hasHeight) return layer
-  const { levels, amplitude } = heightLevels(relief.data)
-  const heights = await image(`${name} height`, { ...halfSide({ ...relief, data: levels }), channels: 1 })
-  return { ...layer, height: heights, heightAmplitude: amplitude }
+  const { levels, amplitude } = heightLevels(heights.data)
+  const encoded = await image(`${name} height`, { ...halfSide({ ...heights, data: levels }), channels: 1 })
+  return { ...layer, height: encoded, heightAmplitude: amplitude }
 }
 
 async function image(name: string, pixels: Pixels): Promise<CheckedImage> {

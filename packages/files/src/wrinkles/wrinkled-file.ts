@@ -45,11 +45,11 @@ export function wrinkledFile(glb: Glb, path: string, who: string, materialName?:
       remedy: didYouMean(materialName, names, 'name one with --material'),
     })
   }
-  return wrinklesOf(glb, found[0], `${who}: ${path}`)
+  return parseWrinkledFile(glb, found[0], `${who}: ${path}`)
 }
 
 /** The wrinkles of a material that has some, by its index. */
-export function wrinklesOf(glb: Glb, material: number, who: string): WrinkledFile {
+export function parseWrinkledFile(glb: Glb, material: number, who: string): WrinkledFile {
   const json = glb.json.materials![material].extensions![WRINKLE_MAPS]
   return { glb, material, maps: parseWrinkleMaps(json, glb.json.textures?.length ?? 0, who) }
 }

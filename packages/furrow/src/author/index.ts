@@ -14,14 +14,14 @@ export { autoWrinkleSet } from './auto/wrinkle-set.ts'
 export { BAKE_DEFAULTS, type BakedMaps, type BakeOptions, type BakeSource, bakeMaps } from './bake/bake.ts'
 export type { BakeMesh } from './bake/mesh.ts'
 export type { MetricMesh } from './metric.ts'
-export { heightToNormal, type TangentFrame } from './relief/height-to-normal.ts'
 export {
+  BUMP_DEFAULTS,
+  type BumpMap,
+  type BumpOptions,
+  bumpToNormal,
   type NormalMap,
-  RELIEF_DEFAULTS,
-  type Relief,
-  type ReliefOptions,
-  reliefToNormal,
-} from './relief/relief-to-normal.ts'
+} from './normals/bump-to-normal.ts'
+export { heightToNormal, type TangentFrame } from './normals/height-to-normal.ts'
 export { type SkinCanvas, skinCanvas } from './skin/canvas.ts'
 export type { Skin, SkinTarget } from './skin/surface.ts'
 export {

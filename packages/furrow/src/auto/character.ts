@@ -1,5 +1,5 @@
 import { joinParts, type SkinPart } from '../author/auto/surface/join-parts.ts'
-import type { TangentFrame } from '../author/relief/height-to-normal.ts'
+import type { TangentFrame } from '../author/normals/height-to-normal.ts'
 import type { Skin } from '../author/skin/surface.ts'
 
 /** Vectors in memory as a GPU reads them, so that a page need not convert them. */

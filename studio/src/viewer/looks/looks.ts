@@ -19,7 +19,7 @@ export type LookName = Look['name']
 
 /** @property area shows only the influence of this area or these areas, as if fully active. */
 export type Look =
-  | { name: 'shaded' | 'relief' | 'normals' | 'strain' | 'wireframe' }
+  | { name: 'shaded' | 'clay' | 'normals' | 'strain' | 'wireframe' }
   | { name: 'influence'; area?: string | readonly string[] }
 
 /** Areas in orange on the face in its own colours, to find and to paint them. */
@@ -99,7 +99,7 @@ export class Looks {
     this.#discard()
     const without = this.#shaded(this.#plain)
     if (look.name === 'normals') this.#sides = this.#normals()
-    else if (look.name === 'relief') this.#sides = this.#relief()
+    else if (look.name === 'clay') this.#sides = this.#clay()
     else if (look.name === 'strain') this.#sides = { without, with: this.#strained() }
     else if (look.name === 'marked') this.#sides = { without, with: this.#marked(influence!) }
     else if (influence) this.#sides = { without, with: this.#technical(influence) }
@@ -176,7 +176,7 @@ export class Looks {
   }
 
   /** The shape alone, lit as the face is. */
-  #relief(): Record<Side, SideLook> {
+  #clay(): Record<Side, SideLook> {
     const clay = new MeshStandardMaterial(CLAY)
     const sides = this.#wrinkled((maps) => new MeshStandardMaterial({ ...CLAY, ...maps }), clay)
     return { without: { ...sides.without, lit: true }, with: { ...sides.with, lit: true } }

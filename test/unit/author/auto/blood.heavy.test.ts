@@ -57,29 +57,29 @@ describe.each(FACES)('blood of %s', async (_, path) => {
 
   test('shows no lines of its layer', () => {
     for (const { name, layer, weights } of blood.areas) {
-      const { relief } = layers[layer]
-      const scale = relief.width / weights.width
+      const { heights } = layers[layer]
+      const scale = heights.width / weights.width
       let deepest = 0
       for (let i = 0; i < weights.data.length; i++) {
         const x = Math.floor(((i % weights.width) + 0.5) * scale)
         const y = Math.floor((Math.floor(i / weights.width) + 0.5) * scale)
-        deepest = Math.max(deepest, (weights.data[i] / 255) * Math.abs(relief.data[y * relief.width + x]))
+        deepest = Math.max(deepest, (weights.data[i] / 255) * Math.abs(heights.data[y * heights.width + x]))
       }
       expect(deepest, name).toBeLessThan(0.05)
     }
   })
 
   test('is a little deeper in valleys, and as at rest on skin without lines or flushes', () => {
-    for (const [i, { relief }] of layers.entries()) {
+    for (const [i, { heights }] of layers.entries()) {
       const { data } = blood.maps[i]
       const flushed = blood.areas.filter(({ layer }) => layer === i).length > 0
       let valley = 0
       let plain = 0
-      for (const [texel, height] of relief.data.entries()) {
+      for (const [texel, height] of heights.data.entries()) {
         if (height < -0.3) valley = Math.max(valley, data[texel] - 128)
         if (height === 0 && data[texel] !== 128) plain++
       }
-      if (Math.min(...relief.data) < -0.3) expect(valley).toBeGreaterThan(10)
+      if (Math.min(...heights.data) < -0.3) expect(valley).toBeGreaterThan(10)
       expect(plain > 0).toBe(flushed)
     }
   })

@@ -133,7 +133,7 @@ describe.each(FACES)('%s', (name, path) => {
   const deviations = (triangles: readonly number[]) => {
     const { layers } = measured.wrinkles
     return {
-      relief: Math.max(...layers.map(({ relief }) => deviation({ ...relief, channels: 1 }, triangles, 0))),
+      heights: Math.max(...layers.map(({ heights }) => deviation({ ...heights, channels: 1 }, triangles, 0))),
       normal: Math.max(
         ...layers.flatMap(({ normal }) =>
           [0, 1].map((k) => deviation({ ...normal, channels: 4 }, triangles, 128, k)),
@@ -162,12 +162,12 @@ describe.each(FACES)('%s', (name, path) => {
 
   test('nothing creases on eyes, in lips, or on ears', () => {
     const everywhere = deviations([...measured.face.surface.skinTriangles.keys()])
-    expect(everywhere.relief).toBeGreaterThan(1)
+    expect(everywhere.heights).toBeGreaterThan(1)
     expect(everywhere.normal).toBeGreaterThan(80)
     for (const [name, triangles] of smooth) {
       expect(triangles.length, name).toBeGreaterThan(150)
-      const { relief, normal, shade } = deviations(triangles)
-      expect(relief, name).toBeLessThan(FLAT)
+      const { heights, normal, shade } = deviations(triangles)
+      expect(heights, name).toBeLessThan(FLAT)
       expect(normal, name).toBeLessThan(STRAIGHT)
       expect(shade, name).toBeLessThan(1)
     }

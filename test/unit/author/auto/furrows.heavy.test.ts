@@ -28,7 +28,7 @@ beforeAll(async () => {
   for (const age of [30, 50, 70]) made.set(age, make({ age }))
 })
 
-const reliefOf = ({ layers }: AutoWrinkles) => layers.at(-1)!.relief
+const heightsOf = ({ layers }: AutoWrinkles) => layers.at(-1)!.heights
 
 /** Activations of the areas of furrows. */
 function activations(weights: Readonly<Record<string, number>>): Record<string, number> {
@@ -41,7 +41,7 @@ function activations(weights: Readonly<Record<string, number>>): Record<string, 
 /** Heights of texels that an area fully shows. */
 function within(wrinkles: AutoWrinkles, name: string): Float32Array {
   const { width, data } = wrinkles.furrows!.areas.find((area) => area.name === name)!.weights
-  return reliefOf(wrinkles).data.filter((_, texel) => {
+  return heightsOf(wrinkles).data.filter((_, texel) => {
     const [column, row] = [texel % SIZE, Math.floor(texel / SIZE)].map((at) =>
       Math.floor((at * width) / SIZE),
     )
@@ -79,7 +79,7 @@ describe('fine furrows', () => {
     const document = parseStrokes(JSON.parse(JSON.stringify(strokesOf(wrinkles))))
     const drawn = { width: SIZE, height: SIZE, data: new Float32Array(SIZE * SIZE) }
     addFurrows(drawn, skinCanvas(skin, SIZE, SIZE, document.scale), document.furrows!, document.strokes)
-    const off = drawn.data.filter((height, i) => Math.abs(height - reliefOf(wrinkles).data[i]) > 1e-4).length
+    const off = drawn.data.filter((height, i) => Math.abs(height - heightsOf(wrinkles).data[i]) > 1e-4).length
     expect(off / drawn.data.length).toBeLessThan(1e-4)
   })
 
@@ -143,7 +143,7 @@ describe('fine furrows', () => {
     expect(first.furrows!.areas.map(({ name }) => name)).toEqual(['furrowsForehead', 'furrowsBrows'])
     expect(first.furrows!.furrows.depth).toBeCloseTo(2 * made.get(50)!.furrows!.furrows.depth, 3)
     const isSame = (a: AutoWrinkles, b: AutoWrinkles) =>
-      Buffer.compare(Buffer.from(reliefOf(a).data.buffer), Buffer.from(reliefOf(b).data.buffer)) === 0
+      Buffer.compare(Buffer.from(heightsOf(a).data.buffer), Buffer.from(heightsOf(b).data.buffer)) === 0
     expect(isSame(first, again)).toBe(true)
     expect(isSame(first, other)).toBe(false)
   })

@@ -35,10 +35,10 @@ describe('the shipped face with a sixth of its triangles', () => {
     }
   })
 
-  test('has the relief in the same squares, as deep', () => {
-    const [lowRelief, fullRelief] = [reliefOf(low.wrinkles), reliefOf(full.wrinkles)]
-    expect(correlation(lowRelief, fullRelief)).toBeGreaterThan(0.85)
-    const ratio = sum(lowRelief) / sum(fullRelief)
+  test('has the heights in the same squares, as deep', () => {
+    const [lowHeights, fullHeights] = [heightsOf(low.wrinkles), heightsOf(full.wrinkles)]
+    expect(correlation(lowHeights, fullHeights)).toBeGreaterThan(0.85)
+    const ratio = sum(lowHeights) / sum(fullHeights)
     expect(ratio).toBeGreaterThan(0.75)
     expect(ratio).toBeLessThan(1.35)
   })
@@ -64,12 +64,12 @@ async function draw(ratio: number): Promise<DrawnFace> {
   }
 }
 
-/** The volume of all layers' relief by squares of texels, in millimetres times texels: lines a millimetre apart count as the same. */
-function reliefOf({ layers }: AutoWrinkles): Float64Array {
+/** The volume of all layers' heights by squares of texels, in millimetres times texels: lines a millimetre apart count as the same. */
+function heightsOf({ layers }: AutoWrinkles): Float64Array {
   const side = SIZE / SQUARE
   const squares = new Float64Array(side * side)
-  for (const { relief } of layers) {
-    for (const [i, height] of relief.data.entries()) {
+  for (const { heights } of layers) {
+    for (const [i, height] of heights.data.entries()) {
       const [column, row] = [i % SIZE, Math.floor(i / SIZE)].map((k) => Math.floor(k / SQUARE))
       squares[row * side + column] += Math.abs(height)
     }

@@ -12,7 +12,7 @@ const SCANNED = {
 export type ScannedRegion = keyof typeof SCANNED
 export const SCANNED_REGIONS = Object.keys(SCANNED) as ScannedRegion[]
 
-/** The relief of a region as profilometry reports it, in millimetres. */
+/** The profile of a region as profilometry reports it, in millimetres. */
 export interface Profile {
   /** From the deepest valley to the skin beside it: the mean of the deepest tenth of all valleys. */
   depth: number
@@ -34,15 +34,15 @@ const NOISE = 0.15
 /** Weight of an area from which on texels are the region's. */
 const WITHIN = 128
 
-/** Measures the relief that a region's lines are drawn with, fully shown: rows or columns of the height map as scan lines. */
+/** Measures the profile that a region's lines are drawn with, fully shown: rows or columns of the height map as scan lines. */
 export function measureProfile(skin: Skin, wrinkles: AutoWrinkles, region: ScannedRegion): Profile {
   const area = wrinkles.areas.find(({ name }) => name === region)
   if (!area) throw new Error(`no area ${region}`)
-  const { relief } = wrinkles.layers[area.layer]
-  const { width: size } = relief
+  const map = wrinkles.layers[area.layer].heights
+  const { width: size } = map
   const { uu, vv } = skinCanvas(skin, size, size, wrinkles.scale).metric
   const isDown = SCANNED[region] === 'down'
-  const deepest = relief.data.reduce((most, height) => Math.max(most, -height), 0)
+  const deepest = map.data.reduce((most, height) => Math.max(most, -height), 0)
   const valleys: Valley[] = []
   for (let line = 0; line < size; line++) {
     const heights: number[] = []
@@ -53,7 +53,7 @@ export function measureProfile(skin: Skin, wrinkles: AutoWrinkles, region: Scann
         Math.floor((k * area.weights.width) / size),
       )
       const isWithin = area.weights.data[v * area.weights.width + u] >= WITHIN
-      heights.push(isWithin ? relief.data[texel] : Number.NaN)
+      heights.push(isWithin ? map.data[texel] : Number.NaN)
       positions.push(positions[i] + Math.sqrt((isDown ? vv : uu)[texel] || 0) / size)
     }
     valleys.push(...valleysOf(heights, positions, NOISE * deepest))

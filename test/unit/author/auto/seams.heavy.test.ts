@@ -56,13 +56,13 @@ describe.each(FACES)('%s, its texture cut in two at the middle', (_, path) => {
     }) / drawn.steepest
 
   test('is creased at the cut', () => {
-    const deepest = largest(points, ([{ uv }]) => Math.abs(sample(cut.relief, uv)))
+    const deepest = largest(points, ([{ uv }]) => Math.abs(sample(cut.heights, uv)))
     expect(deepest / cut.deepest).toBeGreaterThan(0.2)
     const steepest = largest(points, ([side]) => Math.hypot(...slopeIn(face.cut, cut.levels[0], side)))
     expect(steepest / cut.steepest).toBeGreaterThan(0.4)
   })
 
-  test('has the same relief as uncut', () => {
+  test('has the same heights as uncut', () => {
     // Texels have the same positions on the skin, so nothing is filtered; their sizes, below which no valley is sharp, are means at vertices,
     // which are cut as well: they differ in the triangles at the cut.
     let [atCut, elsewhere] = [0, 0]
@@ -72,7 +72,7 @@ describe.each(FACES)('%s, its texture cut in two at the middle', (_, path) => {
       const sameColumn = isSecond ? 279 - column : column
       const same = isSecond ? (SIZE - 1 - row) * SIZE + sameColumn : texel
       if (!cut.inside[texel] || !whole.inside[same]) continue
-      const error = Math.abs(cut.relief.data[texel] - whole.relief.data[same]) / cut.deepest
+      const error = Math.abs(cut.heights.data[texel] - whole.heights.data[same]) / cut.deepest
       if (Math.abs(sameColumn - SIZE / 2) < 16) atCut = Math.max(atCut, error)
       else elsewhere = Math.max(elsewhere, error)
     }
@@ -83,7 +83,7 @@ describe.each(FACES)('%s, its texture cut in two at the middle', (_, path) => {
   test('has the same height, light and areas on both sides of every cut', () => {
     const { surface } = face
     const texels = new SkinTexels(face.cut, surface, AREA_SIZE, AREA_SIZE)
-    expect(difference(cut.relief) / cut.deepest).toBeLessThan(HEIGHT)
+    expect(difference(cut.heights) / cut.deepest).toBeLessThan(HEIGHT)
     expect(difference(cut.occlusion) / 255).toBeLessThan(SHADE)
     for (const area of drawAreas(texels, face.regions)) {
       expect(difference({ ...area, channels: 1 }) / 255).toBeLessThan(WEIGHT)
@@ -106,7 +106,7 @@ describe.each(FACES)('%s, its texture cut in two at the middle', (_, path) => {
 
   test('would have a seam if the skin ended at its islands', () => {
     const ended = draw(face.cut, face, 0)
-    expect(difference(ended.relief) / ended.deepest).toBeGreaterThan(2 * HEIGHT)
+    expect(difference(ended.heights) / ended.deepest).toBeGreaterThan(2 * HEIGHT)
     expect(slopeDifference(ended, 0)).toBeGreaterThan(5 * SLOPE)
     expect(slopeDifference(ended, 1)).toBeGreaterThan(2 * SLOPE)
   })
@@ -126,7 +126,7 @@ describe('a sheet, its texture cut in two', () => {
   const { whole, cut } = cutInTwo(skin, isLeft, quarterTurn)
   const turned = cutInTwo(skin, () => true, quarterTurn).cut
   const [onWhole, onCut, onTurned] = [mapsOf(whole), mapsOf(cut), mapsOf(turned)]
-  const deepest = onWhole.relief.data.reduce((most, height) => Math.max(most, -height), 0)
+  const deepest = onWhole.heights.data.reduce((most, height) => Math.max(most, -height), 0)
   const steepest = steepestOf(onWhole.levels[0])
 
   test('has the same wrinkles in space', () => {
@@ -141,7 +141,7 @@ describe('a sheet, its texture cut in two', () => {
         const [uncutUv, cutUv] = [whole, cut].map((sheet) =>
           uvAt(sheet, triangle, [1 - along - across, along, across]),
         )
-        height = Math.max(height, Math.abs(sample(onWhole.relief, uncutUv) - sample(onCut.relief, cutUv)))
+        height = Math.max(height, Math.abs(sample(onWhole.heights, uncutUv) - sample(onCut.heights, cutUv)))
         for (const [k, area] of onWhole.areas.entries())
           weight = Math.max(weight, Math.abs(sample(area, uncutUv) - sample(onCut.areas[k], cutUv)))
       }
@@ -171,7 +171,7 @@ describe('a sheet, its texture cut in two', () => {
 function mapsOf(skin: Skin) {
   const { layers, areas } = autoWrinkles(skin, { age: 70, size: 1024, areaSize: 256 })
   return {
-    relief: { ...layers[0].relief, channels: 1 },
+    heights: { ...layers[0].heights, channels: 1 },
     levels: levelsOf(layers[0].normal, 3),
     areas: areas.map(({ weights }) => ({ ...weights, channels: 1 })),
   }
@@ -193,7 +193,7 @@ interface CutFace {
 }
 
 interface DrawnFace {
-  relief: Channels
+  heights: Channels
   occlusion: Channels
   /** The normal map and its mipmap levels. */
   levels: Channels[]
@@ -222,17 +222,17 @@ function draw(skin: Skin, { surface, regions }: CutFace, margin: number): DrawnF
     return surface.points[3 * surface.pointOf[vertex] + (i % 3)] / 1000
   })
   const metric = surfaceMetric({ ...skin, positions }, SIZE)
-  const { relief, occlusion } = drawStrokes([...new Set(regions.map(({ creases }) => creases))].flat(), {
+  const { heights, occlusion } = drawStrokes([...new Set(regions.map(({ creases }) => creases))].flat(), {
     texels,
     metric,
   })
-  const levels = levelsOf(heightToNormal(relief, metric), 3)
+  const levels = levelsOf(heightToNormal(heights, metric), 3)
   return {
-    relief: { ...relief, channels: 1 },
+    heights: { ...heights, channels: 1 },
     occlusion: { ...occlusion, channels: 1 },
     levels,
     inside: metric.inside,
-    deepest: relief.data.reduce((most, height) => Math.max(most, -height), 0),
+    deepest: heights.data.reduce((most, height) => Math.max(most, -height), 0),
     steepest: steepestOf(levels[0]),
   }
 }

@@ -45,7 +45,7 @@ describe.each([
     expect(Math.max(...gaps)).toBeLessThan(1.15 * spacing)
   })
 
-  test('the relief takes up the length that the sheet loses', () => {
+  test('the profile takes up the length that the sheet loses', () => {
     const skin = { positions, uvs, indices, targets: [] }
     const locator = new UvLocator(skin, surface)
     const { creases, compression } = creaseLines(
@@ -56,7 +56,7 @@ describe.each([
     )
     expect(compression).toBeCloseTo(COMPRESSION, 3)
     const texels = new SkinTexels(skin, surface, SIZE, SIZE)
-    const { data } = drawStrokes(creases, { texels, metric: surfaceMetric(skin, SIZE, SIZE, 1) }).relief
+    const { data } = drawStrokes(creases, { texels, metric: surfaceMetric(skin, SIZE, SIZE, 1) }).heights
     const texel = SIDE / SIZE
     let [length, count] = [0, 0]
     for (let row = 150; row < SIZE - 150; row++) {

@@ -33,7 +33,7 @@ export function levelsOf({ width, height, data }: RgbaImage, count: number): Cha
   return levels
 }
 
-/** The slope of the relief in space by a normal map, at a UV of a triangle: x, y and z in millimetres per millimetre. */
+/** The slope of the skin in space by a normal map, at a UV of a triangle: x, y and z in millimetres per millimetre. */
 export function slopeIn(skin: Skin, map: Channels, { triangle, uv }: CutSide): number[] {
   const [tangent, bitangent] = tangentFrame(skin, triangle)
   const [x, y, z] = [0, 1, 2].map((k) => sample(map, uv, k) / 127.5 - 1)

@@ -46,20 +46,20 @@ describe.each([
   // Triangles across its middle belong to the left half of the face here, and of the model there.
   ['a face whose halves use the same texels', folded, 0.05],
 ] as const)('%s', (_, make, exempt) => {
-  test('has lines that are strokes: drawn again they give the same relief', async () => {
+  test('has lines that are strokes: drawn again they give the same heights', async () => {
     const skin = await make()
     const wrinkles: AutoWrinkles = autoWrinkles(skin, { size: SIZE })
     const document = parseStrokes(JSON.parse(JSON.stringify(strokesOf(wrinkles))))
     expect(document.size).toBe(SIZE)
     const canvas = skinCanvas(skin, SIZE, SIZE, document.scale)
-    for (const { name, relief } of wrinkles.layers) {
+    for (const { name, heights } of wrinkles.layers) {
       const strokes = document.strokes.filter(({ layer }) => layer === name)
       expect(strokes.length).toBeGreaterThan(0)
       const { data } = strokesToHeight(strokes, canvas)
       let [off, drawn, deepest] = [0, 0, 0]
       for (let i = 0; i < data.length; i++) {
-        if (data[i] !== 0 || relief.data[i] !== 0) drawn++
-        if (Math.abs(data[i] - relief.data[i]) > 0.005) off++
+        if (data[i] !== 0 || heights.data[i] !== 0) drawn++
+        if (Math.abs(data[i] - heights.data[i]) > 0.005) off++
         deepest = Math.min(deepest, data[i])
       }
       // The fine lines of a lip may have a layer to themselves.

@@ -36,8 +36,8 @@ describe.each(FACES)('%s, smiling, without tangents', (_, path) => {
       const prepared = prepareFace(skin)
       const smile = new SmilingFace(prepared)
       const { layers, areas } = autoWrinkles(skin, { age: AGE, size: SIZE, frame: 'derivative' })
-      const { relief, normal } = layers[areas.find(({ name }) => name === 'nasolabialLeft')!.layer]
-      const onSmoothSkin = heightToNormal(relief, surfaceMetric(inMetres(prepared), SIZE), 'derivative')
+      const { heights, normal } = layers[areas.find(({ name }) => name === 'nasolabialLeft')!.layer]
+      const onSmoothSkin = heightToNormal(heights, surfaceMetric(inMetres(prepared), SIZE), 'derivative')
       const lengths = ['Left', 'Right'].map((side) => {
         const fold = longestOf(prepared, `nasolabial${side}`)
         for (const bank of [-1, 1]) {

@@ -8,7 +8,7 @@ it('a set of automatic wrinkles has heights in levels of half the side, and thei
   const data = Float32Array.from({ length: 16 }, (_, i) =>
     i % 4 < 2 && i < 8 ? 0.2 : i % 4 > 1 && i > 7 ? -0.4 : 0,
   )
-  const layer = { name: 'a', strokes: [], normal, occlusion: gray, relief: { width: 4, height: 4, data } }
+  const layer = { name: 'a', strokes: [], normal, occlusion: gray, heights: { width: 4, height: 4, data } }
   const blood = { maps: [gray], areas: [], amplitude: 1 }
   const [made] = autoWrinkleSet({
     layers: [layer],

@@ -4,7 +4,7 @@ import { Looks } from '../../../../studio/src/viewer/looks/looks.ts'
 
 it.each<Parameters<Looks['choose']>[0]>([
   { name: 'shaded' },
-  { name: 'relief' },
+  { name: 'clay' },
   { name: 'normals' },
   { name: 'influence' },
   { name: 'strain' },

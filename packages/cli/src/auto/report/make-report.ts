@@ -1,6 +1,6 @@
 import { writeFileSync } from 'node:fs'
 import { basename, join } from 'node:path'
-import { encodeGlb, type Glb, type OutputFile, type Progress, wrinklesOf } from 'furrow-files'
+import { encodeGlb, type Glb, type OutputFile, type Progress, parseWrinkledFile } from 'furrow-files'
 import { temporaryFolder } from '../../interruption.ts'
 import type { Steps } from '../steps.ts'
 import { reportPage } from './page.ts'
@@ -29,7 +29,7 @@ export async function makeReport(
 ): Promise<ReportFiles> {
   const { path, glb, found, wrinkles } = source
   steps.begin('report')
-  const file = wrinklesOf(glb, found.material, who)
+  const file = parseWrinkledFile(glb, found.material, who)
   const poses = posesOf(wrinkles)
   const strain = await drawStrain(found.skin, poses)
   const areas = await drawAreas(file, who)

@@ -134,12 +134,12 @@ function areaTable(areas: readonly AutoArea[], images: readonly ReportImage[]): 
 }
 
 function layerTiles(name: string, images: readonly ReportImage[]): Content {
-  const [normal, relief] = images
+  const [normal, height] = images
   return [
     normal &&
       html`<figure>${image(normal, `Normal map of layer ${name}`)}<figcaption><b>${name}</b> normal</figcaption></figure>`,
-    relief &&
-      html`<figure>${image(relief, `Relief of layer ${name}`)}<figcaption><b>${name}</b> relief</figcaption></figure>`,
+    height &&
+      html`<figure>${image(height, `Heights of layer ${name}`)}<figcaption><b>${name}</b> height</figcaption></figure>`,
   ]
 }
 

@@ -84,13 +84,13 @@ export async function drawAreas(file: WrinkledFile, who: string): Promise<Report
   )
 }
 
-/** Draws the normal map and relief of each layer. */
+/** Draws the normal map and heights of each layer. */
 export function drawLayers({ glb, maps }: WrinkledFile, who: string): Promise<ReportImage[][]> {
   return Promise.all(
     maps.layers.map((layer, i) => {
       const slots = [
         ['normal', layer.normalTexture],
-        ['relief', layer.heightTexture],
+        ['height', layer.heightTexture],
       ] as const
       return Promise.all(
         slots.flatMap(([name, texture]) => (texture ? [drawMap(`layer-${i + 1}-${name}`, texture)] : [])),

@@ -161,7 +161,7 @@ export function strokesOf({
   furrows: net,
 }: Pick<AutoWrinkles, 'layers' | 'scale'> & Partial<Pick<AutoWrinkles, 'furrows'>>): StrokesDocument {
   const strokes = layers.flatMap(({ name, strokes }) => strokes.map((stroke) => ({ layer: name, ...stroke })))
-  return { version: 1, scale, size: layers[0].relief.width, strokes, ...(net && { furrows: net.furrows }) }
+  return { version: 1, scale, size: layers[0].heights.width, strokes, ...(net && { furrows: net.furrows }) }
 }
 
 /** One line about a head on which landmarks fail. */

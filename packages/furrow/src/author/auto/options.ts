@@ -1,7 +1,7 @@
 import { FurrowError } from '../../core/error.ts'
 import { MAX_IMAGE_SIDE, MAX_LAYERS } from '../../core/limits.ts'
 import { checkOptionNames, didYouMean } from '../../core/nearest-name.ts'
-import type { TangentFrame } from '../relief/height-to-normal.ts'
+import type { TangentFrame } from '../normals/height-to-normal.ts'
 import { AUTO_REGIONS, type AutoRegion } from './anatomy/region-names.ts'
 
 /** Options of `autoWrinkles`; `AUTO_DEFAULTS` has the defaults. */

@@ -24,13 +24,13 @@ export function autoWrinkleSet({
   drivers: WrinkleDriver[]
 } {
   return {
-    layers: layers.map(({ name, normal, occlusion, relief }, i) => ({
+    layers: layers.map(({ name, normal, occlusion, heights }, i) => ({
       name,
       kind: 'detail',
       normal,
       occlusion,
       // Fine furrows are too shallow to move the surface.
-      ...(name !== furrows?.furrows.layer && heightOf(relief)),
+      ...(name !== furrows?.furrows.layer && heightOf(heights)),
       blood: blood.maps[i],
       bloodAmplitude: blood.amplitude,
     })),
@@ -44,9 +44,9 @@ export function autoWrinkleSet({
 }
 
 /** Heights with half the side of the normals: only these show how steep a crease is. */
-function heightOf(relief: HeightMap): Heights {
-  const { levels, amplitude } = heightLevels(relief.data)
-  return { height: halfSide({ ...relief, data: levels }), heightAmplitude: amplitude }
+function heightOf(heights: HeightMap): Heights {
+  const { levels, amplitude } = heightLevels(heights.data)
+  return { height: halfSide({ ...heights, data: levels }), heightAmplitude: amplitude }
 }
 
 /**

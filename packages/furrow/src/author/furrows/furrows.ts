@@ -66,9 +66,9 @@ export function furrowHeights(
   return { width, height, data }
 }
 
-/** Adds the net of fine furrows to a relief. Its cells follow the lines of the strokes. */
+/** Adds the net of fine furrows to heights. Its cells follow the lines of the strokes. */
 export function addFurrows(
-  relief: HeightMap,
+  heights: HeightMap,
   canvas: SkinCanvas,
   furrows: Furrows,
   strokes: readonly Stroke[],
@@ -78,7 +78,7 @@ export function addFurrows(
     furrows,
     strokes.flatMap((stroke) => layCurve(stroke, canvas)),
   )
-  for (let i = 0; i < data.length; i++) relief.data[i] += data[i]
+  for (let i = 0; i < data.length; i++) heights.data[i] += data[i]
 }
 
 /** How much of a furrow texels can show, 0..1. */

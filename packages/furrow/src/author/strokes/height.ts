@@ -7,7 +7,7 @@ import { type LaidStroke, layOutStrokes, reachOf } from './lay-out.ts'
 import { LineGrid, type LineVisitor } from './line-grid.ts'
 import type { OtherStrokes } from './other-strokes.ts'
 
-/** Relief of the skin. */
+/** Heights of the skin. */
 export interface HeightMap {
   width: number
   height: number
@@ -15,9 +15,9 @@ export interface HeightMap {
   data: Float32Array
 }
 
-/** The relief of strokes, and how open to the light it is. */
+/** The heights of strokes, and how open to the light it is. */
 export interface DrawnStrokes {
-  relief: HeightMap
+  heights: HeightMap
   /** 255 = open. */
   occlusion: GrayImage
 }
@@ -37,7 +37,8 @@ export function strokesToHeight(
   progress?: (done: number, total: number) => void,
 ): HeightMap {
   const laid = layOutStrokes(strokes, canvas).flat()
-  return drawStrokes(laid, canvas, (fraction) => progress?.(fraction * strokes.length, strokes.length)).relief
+  return drawStrokes(laid, canvas, (fraction) => progress?.(fraction * strokes.length, strokes.length))
+    .heights
 }
 
 /** Draws strokes that are laid on the skin already. */
@@ -62,7 +63,7 @@ export function drawStrokes(
 export function flatSkin(width: number, height: number): DrawnStrokes {
   const texels = width * height
   return {
-    relief: { width, height, data: new Float32Array(texels) },
+    heights: { width, height, data: new Float32Array(texels) },
     occlusion: { width, height, data: new Uint8Array(texels).fill(255) },
   }
 }
@@ -100,12 +101,12 @@ export class StrokePen {
    * @returns whether it is another than before.
    */
   draw(texel: number, position: Float64Array, normal: Float64Array): boolean {
-    const { relief, occlusion } = this.#drawn
+    const { heights, occlusion } = this.#drawn
     this.#sharpest = sharpestAt(this.#metric, texel)
     this.#addAll(texel, position, normal)
     const { height, open } = this.#sum
-    if (relief.data[texel] === height && occlusion.data[texel] === open) return false
-    relief.data[texel] = height
+    if (heights.data[texel] === height && occlusion.data[texel] === open) return false
+    heights.data[texel] = height
     occlusion.data[texel] = open
     return true
   }

@@ -1,8 +1,8 @@
 import type { Bounds } from '../../core/bounds.ts'
 import { checkSizes, layOnNormals } from '../../core/normals/combine-normals.ts'
 import type { GrayImage, RgbaImage } from '../../core/types.ts'
-import { drawNormals, heightToNormal, type TangentFrame } from '../relief/height-to-normal.ts'
-import { SLOPE_REACH } from '../relief/slope.ts'
+import { drawNormals, heightToNormal, type TangentFrame } from '../normals/height-to-normal.ts'
+import { SLOPE_REACH } from '../normals/slope.ts'
 import type { SkinCanvas } from '../skin/canvas.ts'
 import { ChangedTexels, mergeBounds } from './changed-texels.ts'
 import type { Stroke } from './document.ts'
@@ -29,7 +29,7 @@ export interface StrokeLayerOptions {
  */
 export class StrokeLayer {
   /** Changed in place by `draw`, as are the other maps. */
-  readonly relief: HeightMap
+  readonly heights: HeightMap
   /** 255 = open to the light. */
   readonly occlusion: GrayImage
   /** Tangent-space normal map: wrinkles and base together, as `heightToNormal` writes it. */
@@ -53,9 +53,9 @@ export class StrokeLayer {
     this.#base = base
     this.#frame = frame
     this.#drawn = flatSkin(metric.width, metric.height)
-    this.relief = this.#drawn.relief
+    this.heights = this.#drawn.heights
     this.occlusion = this.#drawn.occlusion
-    this.normal = heightToNormal(this.relief, metric, frame)
+    this.normal = heightToNormal(this.heights, metric, frame)
     if (!base) return
     checkSizes(base, this.normal)
     layOnNormals(base, this.normal, { x0: 0, y0: 0, x1: metric.width, y1: metric.height })
@@ -75,7 +75,7 @@ export class StrokeLayer {
     this.#strokes = placed
     const touched = gridOf(changed)
     const pen = this.#edit ? this.#penForEdit(this.#edit) : this.#penFor(changed)
-    const texels = new ChangedTexels(this.relief.width, this.relief.height)
+    const texels = new ChangedTexels(this.heights.width, this.heights.height)
     this.#canvas.texels.visitNear(touched.isNear, (texel, position, normal) => {
       if (touched.isWithinReach(position) && pen.draw(texel, position, normal)) texels.add(texel)
     })
@@ -158,7 +158,7 @@ export class StrokeLayer {
   }
 
   #drawNormals(bounds: Bounds): void {
-    drawNormals(this.normal, bounds, this.relief, this.#canvas.metric, this.#frame)
+    drawNormals(this.normal, bounds, this.heights, this.#canvas.metric, this.#frame)
     if (this.#base) layOnNormals(this.#base, this.normal, bounds)
   }
 }

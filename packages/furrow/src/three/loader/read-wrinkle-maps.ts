@@ -37,10 +37,10 @@ type Parser = GLTF['parser']
  * @throws FurrowError when the extension is malformed or an image cannot be read.
  */
 export async function readWrinkleMaps(gltf: GLTF, parser: Parser = gltf.parser): Promise<LoadedWrinkles[]> {
-  const wrinklesOf = materialReader(parser)
+  const readMaterial = materialReader(parser)
   const found: LoadedWrinkles[] = []
   for (const { meshes, material } of wrinkledFaces(gltf, parser)) {
-    const read = await wrinklesOf(material)
+    const read = await readMaterial(material)
     await Promise.all(read.set.layers.map(decodeHeight))
     found.push({ meshes, ...read })
   }

@@ -43,7 +43,7 @@ export interface BloodSource {
   /** Texels of the layers' maps, and of areas. */
   texels: SkinTexels
   areaTexels: SkinTexels
-  layers: readonly { relief: HeightMap }[]
+  layers: readonly { heights: HeightMap }[]
   /** Regions with their lines, and the layer of each. */
   regions: readonly CreasedRegion[]
   layerOf: readonly number[]
@@ -60,7 +60,7 @@ export function drawBlood(
   source: BloodSource,
   { strength, regions }: { strength: number; regions: readonly AutoRegion[] },
 ): AutoBlood {
-  const maps = source.layers.map(({ relief }) => valleyBlood(relief))
+  const maps = source.layers.map(({ heights }) => valleyBlood(heights))
   const flushes = face ? flushesOf(face.landmarks, isMirrored) : []
   const wanted = flushes.filter((flush) => flush.regions.some((region) => regions.includes(region)))
   const areas = face ? drawFlushes(face, wanted, names, source, maps) : []

@@ -2,11 +2,11 @@ import type { GrayImage } from '../../../core/types.ts'
 import type { MorphDriver } from '../../../drivers/morph/definition.ts'
 import { addFurrows } from '../../furrows/furrows.ts'
 import type { Furrows } from '../../furrows/read-furrows.ts'
-import { heightToNormal } from '../../relief/height-to-normal.ts'
+import { heightToNormal } from '../../normals/height-to-normal.ts'
 import { skinCanvas } from '../../skin/canvas.ts'
 import type { SkinTexels } from '../../skin/skin-texels.ts'
 import { flatSkin } from '../../strokes/height.ts'
-import type { AutoLayer, DrawnMaps, MapSettings } from '../raster/draw-maps.ts'
+import type { AutoLayer, AutoMaps, MapSettings } from '../raster/draw-maps.ts'
 import { visibility } from '../raster/visibility.ts'
 import type { DetectedFace } from '../surface/detect-face.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
@@ -26,7 +26,7 @@ export interface FurrowArea {
 
 /** The net of fine furrows of automatic wrinkles, whose layer is the last one. */
 export interface AutoFurrows {
-  /** As a strokes document has it: with the strokes of all layers, `addFurrows` draws it as the layer's `relief`. */
+  /** As a strokes document has it: with the strokes of all layers, `addFurrows` draws it as the layer's `heights`. */
   furrows: Furrows
   areas: FurrowArea[]
 }
@@ -39,19 +39,19 @@ export interface AutoFurrows {
 export function drawNet(
   prepared: PreparedSkin & { face: DetectedFace },
   { regions, furrows }: PlannedNet,
-  { layers, areaTexels }: Pick<DrawnMaps, 'layers' | 'areaTexels'>,
+  { layers, areaTexels }: Pick<AutoMaps, 'layers' | 'areaTexels'>,
   { size, frame }: MapSettings,
 ): { layer: AutoLayer; net: AutoFurrows } {
   // In the frame of the mesh, as a document is drawn: the net depends on it.
   const canvas = skinCanvas(prepared.skin, size, size, prepared.scale)
-  const { relief, occlusion } = flatSkin(size, size)
+  const { heights, occlusion } = flatSkin(size, size)
   addFurrows(
-    relief,
+    heights,
     canvas,
     furrows,
     layers.flatMap(({ strokes }) => strokes),
   )
-  const normal = heightToNormal(relief, canvas.metric, frame)
+  const normal = heightToNormal(heights, canvas.metric, frame)
   const weights = drawWeights(prepared.face, regions, areaTexels)
   const areas = netDrivers(prepared.face, regions).map((driver, i) => ({
     name: driver.area,
@@ -59,7 +59,7 @@ export function drawNet(
     weights: weights[i],
     driver,
   }))
-  return { layer: { name: FURROW_LAYER, strokes: [], normal, relief, occlusion }, net: { furrows, areas } }
+  return { layer: { name: FURROW_LAYER, strokes: [], normal, heights, occlusion }, net: { furrows, areas } }
 }
 
 /** Weights of the areas; none where skin is not visible from outside. */

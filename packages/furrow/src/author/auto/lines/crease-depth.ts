@@ -8,7 +8,7 @@ const STEPS = 256
 const BISECTIONS = 16
 
 /**
- * Depth of valleys that take up the length that skin loses: of a length dx at rest (1 - e) dx is left, over which the relief must be dx
+ * Depth of valleys that take up the length that skin loses: of a length dx at rest (1 - e) dx is left, over which the profile must be dx
  * long, so the mean of sqrt((1 - e)^2 + h'^2) over one spacing is 1.
  *
  * @param compression e, 0..1.

@@ -1,7 +1,7 @@
 import type { GrayImage, RgbaImage } from '../../../core/types.ts'
 import { MIPMAP_MARGIN } from '../../border.ts'
 import { surfaceMetric } from '../../metric.ts'
-import { type TangentFrame, turnedNormals } from '../../relief/height-to-normal.ts'
+import { type TangentFrame, turnedNormals } from '../../normals/height-to-normal.ts'
 import { SkinTexels } from '../../skin/skin-texels.ts'
 import type { SkinSurface } from '../../skin/surface.ts'
 import type { Stroke } from '../../strokes/document.ts'
@@ -14,11 +14,11 @@ import { FacetFrames } from './facet-frames.ts'
 /** Maps of one layer. */
 export interface AutoLayer {
   name: string
-  /** Its lines, each in the group that is named after its area: `strokesToHeight` draws them as `relief`. */
+  /** Its lines, each in the group that is named after its area: `strokesToHeight` draws them as `heights`. */
   strokes: Stroke[]
   /** Of kind `detail`: wrinkles on flat skin. */
   normal: RgbaImage
-  relief: HeightMap
+  heights: HeightMap
   /** 255 = open to the light. */
   occlusion: GrayImage
 }
@@ -33,7 +33,7 @@ export interface MapSettings {
 }
 
 /** What was drawn, and where on the skin texels are. */
-export interface DrawnMaps {
+export interface AutoMaps {
   layers: AutoLayer[]
   /** Of each region's area. */
   weights: GrayImage[]
@@ -55,7 +55,7 @@ export function drawMaps(
   layerOf: readonly number[],
   { size, areaSize, frame }: MapSettings,
   report: (fraction: number) => void,
-): DrawnMaps | undefined {
+): AutoMaps | undefined {
   // Finding the texels of the skin costs more than all that comes before.
   if (regions.length === 0) return undefined
   const { skin, surface, face, isDrawn } = prepared
@@ -77,7 +77,7 @@ export function drawMaps(
     reportPart(layer, 1)
     const frames = frame === 'derivative' ? new FacetFrames(prepared, own) : undefined
     reportPart(layer, 2)
-    const normal = turnedNormals(drawn.relief, metric, frame, (texel, slope) =>
+    const normal = turnedNormals(drawn.heights, metric, frame, (texel, slope) =>
       frames?.turn(texels.locate(texel, barycentrics), barycentrics, slope),
     )
     layers.push({ name: `auto${layer + 1}`, strokes, normal, ...drawn })

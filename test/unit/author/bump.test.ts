@@ -1,7 +1,7 @@
-import { type ReliefOptions, reliefToNormal } from 'furrow/author'
+import { type BumpOptions, bumpToNormal } from 'furrow/author'
 import { describe, expect, it } from 'vitest'
 
-const relief = (width: number, height: number, f: (x: number, y: number) => number) => ({
+const heights = (width: number, height: number, f: (x: number, y: number) => number) => ({
   width,
   height,
   data: Float64Array.from({ length: width * height }, (_, i) => f(i % width, Math.floor(i / width))),
@@ -9,11 +9,11 @@ const relief = (width: number, height: number, f: (x: number, y: number) => numb
 
 /** Largest angle in degrees between the map, decoded, and the slopes `exact` gives, over the whole map. */
 function worst(
-  map: ReturnType<typeof relief>,
-  options: ReliefOptions,
+  map: ReturnType<typeof heights>,
+  options: BumpOptions,
   exact: (x: number, y: number) => [number, number],
 ): number {
-  const { data } = reliefToNormal(map, options)
+  const { data } = bumpToNormal(map, options)
   const full = options.bits === 16 ? 65535 : 255
   let angle = 0
   for (let i = 0; i < map.width * map.height; i++) {
@@ -26,8 +26,8 @@ function worst(
   return (angle * 180) / Math.PI
 }
 
-describe('reliefToNormal', () => {
-  const plane = relief(12, 9, (x, y) => 0.5 * x - 0.25 * y)
+describe('bumpToNormal', () => {
+  const plane = heights(12, 9, (x, y) => 0.5 * x - 0.25 * y)
 
   it.each(['up', 'down'] as const)('is exact on a plane up to its border, green %s', (green) => {
     expect(worst(plane, { green, bits: 16 }, () => [0.5, -0.25])).toBeLessThan(0.002)
@@ -35,14 +35,14 @@ describe('reliefToNormal', () => {
   })
 
   it('is exact on a paraboloid up to its border', () => {
-    const bowl = relief(20, 20, (x, y) => 0.01 * x * x + 0.02 * x * y - 0.03 * y * y)
+    const bowl = heights(20, 20, (x, y) => 0.01 * x * x + 0.02 * x * y - 0.03 * y * y)
     const slopes = (x: number, y: number): [number, number] => [0.02 * x + 0.02 * y, 0.02 * x - 0.06 * y]
     expect(worst(bowl, { bits: 16 }, slopes)).toBeLessThan(0.002)
   })
 
   it('goes on at the other side where edges wrap, and not where they are clamped', () => {
     const k = (2 * Math.PI) / 32
-    const wave = relief(32, 32, (x, y) => 2 * Math.sin(k * x + 0.7) + Math.cos(2 * k * y))
+    const wave = heights(32, 32, (x, y) => 2 * Math.sin(k * x + 0.7) + Math.cos(2 * k * y))
     const slopes = (x: number, y: number): [number, number] => [
       2 * k * Math.cos(k * x + 0.7),
       -2 * k * Math.sin(2 * k * y),
@@ -53,8 +53,8 @@ describe('reliefToNormal', () => {
   })
 
   it('has one green convention the mirror of the other', () => {
-    const up = reliefToNormal(plane).data
-    const down = reliefToNormal(plane, { green: 'down' }).data
+    const up = bumpToNormal(plane).data
+    const down = bumpToNormal(plane, { green: 'down' }).data
     for (let i = 0; i < up.length; i++) {
       // Rounding halves upwards can tell the two apart by one step.
       expect(Math.abs(i % 3 === 1 ? up[i] + down[i] - 255 : up[i] - down[i])).toBeLessThanOrEqual(1)
@@ -68,21 +68,21 @@ describe('reliefToNormal', () => {
     [1, 2, [0, 5]],
     [3, 2, [3, 5]],
   ])('knows the slope of %d x %d texels', (width, height, slope) => {
-    const tiny = relief(width, height, (x, y) => 3 * x + 5 * y)
+    const tiny = heights(width, height, (x, y) => 3 * x + 5 * y)
     expect(worst(tiny, { bits: 16 }, () => slope as [number, number])).toBeLessThan(0.01)
   })
 
   it('is the flat colour on a level, and tells its progress to the last row', () => {
     const told: string[] = []
-    const level = relief(3, 130, () => 7)
-    const { data } = reliefToNormal(level, {}, (done, total) => told.push(`${done}/${total}`))
+    const level = heights(3, 130, () => 7)
+    const { data } = bumpToNormal(level, {}, (done, total) => told.push(`${done}/${total}`))
     expect(data.every((value, i) => value === [128, 128, 255][i % 3])).toBe(true)
     expect(told).toEqual(['64/130', '128/130', '130/130'])
   })
 
   it('refuses data that does not fit its size', () => {
-    expect(() => reliefToNormal({ width: 4, height: 4, data: [1, 2, 3] })).toThrow(
-      'reliefToNormal: wrong number of heights, got 3, allowed: 16 for 4 x 4; give one height per texel',
+    expect(() => bumpToNormal({ width: 4, height: 4, data: [1, 2, 3] })).toThrow(
+      'bumpToNormal: wrong number of heights, got 3, allowed: 16 for 4 x 4; give one height per texel',
     )
   })
 })

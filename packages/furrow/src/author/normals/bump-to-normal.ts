@@ -1,8 +1,8 @@
 import { FurrowError } from '../../core/error.ts'
 import { type Edges, slopeAt } from './slope.ts'
 
-/** A relief on a flat image, painted or photographed; needs no mesh to be measured on. */
-export interface Relief {
+/** A bump map (Blinn 1978) on a flat image, painted or photographed; needs no mesh to be measured on. */
+export interface BumpMap {
   width: number
   height: number
   /** Heights in texels: 1 is as high as a texel is wide. width x height values, row 0 at the top. */
@@ -20,48 +20,48 @@ export interface NormalMap {
 /** Direction of green: `up`, towards smaller v, as in glTF and OpenGL; `down` as in Direct3D. */
 export type Green = 'up' | 'down'
 
-/** Options of {@link reliefToNormal}; defaults are {@link RELIEF_DEFAULTS}. */
-export interface ReliefOptions {
+/** Options of {@link bumpToNormal}; defaults are {@link BUMP_DEFAULTS}. */
+export interface BumpOptions {
   edges?: Edges
   green?: Green
   bits?: 8 | 16
 }
 
-/** Defaults of {@link ReliefOptions}: edges clamped, green up, 8 bits per channel. */
-export const RELIEF_DEFAULTS = { edges: 'clamp', green: 'up', bits: 8 } as const satisfies ReliefOptions
+/** Defaults of {@link BumpOptions}: edges clamped, green up, 8 bits per channel. */
+export const BUMP_DEFAULTS = { edges: 'clamp', green: 'up', bits: 8 } as const satisfies BumpOptions
 
 /**
- * Normal map of a relief with square texels of uniform size: n = (-dh/dx, -dh/dy, 1), normalised (do Carmo, Differential Geometry of
+ * Normal map of a bump map with square texels of uniform size: n = (-dh/dx, -dh/dy, 1), normalised (do Carmo, Differential Geometry of
  * Curves and Surfaces, 2.5: the normal of a graph), dh by `slopeAt`. Rounding turns a normal by up to 0.32 degrees with 8 bits, 0.0012
  * degrees with 16.
  *
  * @param progress is called now and then with the number of rows done.
  * @throws FurrowError if the data does not match its size.
  */
-export function reliefToNormal(
-  relief: Relief,
-  options: ReliefOptions = {},
+export function bumpToNormal(
+  bump: BumpMap,
+  options: BumpOptions = {},
   progress?: (done: number, total: number) => void,
 ): NormalMap {
-  const { edges, green, bits } = { ...RELIEF_DEFAULTS, ...options }
-  const { width, height } = relief
-  if (relief.data.length !== width * height) {
+  const { edges, green, bits } = { ...BUMP_DEFAULTS, ...options }
+  const { width, height } = bump
+  if (bump.data.length !== width * height) {
     throw new FurrowError({
-      who: 'reliefToNormal',
+      who: 'bumpToNormal',
       what: 'wrong number of heights',
-      value: relief.data.length,
+      value: bump.data.length,
       limit: `${width * height} for ${width} x ${height}`,
       remedy: 'give one height per texel',
     })
   }
   const data = new (bits === 8 ? Uint8Array : Uint16Array)(3 * width * height)
   const half = (2 ** bits - 1) / 2
-  // Rows go down, green goes up: a relief that rises downwards leans upwards.
+  // Rows go down, green goes up: a bump that rises downwards leans upwards.
   const greenSign = green === 'up' ? 1 : -1
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {
-      const slopeX = slopeAt(relief.data, y * width, x, 1, width, edges)
-      const slopeY = slopeAt(relief.data, x, y, width, height, edges)
+      const slopeX = slopeAt(bump.data, y * width, x, 1, width, edges)
+      const slopeY = slopeAt(bump.data, x, y, width, height, edges)
       const z = 1 / Math.sqrt(slopeX * slopeX + slopeY * slopeY + 1)
       const i = 3 * (y * width + x)
       data[i] = Math.round((1 - slopeX * z) * half)

@@ -20,19 +20,19 @@ import { SLOPE_REACH, slopeAt } from './slope.ts'
 export type TangentFrame = 'orthonormal' | 'derivative'
 
 /**
- * Tangent-space normal map of a relief: linear bytes, (n + 1) * 127.5 rounded, +Y (green) towards smaller v as in
+ * Tangent-space normal map of heights: linear bytes, (n + 1) * 127.5 rounded, +Y (green) towards smaller v as in
  * glTF, alpha 255. Slopes are millimetres per millimetre on the skin: the gradient of the height is taken through the
  * first fundamental form (do Carmo, 2.5, exercise 14), then written in `frame`. Derivatives span five texels
- * (`slopeAt`); a relief with a wavelength of 8 texels keeps 95% of its slope, of 16 texels 99.8%.
+ * (`slopeAt`); a wave of 8 texels keeps 95% of its slope, of 16 texels 99.8%.
  *
  * @throws FurrowError if height map and metric differ in size.
  */
 export function heightToNormal(
-  relief: HeightMap,
+  heights: HeightMap,
   metric: Metric,
   frame: TangentFrame = 'orthonormal',
 ): RgbaImage {
-  return turnedNormals(relief, metric, frame)
+  return turnedNormals(heights, metric, frame)
 }
 
 /**
@@ -41,12 +41,12 @@ export function heightToNormal(
  * @param turn may change the two slopes of a texel, as they stand in red and green; it is not called where both are 0.
  */
 export function turnedNormals(
-  relief: HeightMap,
+  heights: HeightMap,
   metric: Metric,
   frame: TangentFrame,
   turn?: (texel: number, slope: Float64Array) => void,
 ): RgbaImage {
-  const { width, height } = relief
+  const { width, height } = heights
   if (metric.width !== width || metric.height !== height) {
     throw new FurrowError({
       who: 'heightToNormal',
@@ -57,7 +57,7 @@ export function turnedNormals(
     })
   }
   const normal = { width, height, data: new Uint8Array(4 * width * height) }
-  drawNormals(normal, { x0: 0, y0: 0, x1: width, y1: height }, relief, metric, frame, turn)
+  drawNormals(normal, { x0: 0, y0: 0, x1: width, y1: height }, heights, metric, frame, turn)
   return normal
 }
 
@@ -69,12 +69,12 @@ export function turnedNormals(
 export function drawNormals(
   { data }: RgbaImage,
   { x0, y0, x1, y1 }: Readonly<Bounds>,
-  relief: HeightMap,
+  heights: HeightMap,
   metric: Metric,
   frame: TangentFrame,
   turn?: (texel: number, slope: Float64Array) => void,
 ): void {
-  const { width, height } = relief
+  const { width, height } = heights
   const flat = toByte(0)
   const slope = new Float64Array(2)
   for (let y = y0; y < y1; y++) {
@@ -86,12 +86,12 @@ export function drawNormals(
     }
   }
   // Most skin has no wrinkle.
-  const sloping = slopingTexels(relief, { x0, y0, x1, y1 })
+  const sloping = slopingTexels(heights, { x0, y0, x1, y1 })
   for (let y = y0; y < y1; y++) {
     for (let x = sloping[2 * (y - y0)]; x < sloping[2 * (y - y0) + 1]; x++) {
       const i = y * width + x
-      const hu = slopeAt(relief.data, y * width, x, 1, width, 'clamp') * width
-      const hv = slopeAt(relief.data, x, y, width, height, 'clamp') * height
+      const hu = slopeAt(heights.data, y * width, x, 1, width, 'clamp') * width
+      const hv = slopeAt(heights.data, x, y, width, height, 'clamp') * height
       if (hu === 0 && hv === 0) continue
       const uu = metric.uu[i]
       const uv = metric.uv[i]
