@@ -12,6 +12,7 @@ import {
   expectPicture,
   meanPngDifference,
   shootAside,
+  startDrawingLines,
   undoIs,
   waitUntilReady,
 } from './studio-page.ts'
@@ -147,7 +148,7 @@ test('a line during which the graphics are lost is drawn whole, and the next one
   await expect
     .poll(async () => meanPngDifference(neutral, await shootAside(page)), SOON)
     .toBeGreaterThan(50 * SAME)
-  await pointer.getByText('Draw', { exact: true }).click()
+  await startDrawingLines(page)
   await expectSameStroke('Draw a line')
   await pointer.getByText('Off', { exact: true }).click()
 })

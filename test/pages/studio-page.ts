@@ -28,6 +28,12 @@ export function areaChoice(page: Page, area: string): Locator {
   return page.getByRole('radio', { name: `Edit area ${area}`, exact: true })
 }
 
+/** Lets the pointer draw lines, and waits until the face shows the present ones: a worker reads the skin for them. */
+export async function startDrawingLines(page: Page): Promise<void> {
+  await page.getByRole('group', { name: 'Pointer' }).getByText('Draw', { exact: true }).click()
+  await page.locator('canvas.lines').waitFor()
+}
+
 /** What undo would take back. */
 export async function undoLabel(page: Page): Promise<string | undefined> {
   return (await button(page, 'Undo').getAttribute('title'))?.replace('Undo: ', '')

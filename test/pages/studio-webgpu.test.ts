@@ -9,6 +9,7 @@ import {
   meanPngDifference,
   shootStage,
   slider,
+  startDrawingLines,
   undoIs,
   waitUntilReady,
 } from './studio-page.ts'
@@ -87,7 +88,7 @@ test('an area is painted on its texture', async () => {
 })
 
 test('a line that is drawn creases the skin, and its area shows it', async () => {
-  await page.getByRole('group', { name: 'Pointer' }).getByText('Draw').click()
+  await startDrawingLines(page)
   await slider(page, 'Depth, mm').fill('1')
   await changesPicture(() => drag('#viewport', [0.38, 0.58], [0.4, 0.66]), 'Draw a line', 0.01)
 })
