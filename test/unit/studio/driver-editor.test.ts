@@ -1,13 +1,11 @@
 import { type MorphDriver, parseDrivers } from 'furrow'
 import { curveAt } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
-import { type AreaDriverType, type Drivable, newDriver } from '../../../studio/src/document/new-driver.ts'
-import { LABELS } from '../../../studio/src/panels/drivers/labels.ts'
+import type { Drivable } from '../../../studio/src/panels/drivers/types/driver-type.ts'
+import { AREA_DRIVER_TYPES, createDriver } from '../../../studio/src/panels/drivers/types/types.ts'
 import { DriverEditor } from '../../../studio/src/session/driver-editor.ts'
 import { Session } from '../../../studio/src/session/session.ts'
 import { sampleDocument } from './sample-document.ts'
-
-const TYPES = Object.keys(LABELS) as AreaDriverType[]
 
 const face: Drivable = {
   pose: new Map([
@@ -34,10 +32,10 @@ function open() {
 }
 
 describe('a new driver', () => {
-  it.each(TYPES)('of type %s is one that files may have, and is added and undone', (type) => {
+  it.each(AREA_DRIVER_TYPES)('of type %s is one that files may have, and is added and undone', (type) => {
     const { session, editor, errors, drivers } = open()
     const before = drivers()
-    editor.add(newDriver(type, 'cheeks', session.document.peek()!, face)!)
+    editor.add(createDriver(type, 'cheeks', session.document.peek()!, face)!)
     expect(errors).toEqual([])
     expect(drivers()).toHaveLength(before.length + 1)
     expect(drivers().at(-1)!.type).toBe(type)
@@ -46,14 +44,14 @@ describe('a new driver', () => {
   })
 
   it('reads the blendshape that is raised most', () => {
-    const { targets } = newDriver('morph', 'cheeks', sampleDocument(), face) as MorphDriver
+    const { targets } = createDriver('morph', 'cheeks', sampleDocument(), face) as MorphDriver
     expect(targets[0].name).toBe('browInnerUp')
   })
 
   it('does not take a name that another has', () => {
     const document = sampleDocument()
-    const first = newDriver('input', 'cheeks', document, face)!
-    const second = newDriver('input', 'cheeks', { ...document, drivers: [first] }, face)!
+    const first = createDriver('input', 'cheeks', document, face)!
+    const second = createDriver('input', 'cheeks', { ...document, drivers: [first] }, face)!
     expect((second as { name: string }).name).not.toBe((first as { name: string }).name)
   })
 
@@ -62,7 +60,7 @@ describe('a new driver', () => {
     const { areas, ...document } = sampleDocument()
     const alone = { ...document, areas: areas.slice(0, 1) }
     for (const type of ['morph', 'area', 'bone', 'muscle'] as const) {
-      expect(newDriver(type, areas[0].name, alone, bare)).toBeNull()
+      expect(createDriver(type, areas[0].name, alone, bare)).toBeNull()
     }
   })
 })

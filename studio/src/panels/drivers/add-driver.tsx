@@ -2,12 +2,12 @@ import { useSignal } from '@preact/signals'
 import type { WrinkleDriver } from 'furrow'
 import { useId } from 'preact/hooks'
 import type { StudioDocument } from '../../document/document.ts'
-import { type AreaDriverType, type Drivable, newDriver } from '../../document/new-driver.ts'
 import { faceOf } from '../../open/avatar.ts'
 import { jointsOf } from '../../viewer/pose/joints.ts'
 import { muscleAxis } from '../../viewer/pose/muscle-axis.ts'
 import type { DriverContext } from './context.ts'
-import { LABELS } from './labels.ts'
+import type { AreaDriverType, Drivable } from './types/driver-type.ts'
+import { AREA_DRIVER_TYPES, createDriver, driverTypeOf } from './types/types.ts'
 
 interface AddDriverProps {
   document: StudioDocument
@@ -22,7 +22,7 @@ export function AddDriver({ document, context, onAdd }: AddDriverProps) {
   const { area } = context
   const viewer = context.model.viewer.value
   if (!viewer) return null
-  const make = (of: AreaDriverType) => newDriver(of, area, document, drivable(context, document))
+  const make = (of: AreaDriverType) => createDriver(of, area, document, drivable(context, document))
   const isPossible = (of: AreaDriverType) => of === 'muscle' || make(of) !== null
   return (
     <div class="add-driver">
@@ -36,9 +36,9 @@ export function AddDriver({ document, context, onAdd }: AddDriverProps) {
           type.value = currentTarget.value as AreaDriverType
         }}
       >
-        {Object.entries(LABELS).map(([each, label]) => (
-          <option key={each} value={each} disabled={!isPossible(each as AreaDriverType)}>
-            {label}
+        {AREA_DRIVER_TYPES.map((each) => (
+          <option key={each} value={each} disabled={!isPossible(each)}>
+            {driverTypeOf(each)?.label}
           </option>
         ))}
       </select>

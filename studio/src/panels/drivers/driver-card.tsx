@@ -1,9 +1,8 @@
 import { useComputed } from '@preact/signals'
-import type { ExpressionDriver, InputDriver, MuscleDriver, WrinkleDriver } from 'furrow'
+import type { WrinkleDriver } from 'furrow'
 import type { DriverFault } from '../../document/driver-faults.ts'
 import type { FormProps } from './context.ts'
-import { DriverForm } from './forms.tsx'
-import { labelOf } from './labels.ts'
+import { driverTypeOf } from './types/types.ts'
 
 interface DriverCardProps extends FormProps<WrinkleDriver> {
   fault: DriverFault | undefined
@@ -14,12 +13,12 @@ interface DriverCardProps extends FormProps<WrinkleDriver> {
 export function DriverCard({ driver, index, context, fault, open }: DriverCardProps) {
   const { slow, editor } = context
   const given = useComputed(() => slow.value[index]?.activation.toFixed(2) ?? '')
-  const label = labelOf(driver.type)
+  const type = driverTypeOf(driver.type)
   return (
     <details class="driver" open={open}>
       <summary>
-        <b>{label}</b>
-        <span class="reads">{readText(driver)}</span>
+        <b>{type?.label ?? driver.type}</b>
+        <span class="reads">{type?.reads?.(driver)}</span>
         <output class="part" title="What it gives now" aria-live="off">
           {given}
         </output>
@@ -35,25 +34,11 @@ export function DriverCard({ driver, index, context, fault, open }: DriverCardPr
         </p>
       )}
       <div class="settings">
-        <DriverForm {...{ driver, index, context }} />
+        {type && <type.Form {...{ driver, index, context }} />}
         <button type="button" class="quiet remove-driver" onClick={() => editor.remove(index)}>
           Remove this driver
         </button>
       </div>
     </details>
   )
-}
-
-/** What a driver reads, in a few words. */
-function readText(driver: WrinkleDriver): string {
-  const { targets, areas, joints } = driver as Record<string, unknown>
-  if (driver.type === 'morph') return namesOf(targets)
-  if (driver.type === 'area') return namesOf(areas)
-  if (driver.type === 'bone') return (joints as string[])[1]
-  const { name } = driver as InputDriver | MuscleDriver | ExpressionDriver
-  return name ?? ''
-}
-
-function namesOf(links: unknown): string {
-  return (links as { name: string }[]).map(({ name }) => name).join(', ')
 }

@@ -1,14 +1,26 @@
 import type { TensionDriver } from 'furrow'
-import { NumberSlider } from '../controls/number-slider.tsx'
-import { axisOf } from './axes.ts'
-import type { FormProps } from './context.ts'
-import { DriverCurve, SelectField } from './fields.tsx'
+import { NumberSlider } from '../../controls/number-slider.tsx'
+import { axisOf } from '../axes.ts'
+import type { FormProps } from '../context.ts'
+import { DriverCurve, SelectField } from '../fields.tsx'
+import type { DriverType } from './driver-type.ts'
 
-export function TensionForm({
-  driver: { measure, direction, curve },
-  index,
-  context,
-}: FormProps<TensionDriver>) {
+export const tension: DriverType<TensionDriver> = {
+  label: 'Skin tension',
+  create: (area) => ({
+    type: 'tension',
+    area,
+    measure: 'compression',
+    // Fractions by which skin is shortened where it creases.
+    curve: [
+      [0.03, 0],
+      [0.2, 1],
+    ],
+  }),
+  Form: TensionForm,
+}
+
+function TensionForm({ driver: { measure, direction, curve }, index, context }: FormProps<TensionDriver>) {
   const label = measure === 'compression' ? 'Shortened by' : 'Lengthened by'
   const turn = (angle: number | null) =>
     context.editor.set(index, 'direction', { direction: angle === null ? undefined : directionAt(angle) })

@@ -1,7 +1,18 @@
 import type { MuscleDriver } from 'furrow'
-import { NumberSlider } from '../controls/number-slider.tsx'
-import type { FormProps } from './context.ts'
-import { NameField, NumberSetting, SelectField, VectorSetting } from './fields.tsx'
+import { NumberSlider } from '../../controls/number-slider.tsx'
+import type { FormProps } from '../context.ts'
+import { NameField, NumberSetting, SelectField, VectorSetting } from '../fields.tsx'
+import { type DriverType, freeDriverName } from './driver-type.ts'
+
+export const muscle: DriverType<MuscleDriver> = {
+  label: 'Muscle',
+  reads: ({ name }) => name,
+  create: (area, document, face) => {
+    const axis = face.muscle()
+    return axis && { type: 'muscle', name: freeDriverName(document, 'muscle'), area, ...axis }
+  },
+  Form: MuscleForm,
+}
 
 const KINDS: readonly (readonly [MuscleDriver['kind'], string])[] = [
   ['linear', 'Fan'],
@@ -13,7 +24,7 @@ const KINDS: readonly (readonly [MuscleDriver['kind'], string])[] = [
 const DEGREES = 180 / Math.PI
 
 /** A virtual muscle: where it is attached, how far it reaches and how much it pulls. */
-export function MuscleForm({ driver, index, context }: FormProps<MuscleDriver>) {
+function MuscleForm({ driver, index, context }: FormProps<MuscleDriver>) {
   const { kind, origin, insertion, angle, width, inner, outer } = driver
   const { editor } = context
   // Positions are metres, and are read in millimetres.

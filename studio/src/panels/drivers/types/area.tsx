@@ -1,0 +1,30 @@
+import type { AreaDriver } from 'furrow'
+import { axisOf } from '../axes.ts'
+import type { FormProps } from '../context.ts'
+import { DriverCurve } from '../fields.tsx'
+import { LinkList } from '../link-list.tsx'
+import { type DriverType, namesOf } from './driver-type.ts'
+import { RuleField } from './rule-field.tsx'
+
+export const area: DriverType<AreaDriver> = {
+  label: 'Other areas',
+  reads: ({ areas }) => namesOf(areas),
+  create: (area, { areas }) => {
+    const other = areas.find(({ name }) => name !== area)
+    return other ? { type: 'area', area, areas: [{ name: other.name }] } : null
+  },
+  Form: AreaForm,
+}
+
+function AreaForm({ driver, index, context }: FormProps<AreaDriver>) {
+  const { areas, rule, curve } = driver
+  const others = context.areas.filter((name) => name !== context.area)
+  const label = areas.length === 1 ? areas[0].name : 'Together'
+  return (
+    <>
+      <LinkList {...{ index, context }} links={areas} names={others} noun="area" field="areas" />
+      {areas.length > 1 && <RuleField {...{ rule, index, context }} />}
+      <DriverCurve {...{ index, context, curve }} axis={axisOf('fraction', label, curve)} />
+    </>
+  )
+}

@@ -1,0 +1,40 @@
+import type { InputDriver } from 'furrow'
+import { axisOf } from '../axes.ts'
+import type { FormProps } from '../context.ts'
+import { DriverCurve, NameField } from '../fields.tsx'
+import { NowSlider } from '../now-slider.tsx'
+import { type DriverType, freeDriverName } from './driver-type.ts'
+
+export const input: DriverType<InputDriver> = {
+  label: 'Number',
+  reads: ({ name }) => name,
+  create: (area, document) => ({
+    type: 'input',
+    area,
+    name: freeDriverName(document, 'stress'),
+    curve: [
+      [0, 0],
+      [1, 1],
+    ],
+  }),
+  Form: InputForm,
+}
+
+function InputForm({ driver: { name, curve }, index, context }: FormProps<InputDriver>) {
+  const axis = axisOf('number', name, curve)
+  return (
+    <>
+      <NameField
+        label="Name"
+        value={name}
+        onChange={(next) => {
+          context.editor.set(index, 'name', { name: next })
+          context.editor.settle()
+        }}
+      />
+      <p class="hint">The application sets this number while it runs.</p>
+      <DriverCurve {...{ index, context, curve, axis }} />
+      <NowSlider name={name} label="Try" axis={axis} context={context} />
+    </>
+  )
+}

@@ -1,0 +1,36 @@
+import type { MorphDriver } from 'furrow'
+import { axisOf } from '../axes.ts'
+import type { FormProps } from '../context.ts'
+import { DriverCurve } from '../fields.tsx'
+import { LinkList } from '../link-list.tsx'
+import { type DriverType, namesOf } from './driver-type.ts'
+import { RuleField } from './rule-field.tsx'
+
+export const morph: DriverType<MorphDriver> = {
+  label: 'Blendshapes',
+  reads: ({ targets }) => namesOf(targets),
+  create: (area, _document, { pose, targets }) => {
+    const [strongest] = [...pose].sort(([, a], [, b]) => b - a)
+    const name = strongest?.[0] ?? targets[0]
+    return name === undefined ? null : { type: 'morph', area, targets: [{ name }] }
+  },
+  Form: MorphForm,
+}
+
+function MorphForm({ driver, index, context }: FormProps<MorphDriver>) {
+  const { targets, rule, curve } = driver
+  const label = targets.length === 1 ? targets[0].name : 'Together'
+  return (
+    <>
+      <LinkList
+        {...{ index, context }}
+        links={targets}
+        names={context.targets}
+        noun="blendshape"
+        field="targets"
+      />
+      {targets.length > 1 && <RuleField {...{ rule, index, context }} />}
+      <DriverCurve {...{ index, context, curve }} axis={axisOf('fraction', label, curve)} />
+    </>
+  )
+}
