@@ -2,9 +2,11 @@
 
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
+import { runnerImport } from 'vite'
 import { ROOT } from './lib/run.mjs'
 
-const { DRIVER_TYPES } = await import(join(ROOT, 'packages/furrow/dist/index.js'))
+const { module } = await runnerImport(join(ROOT, 'packages/furrow/src/drivers/registry.ts'))
+const { DRIVER_TYPES } = module
 
 const published = (name) => join(ROOT, `docs/schema/FURROW_wrinkle_maps.driver${name}.schema.json`)
 

@@ -52,16 +52,18 @@ export default defineConfig({
   },
 })
 
-/** Rooms that are chunks: the first one that has a module. */
+/** Rooms that are chunks: the first one that has a module. Engines and frameworks, whose rooms are not listed, have a chunk each. */
 const CHUNKS: [chunk: string, room: RegExp][] = [
   ['webgl', /^three\/webgl\//],
   ['webgpu', /^three\/webgpu\//],
-  ['three', /^three\//],
-  ['react', /^react\//],
-  ['babylon', /^babylon\//],
-  ['auto', /^auto\/(?!run-options)/],
-  ['core', /^(?!author|gltf)|^author\/auto\/(options|anatomy\/region-names)/],
+  [
+    'core',
+    /^(core|math|drivers|runtime|relief)\/|^auto\/run-options|^author\/auto\/(options|anatomy\/region-names)/,
+  ],
 ]
+
+/** Rooms of one entry each, which has them in its own file. */
+const ALONE = /^(author|gltf)\//
 
 /** The same of modules that are imported dynamically, and of what only these import. */
 const LAZY_CHUNKS: typeof CHUNKS = [
@@ -79,7 +81,11 @@ interface Graph {
 function chunkOf(id: string, graph: Graph): string | null {
   if (!id.startsWith(src('')) || graph.getModuleInfo(id)?.isEntry) return null
   const path = id.slice(src('').length)
-  const chunks = isEager(id, graph) ? CHUNKS : LAZY_CHUNKS
+  if (!isEager(id, graph)) return nameIn(LAZY_CHUNKS, path)
+  return nameIn(CHUNKS, path) ?? (ALONE.test(path) ? null : path.split('/')[0]!)
+}
+
+function nameIn(chunks: typeof CHUNKS, path: string): string | null {
   return chunks.find(([, room]) => room.test(path))?.[0] ?? null
 }
 
