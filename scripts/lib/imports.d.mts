@@ -3,3 +3,9 @@ export interface Source {
   imports: string[]
 }
 export function readImports(folders: string[]): Source[]
+
+export interface Import {
+  specifier: string
+  isDynamic: boolean
+}
+export function importsIn(name: string, text: string): Import[]

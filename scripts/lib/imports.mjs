@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { dirname, join, relative, resolve, sep } from 'node:path'
-import ts from 'typescript'
-import { ROOT } from './run.mjs'
+import { parseSync, Visitor } from 'vite'
+import { Failure, ROOT } from './run.mjs'
 
 /** Folders of builds and installed packages. */
 const SKIPPED = /(^|\/)(node_modules|dist|cache|\.venv[^/]*)$|^site\/pages$/
@@ -25,10 +25,33 @@ function codeIn(folder) {
 }
 
 function importsOf(path) {
-  const { importedFiles } = ts.preProcessFile(readFileSync(join(ROOT, path), 'utf8'), true, true)
-  return importedFiles.map(({ fileName }) => {
-    if (!fileName.startsWith('.')) return fileName
-    const file = relative(ROOT, resolve(ROOT, dirname(path), fileName))
+  return importsIn(path, readFileSync(join(ROOT, path), 'utf8')).map(({ specifier }) => {
+    if (!specifier.startsWith('.')) return specifier
+    const file = relative(ROOT, resolve(ROOT, dirname(path), specifier))
     return file.replaceAll(sep, '/')
   })
+}
+
+/**
+ * Reads the imports of a module, types included.
+ *
+ * @param {string} name file name, whose ending names the language.
+ * @param {string} text
+ * @returns {{ specifier: string, isDynamic: boolean }[]}
+ */
+export function importsIn(name, text) {
+  const { program, errors } = parseSync(name, text)
+  if (errors.length > 0) throw new Failure(`${name}: ${errors[0].message}`)
+  const found = []
+  const add = (isDynamic) => (node) => {
+    if (typeof node.source?.value === 'string') found.push({ specifier: node.source.value, isDynamic })
+  }
+  new Visitor({
+    ImportDeclaration: add(false),
+    ExportAllDeclaration: add(false),
+    ExportNamedDeclaration: add(false),
+    TSImportType: add(false),
+    ImportExpression: add(true),
+  }).visit(program)
+  return found
 }

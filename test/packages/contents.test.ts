@@ -4,8 +4,8 @@ import { dirname, join, resolve } from 'node:path'
 import { checkPackage, createPackageFromTarballData } from '@arethetypeswrong/core'
 import { publint } from 'publint'
 import { formatMessage } from 'publint/utils'
-import ts from 'typescript'
 import { afterAll, beforeAll, describe, expect, inject, it } from 'vitest'
+import { importsIn } from '../../scripts/lib/imports.mjs'
 import { ROOT, remove, run, temporaryFolder } from './npm.ts'
 
 /** The packages are ES modules: these two ways to resolve find CommonJS only. */
@@ -74,8 +74,8 @@ describe.each([
     const allowed = Object.keys({ ...dependencies, ...peerDependencies })
     const imported = files
       .filter((file) => file.endsWith('.js') && !file.startsWith(join(content, 'dist/page/')))
-      .flatMap((file) => ts.preProcessFile(read(file)).importedFiles)
-      .map(({ fileName }) => fileName)
+      .flatMap((file) => importsIn(file, read(file)))
+      .map(({ specifier }) => specifier)
       .filter((specifier) => !/^(\.|node:)/.test(specifier))
     expect(imported.length).toBeGreaterThan(5)
     const installed = (specifier: string) =>

@@ -2,8 +2,8 @@
 
 import { cp, mkdir, readFile, symlink, writeFile } from 'node:fs/promises'
 import { dirname, join, relative } from 'node:path'
-import ts from 'typescript'
 import { afterAll, beforeAll, expect, inject, it } from 'vitest'
+import { importsIn } from '../../scripts/lib/imports.mjs'
 import { ROOT, remove, run, temporaryFolder } from './npm.ts'
 
 /** An error of each entry; the first is of the class that users import. */
@@ -76,12 +76,9 @@ it(`a plain page requests at most ${MOST_REQUESTS} files of an entry, and no oth
   for (const entry of entries) {
     const files = new Set([join(root, entry)])
     for (const file of files) {
-      const { importedFiles } = ts.preProcessFile(await readFile(file, 'utf8'))
-      // Dynamic imports are requested later, if at all.
-      const text = await readFile(file, 'utf8')
-      for (const { fileName, pos } of importedFiles) {
-        if (!fileName.startsWith('.') || /import\(\s*$/.test(text.slice(0, pos))) continue
-        files.add(join(dirname(file), fileName))
+      for (const { specifier, isDynamic } of importsIn(file, await readFile(file, 'utf8'))) {
+        // Dynamic imports are requested later, if at all.
+        if (specifier.startsWith('.') && !isDynamic) files.add(join(dirname(file), specifier))
       }
     }
     counts[entry] = files.size

@@ -1,13 +1,10 @@
-import { Canvas, extend, type ThreeToJSXElements, useLoader } from '@react-three/fiber'
+import { Canvas, extend, useLoader } from '@react-three/fiber'
 import { extendLoader, Wrinkles } from 'furrow/react/webgpu'
 import { Suspense, useState } from 'react'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import * as THREE from 'three/webgpu'
 import { Framed } from '../framed.tsx'
 
-declare module '@react-three/fiber' {
-  interface ThreeElements extends ThreeToJSXElements<typeof THREE> {}
-}
 extend(THREE as never)
 
 function Face() {
