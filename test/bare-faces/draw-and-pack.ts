@@ -1,9 +1,7 @@
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { Logger, NodeIO } from '@gltf-transform/core'
-import type { Command } from 'commander'
-import { packCommand } from '../../packages/cli/src/commands/pack.ts'
-import { strokesCommand } from '../../packages/cli/src/commands/strokes.ts'
+import type { CommandName } from '../commands.ts'
 import type { BareFace } from './bare-faces.ts'
 
 const driver = (area: string, ...targets: string[]) => ({
@@ -29,7 +27,7 @@ const DRIVERS = [
 export async function drawAndPack(
   { path, strokes }: BareFace,
   folder: string,
-  run: (command: Command, ...words: string[]) => Promise<unknown>,
+  run: (name: CommandName, ...words: string[]) => Promise<unknown>,
   ...options: string[]
 ): Promise<string> {
   const file = (name: string) => join(folder, name)
@@ -42,7 +40,7 @@ export async function drawAndPack(
   writeFileSync(file('drawn/wrinkles.json'), JSON.stringify({ version: 1, drivers }))
   const face = ['--face', file('face.glb'), '--mesh', 'face']
   const maps = ['-o', file('height.png'), '--normal', file('drawn/layers/expression/normal.png')]
-  await run(strokesCommand, strokes, ...face, ...maps, '--areas', file('drawn/areas'))
-  await run(packCommand, file('drawn'), ...face, '-o', file('packed.glb'), ...options)
+  await run('strokes', strokes, ...face, ...maps, '--areas', file('drawn/areas'))
+  await run('pack', file('drawn'), ...face, '-o', file('packed.glb'), ...options)
   return file('packed.glb')
 }

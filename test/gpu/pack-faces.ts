@@ -6,10 +6,10 @@ import { draco, quantize, textureCompress } from '@gltf-transform/functions'
 import type { Command } from 'commander'
 import { ktx2 } from 'ktx2-encoder/gltf-transform'
 import sharp from 'sharp'
-import { packCommand } from '../../packages/cli/src/commands/pack.ts'
 import { shrinking, transformFile } from '../../scripts/lib/transform.mjs'
 import { BARE_FACES } from '../bare-faces/bare-faces.ts'
 import { drawAndPack } from '../bare-faces/draw-and-pack.ts'
+import { type CommandName, commandOf } from '../commands.ts'
 
 export { BARE_FACES }
 
@@ -45,8 +45,8 @@ export function facePacker(folder: string): (name: string) => Promise<string> {
   const packed = new Map<string, Promise<string>>()
   // Commands keep the options of their last run, so only one may run at a time.
   let last: Promise<unknown> = Promise.resolve()
-  const run = (command: Command, ...words: string[]) => {
-    last = last.catch(() => {}).then(() => runAlone(command, words))
+  const run = (name: CommandName, ...words: string[]) => {
+    last = last.catch(() => {}).then(async () => runAlone(await commandOf(name), words))
     return last
   }
   const pathOf = (name: string) => {
@@ -68,7 +68,7 @@ export function facePacker(folder: string): (name: string) => Promise<string> {
     if (name === 'images' || name === 'arrays') {
       const options = ['--face', await pathOf('shipped'), '--size', '512', '--json']
       await run(
-        packCommand,
+        'pack',
         join(FACES, 'human'),
         '-o',
         path,

@@ -10,7 +10,6 @@ import { strFromU8, unzipSync } from 'fflate'
 import type { Browser, BrowserContext, Download, Page } from 'playwright-core'
 import { type PreviewServer, preview, type ViteDevServer } from 'vite'
 import { afterAll, beforeAll, expect, test } from 'vitest'
-import { packCommand } from '../../packages/cli/src/commands/pack.ts'
 import { Workshop } from '../unit/cli/workshop.ts'
 import { writeAvatars } from './avatars.ts'
 import { openBrowser } from './browser.ts'
@@ -61,7 +60,7 @@ async function download(name: string | RegExp): Promise<Download> {
 
 /** What `furrow pack` makes of a folder of the workshop. */
 async function pack(name: string): Promise<Buffer> {
-  await shop.run(packCommand, shop.path(name), '-o', shop.path(`${name}.glb`))
+  await shop.run('pack', shop.path(name), '-o', shop.path(`${name}.glb`))
   return readFileSync(shop.path(`${name}.glb`))
 }
 

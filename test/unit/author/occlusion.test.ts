@@ -1,5 +1,6 @@
+import type { AnyHit } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
-import { type AnyHit, ambientVisibility } from '../../../packages/furrow/src/author/bake/occlusion.ts'
+import { ambientVisibility } from '../../../packages/furrow/src/author/bake/occlusion.ts'
 import { seeded } from '../../random.ts'
 
 const ORIGIN = [0, 0, 0]

@@ -1,9 +1,9 @@
 import { readFileSync } from 'node:fs'
 import * as fc from 'fast-check'
+import { FurrowError } from 'furrow'
 import { parseStrokes } from 'furrow/author'
 import { STROKE_DEFAULTS } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
-import { FurrowError } from '../../../packages/furrow/src/core/error.ts'
 
 const plain = {
   points: [

@@ -1,5 +1,5 @@
+import { ALIASES } from 'furrow'
 import { expect, test } from 'vitest'
-import { ALIASES } from '../../../packages/furrow/src/drivers/morph/aliases.ts'
 
 /** Python reads a copy; after a change of the table: `npx vitest run test/unit/blender/aliases.test.ts -u`. */
 test("the extension for Blender has the library's names of blendshapes", async () => {

@@ -1,12 +1,10 @@
 import { readFileSync, writeFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
-import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
-import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
 import { editGlb } from '../../glb.ts'
-import { bench } from './command.ts'
 import { sheet, sheetGlb } from './sheet.ts'
+import { bench } from './workshop.ts'
 
-const at = bench(autoCommand)
+const at = bench('auto')
 const { file, fails } = at
 
 async function writeSheet(name: string, edit: Parameters<typeof editGlb>[1] = () => {}): Promise<string> {
@@ -22,9 +20,9 @@ test.each([
   const path = await writeSheet('plain.glb')
   await at.run(path, '-o', file('out.glb'), '--size', '512', '--json', '--force', ...options)
   const { cost } = JSON.parse(at.printed)
-  at.printed = ''
-  await inspectCommand.parseAsync([file('out.glb'), '--json'], { from: 'user' })
-  const { gpu, influenceMapBytes, imageBytes, strokes } = JSON.parse(at.printed)
+  const { gpu, influenceMapBytes, imageBytes, strokes } = JSON.parse(
+    await at.shop.output('inspect', file('out.glb'), '--json'),
+  )
   const isCompressed = options.length > 0
   expect(cost).toEqual({
     file: imageBytes + strokes.bytes,
@@ -38,9 +36,9 @@ test('an avatar takes at most 2 MB on the GPU at 1024 texels, compressed, as ins
   const { cost, layers } = JSON.parse(at.printed)
   expect(cost.gpu).toBeLessThanOrEqual(2 * 1024 * 1024)
   expect(layers).toHaveLength(2)
-  at.printed = ''
-  await inspectCommand.parseAsync([file('small.glb'), '--json'], { from: 'user' })
-  const { gpu, influenceMapBytes, imageBytes, strokes } = JSON.parse(at.printed)
+  const { gpu, influenceMapBytes, imageBytes, strokes } = JSON.parse(
+    await at.shop.output('inspect', file('small.glb'), '--json'),
+  )
   expect(gpu.bits4 + influenceMapBytes).toBe(cost.gpu)
   expect(imageBytes + strokes.bytes).toBe(cost.file)
 })

@@ -4,7 +4,6 @@ import type { Document } from '@gltf-transform/core'
 import { draco, meshopt, quantize } from '@gltf-transform/functions'
 import { MeshoptEncoder } from 'meshoptimizer/encoder'
 import { beforeAll, describe, expect, test } from 'vitest'
-import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
 import { BARE_FACES } from '../../bare-faces/bare-faces.ts'
 import { FORMATS, rename, skinOf, withTargets } from './auto-changes.ts'
 import {
@@ -182,7 +181,7 @@ function shapesOf(document: Document): string[] {
 /** Errors that `furrow validate` finds. */
 async function errorsOf(path: string): Promise<unknown[]> {
   workshop.printed = ''
-  await workshop.run(validateCommand, path, '--json')
+  await workshop.run('validate', path, '--json')
   return JSON.parse(workshop.printed).findings.filter(
     ({ severity }: { severity: string }) => severity === 'error',
   )

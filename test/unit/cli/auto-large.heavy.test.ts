@@ -1,17 +1,17 @@
 import { readFileSync, writeFileSync } from 'node:fs'
 import { parseWrinkleMaps } from 'furrow/internal'
 import { describe, expect, test } from 'vitest'
-import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
 import { BARE_FACES } from '../../bare-faces/bare-faces.ts'
-import { bench } from './command.ts'
+import { jsonOf } from '../../glb.ts'
 import { sheet, sheetGlb } from './sheet.ts'
-import { jsonOf } from './workshop.ts'
+import { bench } from './workshop.ts'
 
 const FACE = 'faces/human.glb'
-const at = bench(autoCommand)
+const at = bench('auto')
 const { file, fails } = at
 
 const run = (...args: string[]) => at.run(...args, '--size', '512')
+const output = (...args: string[]) => at.output(...args, '--size', '512')
 
 const areasOf = (path: string) => {
   const json = jsonOf(readFileSync(path))
@@ -31,9 +31,7 @@ describe('the shipped face', () => {
     const all = JSON.parse(at.printed)
     expect(all.isFace).toBe(true)
     expect(at.warned).toBe('')
-    at.printed = ''
-    await run(FACE, '-o', file('few.glb'), '--replace', '--json', '--areas', '5')
-    const few = JSON.parse(at.printed)
+    const few = JSON.parse(await output(FACE, '-o', file('few.glb'), '--replace', '--json', '--areas', '5'))
     const compressions = ({ areas }: typeof all) =>
       areas.map((area: { compression: number }) => area.compression).sort((a: number, b: number) => a - b)
     expect(few.areas).toHaveLength(5)

@@ -1,14 +1,9 @@
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
-import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
-import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
-import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
-import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
-import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
-import { bench } from './command.ts'
 import { sheet, sheetGlb } from './sheet.ts'
+import { bench } from './workshop.ts'
 
-const at = bench(autoCommand)
+const at = bench('auto')
 const { file } = at
 
 test.each([
@@ -18,7 +13,7 @@ test.each([
   writeFileSync(file('sheet.glb'), await sheetGlb(sheet(40)))
   const [out, lines, folder] = [file(`${kind}.glb`), file(`${kind}.json`), file(kind)]
   await at.run(file('sheet.glb'), '-o', out, '--size', '512', '--strokes', lines, ...options)
-  await unpackCommand.parseAsync([out, '-o', folder], { from: 'user' })
+  await at.shop.run('unpack', out, '-o', folder)
   expect(JSON.parse(readFileSync(lines, 'utf8')).strokes.length).toBeGreaterThan(3)
   expect(readFileSync(`${folder}/strokes.json`)).toEqual(readFileSync(lines))
 })
@@ -26,7 +21,7 @@ test.each([
 test('furrow strokes draws them again as the same maps, byte for byte', async () => {
   const [out, folder] = [file('human.glb'), file('human')]
   await at.run('faces/human.glb', '-o', out, '--replace', '--size', '512', '--layers', '2')
-  await unpackCommand.parseAsync([out, '-o', folder], { from: 'user' })
+  await at.shop.run('unpack', out, '-o', folder)
   const maps = () => {
     const names = readdirSync(`${folder}/layers`, { recursive: true, encoding: 'utf8' }).sort()
     return names.flatMap((name) =>
@@ -36,7 +31,7 @@ test('furrow strokes draws them again as the same maps, byte for byte', async ()
   const made = maps()
   expect(made).toHaveLength(8)
   const args = [`${folder}/strokes.json`, '--face', `${folder}/face.glb`, '--into', folder]
-  await strokesCommand.parseAsync(args, { from: 'user' })
+  await at.shop.run('strokes', ...args)
   for (const [i, [name, bytes]] of maps().entries()) {
     expect(name).toBe(made[i][0])
     expect((bytes as Buffer).equals(made[i][1] as Buffer), name as string).toBe(true)
@@ -49,10 +44,8 @@ test('the strokes of a skin whose texture is another tile, and sticks out of it,
   shape.uvs = shape.uvs!.map((value) => 1 + 1.006 * value - 0.003)
   writeFileSync(file('tile.glb'), await sheetGlb(shape))
   await at.run(file('tile.glb'), '-o', file('out.glb'), '--size', '512', '--age', '80', '--strength', '2')
-  at.printed = ''
-  await validateCommand.parseAsync([file('out.glb')], { from: 'user' })
-  expect(at.printed).not.toContain('STROKES')
-  at.printed = ''
-  await inspectCommand.parseAsync([file('out.glb'), '--json'], { from: 'user' })
-  expect(JSON.parse(at.printed).strokes.count).toBeGreaterThan(3)
+  expect(await at.shop.output('validate', file('out.glb'))).not.toContain('STROKES')
+  expect(
+    JSON.parse(await at.shop.output('inspect', file('out.glb'), '--json')).strokes.count,
+  ).toBeGreaterThan(3)
 })

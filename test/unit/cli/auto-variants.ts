@@ -10,7 +10,6 @@ import { readWrinkledFile } from 'furrow-files/node'
 import { MeshoptDecoder } from 'meshoptimizer/decoder'
 import { MeshoptEncoder } from 'meshoptimizer/encoder'
 import { beforeAll } from 'vitest'
-import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
 import { imageOf } from '../../../packages/files/src/gltf/texture-image.ts'
 import { decodeImage } from '../../../packages/files/src/images/codec.node.ts'
 import { driven } from '../../driven.ts'
@@ -109,7 +108,7 @@ export async function wrinklesOf(workshop: Workshop, plain: string, ...options: 
   const path = plain.replace(/\.glb$/, '-wrinkled.glb')
   workshop.printed = ''
   workshop.warned = ''
-  await workshop.run(autoCommand, plain, '-o', path, '--size', '512', ...options)
+  await workshop.run('auto', plain, '-o', path, '--size', '512', ...options)
   const file = await readWrinkledFile(path, 'test')
   const weights = await Promise.all(file.maps.areas.map((_, i) => weightsOf(file, i, 'test')))
   const areas = new Map(file.maps.areas.map(({ name: area }, i) => [area, weights[i]!]))

@@ -4,15 +4,12 @@ import { SingleBar } from 'cli-progress'
 import { AUTO_STEPS, parseWrinkleMaps } from 'furrow/internal'
 import sharp from 'sharp'
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
-import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
-import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
-import { editGlb } from '../../glb.ts'
-import { bench } from './command.ts'
+import { editGlb, jsonOf } from '../../glb.ts'
 import { PUSHED, type Sheet, sheet, sheetGlb } from './sheet.ts'
-import { jsonOf } from './workshop.ts'
+import { bench } from './workshop.ts'
 
 const NAME = 'FURROW_wrinkle_maps'
-const at = bench(autoCommand)
+const at = bench('auto')
 const { file, fails } = at
 
 /** At the smallest size: what is tested here does not hang on it. */
@@ -39,9 +36,7 @@ describe('a body without a face', () => {
     )
     expect(at.warned).toMatch(/^furrow auto: no face was found .*\n$/)
     expect(areasOf(file('out.glb'))[0].name).toBe('bend')
-    at.printed = ''
-    await validateCommand.parseAsync([file('out.glb')], { from: 'user' })
-    expect(at.printed).toContain('0 errors')
+    expect(await at.shop.output('validate', file('out.glb'))).toContain('0 errors')
   })
 
   test('has no regions to choose from', async () => {

@@ -1,8 +1,7 @@
 import { readFileSync, writeFileSync } from 'node:fs'
 import { NodeIO } from '@gltf-transform/core'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { bakeCommand } from '../../../packages/cli/src/commands/bake.ts'
-import { bench } from './command.ts'
+import { accessorsOf } from '../../accessors.ts'
 import {
   COLUMNS,
   corner,
@@ -20,10 +19,13 @@ import {
   worst,
 } from './exact-sphere.ts'
 import { globe, icosphere, quad, writeGlb } from './spheres.ts'
+import { bench } from './workshop.ts'
 
-const at = bench(bakeCommand)
-const { file, run } = at
+const at = bench('bake')
+const { file, run, fails } = at
 const report = () => JSON.parse(at.printed.trim().split('\n').at(-1)!)
+const CAGE = ['--cage', '8']
+const CLOSE = ['--size', '128', ...CAGE]
 
 const plain = globe(LOW, COLUMNS, ROWS)
 const tilted = globe(LOW, COLUMNS, ROWS, { tilt: TILT })
@@ -65,18 +67,7 @@ describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
     const kind = tangents === 'of the mesh' ? [] : ['--tangents', tangents]
     // The derivative frame jumps from triangle to triangle, so a texel across an edge is right for neither.
     if (tangents === 'derivative') kind.push('--samples', '1')
-    await run(
-      file('ball.glb'),
-      file(`${name}.glb`),
-      '-o',
-      out,
-      '--size',
-      '128',
-      '--cage',
-      '8',
-      ...kind,
-      '--json',
-    )
+    await run(file('ball.glb'), file(`${name}.glb`), '-o', out, ...CLOSE, ...kind, '--json')
     expect(report()).toMatchObject({
       files: [out],
       size: 128,
@@ -93,22 +84,8 @@ describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
   })
 
   it('gets closer with 16 bits, and says so of the heights', async () => {
-    await run(
-      file('ball.glb'),
-      file('tilted.glb'),
-      ...[
-        '-o',
-        file('wide.png'),
-        '--height',
-        file('height.png'),
-        '--bits',
-        '16',
-        '--size',
-        '128',
-        '--cage',
-        '8',
-      ],
-    )
+    const outputs = ['-o', file('wide.png'), '--height', file('height.png'), '--bits', '16']
+    await run(file('ball.glb'), file('tilted.glb'), ...outputs, ...CLOSE)
     expect((await worst(file('wide.png'), tilted, mikkFrame(1))).angle).toBeLessThan(0.15)
     expect(at.printed).toContain('height.png: 32768 = 0 mm, 1000 steps = 1 mm')
     const { values, width, channels } = await readPixels(file('height.png'))
@@ -137,22 +114,13 @@ describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
   })
 
   it('counts the rays that met nothing', async () => {
-    await run(
-      file('half.glb'),
-      file('plain.glb'),
-      '-o',
-      file('half.png'),
-      '--size',
-      '64',
-      '--cage',
-      '8',
-      '--json',
-    )
+    const args = [file('half.glb'), file('plain.glb'), '-o', file('half.png'), '--size', '64', ...CAGE]
+    await run(...args, '--json')
     const { samples, misses, emptyTexels } = report()
     expect(samples).toBeGreaterThan(4 * 57 * 57)
     expect(misses / samples).toBeCloseTo(0.5, 1)
     expect(emptyTexels).toBeGreaterThan(1400)
-    await run(file('half.glb'), file('plain.glb'), '-o', file('half.png'), '--size', '64', '--cage', '8')
+    await run(...args)
     expect(at.printed).toMatch(/; \d+ of \d+ rays missed \((49|50|51|52)\.\d\d%\), \d+ texels without a hit/)
   })
 
@@ -196,11 +164,7 @@ describe('of several meshes', () => {
     const face = root.listMeshes().find((mesh) => mesh.getName() === 'face')!
     const [primitive] = face.listPrimitives()
     const offsets = new Float32Array(3 * primitive!.getAttribute('POSITION')!.getCount()).fill(0.01)
-    const moved = document
-      .createAccessor()
-      .setType('VEC3')
-      .setArray(offsets)
-      .setBuffer(root.listBuffers()[0]!)
+    const moved = accessorsOf(document)('VEC3', offsets)
     primitive!.addTarget(document.createPrimitiveTarget('browInnerUp').setAttribute('POSITION', moved))
     for (const mesh of root.listMeshes()) {
       for (const part of mesh.listPrimitives()) part.setMaterial(document.createMaterial(mesh.getName()))
@@ -228,97 +192,24 @@ describe('furrow bake says what is wrong and writes nothing:', () => {
     await writeGlb(file('spread.glb'), { spread: { ...plain, uvs: plain.uvs.map((t) => 1e4 * t) } })
     await writeGlb(file('point.glb'), { point: { ...plain, uvs: plain.uvs.map(() => 0.5) } })
     writeFileSync(file('text.glb'), 'no glTF')
-    writeFileSync(file('cut.glb'), readFileSync(file('ball.glb')).subarray(0, 5000))
   })
 
-  const good = () => [file('ball.glb'), file('plain.glb')]
-  const out = () => ['-o', file('x.png'), '--size', '32']
   it.each([
-    ['no output', () => good(), 'no output, allowed: -o NORMAL.png, --height HEIGHT.png, --occlusion AO.png'],
-    ['one output twice', () => [...good(), ...out(), '--height', file('x.png')], 'one file for two outputs'],
-    ['a missing sculpt', () => [file('none.glb'), file('plain.glb'), ...out()], 'cannot read the face'],
-    ['a missing mesh', () => [file('ball.glb'), file('none.glb'), ...out()], 'cannot read the face'],
-    ['half a sculpt', () => [file('cut.glb'), file('plain.glb'), ...out()], 'it is cut off: 5000 of'],
-    ['no glTF', () => [file('text.glb'), file('plain.glb'), ...out()], 'it is text, not glTF'],
-    [
-      'no texture coordinates',
-      () => [file('ball.glb'), file('bare.glb'), ...out()],
-      'has texture coordinates',
-    ],
-    ['no normals', () => [file('ball.glb'), file('rough.glb'), ...out()], 'rough in '],
-    [
-      'two meshes',
-      () => [file('ball.glb'), file('two.glb'), ...out()],
-      'allowed: left, right; name one with --mesh',
-    ],
-    ['no such mesh', () => [...good(), ...out(), '--mesh', 'nose'], 'got "nose", allowed: plain'],
-    [
-      'a sculpt elsewhere',
-      () => [file('far.glb'), file('plain.glb'), ...out()],
-      'no ray hit the detailed surface',
-    ],
-    [
-      'no numbers',
-      () => [file('nan.glb'), file('plain.glb'), ...out()],
-      'is at NaN, allowed: finite numbers',
-    ],
-    [
-      'triangles without area',
-      () => [file('ball.glb'), file('dot.glb'), ...out()],
-      'no tangents can be computed for',
-    ],
-    [
-      'absurd UVs',
-      () => [file('ball.glb'), file('spread.glb'), ...out()],
-      'a triangle is larger than the texture',
-    ],
-    ['UVs in one point', () => [file('ball.glb'), file('point.glb'), ...out()], 'no triangle covers a texel'],
-    [
-      'a size of 0',
-      () => [...good(), ...out(), '--size', '0'],
-      "option '--size <texels>' argument '0' is invalid. It must be an integer from 16 to 8192",
-    ],
-    [
-      'a size of 1e9',
-      () => [...good(), ...out(), '--size', '1e9'],
-      "argument '1e9' is invalid. It must be an integer from 16 to 8192; see furrow bake --help",
-    ],
-    [
-      '3 samples',
-      () => [...good(), ...out(), '--samples', '3'],
-      "option '--samples <count>' argument '3' is invalid. Allowed choices are 1, 4, 9, 16",
-    ],
-    [
-      'a cage of 0',
-      () => [...good(), ...out(), '--cage', '0'],
-      "option '--cage <mm>' argument '0' is invalid. It must be a number from 0.001 to 100000 mm",
-    ],
-    [
-      'a cage of -1',
-      () => [...good(), ...out(), '--cage=-1'],
-      "option '--cage <mm>' argument '-1' is invalid. It must be a number",
-    ],
-    [
-      'no cage',
-      () => [...good(), ...out(), '--cage', 'wide'],
-      "option '--cage <mm>' argument 'wide' is invalid. It must be a number",
-    ],
-    [
-      '12 bits',
-      () => [...good(), ...out(), '--bits', '12'],
-      "option '--bits <bits>' argument '12' is invalid. Allowed choices are 8, 16",
-    ],
-    [
-      'other tangents',
-      () => [...good(), ...out(), '--tangents', 'mine'],
-      "argument 'mine' is invalid. Allowed choices are mikktspace, derivative",
-    ],
-    [
-      'rays without end',
-      () => [...good(), ...out(), '--rays', '1e9'],
-      "option '--rays <count>' argument '1e9' is invalid. It must be an integer from 1 to 4096",
-    ],
-    ['a file as folder', () => [...good(), '-o', file('ball.glb/x.png')], 'cannot write'],
-    ['another ending', () => [...good(), '-o', file('x.jpg')], 'does not end in .png'],
-  ])('%s', (_, args, message) => at.fails(message, ...args()))
+    ['no glTF', 'text', 'plain', 'it is text, not glTF'],
+    ['no texture coordinates', 'ball', 'bare', 'has texture coordinates'],
+    ['no normals', 'ball', 'rough', 'rough in '],
+    ['two meshes', 'ball', 'two', 'allowed: left, right; name one with --mesh'],
+    ['a sculpt elsewhere', 'far', 'plain', 'no ray hit the detailed surface'],
+    ['no numbers', 'nan', 'plain', 'is at NaN, allowed: finite numbers'],
+    ['triangles without area', 'ball', 'dot', 'no tangents can be computed for'],
+    ['absurd UVs', 'ball', 'spread', 'a triangle is larger than the texture'],
+    ['UVs in one point', 'ball', 'point', 'no triangle covers a texel'],
+  ])('%s', async (_, sculpt, mesh, message) => {
+    await fails(message, file(`${sculpt}.glb`), file(`${mesh}.glb`), '-o', file('x.png'), '--size', '32')
+  })
+
+  it.each([
+    ['no output', [], 'no output, allowed: -o NORMAL.png, --height HEIGHT.png, --occlusion AO.png'],
+    ['no such mesh', ['-o', file('x.png'), '--mesh', 'nose'], 'got "nose", allowed: plain'],
+  ])('%s', (_, args, message) => fails(message, file('ball.glb'), file('plain.glb'), ...args))
 })

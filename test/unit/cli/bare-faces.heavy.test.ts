@@ -1,6 +1,5 @@
 import { mkdirSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
 import { BARE_FACES } from '../../bare-faces/bare-faces.ts'
 import { drawAndPack } from '../../bare-faces/draw-and-pack.ts'
 import { Workshop } from './workshop.ts'
@@ -14,9 +13,7 @@ describe.each(BARE_FACES)('$name with drawn wrinkles', (face) => {
   ])('is valid to the last warning once it is packed as %s', async (name, options) => {
     const folder = shop.path(`${face.name} ${name}`)
     mkdirSync(folder)
-    const packed = await drawAndPack(face, folder, shop.run, ...options)
-    shop.printed = ''
-    await shop.run(validateCommand, packed)
-    expect(shop.printed).toBe(`${packed}: 0 errors, 0 warnings\n`)
+    const packed = await drawAndPack(face, folder, (...words) => shop.run(...words), ...options)
+    expect(await shop.output('validate', packed)).toBe(`${packed}: 0 errors, 0 warnings\n`)
   })
 })

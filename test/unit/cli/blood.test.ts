@@ -4,12 +4,10 @@ import { parseWrinkleMaps } from 'furrow/internal'
 import { readWrinkleMaps } from 'furrow/three'
 import sharp from 'sharp'
 import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest'
-import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
-import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
-import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
-import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
+import { jsonOf } from '../../glb.ts'
+import { noise } from '../../noise.ts'
 import { loadInNode } from '../three/node-loader.ts'
-import { faceBytes, jsonOf, noise, Workshop } from './workshop.ts'
+import { faceBytes, Workshop } from './workshop.ts'
 
 // Node has no WebGL to read pixels with; its stand-in for a bitmap has them.
 vi.mock(import('../../../packages/furrow/src/runtime/file/read-image.ts'), async (original) => ({
@@ -72,7 +70,7 @@ let folder = ''
 
 beforeAll(async () => {
   folder = await makeFolder('folder')
-  await shop.run(packCommand, folder, '-o', out)
+  await shop.run('pack', folder, '-o', out)
 })
 
 afterAll(() => vi.unstubAllGlobals())
@@ -93,7 +91,7 @@ describe('the blood map of a folder', () => {
   })
 
   it('comes back as a gray image, beside the occlusion', async () => {
-    await shop.run(unpackCommand, out, '-o', shop.path('again'))
+    await shop.run('unpack', out, '-o', shop.path('again'))
     const texels = Array.from({ length: SIZE * SIZE }, (_, i) => i)
     expect(await grayOf(shop.path('again/layers/up/blood.png'))).toEqual(texels.map(BLOOD))
     expect(await grayOf(shop.path('again/layers/up/occlusion.png'))).toEqual(texels.map(OCCLUSION))
@@ -101,7 +99,7 @@ describe('the blood map of a folder', () => {
     const { layers } = JSON.parse(readFileSync(shop.path('again/wrinkles.json'), 'utf8'))
     expect(layers[0]).toMatchObject({ blood: 'layers/up/blood.png', bloodAmplitude: 0.25 })
     expect(layers[1]).not.toHaveProperty('occlusion')
-    await shop.run(packCommand, shop.path('again'), '-o', shop.path('twice.glb'))
+    await shop.run('pack', shop.path('again'), '-o', shop.path('twice.glb'))
     expect(readFileSync(shop.path('twice.glb')).equals(readFileSync(out))).toBe(true)
   })
 
@@ -109,7 +107,7 @@ describe('the blood map of a folder', () => {
     const deep = await makeFolder('deep')
     const values = [32768, 0, 65535, 33025]
     shop.write('deep/layers/down/blood.png', await gray((i) => values[i % 4], 16))
-    await shop.run(packCommand, deep, '-o', shop.path('deep.glb'))
+    await shop.run('pack', deep, '-o', shop.path('deep.glb'))
     const { bytes } = await imageOf(
       shop.path('deep.glb'),
       mapsOf(shop.path('deep.glb')).layers[1].bloodTexture!.index,
@@ -120,7 +118,7 @@ describe('the blood map of a folder', () => {
   it('is scaled to the size of the occlusion', async () => {
     const small = await makeFolder('small')
     shop.write('small/layers/up/blood.png', await gray((i) => (i < 32 ? 128 : 200), 8, 8))
-    await shop.run(packCommand, small, '-o', shop.path('small.glb'))
+    await shop.run('pack', small, '-o', shop.path('small.glb'))
     const { bytes, width } = await imageOf(
       shop.path('small.glb'),
       mapsOf(shop.path('small.glb')).layers[0].bloodTexture!.index,
@@ -136,7 +134,7 @@ describe('the blood map of a folder', () => {
   it('leaves roughness in the image that it shares with the occlusion', async () => {
     const orm = await makeFolder('orm', { roughness: 'layers/up/occlusion.png' })
     shop.write('orm/layers/up/occlusion.png', await noise(5, 3, SIZE))
-    await shop.run(packCommand, orm, '-o', shop.path('orm.glb'))
+    await shop.run('pack', orm, '-o', shop.path('orm.glb'))
     const [up] = mapsOf(shop.path('orm.glb')).layers
     expect(up.roughnessTexture!.index).toBe(up.bloodTexture!.index)
     const { bytes } = await imageOf(shop.path('orm.glb'), up.bloodTexture!.index)
@@ -145,14 +143,14 @@ describe('the blood map of a folder', () => {
   })
 
   it('becomes a channel of the KTX 2 array of the occlusion', async () => {
-    await shop.run(packCommand, folder, '-o', shop.path('ktx2.glb'), '--ktx2')
+    await shop.run('pack', folder, '-o', shop.path('ktx2.glb'), '--ktx2')
     const { layers } = mapsOf(shop.path('ktx2.glb'))
     const { index } = layers[0].occlusionTexture!
     expect(layers.map(({ bloodTexture }) => bloodTexture)).toEqual([
       { index, slice: 0, amplitude: 0.25 },
       { index, slice: 1, amplitude: 0.5 },
     ])
-    await shop.run(unpackCommand, shop.path('ktx2.glb'), '-o', shop.path('ktx2'))
+    await shop.run('unpack', shop.path('ktx2.glb'), '-o', shop.path('ktx2'))
     const blood = await grayOf(shop.path('ktx2/layers/down/blood.png'))
     expect(Math.abs(blood[34] - BLOOD(34))).toBeLessThan(40)
   })
@@ -169,7 +167,7 @@ describe('the blood map of a folder', () => {
   })
 
   it('is inspected as a map of its own, which costs nothing beside the occlusion', async () => {
-    await shop.run(inspectCommand, out, '--sheet', shop.path('sheet.png'), '--json')
+    await shop.run('inspect', out, '--sheet', shop.path('sheet.png'), '--json')
     const { layers, gpu } = JSON.parse(shop.printed)
     const [up] = layers
     const maps = Object.fromEntries(
@@ -182,7 +180,7 @@ describe('the blood map of a folder', () => {
   })
 
   it('is valid', async () => {
-    await shop.run(validateCommand, out)
+    await shop.run('validate', out)
     expect(shop.printed).toContain('0 errors, 0 warnings')
     expect(process.exitCode ?? 0).toBe(0)
   })
@@ -218,7 +216,7 @@ describe('pack refuses', () => {
     const name = what.replaceAll(' ', '-')
     const spoilt = await makeFolder(name)
     await spoil(name)
-    const error = await shop.failure(packCommand, spoilt, '-o', shop.path('no.glb'))
+    const error = await shop.failure('pack', spoilt, '-o', shop.path('no.glb'))
     expect(error).toBeInstanceOf(FurrowError)
     expect(error.message).toMatch(message)
   })

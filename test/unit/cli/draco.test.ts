@@ -3,7 +3,6 @@ import { KHRDracoMeshCompression } from '@gltf-transform/extensions'
 import { draco } from '@gltf-transform/functions'
 import draco3d from 'draco3d'
 import { describe, expect, it } from 'vitest'
-import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
 import { dracoProblem } from '../../../packages/files/src/checks/draco.ts'
 import { joinGlb, splitGlb } from '../../fuzz/glb-parts.ts'
 import { sheet, sheetGlb } from './sheet.ts'
@@ -55,7 +54,7 @@ describe('meshes in Draco', () => {
     ['2 million triangles', 'edgebreaker', 14, /meshes\[0\] holds 6000000 indices, its accessor 864/],
   ])('that claim %s are not decoded: %s', async (_, method, at, message) => {
     const path = shop.write('hostile.glb', await withCount(method, at, 2_000_000))
-    const error = await shop.failure(autoCommand, path, '-o', shop.path('out.glb'))
+    const error = await shop.failure('auto', path, '-o', shop.path('out.glb'))
     expect(error.name).toBe('FurrowError')
     expect(error.message).toMatch(message)
   })

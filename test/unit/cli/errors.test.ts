@@ -3,8 +3,8 @@ import { FurrowError } from 'furrow'
 import { cannotRead, withCommandErrors } from 'furrow-files'
 import { describe, expect, it, vi } from 'vitest'
 import { createCommand } from '../../../packages/cli/src/command.ts'
-import { bakeCommand } from '../../../packages/cli/src/commands/bake.ts'
 import { numberParser, parseWeight } from '../../../packages/cli/src/options.ts'
+import { runCommand } from '../../commands.ts'
 
 /** What `work` throws or rejects with. */
 async function failure(work: () => unknown): Promise<unknown> {
@@ -63,9 +63,7 @@ describe('errors of files', () => {
       message: 'furrow pack: cannot read the face a.glb (broken header); check the path',
       cause,
     })
-    const missing = await failure(() =>
-      bakeCommand.parseAsync(['none.glb', 'none.glb', '-o', 'x.png'], { from: 'user' }),
-    )
+    const missing = await failure(() => runCommand('bake', 'none.glb', 'none.glb', '-o', 'x.png'))
     expect(missing).toMatchObject({ code: 'unreadable', who: 'furrow bake' })
   })
 })

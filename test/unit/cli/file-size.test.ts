@@ -1,20 +1,8 @@
 import { closeSync, openSync, truncateSync } from 'node:fs'
-import type { Command } from 'commander'
 import { readBytes } from 'furrow-files/node'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { activationsCommand } from '../../../packages/cli/src/commands/activations.ts'
-import { arrayCommand } from '../../../packages/cli/src/commands/array.ts'
-import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
-import { bakeCommand } from '../../../packages/cli/src/commands/bake.ts'
-import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
-import { normalsCommand } from '../../../packages/cli/src/commands/normals.ts'
-import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
-import { renderCommand } from '../../../packages/cli/src/commands/render.ts'
-import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
-import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
-import { uvCommand } from '../../../packages/cli/src/commands/uv.ts'
-import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
 import { MAX_FILE_BYTES } from '../../../packages/files/src/base/file-size.ts'
+import type { CommandName } from '../../commands.ts'
 import { faceBytes, Workshop } from './workshop.ts'
 
 const MIB = 2 ** 20
@@ -40,7 +28,7 @@ function header(length: number, jsonLength: number): Buffer {
 }
 
 /** Expects one line, for which little more than the header was read. */
-async function expectRefusal(message: string | RegExp, command: Command, args: string[]): Promise<void> {
+async function expectRefusal(message: string | RegExp, command: CommandName, args: string[]): Promise<void> {
   const before = process.resourceUsage().fsRead
   const { rss } = process.memoryUsage()
   const failure = await shop.failure(command, ...args)
@@ -74,38 +62,34 @@ beforeAll(async () => {
 })
 
 describe('a file of 1.9 GB is refused before it is read', () => {
-  it.each<[Command, () => string[]]>([
-    [activationsCommand, () => [at('huge.glb')]],
-    [autoCommand, () => [at('huge.glb'), '-o', at('x.glb')]],
-    [bakeCommand, () => [at('huge.glb'), at('face.glb'), '-o', at('x.png')]],
-    [bakeCommand, () => [at('face.glb'), at('huge.glb'), '-o', at('x.png')]],
-    [inspectCommand, () => [at('huge.glb')]],
-    [packCommand, () => [at('folder'), '--face', at('huge.glb'), '-o', at('x.glb')]],
-    [renderCommand, () => [at('huge.glb'), '-o', at('x.png')]],
-    [strokesCommand, () => [at('strokes.json'), '--face', at('huge.glb'), '-o', at('x.png')]],
-    [unpackCommand, () => [at('huge.glb'), '-o', at('x')]],
-    [uvCommand, () => [at('huge.glb'), '-o', at('x.png')]],
-    [validateCommand, () => [at('huge.glb')]],
+  it.each<[CommandName, () => string[]]>([
+    ['activations', () => [at('huge.glb')]],
+    ['auto', () => [at('huge.glb'), '-o', at('x.glb')]],
+    ['bake', () => [at('huge.glb'), at('face.glb'), '-o', at('x.png')]],
+    ['bake', () => [at('face.glb'), at('huge.glb'), '-o', at('x.png')]],
+    ['inspect', () => [at('huge.glb')]],
+    ['pack', () => [at('folder'), '--face', at('huge.glb'), '-o', at('x.glb')]],
+    ['render', () => [at('huge.glb'), '-o', at('x.png')]],
+    ['strokes', () => [at('strokes.json'), '--face', at('huge.glb'), '-o', at('x.png')]],
+    ['unpack', () => [at('huge.glb'), '-o', at('x')]],
+    ['uv', () => [at('huge.glb'), '-o', at('x.png')]],
+    ['validate', () => [at('huge.glb')]],
   ])('as a face: %#', async (command, args) => {
     const message = /huge\.glb is too large, got "1900 MiB", allowed: 512 MiB; make it smaller$/
     await expectRefusal(message, command, args())
   })
 
-  it.each<[string, Command, () => string[]]>([
-    ['an image of an array', arrayCommand, () => [at('huge.png'), '-o', at('x.ktx2')]],
-    ['an array', arrayCommand, () => [at('huge.ktx2'), '--extract', at('x')]],
-    ['heights', normalsCommand, () => [at('huge.png'), '-o', at('x.png'), '--strength', '1']],
+  it.each<[string, CommandName, () => string[]]>([
+    ['an image of an array', 'array', () => [at('huge.png'), '-o', at('x.ktx2')]],
+    ['an array', 'array', () => [at('huge.ktx2'), '--extract', at('x')]],
+    ['heights', 'normals', () => [at('huge.png'), '-o', at('x.png'), '--strength', '1']],
     [
       'a base',
-      strokesCommand,
+      'strokes',
       () => [at('strokes.json'), '--face', at('face.glb'), '--base', at('huge.png'), '--normal', at('x.png')],
     ],
-    ['strokes', strokesCommand, () => [at('huge.json'), '--face', at('face.glb'), '-o', at('x.png')]],
-    [
-      'a wrinkle set',
-      renderCommand,
-      () => [at('face.glb'), '--wrinkles', at('huge.json'), '-o', at('x.png')],
-    ],
+    ['strokes', 'strokes', () => [at('huge.json'), '--face', at('face.glb'), '-o', at('x.png')]],
+    ['a wrinkle set', 'render', () => [at('face.glb'), '--wrinkles', at('huge.json'), '-o', at('x.png')]],
   ])('as %s', (_, command, args) => {
     return expectRefusal(/huge\.\w+ is too large, got "1900 MiB", allowed: (512|64) MiB/, command, args())
   })
@@ -114,9 +98,9 @@ describe('a file of 1.9 GB is refused before it is read', () => {
     await shop.makeFolder('big')
     sparse('big/areas/brow.png', HUGE)
     const message = /brow\.png, which .* refers to, is too large, got "1900 MiB"/
-    await expectRefusal(message, packCommand, [at('big'), '-o', at('x.glb')])
+    await expectRefusal(message, 'pack', [at('big'), '-o', at('x.glb')])
     sparse('big/wrinkles.json', HUGE)
-    await expectRefusal(/wrinkles\.json is too large/, packCommand, [at('big'), '-o', at('x.glb')])
+    await expectRefusal(/wrinkles\.json is too large/, 'pack', [at('big'), '-o', at('x.glb')])
   })
 
   it('beside a face, alone or together', async () => {
@@ -128,10 +112,10 @@ describe('a file of 1.9 GB is refused before it is read', () => {
         asset: { version: '2.0' },
         buffers: files.map((uri) => ({ byteLength: 1, uri })),
       })
-    await expectRefusal(/huge\.bin, which .*face\.gltf refers to, is too large/, inspectCommand, [
+    await expectRefusal(/huge\.bin, which .*face\.gltf refers to, is too large/, 'inspect', [
       face('huge.bin'),
     ])
-    const failure = await shop.failure(inspectCommand, face('a.bin', 'b.bin'))
+    const failure = await shop.failure('inspect', face('a.bin', 'b.bin'))
     expect(failure.message).toMatch(
       /face\.gltf with the files that it refers to is too large, got "600 MiB", allowed: 512 MiB/,
     )
@@ -139,7 +123,7 @@ describe('a file of 1.9 GB is refused before it is read', () => {
 })
 
 describe('a file of 500 MB is refused by its first bytes', () => {
-  const inspect = (path: string, message: RegExp) => expectRefusal(message, inspectCommand, [path])
+  const inspect = (path: string, message: RegExp) => expectRefusal(message, 'inspect', [path])
 
   it('where it is not glTF', async () => {
     await inspect(sparse('zeros.glb', 500 * MIB), /does not begin with "glTF"/)

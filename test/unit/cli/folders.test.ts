@@ -1,10 +1,6 @@
 import { access } from 'node:fs/promises'
-import type { Command } from 'commander'
 import { beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
-import { arrayCommand } from '../../../packages/cli/src/commands/array.ts'
-import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
-import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
-import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
+import type { CommandName } from '../../commands.ts'
 import { Workshop } from './workshop.ts'
 
 // Root may write everywhere, so refusals are played.
@@ -16,11 +12,11 @@ vi.mock('node:fs/promises', async (original) => {
 const shop = new Workshop()
 
 /** Every command that writes a folder. No input exists, so an error about the folder comes before any work. */
-const COMMANDS: [Command, (folder: string) => string[]][] = [
-  [arrayCommand, (folder) => ['none.ktx2', '--extract', folder]],
-  [autoCommand, (folder) => ['none.glb', '-o', shop.path('x.glb'), '--report', folder]],
-  [strokesCommand, (folder) => ['none.json', '--face', 'none.glb', '--areas', folder]],
-  [unpackCommand, (folder) => ['none.glb', '-o', folder]],
+const COMMANDS: [CommandName, (folder: string) => string[]][] = [
+  ['array', (folder) => ['none.ktx2', '--extract', folder]],
+  ['auto', (folder) => ['none.glb', '-o', shop.path('x.glb'), '--report', folder]],
+  ['strokes', (folder) => ['none.json', '--face', 'none.glb', '--areas', folder]],
+  ['unpack', (folder) => ['none.glb', '-o', folder]],
 ]
 
 const isFolder = (path: unknown, name: string) => String(path) === shop.path(name)

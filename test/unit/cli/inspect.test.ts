@@ -1,10 +1,10 @@
 import { readFileSync } from 'node:fs'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
-import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import { areaSizes, mapSizes } from '../../../packages/files/src/wrinkles/sizes.ts'
-import { jsonOf, noise, Workshop, withJson } from './workshop.ts'
+import { jsonOf, withJson } from '../../glb.ts'
+import { noise } from '../../noise.ts'
+import { Workshop } from './workshop.ts'
 
 const shop = new Workshop()
 const face = shop.path('wrinkled.glb')
@@ -32,7 +32,7 @@ beforeAll(async () => {
       { type: 'expression', name: 'joy', targets: [{ name: 'browInnerUp', weight: 0.5 }] },
     ],
   })
-  await shop.run(packCommand, folder, '-o', face)
+  await shop.run('pack', folder, '-o', face)
 })
 
 describe('sizes on the GPU', () => {
@@ -50,7 +50,7 @@ describe('sizes on the GPU', () => {
 
 describe('furrow inspect', () => {
   it('prints layers, areas, drivers and sizes', async () => {
-    await shop.run(inspectCommand, face)
+    await shop.run('inspect', face)
     const lines = shop.printed.split('\n')
     expect(lines[0]).toBe(`${face}: wrinkles on material "skin"`)
     expect(lines).toContainEqual(
@@ -70,7 +70,7 @@ describe('furrow inspect', () => {
   })
 
   it('prints the same as JSON, every image counted once', async () => {
-    await shop.run(inspectCommand, face, '--json')
+    await shop.run('inspect', face, '--json')
     const report = JSON.parse(shop.printed)
     const json = jsonOf(readFileSync(face))
     const images = json.images
@@ -91,7 +91,7 @@ describe('furrow inspect', () => {
 
   it('draws every map and every area into one sheet', async () => {
     const path = shop.path('deep/sheet.png')
-    await shop.run(inspectCommand, face, '--sheet', path)
+    await shop.run('inspect', face, '--sheet', path)
     expect(shop.printed).toMatch(/deep\/sheet\.png: all maps and areas\n$/)
     const { data, info } = await sharp(path).raw().toBuffer({ resolveWithObject: true })
     // 3 maps and 5 areas in 4 columns.
@@ -115,11 +115,11 @@ describe('furrow inspect', () => {
     const json = jsonOf(bytes)
     json.materials[1].extensions = json.materials[0].extensions
     shop.write('two.glb', withJson(bytes, json))
-    const failure = await shop.failure(inspectCommand, shop.path('two.glb'))
+    const failure = await shop.failure('inspect', shop.path('two.glb'))
     expect(failure.message).toBe(
       `furrow inspect: several materials with wrinkles in ${shop.path('two.glb')}, allowed: skin, eyes; name one with --material`,
     )
-    await shop.run(inspectCommand, shop.path('two.glb'), '--material', 'eyes', '--json')
+    await shop.run('inspect', shop.path('two.glb'), '--material', 'eyes', '--json')
     expect(JSON.parse(shop.printed).material).toBe('eyes')
   })
 
@@ -130,12 +130,12 @@ describe('furrow inspect', () => {
       () => [shop.path('face/face.glb'), '--material', 'skin'],
       'has no wrinkles',
     ],
-    ['no glTF', async () => [shop.write('x.glb', await noise(1, 3))], 'it is an image'],
+    ['no glTF', async () => [shop.write('x.glb', await noise(1))], 'it is an image'],
     ['half a file', () => [shop.write('half.glb', readFileSync(face).subarray(0, 4000))], 'it is cut off'],
     ['a sheet that is not a PNG', () => [face, '--sheet', shop.path('sheet.jpg')], 'does not end in .png'],
     ['a sheet in place of a folder', () => [face, '--sheet', shop.path('face')], 'does not end in .png'],
   ])('says one line about %s', async (_, args, message) => {
-    const failure = await shop.failure(inspectCommand, ...(await args()))
+    const failure = await shop.failure('inspect', ...(await args()))
     expect(failure.name).toBe('FurrowError')
     expect(failure.message).toContain('furrow inspect: ')
     expect(failure.message).toContain(message)

@@ -5,11 +5,9 @@ import { dedup, prune, textureCompress } from '@gltf-transform/functions'
 import { FurrowWrinkleMaps } from 'furrow/gltf'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
-import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
-import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
-import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
-import { AREAS, faceBytes, jsonOf, noise, Workshop, withJson } from './workshop.ts'
+import { jsonOf, withJson } from '../../glb.ts'
+import { noise } from '../../noise.ts'
+import { AREAS, faceBytes, Workshop } from './workshop.ts'
 
 const NAME = 'FURROW_wrinkle_maps'
 const shop = new Workshop()
@@ -22,7 +20,7 @@ const mapsOf = (path: string) => jsonOf(readFileSync(path)).materials[0].extensi
 
 beforeAll(async () => {
   folder = await shop.makeFolder('face')
-  await shop.run(packCommand, folder, '--ktx2', '-o', packed)
+  await shop.run('pack', folder, '--ktx2', '-o', packed)
 })
 
 /** The codes found, and messages, once `spoil` has changed the file's JSON. */
@@ -31,7 +29,7 @@ async function findings(spoil: (json: Json, maps: Json) => void): Promise<string
   const json = jsonOf(bytes)
   spoil(json, json.materials[0].extensions[NAME])
   shop.printed = ''
-  await shop.run(validateCommand, shop.write('spoilt.glb', withJson(bytes, json)))
+  await shop.run('validate', shop.write('spoilt.glb', withJson(bytes, json)))
   return shop.printed
 }
 
@@ -60,16 +58,16 @@ describe('furrow pack --ktx2', () => {
   })
 
   it('is valid, and its areas are those of the folder but for what compression takes', async () => {
-    await shop.run(validateCommand, packed)
+    await shop.run('validate', packed)
     expect(shop.printed).toBe(`${packed}: 0 errors, 0 warnings\n`)
     shop.printed = ''
-    await shop.run(inspectCommand, packed, '--json')
+    await shop.run('inspect', packed, '--json')
     const report = JSON.parse(shop.printed)
     // Two slices of 128 x 128 with 8 bits per texel, and the mipmaps of three maps of 16 x 16: 21 and some blocks.
     expect(report.gpu.bits8).toBe(2 * 128 * 128 + 3 * (16 + 4 + 1 + 1 + 1) * 16)
     expect(report.areas.map(({ name }: Json) => name)).toEqual(AREAS)
     const out = shop.path('unpacked')
-    await shop.run(unpackCommand, packed, '-o', out)
+    await shop.run('unpack', packed, '-o', out)
     for (const area of AREAS) {
       const [before, after] = [`${folder}/areas/${area}.png`, `${out}/areas/${area}.png`]
       expect(furthest(await pixels(before), await pixels(after)), area).toBeLessThan(40)
@@ -78,11 +76,11 @@ describe('furrow pack --ktx2', () => {
 
   it('gives the same JSON when what was unpacked is packed again', async () => {
     const [first, again] = [shop.path('first'), shop.path('again.glb')]
-    await shop.run(unpackCommand, packed, '-o', first)
-    await shop.run(packCommand, first, '--ktx2', '-o', again)
+    await shop.run('unpack', packed, '-o', first)
+    await shop.run('pack', first, '--ktx2', '-o', again)
     expect(mapsOf(again)).toEqual(mapsOf(packed))
     const second = shop.path('second')
-    await shop.run(unpackCommand, again, '-o', second)
+    await shop.run('unpack', again, '-o', second)
     const documents = ['first', 'second'].map((name) => shop.files(name)['wrinkles.json'])
     expect(documents[1]).toBe(documents[0])
     // What is encoded a second time hardly changes any more.
@@ -94,9 +92,9 @@ describe('furrow pack --ktx2', () => {
 
   it('leaves nothing of its arrays in a face that was unpacked or packed anew', async () => {
     const out = shop.path('bare')
-    await shop.run(unpackCommand, packed, '-o', out)
+    await shop.run('unpack', packed, '-o', out)
     expect(jsonOf(readFileSync(`${out}/face.glb`))).toEqual(jsonOf(await faceBytes()))
-    await shop.run(packCommand, folder, '--face', packed, '--ktx2', '-o', shop.path('anew.glb'))
+    await shop.run('pack', folder, '--face', packed, '--ktx2', '-o', shop.path('anew.glb'))
     expect(readFileSync(shop.path('anew.glb')).equals(readFileSync(packed))).toBe(true)
   })
 
@@ -112,8 +110,8 @@ describe('furrow pack --ktx2', () => {
     ]
     expect(slices(after)).toEqual(slices(before))
     const [one, two] = [shop.path('one'), shop.path('two')]
-    await shop.run(unpackCommand, packed, '-o', one)
-    await shop.run(unpackCommand, path, '-o', two)
+    await shop.run('unpack', packed, '-o', one)
+    await shop.run('unpack', path, '-o', two)
     for (const area of AREAS) {
       const file = `areas/${area}.png`
       expect(shop.files('two')[file], area).toBe(shop.files('one')[file])
@@ -122,9 +120,9 @@ describe('furrow pack --ktx2', () => {
 
   it('scales maps, normals as vectors', async () => {
     const out = shop.path('small.glb')
-    await shop.run(packCommand, folder, '--size', '8', '-o', out)
+    await shop.run('pack', folder, '--size', '8', '-o', out)
     const small = shop.path('small')
-    await shop.run(unpackCommand, out, '-o', small)
+    await shop.run('unpack', out, '-o', small)
     const normals = await pixels(`${small}/layers/age/normal.png`)
     expect(normals).toHaveLength(3 * 8 * 8)
     for (let i = 0; i < normals.length; i += 3) {
@@ -138,7 +136,7 @@ describe('furrow pack --ktx2', () => {
     shop.write('odd/layers/age/normal.png', await noise(1, 3, 18))
     shop.write('odd/layers/expression/normal.png', await noise(2, 3, 18))
     const before = shop.files()
-    const error = await shop.failure(packCommand, odd, '--ktx2', '-o', shop.path('odd.glb'))
+    const error = await shop.failure('pack', odd, '--ktx2', '-o', shop.path('odd.glb'))
     expect(error.message).toMatch(/got "18 x 18", allowed: multiples of 4 texels; .*--size/)
     expect(shop.files()).toEqual(before)
   })
@@ -150,13 +148,13 @@ describe('furrow pack --ktx2 with what it cannot do', () => {
     const flat = sharp({ create: { width: 4096, height: 4096, channels: 3, background: '#8080ff' } })
     const normal = await flat.png().toBuffer()
     for (const layer of ['age', 'expression']) shop.write(`big/layers/${layer}/normal.png`, normal)
-    const error = await shop.failure(packCommand, big, '--ktx2', '-o', shop.path('big.glb'))
+    const error = await shop.failure('pack', big, '--ktx2', '-o', shop.path('big.glb'))
     expect(error.message).toMatch(/^furrow pack: too many texels .*got "2 x 4096 x 4096".*--size/)
   })
 
   it('refuses a number of areas to an image, which an array does not have', async () => {
     const args = [folder, '--ktx2', '--share', '1', '-o', shop.path('shared.glb')]
-    expect((await shop.failure(packCommand, ...args)).message).toContain(
+    expect((await shop.failure('pack', ...args)).message).toContain(
       "option '--ktx2' cannot be used with option '--share <count>'",
     )
   })

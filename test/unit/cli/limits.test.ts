@@ -1,22 +1,15 @@
 import { readFileSync } from 'node:fs'
-import type { Command } from 'commander'
 import { checkTriangles, costProblem } from 'furrow-files'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
-import { bakeCommand } from '../../../packages/cli/src/commands/bake.ts'
-import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
-import { normalsCommand } from '../../../packages/cli/src/commands/normals.ts'
-import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
-import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
-import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
 import { decodingProblem } from '../../../packages/files/src/checks/document.ts'
 import { shapeProblem } from '../../../packages/files/src/checks/shape.ts'
 import { checkContentSize } from '../../../packages/files/src/ktx2/zstd-frame.ts'
 import { flatPng } from '../../fuzz/damage-images.ts'
 import { type Anything, joinGlb, setImage, splitGlb } from '../../fuzz/glb-parts.ts'
+import { editGlb, jsonOf } from '../../glb.ts'
 import { sheet, sheetGlb } from './sheet.ts'
-import { faceBytes, jsonOf, Workshop, withJson } from './workshop.ts'
+import { faceBytes, Workshop } from './workshop.ts'
 
 const shop = new Workshop()
 let face: Buffer
@@ -25,7 +18,7 @@ let folder = ''
 beforeAll(async () => {
   face = Buffer.from(await faceBytes())
   folder = await shop.makeFolder('face')
-  await shop.run(packCommand, folder, '-o', shop.path('packed.glb'))
+  await shop.run('pack', folder, '-o', shop.path('packed.glb'))
 })
 
 const FILE_BYTES = 4000
@@ -60,117 +53,77 @@ describe('numbers are checked before anything is decoded', () => {
     expect(problem(() => {})).toBeUndefined()
   })
 
+  const mesh = ({ meshes }: Anything) => meshes[0].primitives[0]
+  /** Primitives of one accessor that claims a count, without bytes of its own. */
+  const repeat = (json: Anything, times: number, primitive: object) =>
+    json.meshes[0].primitives.push(...Array(times).fill(primitive))
+  const claim = (json: Anything, componentType: number, type: string, count: number) =>
+    json.accessors.push({ componentType, type, count }) - 1
+
   it.each<[string, (json: Anything) => unknown, string]>([
-    [
-      'a sparse count of a billion',
-      (json) => Object.assign(json.accessors[0], { sparse: sparse(1e9) }),
-      'accessors[0]',
-    ],
+    ['a sparse count of a billion', ({ accessors: [a] }) => (a.sparse = sparse(1e9)), 'accessors[0]'],
     [
       'a sparse offset beyond',
-      (json) =>
-        Object.assign(json.accessors[0], {
-          sparse: { ...sparse(1), values: { bufferView: 0, byteOffset: 1e6 } },
-        }),
+      ({ accessors: [a] }) => (a.sparse = { ...sparse(1), values: { bufferView: 0, byteOffset: 1e6 } }),
       'accessors[0].sparse.values',
     ],
-    [
-      'a stride of half a byte',
-      (json) => Object.assign(json.bufferViews[0], { byteStride: 0.5 }),
-      'bufferViews[0]',
-    ],
+    ['a stride of half a byte', ({ bufferViews: [v] }) => (v.byteStride = 0.5), 'bufferViews[0]'],
     [
       'a stride of 1',
-      (json) => Object.assign(json.bufferViews[json.accessors[0].bufferView], { byteStride: 1 }),
+      (json) => (json.bufferViews[json.accessors[0].bufferView].byteStride = 1),
       'accessors[0]',
     ],
-    ['a count of 1e308', (json) => Object.assign(json.accessors[0], { count: 1e308 }), 'accessors[0]'],
-    ['a count beyond the view', (json) => Object.assign(json.accessors[0], { count: 4000 }), 'accessors[0]'],
-    [
-      'a count of zeros without a view',
-      (json) => json.accessors.push({ componentType: 5126, type: 'VEC3', count: 1e8 }),
-      'decode to 1201 MB',
-    ],
-    [
-      'a component type',
-      (json) => Object.assign(json.accessors[0], { componentType: 5124 }),
-      'component type 5124',
-    ],
+    ['a count of 1e308', ({ accessors: [a] }) => (a.count = 1e308), 'accessors[0]'],
+    ['a count beyond the view', ({ accessors: [a] }) => (a.count = 4000), 'accessors[0]'],
+    ['a count of zeros without a view', (json) => claim(json, 5126, 'VEC3', 1e8), 'decode to 1201 MB'],
+    ['a component type', ({ accessors: [a] }) => (a.componentType = 5124), 'component type 5124'],
     [
       'integers of 32 bits that are normalized',
-      (json) => Object.assign(json.accessors[0], { componentType: 5125, normalized: true }),
+      ({ accessors: [a] }) => Object.assign(a, { componentType: 5125, normalized: true }),
       'accessors[0] is normalized',
     ],
     [
       'an offset that is not aligned',
-      (json) => Object.assign(json.accessors[0], { byteOffset: 2, count: 1 }),
+      ({ accessors: [a] }) => Object.assign(a, { byteOffset: 2, count: 1 }),
       'aligned',
     ],
-    [
-      'a view beyond the buffer',
-      (json) => Object.assign(json.bufferViews[0], { byteLength: 1e9 }),
-      'bufferViews[0]',
-    ],
+    ['a view beyond the buffer', ({ bufferViews: [v] }) => (v.byteLength = 1e9), 'bufferViews[0]'],
     [
       'a view of a buffer without bytes',
-      (json) => json.buffers.push({ byteLength: 99 }) && Object.assign(json.bufferViews[0], { buffer: 1 }),
+      ({ buffers, bufferViews: [v] }) => (v.buffer = buffers.push({ byteLength: 99 }) - 1),
       'bufferViews[0]',
     ],
     [
       'many triangles of few bytes',
       (json) =>
-        json.meshes[0].primitives.push(
-          ...Array(1000).fill({
-            attributes: json.meshes[0].primitives[0].attributes,
-            indices: json.accessors.push({ componentType: 5125, type: 'SCALAR', count: 4500 }) - 1,
-          }),
-        ),
+        repeat(json, 1000, { attributes: mesh(json).attributes, indices: claim(json, 5125, 'SCALAR', 4500) }),
       'triangles',
     ],
     [
       'many primitives of one accessor',
       (json) =>
-        json.meshes[0].primitives.push(
-          ...Array(5000).fill({
-            attributes: {
-              POSITION: json.accessors.push({ componentType: 5126, type: 'VEC3', count: 30_000 }) - 1,
-            },
-            indices: 0,
-          }),
-        ),
+        repeat(json, 5000, { attributes: { POSITION: claim(json, 5126, 'VEC3', 30_000) }, indices: 0 }),
       'decode to',
     ],
     ['a chain of 20,000 nodes', chain(20_000), 'more than 256 ancestors'],
-    [
-      'a node that is its own child',
-      (json) => Object.assign(json.nodes[0], { children: [0] }),
-      'own ancestors',
-    ],
+    ['a node that is its own child', ({ nodes }) => (nodes[0].children = [0]), 'own ancestors'],
     [
       'a node with two parents',
-      (json) => json.nodes.push({ children: [0] }, { children: [0] }),
+      ({ nodes }) => nodes.push({ children: [0] }, { children: [0] }),
       'two parents',
     ],
-    [
-      'a mesh that does not exist',
-      (json) => Object.assign(json.nodes[0], { mesh: 9 }),
-      'nodes[0].mesh is 9, of 2',
-    ],
+    ['a mesh that does not exist', ({ nodes }) => (nodes[0].mesh = 9), 'nodes[0].mesh is 9, of 2'],
     [
       'an accessor that does not exist',
-      (json) => Object.assign(json.meshes[0].primitives[0].targets[0], { NORMAL: 99 }),
+      (json) => (mesh(json).targets[0].NORMAL = 99),
       'targets[0].NORMAL is 99',
     ],
     [
       'a texture that does not exist',
-      (json) => Object.assign(json.materials[0].normalTexture, { index: 99 }),
+      ({ materials }) => (materials[0].normalTexture.index = 99),
       'normalTexture.index is 99',
     ],
-    [
-      'an image that does not exist',
-      (json) => Object.assign(json.textures[0], { source: 99 }),
-      'textures[0].source is 99',
-    ],
+    ['an image that does not exist', ({ textures }) => (textures[0].source = 99), 'textures[0].source is 99'],
     ['a texture without an image', (json) => delete json.textures[0].source, 'textures[0] has no image'],
     [
       'a compressed view without a count',
@@ -185,17 +138,17 @@ describe('numbers are checked before anything is decoded', () => {
     [
       'a Draco attribute that its primitive does not have',
       (json) =>
-        Object.assign(json.meshes[0].primitives[0], {
-          extensions: { KHR_draco_mesh_compression: { bufferView: 0, attributes: { COLOR_0: 0 } } },
+        (mesh(json).extensions = {
+          KHR_draco_mesh_compression: { bufferView: 0, attributes: { COLOR_0: 0 } },
         }),
       "meshes[0].primitives[0] has COLOR_0 in Draco's attributes alone",
     ],
     [
       'an extension that is required and not listed',
-      (json) => Object.assign(json, { extensionsRequired: ['EXT_meshopt_compression'] }),
+      (json) => (json.extensionsRequired = ['EXT_meshopt_compression']),
       'extensionsUsed do not list EXT_meshopt_compression',
     ],
-    ['a root that does not exist', (json) => json.scenes[0].nodes.push(99), 'scenes[0].nodes is 99'],
+    ['a root that does not exist', ({ scenes }) => scenes[0].nodes.push(99), 'scenes[0].nodes is 99'],
   ])('names %s', (_, change, message) => {
     expect(problem(change)).toContain(message)
   })
@@ -213,13 +166,7 @@ describe('numbers are checked before anything is decoded', () => {
 })
 
 describe('commands refuse in one line', () => {
-  const out = () => shop.path('out.glb')
-  const refuse = async (message: string, command: Command, ...args: string[]) => {
-    const failure = await shop.failure(command, ...args)
-    expect(failure.name).toBe('FurrowError')
-    expect(failure.message).toContain(message)
-    expect(failure.message).not.toContain('\n')
-  }
+  const out = ['-o', shop.path('out.glb')]
 
   it.each(['[', '{"a":'])('JSON 6,000 deep (%s)', async (open) => {
     const close = open === '[' ? ']' : '}'
@@ -227,19 +174,22 @@ describe('commands refuse in one line', () => {
     parts.json.extras = 'deep'
     const deep = open.repeat(6000) + (open === '[' ? '' : '1') + close.repeat(6000)
     const path = shop.write('deep.glb', joinGlb(parts, JSON.stringify(parts.json).replace('"deep"', deep)))
-    const message = 'more than 128 levels deep'
-    await refuse(message, unpackCommand, path, '-o', shop.path('unpacked'))
-    await refuse(message, autoCommand, path, '-o', out())
-    await refuse(message, packCommand, folder, '--face', path, '-o', out())
-    await refuse(message, validateCommand, path)
+    await shop.fails('more than 128 levels deep', 'unpack', path, '-o', shop.path('unpacked'))
   })
 
   it('a mesh without vertices in bake', async () => {
-    const json = jsonOf(face)
-    for (const accessor of json.accessors) accessor.count = 0
-    const empty = shop.write('empty.glb', withJson(face, json))
-    await refuse('no triangles', bakeCommand, shop.write('face.glb', face), empty, '-o', shop.path('out.png'))
-    await refuse('no triangles', bakeCommand, empty, shop.path('face.glb'), '-o', shop.path('out.png'))
+    const empty = shop.write(
+      'empty.glb',
+      editGlb(face, ({ accessors }) => {
+        for (const accessor of accessors) accessor.count = 0
+      }),
+    )
+    const whole = shop.write('face.glb', face)
+    for (const files of [
+      [whole, empty],
+      [empty, whole],
+    ])
+      await shop.fails('no triangles', 'bake', ...files, '-o', shop.path('out.png'))
   })
 
   it('few triangles that are listed again and again, and blendshapes that are', async () => {
@@ -251,9 +201,9 @@ describe('commands refuse in one line', () => {
       return shop.write('hostile.glb', joinGlb({ json: { ...json, meshes: [mesh] }, bin }))
     }
     const onTop = 'too many triangles of the skin lie on top of each other in its texture'
-    await refuse(onTop, autoCommand, hostile(400, 1), '-o', out())
+    await shop.fails(onTop, 'auto', hostile(400, 1), ...out)
     const product = 'the mesh "hostile" has too many triangles times blendshapes'
-    await refuse(product, autoCommand, hostile(20, 1200), '-o', out())
+    await shop.fails(product, 'auto', hostile(20, 1200), ...out)
   })
 
   it('hundreds of thousands of triangles times blendshapes in few bytes, by their counts', async () => {
@@ -270,21 +220,14 @@ describe('commands refuse in one line', () => {
   it('images in other formats than the documented, by their first bytes', async () => {
     const svg = Buffer.from('<svg xmlns="http://www.w3.org/2000/svg" width="64" height="64"/>')
     const gif = await sharp(flatPng(64, 64)).gif().toBuffer()
+    const message = 'unsupported image format'
+    const png = ['-o', shop.path('out.png')]
     for (const bytes of [svg, gif]) {
-      const path = shop.write('height.png', bytes)
-      await refuse(
-        'unsupported image format',
-        normalsCommand,
-        path,
-        '-o',
-        shop.path('out.png'),
-        '--strength',
-        '4',
-      )
+      await shop.fails(message, 'normals', shop.write('height.png', bytes), ...png, '--strength', '4')
       const parts = setImage(splitGlb(readFileSync(shop.path('packed.glb'))), 4, bytes)
       const packed = shop.write('other.glb', joinGlb(parts))
-      await refuse('unsupported image format', unpackCommand, packed, '-o', shop.path('unpacked'))
-      await refuse('unsupported image format', inspectCommand, packed, '--sheet', shop.path('out.png'))
+      await shop.fails(message, 'unpack', packed, '-o', shop.path('unpacked'))
+      await shop.fails(message, 'inspect', packed, '--sheet', shop.path('out.png'))
     }
   })
 
@@ -294,6 +237,6 @@ describe('commands refuse in one line', () => {
     const { byteOffset, byteLength } = parts.json.bufferViews[bufferView]
     parts.bin.fill(0, byteOffset + 60, byteOffset + byteLength)
     const path = shop.write('corrupt.glb', joinGlb(parts))
-    await refuse(name, unpackCommand, path, '-o', shop.path('unpacked'))
+    await shop.fails(name, 'unpack', path, '-o', shop.path('unpacked'))
   })
 })

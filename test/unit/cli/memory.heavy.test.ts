@@ -4,7 +4,6 @@ import { checkWrinkles } from 'furrow-files'
 import { readGlbFile } from 'furrow-files/node'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import { bundle } from '../../../scripts/lib/bundle.mjs'
 import { flatPng } from '../../fuzz/damage-images.ts'
 import { joinGlb, setImage, splitGlb } from '../../fuzz/glb-parts.ts'
@@ -27,8 +26,8 @@ beforeAll(async () => {
   colours = await sharp({ create: { width: 8192, height: 8192, channels: 4, background } })
     .png()
     .toBuffer()
-  await shop.run(packCommand, folder, '-o', shop.path('packed.glb'))
-  await shop.run(packCommand, folder, '--ktx2', '-o', shop.path('packed-array.glb'))
+  await shop.run('pack', folder, '-o', shop.path('packed.glb'))
+  await shop.run('pack', folder, '--ktx2', '-o', shop.path('packed-array.glb'))
 })
 
 /** Runs a command in a process of its own. */

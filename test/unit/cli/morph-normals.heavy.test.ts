@@ -3,8 +3,6 @@ import { type Accessor, NodeIO } from '@gltf-transform/core'
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
 import { Vector3 } from 'three'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
-import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
 import { editGlb } from '../../glb.ts'
 import { Workshop } from './workshop.ts'
 
@@ -32,15 +30,7 @@ const vectorAt = (accessor: Accessor, i: number) => new Vector3().fromArray(acce
 
 describe('furrow pack --morph-normals', () => {
   it('gives every target normals, as near to those it was built with as triangles can tell', async () => {
-    await shop.run(
-      packCommand,
-      'faces/human',
-      '--face',
-      shop.path('bare.glb'),
-      '--morph-normals',
-      '-o',
-      packed(),
-    )
+    await shop.run('pack', 'faces/human', '--face', shop.path('bare.glb'), '--morph-normals', '-o', packed())
     expect(shop.printed).toContain('blendshapes that got normals: 52')
     const [built, made] = [await skinOf('faces/human.glb'), await skinOf(packed())]
     const rest = built.getAttribute('NORMAL')!
@@ -62,11 +52,11 @@ describe('furrow pack --morph-normals', () => {
 
   it('leaves a valid file, and normals that are there', async () => {
     shop.printed = ''
-    await shop.run(validateCommand, packed())
+    await shop.run('validate', packed())
     expect(shop.printed).toMatch(/0 errors/)
     shop.printed = ''
     await shop.run(
-      packCommand,
+      'pack',
       'faces/human',
       '--face',
       'faces/human.glb',

@@ -1,12 +1,9 @@
 import { existsSync, readFileSync } from 'node:fs'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
-import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
-import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
-import { unpackCommand } from '../../../packages/cli/src/commands/unpack.ts'
-import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
-import { jsonOf, noise, Workshop, withJson } from './workshop.ts'
+import { editGlb, jsonOf } from '../../glb.ts'
+import { noise } from '../../noise.ts'
+import { Workshop, wrinklesIn } from './workshop.ts'
 
 const NAME = 'FURROW_wrinkle_maps'
 const shop = new Workshop()
@@ -46,7 +43,6 @@ const STROKES = {
 }
 
 const read = (name: string) => JSON.parse(readFileSync(shop.path(name), 'utf8'))
-const extensionOf = (path: string) => jsonOf(readFileSync(path)).materials[0].extensions[NAME]
 
 /** A folder with strokes on its layers. */
 async function makeFolder(name: string, strokes: unknown = STROKES): Promise<string> {
@@ -57,14 +53,14 @@ async function makeFolder(name: string, strokes: unknown = STROKES): Promise<str
 
 /** The packed face with other strokes. */
 function withStrokes(strokes: unknown): string {
-  const bytes = readFileSync(packed)
-  const json = jsonOf(bytes)
-  json.materials[0].extensions[NAME].strokes = strokes
-  return shop.write('other.glb', withJson(bytes, json))
+  const edited = editGlb(readFileSync(packed), ({ materials }) => {
+    materials[0].extensions[NAME].strokes = strokes
+  })
+  return shop.write('other.glb', edited)
 }
 
 beforeAll(async () => {
-  await shop.run(packCommand, await makeFolder('face'), '-o', packed)
+  await shop.run('pack', await makeFolder('face'), '-o', packed)
 })
 
 describe('the strokes of a folder', () => {
@@ -72,30 +68,27 @@ describe('the strokes of a folder', () => {
     ['PNG', []],
     ['KTX 2', ['--ktx2']],
   ])('come back from the file, with maps as %s', async (kind, args) => {
-    const [file, folder, again] = [
-      shop.path(`${kind}.glb`),
-      `${kind}-unpacked`,
-      shop.path(`${kind}-again.glb`),
-    ]
-    await shop.run(packCommand, shop.path('face'), '-o', file, '--json', ...args)
+    const [file, again] = ['', '-again'].map((end) => shop.path(`${kind}${end}.glb`))
+    const folder = `${kind}-unpacked`
+    await shop.run('pack', shop.path('face'), '-o', file, '--json', ...args)
     expect(JSON.parse(shop.printed)).toMatchObject({ strokes: 2 })
-    expect(extensionOf(file).strokes).toEqual(STROKES)
-    await shop.run(unpackCommand, file, '-o', shop.path(folder))
+    expect(wrinklesIn(file).strokes).toEqual(STROKES)
+    await shop.run('unpack', file, '-o', shop.path(folder))
     expect(read(`${folder}/strokes.json`)).toEqual(STROKES)
     expect(read(`${folder}/wrinkles.json`).strokes).toBe('strokes.json')
     expect(JSON.stringify(jsonOf(readFileSync(shop.path(`${folder}/face.glb`))))).not.toContain('spline')
-    await shop.run(packCommand, shop.path(folder), '-o', again, ...args)
-    expect(JSON.stringify(extensionOf(again).strokes)).toBe(JSON.stringify(STROKES))
+    await shop.run('pack', shop.path(folder), '-o', again, ...args)
+    expect(JSON.stringify(wrinklesIn(again).strokes)).toBe(JSON.stringify(STROKES))
   })
 
   it('are a line each, which furrow strokes draws as they are', async () => {
-    await shop.run(unpackCommand, packed, '-o', shop.path('lines'))
+    await shop.run('unpack', packed, '-o', shop.path('lines'))
     const text = readFileSync(shop.path('lines/strokes.json'), 'utf8')
     for (const stroke of STROKES.strokes)
       expect(text.split('\n')).toContainEqual(expect.stringContaining(JSON.stringify(stroke)))
     const height = shop.path('height.png')
     const strokes = [shop.path('lines/strokes.json'), '--face', packed, '-o', height, '--layer', 'age']
-    await shop.run(strokesCommand, ...strokes)
+    await shop.run('strokes', ...strokes)
     const { channels } = await sharp(height).stats()
     expect(channels[0].min).toBeLessThan(channels[0].max)
   })
@@ -105,90 +98,66 @@ describe('the strokes of a folder', () => {
     shop.json('named/strokes.json', { not: 'read' })
     shop.json('named/lines/a b.json', STROKES)
     shop.json('named/wrinkles.json', { strokes: 'lines/a%20b.json' })
-    await shop.run(packCommand, folder, '-o', shop.path('named.glb'))
-    expect(extensionOf(shop.path('named.glb')).strokes).toEqual(STROKES)
+    await shop.run('pack', folder, '-o', shop.path('named.glb'))
+    expect(wrinklesIn(shop.path('named.glb')).strokes).toEqual(STROKES)
   })
 
   it('need not name their layer where there is one', async () => {
     shop.write('single/face.glb', readFileSync(shop.path('face/face.glb')))
-    shop.write('single/layers/only/normal.png', await noise(1, 3))
+    shop.write('single/layers/only/normal.png', await noise(1))
     shop.write('single/areas/brow.png', readFileSync(shop.path('face/areas/brow.png')))
     const strokes = { version: 1, strokes: STROKES.strokes.map(({ layer: _, ...stroke }) => stroke) }
     shop.json('single/strokes.json', strokes)
-    await shop.run(packCommand, shop.path('single'), '-o', shop.path('single.glb'))
-    expect(extensionOf(shop.path('single.glb')).strokes).toEqual(strokes)
+    await shop.run('pack', shop.path('single'), '-o', shop.path('single.glb'))
+    expect(wrinklesIn(shop.path('single.glb')).strokes).toEqual(strokes)
   })
 
   it('replace those of the face, and are gone with its old wrinkles', async () => {
     const strokes = { ...STROKES, strokes: STROKES.strokes.slice(1), areas: undefined }
-    await shop.run(
-      packCommand,
-      await makeFolder('fewer', strokes),
-      '--face',
-      packed,
-      '-o',
-      shop.path('fewer.glb'),
-    )
-    expect(extensionOf(shop.path('fewer.glb')).strokes.strokes).toHaveLength(1)
-    await shop.run(packCommand, await shop.makeFolder('none'), '--face', packed, '-o', shop.path('none.glb'))
-    expect(extensionOf(shop.path('none.glb'))).not.toHaveProperty('strokes')
-    await shop.run(unpackCommand, shop.path('none.glb'), '-o', shop.path('none-unpacked'))
+    await shop.run('pack', await makeFolder('fewer', strokes), '--face', packed, '-o', shop.path('fewer.glb'))
+    expect(wrinklesIn(shop.path('fewer.glb')).strokes.strokes).toHaveLength(1)
+    await shop.run('pack', await shop.makeFolder('none'), '--face', packed, '-o', shop.path('none.glb'))
+    expect(wrinklesIn(shop.path('none.glb'))).not.toHaveProperty('strokes')
+    await shop.run('unpack', shop.path('none.glb'), '-o', shop.path('none-unpacked'))
     expect(existsSync(shop.path('none-unpacked/strokes.json'))).toBe(false)
     expect(read('none-unpacked/wrinkles.json')).not.toHaveProperty('strokes')
   })
 
   const [first, second] = STROKES.strokes
-  it.each<[string, unknown, string]>([
+  const strokes = (...list: object[]) => JSON.stringify({ version: 1, strokes: list })
+
+  it.each<[string, string, string]>([
     [
       'an unknown layer',
-      { ...STROKES, strokes: [first, { ...second, layer: 'Expresion' }] },
+      strokes(first, { ...second, layer: 'Expresion' }),
       'strokes.json: strokes[1] is on an unknown layer, got "Expresion", allowed: age, expression; did you mean "expression"?',
     ],
     [
       'no layer, of two',
-      { ...STROKES, strokes: [first, { ...second, layer: undefined }] },
+      strokes(first, { ...second, layer: undefined }),
       'strokes.json: strokes[1] names no layer, allowed: age, expression; name one of the layers',
     ],
     [
       'a wrong number',
-      { ...STROKES, strokes: [{ ...first, width: 0 }] },
+      strokes({ ...first, width: 0 }),
       'strokes.json: strokes[0].width is out of range, got 0',
     ],
-    ['no document', [], 'strokes.json: the document must be an object'],
-    [
-      'an unknown field',
-      { ...STROKES, extras: {} },
-      'strokes.json: the document has an unknown field, got "extras"',
-    ],
-  ])('are refused in one line: %s', async (_, strokes, message) => {
-    const folder = await makeFolder('wrong', strokes)
-    const failure = await shop.failure(packCommand, folder, '-o', shop.path('wrong.glb'))
-    expect(failure.name).toBe('FurrowError')
-    expect(failure.message).toContain(`furrow pack: ${message}`)
-    expect(failure.message).not.toContain('\n')
-    expect(existsSync(shop.path('wrong.glb'))).toBe(false)
-  })
-
-  it.each<[string, () => string | Uint8Array, string]>([
-    ['no JSON', () => '{', 'cannot read the strokes strokes.json ('],
-    ['too deep', () => `${'['.repeat(200)}${']'.repeat(200)}`, 'its JSON is more than 128 levels deep'],
-    ['too large', () => ' '.repeat(2 ** 22 + 1), 'strokes.json is too large, got "5 MiB", allowed: 4 MiB'],
+    ['no JSON', '{', 'cannot read the strokes strokes.json ('],
+    ['too deep', `${'['.repeat(200)}${']'.repeat(200)}`, 'its JSON is more than 128 levels deep'],
+    ['too large', ' '.repeat(2 ** 22 + 1), 'strokes.json is too large, got "5 MiB", allowed: 4 MiB'],
   ])('are refused in one line: %s', async (_, text, message) => {
-    const folder = await shop.makeFolder('unreadable')
-    shop.write('unreadable/strokes.json', text())
-    const failure = await shop.failure(packCommand, folder, '-o', shop.path('wrong.glb'))
-    expect(failure.message).toContain(message)
-    expect(failure.message).not.toContain('\n')
+    const folder = await shop.makeFolder('wrong')
+    shop.write('wrong/strokes.json', text)
+    await shop.fails(message, 'pack', folder, '-o', shop.path('wrong.glb'))
   })
 })
 
 describe('the strokes of a file', () => {
   it('are counted by inspect', async () => {
-    await shop.run(inspectCommand, packed)
+    await shop.run('inspect', packed)
     expect(shop.printed.split('\n')).toContain('strokes: 2')
-    shop.printed = ''
-    await shop.run(inspectCommand, packed, '--json')
-    expect(JSON.parse(shop.printed).strokes).toEqual({ count: 2, bytes: JSON.stringify(STROKES).length })
+    const report = JSON.parse(await shop.output('inspect', packed, '--json'))
+    expect(report.strokes).toEqual({ count: 2, bytes: JSON.stringify(STROKES).length })
   })
 
   it.each<[string, unknown, string]>([
@@ -202,19 +171,18 @@ describe('the strokes of a file', () => {
     ],
   ])('cost nothing else where they are %s', async (kind, strokes, problem) => {
     const file = withStrokes(strokes)
-    await shop.run(validateCommand, file)
+    await shop.run('validate', file)
     const [warning, ...rest] = shop.printed.trimEnd().split('\n')
     expect(warning).toContain(`warning: /materials/0/extensions/${NAME}: ${NAME}: strokes: ${problem}`)
     expect(warning).toMatch(/ \(STROKES\)$/)
     expect(rest).toEqual([`${file}: 0 errors, 1 warning`])
     expect(process.exitCode).toBeUndefined()
     const folder = `unpacked ${kind}`
-    await shop.run(unpackCommand, file, '-o', shop.path(folder))
+    await shop.run('unpack', file, '-o', shop.path(folder))
     expect(shop.warned).toContain(`furrow unpack: the strokes are left out: ${problem}`)
     expect(existsSync(shop.path(`${folder}/strokes.json`))).toBe(false)
     expect(read(`${folder}/wrinkles.json`)).not.toHaveProperty('strokes')
-    shop.printed = ''
-    await shop.run(inspectCommand, file, '--json')
-    expect(JSON.parse(shop.printed).strokes).toEqual({ count: 0, bytes: 0 })
+    const report = JSON.parse(await shop.output('inspect', file, '--json'))
+    expect(report.strokes).toEqual({ count: 0, bytes: 0 })
   })
 })

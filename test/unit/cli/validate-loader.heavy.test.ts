@@ -4,11 +4,12 @@ import { readWrinkleMaps, Wrinkles } from 'furrow/three'
 import { checkWrinkles, decodeGlb } from 'furrow-files'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 import { afterAll, beforeAll, expect, it, vi } from 'vitest'
-import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import { Random } from '../../fuzz/random.ts'
+import { jsonOf, withJson } from '../../glb.ts'
+import { noise } from '../../noise.ts'
 import { mutate } from '../gltf/mutations.ts'
 import { loadInNode } from '../three/node-loader.ts'
-import { jsonOf, noise, Workshop, withJson } from './workshop.ts'
+import { Workshop } from './workshop.ts'
 
 // Node has no WebGL to read pixels with; its stand-in for a bitmap has them.
 vi.mock(import('../../../packages/furrow/src/runtime/file/read-image.ts'), async (original) => ({
@@ -36,11 +37,11 @@ beforeAll(async () => {
   const folder = await shop.makeFolder('face')
   const strokes = ['age', 'expression'].map((layer) => ({ ...STROKE, layer }))
   shop.json('face/strokes.json', { version: 1, strokes })
-  shop.write('face/layers/age/blood.png', await noise(5, 3))
-  shop.write('face/layers/age/occlusion.png', await noise(6, 3))
+  shop.write('face/layers/age/blood.png', await noise(5))
+  shop.write('face/layers/age/occlusion.png', await noise(6))
   shop.json('face/wrinkles.json', { layers: [{ name: 'age', bloodAmplitude: 0.5 }, { name: 'expression' }] })
   for (const args of [[], ['--ktx2']]) {
-    await shop.run(packCommand, folder, '-o', shop.path('base.glb'), ...args)
+    await shop.run('pack', folder, '-o', shop.path('base.glb'), ...args)
     bases.push(readFileSync(shop.path('base.glb')))
   }
 })

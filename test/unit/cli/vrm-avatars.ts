@@ -1,6 +1,6 @@
 import { type Anything, type GlbParts, joinGlb, setImage, splitGlb } from '../../fuzz/glb-parts.ts'
+import { noise } from '../../noise.ts'
 import { sheet, sheetGlb } from './sheet.ts'
-import { noise } from './workshop.ts'
 
 /** The bones that stand for all: nodes 1 to 4 of the file, behind the skin's, and two of the hair. */
 const BONES = ['hips', 'spine', 'neck', 'head', 'hair', 'hair tip'] as const

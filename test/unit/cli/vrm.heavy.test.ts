@@ -1,8 +1,6 @@
 import { readFileSync } from 'node:fs'
 import { readGlbFile } from 'furrow-files/node'
 import { describe, expect, it } from 'vitest'
-import { autoCommand } from '../../../packages/cli/src/commands/auto.ts'
-import { validateCommand } from '../../../packages/cli/src/commands/validate.ts'
 import { type Anything, joinGlb, setImage, splitGlb } from '../../fuzz/glb-parts.ts'
 import { vrm0Avatar, vrm1Avatar } from './vrm-avatars.ts'
 import { Workshop } from './workshop.ts'
@@ -19,7 +17,7 @@ describe.each([
   const at = (name: string) => shop.path(`${version}/${name}`)
   const write = async (name: string) => shop.write(`${version}/${name}`, await makeAvatar())
   const make = async (face: string, out: string, ...options: string[]) => {
-    await shop.run(autoCommand, face, '-o', out, '--size', '512', ...options)
+    await shop.run('auto', face, '-o', out, '--size', '512', ...options)
     return out
   }
 
@@ -76,6 +74,6 @@ async function expectWrinkles(path: string): Promise<void> {
   const { layers, areas } = json.materials![0]!.extensions![NAME] as Anything
   expect(Math.min(layers.length, areas.length)).toBeGreaterThan(0)
   shop.printed = ''
-  await shop.run(validateCommand, path)
+  await shop.run('validate', path)
   expect(shop.printed).toMatch(/\(MTOON\).*: 0 errors, /s)
 }

@@ -2,9 +2,12 @@ import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSyn
 import { tmpdir } from 'node:os'
 import { dirname, join } from 'node:path'
 import { Document, NodeIO } from '@gltf-transform/core'
-import type { Command } from 'commander'
 import sharp from 'sharp'
-import { afterAll, beforeEach, vi } from 'vitest'
+import { afterAll, beforeEach, expect, vi } from 'vitest'
+import { accessorsOf } from '../../accessors.ts'
+import { type CommandName, runCommand } from '../../commands.ts'
+import { editGlb, jsonOf } from '../../glb.ts'
+import { noise } from '../../noise.ts'
 
 /** A temporary folder with a face and the images of a wrinkle set, and what commands print. */
 export class Workshop {
@@ -32,9 +35,7 @@ export class Workshop {
     })
   }
 
-  path(name: string): string {
-    return join(this.root, name)
-  }
+  readonly path = (name: string): string => join(this.root, name)
 
   write(name: string, content: string | Uint8Array): string {
     const path = this.path(name)
@@ -56,26 +57,64 @@ export class Workshop {
     )
   }
 
-  run(command: Command, ...args: string[]): Promise<Command> {
-    return command.parseAsync(args, { from: 'user' })
+  /** Runs `furrow NAME` as a user would. */
+  async run(name: CommandName, ...args: string[]): Promise<void> {
+    await runCommand(name, ...args)
+  }
+
+  /** Runs a command; returns what it prints alone. */
+  async output(name: CommandName, ...args: string[]): Promise<string> {
+    this.printed = ''
+    await this.run(name, ...args)
+    return this.printed
   }
 
   /** The error of a run that must fail. */
-  async failure(command: Command, ...args: string[]): Promise<Error> {
-    return this.run(command, ...args).then(
+  async failure(name: CommandName, ...args: string[]): Promise<Error> {
+    return this.run(name, ...args).then(
       () => new Error('it did not fail'),
       (error) => error,
     )
   }
 
+  /** Expects one clear line that has `message` in it, or matches it, and no file more or less than before. */
+  async fails(message: string | RegExp, name: CommandName, ...args: string[]): Promise<void> {
+    const list = () => readdirSync(this.root, { recursive: true }).sort()
+    const before = list()
+    const failure = await this.failure(name, ...args)
+    expect(failure.message).toMatch(message)
+    expect(failure.name).toBe('FurrowError')
+    expect(failure.message).toMatch(new RegExp(`^furrow ${name}: [^\\n]*; [^\\n]*$`))
+    expect(list()).toEqual(before)
+  }
+
   /** A folder as a person makes it: a face, two layers, five areas; their order in the alphabet is their order. */
   async makeFolder(name: string): Promise<string> {
     this.write(`${name}/face.glb`, await faceBytes())
-    this.write(`${name}/layers/age/normal.png`, await noise(1, 3))
-    this.write(`${name}/layers/expression/normal.png`, await noise(2, 3))
-    this.write(`${name}/layers/expression/baseColor.png`, await noise(3, 3))
+    this.write(`${name}/layers/age/normal.png`, await noise(1))
+    this.write(`${name}/layers/expression/normal.png`, await noise(2))
+    this.write(`${name}/layers/expression/baseColor.png`, await noise(3))
     for (const [i, area] of AREAS.entries()) this.write(`${name}/areas/${area}.png`, await painted(i))
     return this.path(name)
+  }
+}
+
+/** A workshop for the tests of one command. */
+export function bench(command: CommandName) {
+  const shop = new Workshop()
+  return {
+    shop,
+    folder: shop.root,
+    file: shop.path,
+    get printed() {
+      return shop.printed
+    },
+    get warned() {
+      return shop.warned
+    },
+    run: (...args: string[]) => shop.run(command, ...args),
+    output: (...args: string[]) => shop.output(command, ...args),
+    fails: (message: string | RegExp, ...args: string[]) => shop.fails(message, command, ...args),
   }
 }
 
@@ -86,43 +125,53 @@ export function painted(column: number, size = 128): Promise<Uint8Array> {
   const data = Uint8Array.from({ length: size * size }, (_, i) => {
     return Math.floor((8 * (i % size)) / size) === column ? (i >> 7) % 120 : 255
   })
+  return grayPng(data, size)
+}
+
+/** A gray PNG file of squares, of 8 or 16 bits. */
+export function grayPng(data: Uint8Array | Uint16Array, size: number): Promise<Uint8Array> {
   return sharp(data, { raw: { width: size, height: size, channels: 1 } })
-    .toColourspace('b-w')
+    .toColourspace(data instanceof Uint16Array ? 'grey16' : 'b-w')
     .png()
     .toBuffer()
 }
 
-export function noise(seed: number, channels: 3 | 4, size = 16): Promise<Uint8Array> {
-  const data = Uint8Array.from({ length: channels * size * size }, (_, i) => (i * 37 + seed * 101) % 251)
-  return sharp(data, { raw: { width: size, height: size, channels } })
-    .png()
-    .toBuffer()
+/** The texels of a gray image. */
+export async function grayOf(path: string): Promise<number[]> {
+  return [...(await sharp(path).toColourspace('b-w').raw().toBuffer())]
+}
+
+/** The extension of a material of a file. */
+export function wrinklesIn(path: string, material = 0) {
+  return jsonOf(readFileSync(path)).materials[material].extensions.FURROW_wrinkle_maps
 }
 
 /** A quad named `skin` with a normal map and the blendshape `browInnerUp`, and a second mesh beside it. */
 export async function faceBytes(names = ['skin', 'eyes']): Promise<Uint8Array> {
   const document = new Document()
-  const buffer = document.createBuffer()
-  const accessor = (type: 'VEC2' | 'VEC3' | 'VEC4', values: number[]) =>
-    document.createAccessor().setType(type).setArray(Float32Array.from(values)).setBuffer(buffer)
+  const accessor = accessorsOf(document)
+  const vectors = (type: 'VEC2' | 'VEC3' | 'VEC4', ...values: number[]) =>
+    accessor(type, Float32Array.from(values))
   const texture = async (seed: number) =>
     document
       .createTexture(`skin ${seed}`)
-      .setImage((await noise(seed, 3)) as Uint8Array<ArrayBuffer>)
+      .setImage((await noise(seed)) as Uint8Array<ArrayBuffer>)
       .setMimeType('image/png')
   const scene = document.createScene()
   for (const name of names) {
     const material = document.createMaterial(name)
     material.setNormalTexture(await texture(8)).setBaseColorTexture(await texture(9))
+    const target = document
+      .createPrimitiveTarget('browInnerUp')
+      .setAttribute('POSITION', vectors('VEC3', 0, 0, 1, 0, 0, 0, 0, 0, 0))
     const primitive = document
       .createPrimitive()
-      .setAttribute('POSITION', accessor('VEC3', [0, 0, 0, 1, 0, 0, 0, 1, 0]))
-      .setAttribute('NORMAL', accessor('VEC3', [0, 0, 1, 0, 0, 1, 0, 0, 1]))
-      .setAttribute('TANGENT', accessor('VEC4', [1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1]))
-      .setAttribute('TEXCOORD_0', accessor('VEC2', [0, 1, 1, 1, 0, 0]))
+      .setAttribute('POSITION', vectors('VEC3', 0, 0, 0, 1, 0, 0, 0, 1, 0))
+      .setAttribute('NORMAL', vectors('VEC3', 0, 0, 1, 0, 0, 1, 0, 0, 1))
+      .setAttribute('TANGENT', vectors('VEC4', 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1))
+      .setAttribute('TEXCOORD_0', vectors('VEC2', 0, 1, 1, 1, 0, 0))
       .setMaterial(material)
-    const target = document.createPrimitiveTarget('browInnerUp')
-    primitive.addTarget(target.setAttribute('POSITION', accessor('VEC3', [0, 0, 1, 0, 0, 0, 0, 0, 0])))
+      .addTarget(target)
     const mesh = document
       .createMesh(name)
       .addPrimitive(primitive)
@@ -132,20 +181,7 @@ export async function faceBytes(names = ['skin', 'eyes']): Promise<Uint8Array> {
   return new NodeIO().writeBinary(document)
 }
 
-/** Takes a `.glb` apart: its JSON and where its binary part begins. */
-export function jsonOf(bytes: Uint8Array) {
-  const view = Buffer.from(bytes)
-  return JSON.parse(view.toString('utf8', 20, 20 + view.readUInt32LE(12)))
-}
-
-/** The same file with another JSON. */
-export function withJson(bytes: Uint8Array, json: unknown): Uint8Array {
-  const view = Buffer.from(bytes)
-  const rest = view.subarray(20 + view.readUInt32LE(12))
-  const text = Buffer.from(JSON.stringify(json))
-  const padded = Buffer.concat([text, Buffer.alloc((4 - (text.length % 4)) % 4, 0x20)])
-  const head = Buffer.from(view.subarray(0, 20))
-  head.writeUInt32LE(20 + padded.length + rest.length, 8)
-  head.writeUInt32LE(padded.length, 12)
-  return Buffer.concat([head, padded, rest])
+/** A face of two meshes, of which only the second moves: the head. */
+export async function stillTeeth(): Promise<Uint8Array> {
+  return editGlb(await faceBytes(['teeth', 'head']), ({ meshes }) => delete meshes[0].primitives[0].targets)
 }

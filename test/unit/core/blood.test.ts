@@ -1,7 +1,6 @@
 import { type ImageArray, parseWrinkleSetDocument } from 'furrow'
-import { packAreas, reference } from 'furrow/internal'
+import { BLOOD_ABSORPTION, packAreas, reference } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
-import { BLOOD_ABSORPTION } from '../../../packages/furrow/src/core/blood.ts'
 import { packPairs } from '../../../packages/furrow/src/core/pack-pairs.ts'
 
 /**

@@ -1,5 +1,5 @@
+import { channelOf } from 'furrow/internal'
 import { expect, test } from 'vitest'
-import { channelOf } from '../../../packages/furrow/src/core/channels.ts'
 
 test.each([0, 1, 2, 3])(
   'channel %i is the values of every texel, wherever the pixels lie in their buffer',

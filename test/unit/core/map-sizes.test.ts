@@ -1,6 +1,6 @@
+import type { ArraySlice, Layer } from 'furrow'
 import { describe, expect, it } from 'vitest'
 import { checkMapSizes } from '../../../packages/furrow/src/core/map-sizes.ts'
-import type { ArraySlice, Layer } from '../../../packages/furrow/src/core/types.ts'
 
 const gray = (side: number) => ({ width: side, height: side, data: new Uint8Array(side * side) })
 const rgba = (side: number) => ({ width: side, height: side, data: new Uint8Array(4 * side * side) })

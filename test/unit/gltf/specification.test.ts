@@ -4,8 +4,8 @@ import Ajv2020, { type ValidateFunction } from 'ajv/dist/2020.js'
 import { parseStrokes } from 'furrow/author'
 import { DRIVER_TYPES, parseWrinkleMaps } from 'furrow/internal'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
-import { jsonOf, Workshop } from '../cli/workshop.ts'
+import { jsonOf } from '../../glb.ts'
+import { Workshop } from '../cli/workshop.ts'
 import { compareWithParser, MUTATED } from './mutations.ts'
 import { createIO, createSample, NAME } from './sample.ts'
 
@@ -79,7 +79,7 @@ describe('the page of the extension', () => {
 
 describe('the schema', () => {
   it('accepts the packed human face', async () => {
-    await shop.run(packCommand, human, '--face', `${human}.glb`, '-o', shop.path('human.glb'))
+    await shop.run('pack', human, '--face', `${human}.glb`, '-o', shop.path('human.glb'))
     const json = jsonOf(readFileSync(shop.path('human.glb')))
     const maps = json.materials[0].extensions[NAME]
     expect(validate(maps), JSON.stringify(validate.errors)).toBe(true)

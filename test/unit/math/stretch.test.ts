@@ -1,6 +1,6 @@
+import { principalStretches, restInverse } from 'furrow/internal'
 import { Quaternion, Vector3 } from 'three'
 import { describe, expect, it } from 'vitest'
-import { principalStretches, restInverse } from '../../../packages/furrow/src/math/stretch.ts'
 import { seeded } from '../../random.ts'
 
 /** Principal stretches of a triangle from one shape to another. */

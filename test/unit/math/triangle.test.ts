@@ -1,8 +1,9 @@
+import { dot } from 'furrow/internal'
 import { Triangle, Vector3 } from 'three'
 import { describe, expect, it } from 'vitest'
 import { barycentrics2, barycentrics3, interpolate } from '../../../packages/furrow/src/math/barycentrics.ts'
 import { triangleNormal, uvArea, uvToTexels } from '../../../packages/furrow/src/math/triangle.ts'
-import { cross, dot, length, normalize } from '../../../packages/furrow/src/math/vector.ts'
+import { cross, length, normalize } from '../../../packages/furrow/src/math/vector.ts'
 import { seeded } from '../../random.ts'
 
 const random = seeded(7)

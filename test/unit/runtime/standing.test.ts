@@ -1,7 +1,6 @@
 import type { MorphDriver, WrinkleDriver } from 'furrow'
+import { planDrivers, targetSource } from 'furrow/internal'
 import { afterEach, beforeEach, describe, expect, it, type MockInstance, vi } from 'vitest'
-import { planDrivers } from '../../../packages/furrow/src/drivers/plan.ts'
-import { targetSource } from '../../../packages/furrow/src/drivers/sources.ts'
 import { AtlasCells } from '../../../packages/furrow/src/runtime/atlas-cells.ts'
 import { DriverRuntime } from '../../../packages/furrow/src/runtime/driver-runtime.ts'
 import { Face } from '../../../packages/furrow/src/runtime/face.ts'

@@ -3,14 +3,13 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import sharp from 'sharp'
 import { afterAll, beforeAll, expect, it } from 'vitest'
-import { bakeCommand } from '../../../packages/cli/src/commands/bake.ts'
 import { bakeSculpt } from '../../../studio/src/export/bake-sculpt.ts'
-import { bench } from '../cli/command.ts'
 import { globe, icosphere, writeGlb } from '../cli/spheres.ts'
+import { bench } from '../cli/workshop.ts'
 
 const SIZE = 64
 
-const at = bench(bakeCommand)
+const at = bench('bake')
 const folder = mkdtempSync(join(tmpdir(), 'furrow-sculpt-'))
 const read = (name: string) => ({ name, bytes: new Uint8Array(readFileSync(join(folder, name))) })
 

@@ -1,6 +1,5 @@
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import type { StudioDocument } from '../../../studio/src/document/document.ts'
 import type { DocumentToPack, StrokeMaps } from '../../../studio/src/document/packed-layers.ts'
 import { exportDocument } from '../../../studio/src/export/export-document.ts'
@@ -109,7 +108,7 @@ describe('a project', () => {
         [{ size: 8, areaSize: 16, ktx2: true }, ['--size', '8', '--area-size', '16', '--ktx2']],
       ] as const) {
         const out = shop.path('out.glb')
-        await shop.run(packCommand, folder, '-o', out, ...words)
+        await shop.run('pack', folder, '-o', out, ...words)
         const { bytes, findings, cost, warnings } = await exportDocument(face, source, options)
         expect(Buffer.from(bytes).equals(readFileSync(out)), words.join(' ')).toBe(true)
         expect(findings.filter(({ severity }) => severity === 'error')).toEqual([])

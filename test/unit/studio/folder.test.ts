@@ -5,8 +5,6 @@ import { decodeGray } from 'furrow-files'
 import { encodePng } from 'furrow-files/node'
 import sharp from 'sharp'
 import { describe, expect, it } from 'vitest'
-import { inspectCommand } from '../../../packages/cli/src/commands/inspect.ts'
-import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
 import { renameArea } from '../../../studio/src/document/areas.ts'
 import type { StudioDocument } from '../../../studio/src/document/document.ts'
 import { renameLayer } from '../../../studio/src/document/layers.ts'
@@ -147,9 +145,9 @@ describe('furrow pack', () => {
       const file = content instanceof Blob ? new Uint8Array(await content.arrayBuffer()) : content
       shop.write(`project/${path}`, file)
     }
-    await shop.run(packCommand, shop.path('project'), '-o', shop.path('packed.glb'))
+    await shop.run('pack', shop.path('project'), '-o', shop.path('packed.glb'))
     shop.printed = ''
-    await shop.run(inspectCommand, shop.path('packed.glb'), '--json')
+    await shop.run('inspect', shop.path('packed.glb'), '--json')
     const report = JSON.parse(shop.printed)
     expect(report.layers.map((layer: { name: string }) => layer.name)).toEqual(['up', 'down'])
     expect(report.areas.map((area: { name: string }) => area.name)).toEqual(['forehead', 'frown', 'cheeks'])

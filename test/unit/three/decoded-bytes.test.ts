@@ -1,5 +1,5 @@
+import { materialReader } from 'furrow/internal/three'
 import { expect, test, vi } from 'vitest'
-import { materialReader } from '../../../packages/furrow/src/three/loader/read-wrinkle-maps.ts'
 
 const decoded = vi.hoisted(() => ({ count: 0 }))
 

@@ -1,6 +1,6 @@
+import type { Area, ArraySlice, Layer } from 'furrow'
 import { CompressedArrayTexture, LinearFilter, LinearMipmapLinearFilter, RGBA_BPTC_Format } from 'three'
 import { describe, expect, it } from 'vitest'
-import type { Area, ArraySlice, Layer } from '../../../packages/furrow/src/core/types.ts'
 import { joinArrays } from '../../../packages/furrow/src/three/loader/join-arrays.ts'
 
 /** A texture array with two levels of 8 x 8 and 4 x 4 texels, in uniform blocks of 16 bytes. */

@@ -1,9 +1,8 @@
 import type { RgbaImage, WrinkleSet } from 'furrow'
-import { updateLayer, Wrinkles } from 'furrow/three'
+import { updateLayer, Wrinkles, type WrinklesBase } from 'furrow/three'
 import { type DataArrayTexture, Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
 import { expect, it } from 'vitest'
 import { ReadSet } from '../../../packages/furrow/src/three/check-source.ts'
-import type { WrinklesBase } from '../../../packages/furrow/src/three/wrinkles-base.ts'
 
 const map = (value: number, channels: number) => ({
   width: 2,

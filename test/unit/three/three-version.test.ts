@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs'
 import type { WrinkleSet } from 'furrow'
+import { Wrinkles as WebGLWrinkles } from 'furrow/three'
 import { writeArray } from 'furrow-files'
 import {
   BatchedMesh,
@@ -21,7 +22,6 @@ import {
 } from '../../../packages/furrow/src/three/three-version.ts'
 import { quadMaterials } from '../../../packages/furrow/src/three/webgl/influence/influence-quads.ts'
 import { instancedVertex } from '../../../packages/furrow/src/three/webgl/mixing/default-shader.ts'
-import { Wrinkles as WebGLWrinkles } from '../../../packages/furrow/src/three/webgl/Wrinkles.ts'
 import { checkBatch } from '../../../packages/furrow/src/three/webgpu/influence/influence.ts'
 import { Wrinkles } from '../../../packages/furrow/src/three/webgpu/Wrinkles.ts'
 

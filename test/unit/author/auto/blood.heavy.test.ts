@@ -1,8 +1,8 @@
 import { type AutoWrinkles, autoWrinkleSet, autoWrinkles, type Skin } from 'furrow/author'
+import { checkWrinkleSet } from 'furrow/internal'
 import { findSkin } from 'furrow-files'
 import { readDocument } from 'furrow-files/node'
 import { describe, expect, test } from 'vitest'
-import { checkWrinkleSet } from '../../../../packages/furrow/src/core/wrinkle-set.ts'
 import { FACES } from './faces.ts'
 import { sheet } from './sheet.ts'
 

@@ -1,6 +1,7 @@
 import type { GrayImage, TensionDriver } from 'furrow'
 import { type AutoWrinkles, autoWrinkles, type Skin } from 'furrow/author'
 import {
+  curveAt,
   DriverProgram,
   measuredSource,
   planDrivers,
@@ -12,7 +13,6 @@ import { findSkin } from 'furrow-files'
 import { readDocument } from 'furrow-files/node'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { poseOf } from '../../../../packages/furrow/src/author/auto/surface/pose.ts'
-import { curveAt } from '../../../../packages/furrow/src/drivers/curve.ts'
 import { driven } from '../../../driven.ts'
 import { seeded } from '../../../random.ts'
 import { FACES, prepareFace } from './faces.ts'

@@ -1,9 +1,8 @@
-import { type AutoOptions, autoWrinkles } from 'furrow/author'
+import { type AutoOptions, autoWrinkles, type Skin } from 'furrow/author'
 import { strokesOf } from 'furrow/internal'
 import { findSkin } from 'furrow-files'
 import { readDocument } from 'furrow-files/node'
 import { beforeAll, expect, test } from 'vitest'
-import type { Skin } from '../../../../packages/furrow/src/author/skin/surface.ts'
 import { FACES } from './faces.ts'
 
 let skin: Skin

@@ -1,4 +1,4 @@
-import { surfaceMetric } from 'furrow/internal'
+import { surfaceMetric, UvLocator } from 'furrow/internal'
 import { describe, expect, test } from 'vitest'
 import { creaseLines } from '../../../../packages/furrow/src/author/auto/lines/crease.ts'
 import { creaseDepth } from '../../../../packages/furrow/src/author/auto/lines/crease-depth.ts'
@@ -6,7 +6,6 @@ import { layFreeLines } from '../../../../packages/furrow/src/author/auto/lines/
 import { smooth } from '../../../../packages/furrow/src/author/auto/strain/smooth.ts'
 import { compressionTensors } from '../../../../packages/furrow/src/author/auto/strain/tensors.ts'
 import { SkinTexels } from '../../../../packages/furrow/src/author/skin/skin-texels.ts'
-import { UvLocator } from '../../../../packages/furrow/src/author/skin/uv-locator.ts'
 import { drawStrokes } from '../../../../packages/furrow/src/author/strokes/height.ts'
 import { COMPRESSION, SIDE, sheet } from './sheet.ts'
 

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs'
 import type { Skin } from 'furrow/author'
+import type { SkinSurface } from 'furrow/internal'
 import { coverTexels } from '../../../../packages/furrow/src/author/cover-texels.ts'
-import type { SkinSurface } from '../../../../packages/furrow/src/author/skin/surface.ts'
 
 /**
  * Regions of a face on which nothing may crease, as points of its surface, found by geometry alone, independently of the code under test.

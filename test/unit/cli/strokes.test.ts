@@ -1,16 +1,14 @@
-import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
-import { tmpdir } from 'node:os'
+import { existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { Document, NodeIO } from '@gltf-transform/core'
 import sharp from 'sharp'
-import { afterAll, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
-import { packCommand } from '../../../packages/cli/src/commands/pack.ts'
-import { strokesCommand } from '../../../packages/cli/src/commands/strokes.ts'
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { accessorsOf } from '../../accessors.ts'
-import { sheet } from './planes.ts'
+import { sheet } from '../author/planes.ts'
+import { bench, grayOf, grayPng } from './workshop.ts'
 
-const folder = mkdtempSync(join(tmpdir(), 'furrow-strokes-'))
-const file = (name: string) => join(folder, name)
+const at = bench('strokes')
+const { file, run } = at
 const face = file('face.glb')
 const strokes = file('strokes.json')
 
@@ -51,32 +49,15 @@ async function writeFace(target: string, names: string[], normalMap?: Uint8Array
   await new NodeIO().write(target, document)
 }
 
-const run = (...args: string[]) => strokesCommand.parseAsync(args, { from: 'user' })
-
-let printed = ''
-
 beforeAll(async () => {
   await writeFace(face, ['sheet'])
-  writeFileSync(strokes, JSON.stringify(DOCUMENT))
-})
-
-beforeEach(() => {
-  printed = ''
-  vi.spyOn(process.stdout, 'write').mockImplementation((text) => {
-    printed += text
-    return true
-  })
-})
-
-afterAll(() => {
-  vi.restoreAllMocks()
-  rmSync(folder, { recursive: true })
+  at.shop.json('strokes.json', DOCUMENT)
 })
 
 describe('furrow strokes', () => {
   it('writes the height map in 16 bits and says its scale', async () => {
     await run(strokes, '--face', face, '-o', file('height.png'), '--size', '201')
-    expect(printed).toContain('height.png: 201 x 201, 16-bit, 32768 = 0 mm, 1 step = 0.001 mm, -0.50..')
+    expect(at.printed).toContain('height.png: 201 x 201, 16-bit, 32768 = 0 mm, 1 step = 0.001 mm, -0.50..')
     const image = sharp(file('height.png'))
     expect(await image.metadata()).toMatchObject({ width: 201, height: 201, depth: 'ushort', channels: 1 })
     const { data } = await image
@@ -106,7 +87,7 @@ describe('furrow strokes', () => {
     expect(readdirSync(file('areas'))).toEqual(['brow.png'])
     const image = sharp(file('areas/brow.png'))
     expect(await image.metadata()).toMatchObject({ width: 128, height: 128, channels: 1, depth: 'uchar' })
-    const gray = await image.toColourspace('b-w').raw().toBuffer()
+    const gray = await grayOf(file('areas/brow.png'))
     expect(gray[64 * 128 + 64]).toBe(0)
     expect(gray[0]).toBe(255)
   })
@@ -115,11 +96,9 @@ describe('furrow strokes', () => {
     const set = file('set')
     const inSet = (name: string) => join(set, name)
     const draw = (document: object, ...args: string[]) => {
-      writeFileSync(file('lines.json'), JSON.stringify(document))
-      return run(file('lines.json'), '--face', face, '--into', set, '--size', '64', ...args)
+      return run(at.shop.json('lines.json', document), '--face', face, '--into', set, '--size', '64', ...args)
     }
     const setDocument = () => JSON.parse(readFileSync(inSet('wrinkles.json'), 'utf8'))
-    const grayOf = (name: string) => sharp(inSet(name)).toColourspace('b-w').raw().toBuffer()
     /** Of a map of 32 x 32 texels: on the line, which runs along v = 0.5, where a second one will be, and off both. */
     const [LINE, SECOND, OFF] = [16 * 32 + 16, 8 * 32 + 16, 28 * 32 + 16]
     const moved = (v: number) => ({
@@ -148,16 +127,14 @@ describe('furrow strokes', () => {
       for (const map of ['height', 'occlusion', 'blood']) {
         expect((await sharp(inSet(`layers/expression/${map}.png`)).metadata()).width, map).toBe(32)
       }
-      const heights = await grayOf('layers/expression/height.png')
+      const heights = await grayOf(inSet('layers/expression/height.png'))
       expect(heights[LINE]).toBeLessThan(80)
       expect(heights[OFF]).toBe(128)
-      expect((await grayOf('layers/expression/occlusion.png'))[LINE]).toBeLessThan(250)
+      expect((await grayOf(inSet('layers/expression/occlusion.png')))[LINE]).toBeLessThan(250)
       const flat = { create: { width: 8, height: 8, channels: 3 as const, background: '#8080ff' } }
       await writeFace(file('flat.glb'), ['skin'], await sharp(flat).png().toBuffer())
-      await packCommand.parseAsync([set, '--face', file('flat.glb'), '-o', file('wrinkled.glb')], {
-        from: 'user',
-      })
-      expect(printed).toContain('strokes: 1')
+      await at.shop.run('pack', set, '--face', file('flat.glb'), '-o', file('wrinkled.glb'))
+      expect(at.printed).toContain('strokes: 1')
     })
 
     it('draws the same again, byte for byte', async () => {
@@ -171,21 +148,17 @@ describe('furrow strokes', () => {
 
     it('keeps areas, drivers, options and flushes of a set whose lines move', async () => {
       await draw(DOCUMENT)
-      const blood = await grayOf('layers/expression/blood.png')
+      const blood = await grayOf(inSet('layers/expression/blood.png'))
       expect(blood[LINE]).toBeGreaterThan(128)
       blood[OFF] = 200
-      const raw = { width: 32, height: 32, channels: 1 as const }
-      writeFileSync(
-        inSet('layers/expression/blood.png'),
-        await sharp(blood, { raw }).toColourspace('b-w').png().toBuffer(),
-      )
+      writeFileSync(inSet('layers/expression/blood.png'), await grayPng(Uint8Array.from(blood), 32))
       const own = setDocument()
       own.layers[0].occlusionStrength = 0.5
       own.layers[0].bloodAmplitude = 0.2
       own.drivers = [{ type: 'morph', area: 'brow', targets: [{ name: 'browInnerUp', weight: 1 }] }]
       writeFileSync(inSet('wrinkles.json'), JSON.stringify(own))
       await draw(moved(0.25))
-      const drawn = await grayOf('layers/expression/blood.png')
+      const drawn = await grayOf(inSet('layers/expression/blood.png'))
       expect([drawn[LINE], drawn[OFF]]).toEqual([128, 200])
       expect(drawn[SECOND]).toBe(blood[LINE])
       expect(setDocument()).toMatchObject({
@@ -212,7 +185,7 @@ describe('furrow strokes', () => {
         ['up', 'up'],
         ['down', 'down'],
       ])
-      expect((await grayOf('layers/down/height.png'))[SECOND]).toBe(128)
+      expect((await grayOf(inSet('layers/down/height.png')))[SECOND]).toBe(128)
       const before = readFileSync(inSet('layers/up/normal.png'))
       await draw(
         { version: 1, strokes: strokes.map((stroke) => ({ ...stroke, depth: 1 })) },
@@ -245,61 +218,25 @@ describe('furrow strokes', () => {
     })
   })
 
-  it.each([
-    ['no output', () => [strokes, '--face', face], 'no output, allowed: -o HEIGHT.png'],
-    [
-      'no such document',
-      () => [file('none.json'), '--face', face, '-o', file('x.png')],
-      'cannot read the strokes',
-    ],
-    [
-      'no such face',
-      () => [strokes, '--face', file('none.glb'), '-o', file('x.png')],
-      'cannot read the face',
-    ],
-    [
-      'a face that is not glTF',
-      () => [strokes, '--face', strokes, '-o', file('x.png')],
-      'is not usable: its JSON has no asset.version',
-    ],
+  it.each<[string, string, () => string[]]>([
+    ['no output', 'no output, allowed: -o HEIGHT.png', () => [strokes, '--face', face]],
     [
       'a mesh that is not there',
-      () => [strokes, '--face', face, '--mesh', 'nose', '-o', file('x.png')],
       `no such mesh in ${face}, got "nose", allowed: sheet; name one with --mesh`,
+      () => [strokes, '--face', face, '--mesh', 'nose', '-o', file('x.png')],
     ],
     [
-      'a size that is not a number',
-      () => [strokes, '--face', face, '--size', '1k', '-o', file('x.png')],
-      "option '--size <texels>' argument '1k' is invalid. It must be an integer from 16 to 8192 texels; see furrow strokes --help",
+      'several meshes',
+      `several meshes in ${file('two.glb')}, allowed: left, right; name one with --mesh`,
+      () => [strokes, '--face', file('two.glb'), '-o', file('x.png')],
     ],
     [
       'a base that is not an image',
-      () => [strokes, '--face', face, '--base', strokes, '--normal', file('x.png')],
       'strokes.json (it is text), allowed: PNG, JPEG, WebP or AVIF; name an image',
+      () => [strokes, '--face', face, '--base', strokes, '--normal', file('x.png')],
     ],
-    [
-      'a folder instead of a file',
-      () => [strokes, '--face', face, '-o', folder, '--normal', file('x.png'), '--size', '32'],
-      'cannot write',
-    ],
-  ])('says what is wrong with %s and writes nothing', async (_, args, message) => {
-    const before = readdirSync(folder).sort()
-    const failure = await run(...args()).then(
-      () => undefined,
-      (error: Error) => error,
-    )
-    expect(failure?.name).toBe('FurrowError')
-    expect(failure?.message).toContain(`furrow strokes: `)
-    expect(failure?.message).toContain(message)
-    expect(failure?.message).not.toContain('\n')
-    expect(existsSync(file('x.png'))).toBe(false)
-    expect(readdirSync(folder).sort()).toEqual(before)
-  })
-
-  it('asks for a mesh where there are several', async () => {
+  ])('says what is wrong with %s and writes nothing', async (_, message, args) => {
     await writeFace(file('two.glb'), ['left', 'right'])
-    await expect(run(strokes, '--face', file('two.glb'), '-o', file('x.png'))).rejects.toThrow(
-      `furrow strokes: several meshes in ${file('two.glb')}, allowed: left, right; name one with --mesh`,
-    )
+    await at.fails(message, ...args())
   })
 })
