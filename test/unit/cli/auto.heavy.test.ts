@@ -369,44 +369,6 @@ describe('files', () => {
     await run(file('once.glb'), '-o', file('once.glb'), '--replace', '--force', '--seed', '2')
     expect(readFileSync(file('twice.glb')).equals(readFileSync(file('once.glb')))).toBe(false)
   })
-
-  test('a file that is not whole', async () => {
-    const whole = readFileSync(await write('body.glb'))
-    for (const length of [0, 3, 11, 19, 40, 500, whole.length / 2, whole.length - 1]) {
-      writeFileSync(file('cut.glb'), whole.subarray(0, length))
-      await fails('cut.glb', file('cut.glb'), '-o', file('x.glb'))
-    }
-    writeFileSync(file('cut.glb'), 'this is a text and no face')
-    await fails('it is text, not glTF', file('cut.glb'), '-o', file('x.glb'))
-    await fails('cannot read', file('missing.glb'), '-o', file('x.glb'))
-    await fails('cannot read', at.folder, '-o', file('x.glb'))
-  })
-
-  test('what cannot be written', async () => {
-    const face = await write('body.glb')
-    mkdirSync(file('folder.glb'))
-    await fails('does not end in .glb', face, '-o', file('x.obj'))
-    await fails('is not a folder', face, '-o', `${face}/x.glb`)
-    await fails('it is a folder', face, '-o', file('folder.glb'))
-    await fails('is not a folder', face, '-o', file('x.glb'), '--report', `${face}/report`)
-  })
-
-  test.each([
-    ['--age', '19'],
-    ['--age', 'old'],
-    ['--strength', '2.1'],
-    ['--strength', '-1'],
-    ['--size', '1000'],
-    ['--seed', '1.5'],
-    ['--layers', '0'],
-    ['--layers', '5'],
-    ['--areas', '0'],
-    ['--areas', '65'],
-    ['--areas', ''],
-    ['--regions', 'ears'],
-  ])('%s %s is refused', async (option, value) => {
-    await fails(option, file('never-read.glb'), '-o', file('x.glb'), option, value)
-  })
 })
 
 interface Json {

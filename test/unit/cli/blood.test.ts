@@ -1,5 +1,5 @@
 import { readFileSync } from 'node:fs'
-import { FurrowError, type GrayImage, type RgbaImage } from 'furrow'
+import type { GrayImage, RgbaImage } from 'furrow'
 import { parseWrinkleMaps } from 'furrow/internal'
 import { readWrinkleMaps } from 'furrow/three'
 import sharp from 'sharp'
@@ -7,7 +7,7 @@ import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest'
 import { jsonOf } from '../../glb.ts'
 import { noise } from '../../noise.ts'
 import { loadInNode } from '../three/node-loader.ts'
-import { faceBytes, Workshop } from './workshop.ts'
+import { faceBytes, grayOf, grayPng, Workshop, wrinklesIn } from './workshop.ts'
 
 // Node has no WebGL to read pixels with; its stand-in for a bitmap has them.
 vi.mock(import('../../../packages/furrow/src/runtime/file/read-image.ts'), async (original) => ({
@@ -15,23 +15,17 @@ vi.mock(import('../../../packages/furrow/src/runtime/file/read-image.ts'), async
   readImage: (bitmap) => bitmap as unknown as RgbaImage,
 }))
 
-const NAME = 'FURROW_wrinkle_maps'
 const SIZE = 16
 const shop = new Workshop()
 
-const mapsOf = (path: string) =>
-  parseWrinkleMaps(jsonOf(readFileSync(path)).materials[0].extensions[NAME], 99)
+const mapsOf = (path: string) => parseWrinkleMaps(wrinklesIn(path), 99)
 
-/** A gray PNG file whose texels are `value(i)` of 255, or of 65535. */
-function gray(value: (i: number) => number, bits: 8 | 16 = 8, size = SIZE): Promise<Uint8Array> {
-  const data = new (bits === 16 ? Uint16Array : Uint8Array)(size * size).map((_, i) => value(i))
-  return sharp(data, { raw: { width: size, height: size, channels: 1 } })
-    .toColourspace(bits === 16 ? 'grey16' : 'b-w')
-    .png()
-    .toBuffer()
-}
-
-const grayOf = async (path: string) => [...(await sharp(path).toColourspace('b-w').raw().toBuffer())]
+/** A gray PNG file whose texels are `value(i)` of 255. */
+const gray = (value: (i: number) => number, size = SIZE) =>
+  grayPng(
+    Uint8Array.from({ length: size * size }, (_, i) => value(i)),
+    size,
+  )
 
 /** The image that a texture of a packed file has, decoded. */
 async function imageOf(path: string, texture: number) {
@@ -45,6 +39,7 @@ async function imageOf(path: string, texture: number) {
 
 const BLOOD = (i: number) => (i % 3 === 0 ? 128 : i % 256)
 const OCCLUSION = (i: number) => 255 - (i % 100)
+const texels = Array.from({ length: SIZE * SIZE }, (_, i) => i)
 
 /** A folder with a layer that has blood and occlusion, and one that has blood only. */
 async function makeFolder(name: string, more: object = {}) {
@@ -92,7 +87,6 @@ describe('the blood map of a folder', () => {
 
   it('comes back as a gray image, beside the occlusion', async () => {
     await shop.run('unpack', out, '-o', shop.path('again'))
-    const texels = Array.from({ length: SIZE * SIZE }, (_, i) => i)
     expect(await grayOf(shop.path('again/layers/up/blood.png'))).toEqual(texels.map(BLOOD))
     expect(await grayOf(shop.path('again/layers/up/occlusion.png'))).toEqual(texels.map(OCCLUSION))
     expect((await sharp(shop.path('again/layers/up/blood.png')).metadata()).channels).toBe(1)
@@ -106,7 +100,13 @@ describe('the blood map of a folder', () => {
   it('may have 16 bits, of which 32768 is as at rest', async () => {
     const deep = await makeFolder('deep')
     const values = [32768, 0, 65535, 33025]
-    shop.write('deep/layers/down/blood.png', await gray((i) => values[i % 4], 16))
+    shop.write(
+      'deep/layers/down/blood.png',
+      await grayPng(
+        Uint16Array.from(texels, (i) => values[i % 4]),
+        SIZE,
+      ),
+    )
     await shop.run('pack', deep, '-o', shop.path('deep.glb'))
     const { bytes } = await imageOf(
       shop.path('deep.glb'),
@@ -117,7 +117,7 @@ describe('the blood map of a folder', () => {
 
   it('is scaled to the size of the occlusion', async () => {
     const small = await makeFolder('small')
-    shop.write('small/layers/up/blood.png', await gray((i) => (i < 32 ? 128 : 200), 8, 8))
+    shop.write('small/layers/up/blood.png', await gray((i) => (i < 32 ? 128 : 200), 8))
     await shop.run('pack', small, '-o', shop.path('small.glb'))
     const { bytes, width } = await imageOf(
       shop.path('small.glb'),
@@ -159,7 +159,6 @@ describe('the blood map of a folder', () => {
     const [found] = await readWrinkleMaps(await loadInNode(readFileSync(out)))
     const [up, down] = found.set.layers
     expect(up.bloodAmplitude).toBe(0.25)
-    const texels = Array.from({ length: SIZE * SIZE }, (_, i) => i)
     expect([...(up.blood as GrayImage).data]).toEqual(texels.map(BLOOD))
     expect([...(up.occlusion as GrayImage).data]).toEqual(texels.map(OCCLUSION))
     expect(down).toMatchObject({ bloodAmplitude: 0.5, blood: up.blood })
@@ -202,12 +201,6 @@ describe('pack refuses', () => {
       /layers\/up\/blood\.png needs the bloodAmplitude of its layer, .*, allowed: 0 to 2; write it into "layers" there, such as \{"name":"up","bloodAmplitude":0\.3\}, or move the file elsewhere$/,
     ],
     [
-      'blood without an amplitude, which the document names',
-      async (at: string) =>
-        shop.json(`${at}/wrinkles.json`, { layers: [{ name: 'up', blood: 'layers/down/blood.png' }] }),
-      /layers\[0\]\.bloodAmplitude must be a number/,
-    ],
-    [
       'a damaged image',
       async (at: string) => shop.write(`${at}/layers/up/blood.png`, (await gray(BLOOD)).subarray(0, 60)),
       /blood\.png/,
@@ -216,8 +209,6 @@ describe('pack refuses', () => {
     const name = what.replaceAll(' ', '-')
     const spoilt = await makeFolder(name)
     await spoil(name)
-    const error = await shop.failure('pack', spoilt, '-o', shop.path('no.glb'))
-    expect(error).toBeInstanceOf(FurrowError)
-    expect(error.message).toMatch(message)
+    await shop.fails(message, 'pack', spoilt, '-o', shop.path('no.glb'))
   })
 })

@@ -1,35 +1,35 @@
 import { readFileSync, writeFileSync } from 'node:fs'
-import { join } from 'node:path'
 import { expect, it } from 'vitest'
 import { Workshop } from './workshop.ts'
 
 const shop = new Workshop()
+const DEEP = `${'['.repeat(20_000)}${']'.repeat(20_000)}`
 
-it('pack refuses a wrinkles.json that is too deep for what reads it', async () => {
-  const folder = await shop.makeFolder('deep')
-  const deep = '['.repeat(20_000) + ']'.repeat(20_000)
-  writeFileSync(join(folder, 'wrinkles.json'), `{ "version": 1, "areas": [{ "combine": ${deep} }] }`)
-  await expect(shop.run('pack', folder, '-o', shop.path('out.glb'))).rejects.toThrow(
-    /wrinkles\.json \(its JSON is more than 128 levels deep\); correct the file/,
-  )
-})
-
-it.each([{ toString: 1, valueOf: null }, 1])('pack refuses a layer whose name is %j', async (name) => {
+it.each([
+  [
+    'is too deep for what reads it',
+    `{ "areas": [{ "combine": ${DEEP} }] }`,
+    ' (its JSON is more than 128 levels deep); correct the file',
+  ],
+  [
+    'names a layer by an object',
+    '{ "layers": [{ "name": { "toString": 1 } }] }',
+    ': layers[0].name must be text',
+  ],
+  ['names a layer by a number', '{ "layers": [{ "name": 1 }] }', ': layers[0].name must be text'],
+])('pack refuses a wrinkles.json that %s', async (_, text, problem) => {
   const folder = await shop.makeFolder('misnamed')
-  shop.json('misnamed/wrinkles.json', { layers: [{ name }] })
-  await expect(shop.run('pack', folder, '-o', shop.path('out.glb'))).rejects.toThrow(
-    /wrinkles\.json: layers\[0\]\.name must be text/,
-  )
+  const path = shop.write('misnamed/wrinkles.json', text)
+  await expect(shop.run('pack', folder, '-o', shop.path('out.glb'))).rejects.toThrow(`${path}${problem}`)
 })
 
 it('pack names a damaged layer also where it scales it', async () => {
   const folder = await shop.makeFolder('damaged')
-  const layer = join(folder, 'layers/age/normal.png')
+  const layer = `${folder}/layers/age/normal.png`
   const png = readFileSync(layer)
   // In the checksum of the header (PNG, 5.3).
   png[30]! ^= 1
   writeFileSync(layer, png)
-  await expect(shop.run('pack', folder, '-o', shop.path('out.glb'), '--size', '32')).rejects.toThrow(
-    /furrow pack: cannot read the image .*normal\.png/,
-  )
+  const message = /cannot read the image .*normal\.png/
+  await shop.fails(message, 'pack', folder, '-o', shop.path('out.glb'), '--size', '32')
 })

@@ -7,7 +7,7 @@ import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { jsonOf, withJson } from '../../glb.ts'
 import { noise } from '../../noise.ts'
-import { AREAS, faceBytes, Workshop } from './workshop.ts'
+import { AREAS, faceBytes, Workshop, wrinklesIn } from './workshop.ts'
 
 const NAME = 'FURROW_wrinkle_maps'
 const shop = new Workshop()
@@ -15,8 +15,6 @@ const packed = shop.path('packed.glb')
 let folder = ''
 
 type Json = ReturnType<typeof jsonOf>
-
-const mapsOf = (path: string) => jsonOf(readFileSync(path)).materials[0].extensions[NAME]
 
 beforeAll(async () => {
   folder = await shop.makeFolder('face')
@@ -28,9 +26,7 @@ async function findings(spoil: (json: Json, maps: Json) => void): Promise<string
   const bytes = readFileSync(packed)
   const json = jsonOf(bytes)
   spoil(json, json.materials[0].extensions[NAME])
-  shop.printed = ''
-  await shop.run('validate', shop.write('spoilt.glb', withJson(bytes, json)))
-  return shop.printed
+  return shop.output('validate', shop.write('spoilt.glb', withJson(bytes, json)))
 }
 
 async function pixels(path: string): Promise<number[]> {
@@ -42,7 +38,7 @@ const furthest = (a: number[], b: number[]) =>
 
 describe('furrow pack --ktx2', () => {
   it('puts each kind of map into an array, and areas four to a slice', () => {
-    const { layers, areas } = mapsOf(packed)
+    const { layers, areas } = wrinklesIn(packed)
     expect(layers.map(({ normalTexture }: Json) => normalTexture.slice)).toEqual([0, 1])
     expect(new Set(layers.map(({ normalTexture }: Json) => normalTexture.index)).size).toBe(1)
     expect(layers[1].baseColorTexture.slice).toBe(0)
@@ -60,9 +56,7 @@ describe('furrow pack --ktx2', () => {
   it('is valid, and its areas are those of the folder but for what compression takes', async () => {
     await shop.run('validate', packed)
     expect(shop.printed).toBe(`${packed}: 0 errors, 0 warnings\n`)
-    shop.printed = ''
-    await shop.run('inspect', packed, '--json')
-    const report = JSON.parse(shop.printed)
+    const report = JSON.parse(await shop.output('inspect', packed, '--json'))
     // Two slices of 128 x 128 with 8 bits per texel, and the mipmaps of three maps of 16 x 16: 21 and some blocks.
     expect(report.gpu.bits8).toBe(2 * 128 * 128 + 3 * (16 + 4 + 1 + 1 + 1) * 16)
     expect(report.areas.map(({ name }: Json) => name)).toEqual(AREAS)
@@ -78,7 +72,7 @@ describe('furrow pack --ktx2', () => {
     const [first, again] = [shop.path('first'), shop.path('again.glb')]
     await shop.run('unpack', packed, '-o', first)
     await shop.run('pack', first, '--ktx2', '-o', again)
-    expect(mapsOf(again)).toEqual(mapsOf(packed))
+    expect(wrinklesIn(again)).toEqual(wrinklesIn(packed))
     const second = shop.path('second')
     await shop.run('unpack', again, '-o', second)
     const documents = ['first', 'second'].map((name) => shop.files(name)['wrinkles.json'])
@@ -103,7 +97,7 @@ describe('furrow pack --ktx2', () => {
     const document = await io.read(packed)
     await document.transform(dedup(), prune(), textureCompress({ encoder: sharp, targetFormat: 'webp' }))
     const path = shop.write('transformed.glb', await io.writeBinary(document))
-    const [before, after] = [mapsOf(packed), mapsOf(path)]
+    const [before, after] = [wrinklesIn(packed), wrinklesIn(path)]
     const slices = ({ layers, areas }: Json) => [
       ...layers.map(({ normalTexture }: Json) => normalTexture.slice),
       ...areas.map(({ texture }: Json) => texture.slice),
@@ -135,10 +129,8 @@ describe('furrow pack --ktx2', () => {
     const odd = await shop.makeFolder('odd')
     shop.write('odd/layers/age/normal.png', await noise(1, 3, 18))
     shop.write('odd/layers/expression/normal.png', await noise(2, 3, 18))
-    const before = shop.files()
-    const error = await shop.failure('pack', odd, '--ktx2', '-o', shop.path('odd.glb'))
-    expect(error.message).toMatch(/got "18 x 18", allowed: multiples of 4 texels; .*--size/)
-    expect(shop.files()).toEqual(before)
+    const message = /got "18 x 18", allowed: multiples of 4 texels; .*--size/
+    await shop.fails(message, 'pack', odd, '--ktx2', '-o', shop.path('odd.glb'))
   })
 })
 
@@ -148,15 +140,13 @@ describe('furrow pack --ktx2 with what it cannot do', () => {
     const flat = sharp({ create: { width: 4096, height: 4096, channels: 3, background: '#8080ff' } })
     const normal = await flat.png().toBuffer()
     for (const layer of ['age', 'expression']) shop.write(`big/layers/${layer}/normal.png`, normal)
-    const error = await shop.failure('pack', big, '--ktx2', '-o', shop.path('big.glb'))
-    expect(error.message).toMatch(/^furrow pack: too many texels .*got "2 x 4096 x 4096".*--size/)
+    const message = /^furrow pack: too many texels .*got "2 x 4096 x 4096".*--size/
+    await shop.fails(message, 'pack', big, '--ktx2', '-o', shop.path('big.glb'))
   })
 
   it('refuses a number of areas to an image, which an array does not have', async () => {
     const args = [folder, '--ktx2', '--share', '1', '-o', shop.path('shared.glb')]
-    expect((await shop.failure('pack', ...args)).message).toContain(
-      "option '--ktx2' cannot be used with option '--share <count>'",
-    )
+    await shop.fails("option '--ktx2' cannot be used with option '--share <count>'", 'pack', ...args)
   })
 })
 
