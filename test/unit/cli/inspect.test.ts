@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { areaSizes, mapSizes } from '../../../packages/files/src/wrinkles/sizes.ts'
+import { ramp } from '../../drivers.ts'
 import { editGlb, jsonOf } from '../../glb.ts'
 import { Workshop } from './workshop.ts'
 
@@ -18,15 +19,7 @@ beforeAll(async () => {
     ],
     drivers: [
       { type: 'morph', area: 'nose', targets: [{ name: 'browInnerUp', weight: 0.5 }] },
-      {
-        type: 'morph',
-        area: 'brow',
-        targets: [{ name: 'browInnerUp' }],
-        curve: [
-          [0, 0],
-          [0.5, 1],
-        ],
-      },
+      { type: 'morph', area: 'brow', targets: [{ name: 'browInnerUp' }], curve: ramp(0, 0.5) },
       { type: 'weather' },
       { type: 'expression', name: 'joy', targets: [{ name: 'browInnerUp', weight: 0.5 }] },
     ],

@@ -6,6 +6,7 @@ import { FurrowWrinkleMaps } from 'furrow/gltf'
 import { parseWrinkleMaps } from 'furrow/internal'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
+import { STRAIGHT } from '../../drivers.ts'
 import { jsonOf, withJson } from '../../glb.ts'
 import { noise } from '../../noise.ts'
 import { AREAS, faceBytes, grayOf, painted, Workshop, wrinklesIn } from './workshop.ts'
@@ -100,15 +101,7 @@ describe('furrow pack', () => {
           { name: 'chin', image: 'areas/chin.png' },
         ],
         drivers: [
-          {
-            type: 'morph',
-            area: 'nose',
-            targets: [{ name: 'browInnerUp', weight: 1 }],
-            curve: [
-              [0, 0],
-              [1, 1],
-            ],
-          },
+          { type: 'morph', area: 'nose', targets: [{ name: 'browInnerUp', weight: 1 }], curve: STRAIGHT },
           { type: 'weather', area: 'chin', limit: 2 },
         ],
       })

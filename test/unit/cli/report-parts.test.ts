@@ -8,6 +8,7 @@ import {
 } from '../../../packages/cli/src/auto/report/strain-colours.ts'
 import { Steps } from '../../../packages/cli/src/auto/steps.ts'
 import { html } from '../../../packages/cli/src/markup.ts'
+import { STRAIGHT } from '../../drivers.ts'
 
 const made = (...targets: string[]) => ({
   targets,
@@ -53,10 +54,7 @@ describe('poses', () => {
         area: 'any',
         targets: links.map(([name, weight]) => ({ name, weight })),
         rule: 'sum' as const,
-        curve: [
-          [0, 0],
-          [1, 1],
-        ] as [number, number][],
+        curve: STRAIGHT as [number, number][],
       },
       compression,
       error: 0,

@@ -1,14 +1,12 @@
-import type { BoneDriver, Curve } from 'furrow'
+import type { BoneDriver } from 'furrow'
 import { DriverProgram, JointMeasurement, measuredSource, planDrivers } from 'furrow/internal'
 import { Euler, Matrix4, Quaternion, Vector3 } from 'three'
 import { describe, expect, it } from 'vitest'
+import { ramp } from '../../drivers.ts'
 import { seeded } from '../../random.ts'
 
 /** Reads as the measure itself, as long as that is -4..4. */
-const RULER: Curve = [
-  [-4, 0],
-  [4, 1],
-]
+const RULER = ramp(-4, 4)
 const measured = (activation: number) => 8 * activation - 4
 
 const driver = (measure: BoneDriver['measure'], axis?: BoneDriver['axis']): BoneDriver => ({
@@ -94,10 +92,7 @@ describe('bone drivers', () => {
   })
 
   it('adds up drivers of one area, and goes on without a joint that is missing', () => {
-    const bend: Curve = [
-      [0, 0],
-      [1, 0.3],
-    ]
+    const bend = ramp(0, 1, 0.3)
     const { activation, missing } = activate(
       [
         { ...driver('distance'), curve: bend },

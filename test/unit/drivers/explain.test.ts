@@ -1,32 +1,13 @@
-import type { Curve, WrinkleDriver } from 'furrow'
+import type { WrinkleDriver } from 'furrow'
 import { DriverProgram, explain, planDrivers, targetSource } from 'furrow/internal'
 import { expect, it } from 'vitest'
+import { link, morph, ramp, STRAIGHT } from '../../drivers.ts'
 
-const STRAIGHT: Curve = [
-  [0, 0],
-  [1, 1],
-]
 const drivers: WrinkleDriver[] = [
-  {
-    type: 'morph',
-    area: 'glabella',
-    targets: [
-      { name: 'browDownLeft', weight: 1 },
-      { name: 'browDownRight', weight: 0.5 },
-    ],
-    rule: 'min',
-    curve: STRAIGHT,
-  },
+  morph('glabella', [link('browDownLeft'), link('browDownRight', 0.5)], { rule: 'min' }),
   { type: 'conflict', targets: ['browDownLeft', 'browOuterUpLeft'] },
   { type: 'area', area: 'nose', areas: [{ name: 'glabella', weight: 0.5 }], rule: 'sum', curve: STRAIGHT },
-  {
-    type: 'age',
-    area: 'nose',
-    curve: [
-      [20, 0],
-      [80, 0.6],
-    ],
-  },
+  { type: 'age', area: 'nose', curve: ramp(20, 80, 0.6) },
   { type: 'time', area: 'nose', attack: 5, release: 5 },
   { type: 'area', area: 'chin', areas: [{ name: 'chin', weight: 1 }], rule: 'sum', curve: STRAIGHT },
 ]
@@ -56,35 +37,17 @@ it('says what each link and driver gives', () => {
 })
 
 it('says what a curve reads: the inputs, the links and what the rule makes of them', () => {
-  const bent: WrinkleDriver = {
-    type: 'morph',
-    area: 'glabella',
-    targets: [
-      {
-        name: 'browDownLeft',
-        weight: 0.5,
-        curve: [
-          [0.2, 0],
-          [0.7, 1],
-        ],
-      },
-      { name: 'browDownRight', weight: 1 },
-    ],
-    rule: 'max',
-    curve: [
-      [0.2, 0],
-      [0.6, 1],
-    ],
-  }
+  const links = [link('browDownLeft', 0.5, ramp(0.2, 0.7)), link('browDownRight')]
+  const bent = morph('glabella', links, { rule: 'max', curve: ramp(0.2, 0.6) })
   const plan = planDrivers([bent])
   const names = ['browDownLeft', 'browDownRight']
   const program = new DriverProgram(plan, { target: targetSource(plan.inputs.target, names) })
   const state = program.createState()
   state.inputs.target.set([0.6, 0.25])
   program.evaluate(state)
-  const { inputs, links, combined, activation } = program.explain(0, state)
+  const { inputs, links: given, combined, activation } = program.explain(0, state)
   expect(inputs).toEqual([0.6, 0.25])
-  expect(links).toEqual([expect.closeTo(0.4, 6), 0.25])
+  expect(given).toEqual([expect.closeTo(0.4, 6), 0.25])
   expect(combined).toBeCloseTo(0.4, 6)
   expect(activation).toBeCloseTo(0.5, 6)
 })

@@ -1,21 +1,11 @@
-import type { AreaDriver, Curve, MorphDriver, WrinkleDriver } from 'furrow'
+import type { AreaDriver, MorphDriver, WrinkleDriver } from 'furrow'
 import { describe, expect, it } from 'vitest'
 import { driven } from '../../driven.ts'
-
-const STRAIGHT: Curve = [
-  [0, 0],
-  [1, 1],
-]
+import { link, morph, ramp, STRAIGHT } from '../../drivers.ts'
 
 /** Drivers that activate areas by these amounts, each by a target of the area's name. */
 function given(activations: Record<string, number>): MorphDriver[] {
-  return Object.entries(activations).map(([area, weight]) => ({
-    type: 'morph',
-    area,
-    targets: [{ name: 'all', weight }],
-    rule: 'sum',
-    curve: STRAIGHT,
-  }))
+  return Object.entries(activations).map(([area, weight]) => morph(area, [link('all', weight)]))
 }
 
 const between = (area: string, from: Record<string, number>): AreaDriver => ({
@@ -63,14 +53,7 @@ describe('the drivers of a face together', () => {
 
 describe('drivers of the application’s inputs', () => {
   const aging: WrinkleDriver[] = [
-    {
-      type: 'age',
-      area: 'forehead',
-      curve: [
-        [30, 0],
-        [70, 0.8],
-      ],
-    },
+    { type: 'age', area: 'forehead', curve: ramp(30, 70, 0.8) },
     {
       type: 'age',
       area: 'crowsFeet',
@@ -98,15 +81,7 @@ describe('drivers of the application’s inputs', () => {
 
   it('input: any number by name, 0 until it is set, several on one area', () => {
     const drivers: WrinkleDriver[] = [
-      {
-        type: 'input',
-        name: 'stress',
-        area: 'glabella',
-        curve: [
-          [20, 0],
-          [120, 1],
-        ],
-      },
+      { type: 'input', name: 'stress', area: 'glabella', curve: ramp(20, 120) },
       {
         type: 'input',
         name: 'cold',
@@ -129,15 +104,7 @@ describe('time drivers', () => {
   function after(from: number, to: number, seconds: number, frames: number): number {
     const { activations } = driven(
       [
-        ...['brow', 'nose'].map(
-          (area): MorphDriver => ({
-            type: 'morph',
-            area,
-            targets: [{ name: area, weight: 1 }],
-            rule: 'sum',
-            curve: STRAIGHT,
-          }),
-        ),
+        ...['brow', 'nose'].map((area) => morph(area, area)),
         { type: 'time', area: 'brow', attack: 0.1, release: 0.5 },
       ],
       ['brow', 'nose'],

@@ -2,18 +2,7 @@ import type { MorphDriver } from 'furrow'
 import { curveAt } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 import { driven } from '../../driven.ts'
-
-const straight: MorphDriver['curve'] = [
-  [0, 0],
-  [1, 1],
-]
-const driver = (area: string, targets: MorphDriver['targets'], curve = straight): MorphDriver => ({
-  type: 'morph',
-  area,
-  targets,
-  rule: 'sum',
-  curve,
-})
+import { link, morph } from '../../drivers.ts'
 
 describe('curveAt', () => {
   const late: MorphDriver['curve'] = [
@@ -34,35 +23,32 @@ describe('curveAt', () => {
 
 describe('morph drivers', () => {
   it('adds up the weighted targets of a driver, and the drivers of an area to at most 1', () => {
-    const morph = driven(
+    const { activations } = driven(
       [
-        driver('forehead', [
-          { name: 'browInnerUp', weight: 0.5 },
-          { name: 'browOuterUpLeft', weight: 0.25 },
-        ]),
-        driver('forehead', [{ name: 'eyeWideLeft', weight: 1 }]),
-        driver('nose', [{ name: 'noseSneerLeft', weight: 1 }]),
+        morph('forehead', [link('browInnerUp', 0.5), link('browOuterUpLeft', 0.25)]),
+        morph('forehead', 'eyeWideLeft'),
+        morph('nose', 'noseSneerLeft'),
       ],
       ['browInnerUp', 'browOuterUpLeft', 'eyeWideLeft', 'noseSneerLeft'],
     )
-    const at = (...weights: number[]) => morph.activations({ weights })
+    const at = (...weights: number[]) => activations({ weights })
     expect(at(1, 0.4, 0.1, 0)).toEqual({ forehead: expect.closeTo(0.7, 6), nose: 0 })
     expect(at(1, 1, 1, 0.3)).toEqual({ forehead: 1, nose: expect.closeTo(0.3, 6) })
     expect(at(0, 0, 0, 0)).toEqual({ forehead: 0, nose: 0 })
   })
 
   it('finds targets in other spellings, and counts a split shape once', () => {
-    const morph = driven(
-      [driver('forehead', [{ name: 'browInnerUp', weight: 1 }])],
+    const { activations } = driven(
+      [morph('forehead', 'browInnerUp')],
       ['blendShape1.browInnerUp_L', 'blendShape1.browInnerUp_R'],
     )
-    expect(morph.activations({ weights: [1, 1] }).forehead).toBe(1)
-    expect(morph.activations({ weights: [1, 0] }).forehead).toBe(0.5)
+    expect(activations({ weights: [1, 1] }).forehead).toBe(1)
+    expect(activations({ weights: [1, 0] }).forehead).toBe(0.5)
   })
 
   it('keeps going without targets that the mesh lacks, and tells which', () => {
-    const morph = driven([driver('nose', [{ name: 'trunkUp', weight: 1 }])], ['jawOpen'])
-    expect(morph.activations({ weights: [1] })).toEqual({ nose: 0 })
-    expect(morph.missing).toEqual(['target "trunkUp" of a driver of area "nose"'])
+    const { activations, missing } = driven([morph('nose', 'trunkUp')], ['jawOpen'])
+    expect(activations({ weights: [1] })).toEqual({ nose: 0 })
+    expect(missing).toEqual(['target "trunkUp" of a driver of area "nose"'])
   })
 })

@@ -3,6 +3,7 @@ import { type DriverDefinition, parseDrivers, registerDriver, type WrinkleDriver
 import { DRIVER_TYPES, describeDriver, explain, isKnownDriver, parseWrinkleMaps } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 import { driven } from '../../driven.ts'
+import { link, morph, ramp, STRAIGHT } from '../../drivers.ts'
 
 const folder = new URL('../../../packages/furrow/src/drivers/', import.meta.url)
 
@@ -51,52 +52,20 @@ const breath: DriverDefinition<BreathDriver> = {
     area,
     links: ['phase', 'effort'].map((name) => ({ input: { kind: 'value', name }, weight: 1 })),
     rule: ([phase, effort]) => depth * effort * (0.5 - 0.5 * Math.cos(2 * Math.PI * phase)),
-    curve: [
-      [0, 0],
-      [1, 1],
-    ],
+    curve: STRAIGHT,
   }),
 }
 
 it.each<[WrinkleDriver, string]>([
   [
-    {
-      type: 'morph',
-      area: 'nose',
-      targets: [
-        { name: 'noseSneerLeft', weight: 0.5 },
-        {
-          name: 'noseSneerRight',
-          weight: 1,
-          curve: [
-            [0.1, 0],
-            [1, 2],
-          ],
-        },
-      ],
+    morph('nose', [link('noseSneerLeft', 0.5), link('noseSneerRight', 1, ramp(0.1, 1, 2))], {
       rule: 'max',
-      curve: [
-        [0, 0],
-        [0.8, 1],
-      ],
-    },
+      curve: ramp(0, 0.8),
+    }),
     'nose = max(0.5 noseSneerLeft, noseSneerRight [(0.1, 0) (1, 2)]), curve (0, 0) (0.8, 1)',
   ],
   [
-    {
-      type: 'morph',
-      area: 'nose',
-      targets: [
-        { name: 'cheekPuff', weight: -0.5 },
-        { name: 'noseSneer', weight: 1 },
-        { name: 'jawOpen', weight: -0.25 },
-      ],
-      rule: 'sum',
-      curve: [
-        [0, 0],
-        [1, 1],
-      ],
-    },
+    morph('nose', [link('cheekPuff', -0.5), link('noseSneer'), link('jawOpen', -0.25)]),
     'nose = -0.5 cheekPuff + noseSneer - 0.25 jawOpen',
   ],
   [
@@ -106,24 +75,11 @@ it.each<[WrinkleDriver, string]>([
       joints: ['chest', 'head'],
       measure: 'angle',
       axis: [0, 1, 0],
-      curve: [
-        [0, 0],
-        [1, 1],
-      ],
+      curve: STRAIGHT,
     },
     'neck = angle of joint head from chest about 0 1 0',
   ],
-  [
-    {
-      type: 'age',
-      area: 'nose',
-      curve: [
-        [20, 0],
-        [80, 1],
-      ],
-    },
-    'nose = input age, curve (20, 0) (80, 1)',
-  ],
+  [{ type: 'age', area: 'nose', curve: ramp(20, 80) }, 'nose = input age, curve (20, 0) (80, 1)'],
   [{ type: 'conflict', targets: ['browDown', 'browUp'] }, 'conflict: browDown and browUp cancel each other'],
   [{ type: 'time', area: 'nose', attack: 0.1, release: 0.4 }, 'time: nose rises in 0.1 s, falls in 0.4 s'],
   [
@@ -134,10 +90,7 @@ it.each<[WrinkleDriver, string]>([
     {
       type: 'expression',
       name: 'rage',
-      targets: [
-        { name: 'browDown', weight: 1 },
-        { name: 'jawOpen', weight: 0.25 },
-      ],
+      targets: [link('browDown'), link('jawOpen', 0.25)],
       activations: [
         { area: 'glabella', activation: 1 },
         { area: 'nose', activation: 0.35 },

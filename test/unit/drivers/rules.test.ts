@@ -1,17 +1,11 @@
-import type { Curve, Link, MorphDriver, Rule, WrinkleDriver } from 'furrow'
+import type { Curve, Link, Rule, WrinkleDriver } from 'furrow'
 import { afterEach, describe, expect, it, vi } from 'vitest'
 import { driven } from '../../driven.ts'
+import { link, morph, ramp, STRAIGHT } from '../../drivers.ts'
 
-const STRAIGHT: Curve = [
-  [0, 0],
-  [1, 1],
-]
 const names = ['browDownLeft', 'browDownRight', 'browOuterUpLeft']
-const link = (name: string, weight = 1, curve?: Curve): Link => ({ name, weight, ...(curve && { curve }) })
-
 function activation(rule: Rule, links: Link[], weights: number[], curve = STRAIGHT): number {
-  const drivers: MorphDriver[] = [{ type: 'morph', area: 'glabella', targets: links, rule, curve }]
-  return driven(drivers, names).activations({ weights }).glabella
+  return driven([morph('glabella', links, { rule, curve })], names).activations({ weights }).glabella
 }
 
 afterEach(() => vi.restoreAllMocks())
@@ -42,14 +36,8 @@ describe('rules', () => {
   })
 
   it("a link's curve comes before its weight, and the driver's after the rule", () => {
-    const late: Curve = [
-      [0.5, 0],
-      [1, 2],
-    ]
-    const halved: Curve = [
-      [0, 0],
-      [2, 1],
-    ]
+    const late: Curve = ramp(0.5, 1, 2)
+    const halved: Curve = ramp(0, 2)
     // 0.75 -> 1 on its own curve, times 0.8, plus 0.4.
     const links = [link('browDownLeft', 0.8, late), link('browDownRight')]
     expect(activation('sum', links, [0.75, 0.4, 0], halved)).toBeCloseTo(0.6, 6)
@@ -58,12 +46,9 @@ describe('rules', () => {
 
   it('a weight that is NaN counts as 0, with one warning that names it', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
-    const morph = driven(
-      [{ type: 'morph', area: 'glabella', targets: both, rule: 'sum', curve: STRAIGHT }],
-      names,
-    )
+    const { activations } = driven([morph('glabella', both)], names)
     for (let i = 0; i < 3; i++) {
-      expect(morph.activations({ weights: [Number.NaN, 0.4, 0] }).glabella).toBeCloseTo(0.1, 6)
+      expect(activations({ weights: [Number.NaN, 0.4, 0] }).glabella).toBeCloseTo(0.1, 6)
     }
     expect(warn).toHaveBeenCalledTimes(1)
     expect(warn.mock.calls[0][0]).toContain('the input "browDownLeft" of a driver is NaN')
@@ -74,15 +59,7 @@ describe('conflicts', () => {
   const resolved = (conflicts: [string, string][], targetNames: string[], weights: number[]) => {
     const { activations, missing } = driven(
       [
-        ...['browOuterUpLeft', 'browDownLeft'].map(
-          (name): WrinkleDriver => ({
-            type: 'morph',
-            area: name,
-            targets: [link(name)],
-            rule: 'sum',
-            curve: STRAIGHT,
-          }),
-        ),
+        ...['browOuterUpLeft', 'browDownLeft'].map((name) => morph(name, name)),
         ...conflicts.map((targets): WrinkleDriver => ({ type: 'conflict', targets })),
       ],
       targetNames,
@@ -93,28 +70,13 @@ describe('conflicts', () => {
   const pair: [string, string] = ['browOuterUpLeft', 'browDownLeft']
 
   it.each([
-    [
-      [0.7, 0.7],
-      [0, 0],
-    ],
-    [
-      [0.9, 0.2],
-      [0.7, 0],
-    ],
-    [
-      [0.1, 0.6],
-      [0, 0.5],
-    ],
-    [
-      [0.8, 0],
-      [0.8, 0],
-    ],
-    [
-      [0.8, -0.5],
-      [0.8, 0],
-    ],
-  ])('raised and lowered by %j leaves %j', (weights, left) => {
-    expect(resolved([pair], ['browOuterUpLeft', 'browDownLeft'], weights).activations).toEqual(left)
+    { raised: 0.7, lowered: 0.7, left: [0, 0] },
+    { raised: 0.9, lowered: 0.2, left: [0.7, 0] },
+    { raised: 0.1, lowered: 0.6, left: [0, 0.5] },
+    { raised: 0.8, lowered: 0, left: [0.8, 0] },
+    { raised: 0.8, lowered: -0.5, left: [0.8, 0] },
+  ])('raised by $raised and lowered by $lowered leaves $left', ({ raised, lowered, left }) => {
+    expect(resolved([pair], pair, [raised, lowered]).activations).toEqual(left)
   })
 
   it('leaves the weights of the mesh alone, and finds halves and other spellings', () => {

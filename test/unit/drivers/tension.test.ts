@@ -1,4 +1,4 @@
-import type { Curve, GrayImage, TensionDriver } from 'furrow'
+import type { GrayImage, TensionDriver } from 'furrow'
 import {
   DriverProgram,
   measuredSource,
@@ -9,12 +9,10 @@ import {
 } from 'furrow/internal'
 import { Euler, Matrix4, Vector3 } from 'three'
 import { describe, expect, it } from 'vitest'
+import { ramp } from '../../drivers.ts'
 import { seeded } from '../../random.ts'
 
-const RULER: Curve = [
-  [-1, 0],
-  [1, 1],
-]
+const RULER = ramp(-1, 1)
 const full: GrayImage = { width: 4, height: 4, data: new Uint8Array(16).fill(255) }
 const driver = (measure: TensionDriver['measure'], area = 'sheet'): TensionDriver => ({
   type: 'tension',

@@ -6,21 +6,17 @@ import {
 } from '@pixiv/three-vrm-core'
 import { VrmWeights } from 'furrow/internal'
 import { addDrivers, Wrinkles } from 'furrow/three'
-import { Float32BufferAttribute, Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
 import { describe, expect, it } from 'vitest'
+import { blendMesh } from '../../blend-mesh.ts'
 import { randomSet } from '../../cases.ts'
+import { morph } from '../../drivers.ts'
 import { seeded } from '../../random.ts'
 import { frameOf } from '../three/stub-renderer.ts'
 
 /** A face whose expressions each move a target of their own, with what they do to others. */
 function avatar() {
   const names = ['blink', 'blinkLeft', 'aa', 'lookUp', 'happy', 'surprised']
-  const geometry = new PlaneGeometry()
-  geometry.morphTargetsRelative = true
-  geometry.morphAttributes.position = names.map((name) =>
-    Object.assign(new Float32BufferAttribute(new Float32Array(12), 3), { name: `shape_${name}_x` }),
-  )
-  const mesh = new Mesh(geometry, new MeshStandardMaterial())
+  const mesh = blendMesh(...names.map((name) => `shape_${name}_x`))
   const manager = new VRMExpressionManager()
   for (const [index, name] of names.entries()) {
     const expression = new VRMExpression(name)
@@ -54,14 +50,7 @@ describe('VrmWeights', () => {
     const { mesh, manager } = avatar()
     const wrinkles = new Wrinkles(mesh, randomSet(seeded(1), 1, 8))
     const [area] = wrinkles.areaNames
-    const straight: [number, number][] = [
-      [0, 0],
-      [1, 1],
-    ]
-    const targets = [{ name: 'blink', weight: 1 }]
-    addDrivers(wrinkles, [{ type: 'morph', area, targets, rule: 'sum', curve: straight }], {
-      expressions: manager,
-    })
+    addDrivers(wrinkles, [morph(area, 'blink')], { expressions: manager })
     const frame = frameOf(mesh)
     const shown = (values: Record<string, number>) => {
       for (const [name, value] of Object.entries(values)) manager.setValue(name, value)

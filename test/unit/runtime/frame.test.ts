@@ -1,11 +1,12 @@
 import type { WrinkleDriver } from 'furrow'
 import { addDrivers, Wrinkles } from 'furrow/three'
-import { BufferAttribute, InstancedMesh, Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
+import { InstancedMesh, type Mesh } from 'three'
 import { describe, expect, it } from 'vitest'
 import { Frame, type FrameMember } from '../../../packages/furrow/src/runtime/frame.ts'
+import { blendMesh } from '../../blend-mesh.ts'
 import { layer, randomNormals } from '../../cases.ts'
+import { morph, ramp, STRAIGHT } from '../../drivers.ts'
 import { seeded } from '../../random.ts'
-import { morph, STRAIGHT } from '../three/driven-face.ts'
 import { frameOf } from '../three/stub-renderer.ts'
 
 /** A renderer that counts the pictures it draws. */
@@ -192,14 +193,7 @@ describe('a frame', () => {
   })
 })
 
-const aging: WrinkleDriver = {
-  type: 'age',
-  area: 'brow',
-  curve: [
-    [20, 0],
-    [70, 0.5],
-  ],
-}
+const aging: WrinkleDriver = { type: 'age', area: 'brow', curve: ramp(20, 70, 0.5) }
 
 function wrinklesOn<M extends Mesh>(mesh: M) {
   const weights = { width: 2, height: 2, data: new Uint8Array(4).fill(255) }
@@ -210,12 +204,8 @@ function wrinklesOn<M extends Mesh>(mesh: M) {
 
 /** Two instances whose blendshape is at 0.25 and 0.75. */
 function instances() {
-  const geometry = new PlaneGeometry()
-  geometry.morphAttributes.position = [
-    Object.assign(new BufferAttribute(new Float32Array(12), 3), { name: 'jawOpen' }),
-  ]
-  const mesh = new InstancedMesh(geometry, new MeshStandardMaterial(), 2)
-  const pose = new Mesh(geometry)
+  const pose = blendMesh('jawOpen')
+  const mesh = new InstancedMesh(pose.geometry, pose.material, 2)
   for (const [i, weight] of [0.25, 0.75].entries()) {
     pose.morphTargetInfluences![0] = weight
     mesh.setMorphAt(i, pose)
@@ -256,7 +246,7 @@ describe('instances', () => {
 })
 
 it('keeps what is set on an area that age alone drives, also before a VRM’s expressions are found', () => {
-  const { wrinkles, draw } = wrinklesOn(new Mesh(new PlaneGeometry(), new MeshStandardMaterial()))
+  const { wrinkles, draw } = wrinklesOn(blendMesh())
   let found = 0
   const expressions = () => {
     found++
@@ -274,7 +264,7 @@ it('keeps what is set on an area that age alone drives, also before a VRM’s ex
 })
 
 it('knows what is driven from the drivers alone', () => {
-  const { wrinkles } = wrinklesOn(new Mesh(new PlaneGeometry(), new MeshStandardMaterial()))
+  const { wrinkles } = wrinklesOn(blendMesh())
   const between: WrinkleDriver = {
     type: 'area',
     area: 'nose',

@@ -6,21 +6,12 @@ import { DriverRuntime } from '../../../packages/furrow/src/runtime/driver-runti
 import { Face } from '../../../packages/furrow/src/runtime/face.ts'
 import { LastInputs } from '../../../packages/furrow/src/runtime/last-inputs.ts'
 import { NamedInputs } from '../../../packages/furrow/src/runtime/named-inputs.ts'
+import { morph, STRAIGHT } from '../../drivers.ts'
 
 const NAMES = ['browInnerUp', 'jawOpen']
 const AREAS = [{ name: 'brow' }, { name: 'chin' }]
 const FACES = 3
 
-const morph = (area: string, name: string): MorphDriver => ({
-  type: 'morph',
-  area,
-  targets: [{ name, weight: 1 }],
-  rule: 'sum',
-  curve: [
-    [0, 0],
-    [1, 1],
-  ],
-})
 const DRIVERS = [morph('brow', 'browInnerUp')]
 
 const slotsOf = (count: number) =>
@@ -102,10 +93,7 @@ it('drivers follow areas that change their place', () => {
 describe('drivers with inputs and delays', () => {
   it('are evaluated for the faces whose inputs the application changes', () => {
     const inputs = new NamedInputs(FACES, () => {})
-    const curve: MorphDriver['curve'] = [
-      [0, 0],
-      [1, 1],
-    ]
+    const curve: MorphDriver['curve'] = STRAIGHT
     const [drivers, faces] = [
       runtimeOf([{ type: 'input', name: 'stress', area: 'brow', curve }], inputs),
       makeFaces(),

@@ -9,6 +9,7 @@ import {
   stepOf,
   widestGap,
 } from '../../../studio/src/document/curve.ts'
+import { ramp } from '../../drivers.ts'
 import { seeded } from '../../random.ts'
 
 const UNIT = { input: [0, 1], output: [0, 1] } as const
@@ -112,10 +113,7 @@ describe('the range that a curve is drawn over', () => {
   })
 
   it('otherwise has room at both ends', () => {
-    const loudness: Curve = [
-      [60, 0],
-      [95, 1],
-    ]
+    const loudness: Curve = ramp(60, 95)
     const [low, high] = rangeAround(loudness)
     expect(low).toBeLessThan(60)
     expect(high).toBeGreaterThan(95)

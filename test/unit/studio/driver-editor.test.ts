@@ -5,6 +5,7 @@ import type { Drivable } from '../../../studio/src/panels/drivers/types/driver-t
 import { AREA_DRIVER_TYPES, createDriver } from '../../../studio/src/panels/drivers/types/types.ts'
 import { DriverEditor } from '../../../studio/src/session/driver-editor.ts'
 import { Session } from '../../../studio/src/session/session.ts'
+import { ramp, STRAIGHT } from '../../drivers.ts'
 import { sampleDocument } from './sample-document.ts'
 
 const face: Drivable = {
@@ -69,13 +70,7 @@ describe('a change of a driver', () => {
   it('is one step while a point is dragged, and another after it was let go', () => {
     const { session, editor, drivers } = open()
     const before = drivers()
-    const drag = (input: number) =>
-      editor.set(0, 'curve', {
-        curve: [
-          [input, 0],
-          [1, 1],
-        ],
-      })
+    const drag = (input: number) => editor.set(0, 'curve', { curve: ramp(input, 1) })
     for (const input of [0.1, 0.2, 0.3]) drag(input)
     editor.settle()
     drag(0.5)
@@ -115,10 +110,7 @@ describe('a change of a driver', () => {
         {
           ...bone,
           area: 'cheeks',
-          curve: [
-            [0, 0],
-            [1, 1],
-          ],
+          curve: STRAIGHT,
         },
       ],
       ['cheeks'],

@@ -8,6 +8,7 @@ import { jointsOf } from '../../../studio/src/viewer/pose/joints.ts'
 import { muscleAxis } from '../../../studio/src/viewer/pose/muscle-axis.ts'
 import { MuscleTargets } from '../../../studio/src/viewer/pose/muscle-targets.ts'
 import { layer, randomNormals } from '../../cases.ts'
+import { ramp, STRAIGHT } from '../../drivers.ts'
 import { seeded } from '../../random.ts'
 
 const SHAPES = ['browInnerUp', 'browDownLeft', 'squash']
@@ -20,34 +21,10 @@ const DRIVERS = parseDrivers(
     {
       type: 'morph',
       area: 'brow',
-      targets: [
-        {
-          name: 'browInnerUp',
-          weight: 0.5,
-          curve: [
-            [0.1, 0],
-            [0.9, 1],
-          ],
-        },
-      ],
+      targets: [{ name: 'browInnerUp', weight: 0.5, curve: ramp(0.1, 0.9) }],
     },
-    {
-      type: 'area',
-      area: 'glabella',
-      areas: [{ name: 'brow' }],
-      curve: [
-        [0, 0],
-        [0.4, 1],
-      ],
-    },
-    {
-      type: 'age',
-      area: 'lines',
-      curve: [
-        [20, 0],
-        [80, 0.6],
-      ],
-    },
+    { type: 'area', area: 'glabella', areas: [{ name: 'brow' }], curve: ramp(0, 0.4) },
+    { type: 'age', area: 'lines', curve: ramp(20, 80, 0.6) },
     {
       type: 'input',
       area: 'cold',
@@ -57,24 +34,8 @@ const DRIVERS = parseDrivers(
         [10, 0],
       ],
     },
-    {
-      type: 'bone',
-      area: 'neck',
-      joints: ['chest', 'head'],
-      measure: 'angle',
-      curve: [
-        [0, 0],
-        [1, 1],
-      ],
-    },
-    {
-      type: 'tension',
-      area: 'cheek',
-      curve: [
-        [0, 0],
-        [0.5, 1],
-      ],
-    },
+    { type: 'bone', area: 'neck', joints: ['chest', 'head'], measure: 'angle', curve: STRAIGHT },
+    { type: 'tension', area: 'cheek', curve: ramp(0, 0.5) },
     { type: 'time', area: 'brow', attack: 5 },
   ],
   AREAS,

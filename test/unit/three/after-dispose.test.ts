@@ -11,6 +11,7 @@ import {
 } from 'furrow/three'
 import { AnimationClip, AnimationMixer, type MeshStandardMaterial } from 'three'
 import { describe, expect, it } from 'vitest'
+import { STRAIGHT } from '../../drivers.ts'
 import { expectRefused, face, plain, set } from './refused.ts'
 import { frameOf } from './stub-renderer.ts'
 
@@ -53,20 +54,7 @@ describe('after dispose', () => {
     wrinkles.dispose()
     addDrivers(
       other.wrinkles,
-      parseDrivers(
-        [
-          {
-            type: 'input',
-            area: 'area0',
-            name: 'snow',
-            curve: [
-              [0, 0],
-              [1, 1],
-            ],
-          },
-        ],
-        ['area0'],
-      ),
+      parseDrivers([{ type: 'input', area: 'area0', name: 'snow', curve: STRAIGHT }], ['area0']),
     )
     other.wrinkles.inputs.set('snow', 1)
     draw()

@@ -1,4 +1,4 @@
-import type { Curve, WrinkleDriver } from 'furrow'
+import type { WrinkleDriver } from 'furrow'
 import { addDrivers, Wrinkles } from 'furrow/three'
 import {
   Bone,
@@ -13,10 +13,6 @@ import { layer, randomNormals } from '../../cases.ts'
 import { seeded } from '../../random.ts'
 import { frameOf } from './stub-renderer.ts'
 
-export const STRAIGHT: Curve = [
-  [0, 0],
-  [1, 1],
-]
 const AREAS = ['brow', 'nose', 'neck']
 
 /** A square with two joints and two blendshapes, the first of which halves its width. */
@@ -53,12 +49,3 @@ export function drivenFace(drivers: WrinkleDriver[], targets = ['browDown_L', 'j
   }
   return { mesh, head, wrinkles, draw, activations }
 }
-
-/** A driver with one blendshape. */
-export const morph = (area: string, name: string, weight = 1): WrinkleDriver => ({
-  type: 'morph',
-  area,
-  targets: [{ name, weight }],
-  rule: 'sum',
-  curve: STRAIGHT,
-})

@@ -1,9 +1,8 @@
 import type { Expression } from 'furrow'
-import { ExpressionPlayer, Wrinkles } from 'furrow/three'
-import { Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
+import { ExpressionPlayer } from 'furrow/three'
 import { expect, it, vi } from 'vitest'
-import { randomSet } from '../../cases.ts'
-import { seeded } from '../../random.ts'
+import { blendMesh } from '../../blend-mesh.ts'
+import { face } from './refused.ts'
 
 const EXPRESSIONS: Expression[] = [
   { name: 'neutral', targets: {}, activations: {} },
@@ -11,36 +10,29 @@ const EXPRESSIONS: Expression[] = [
 ]
 
 it('starts from the current state of the face, also if sliders have changed it', () => {
-  const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
-  mesh.morphTargetDictionary = { jawOpen: 0 }
-  mesh.morphTargetInfluences = [0]
-  const wrinkles = new Wrinkles(mesh, randomSet(seeded(1), 1, 8))
+  const { mesh, wrinkles } = face()
   const player = new ExpressionPlayer(mesh, wrinkles, EXPRESSIONS)
-  mesh.morphTargetInfluences[0] = 0.8
+  mesh.morphTargetInfluences![0] = 0.8
   wrinkles.setActivation('area0', 0.6)
   player.play('neutral', 1)
   player.update(0.5)
-  expect(mesh.morphTargetInfluences[0]).toBeCloseTo(0.4, 6)
+  expect(mesh.morphTargetInfluences![0]).toBeCloseTo(0.4, 6)
   expect(wrinkles.getActivation('area0')).toBeCloseTo(0.3, 6)
 })
 
 it('does not change the face after the transition', () => {
-  const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
-  mesh.morphTargetDictionary = { jawOpen: 0 }
-  mesh.morphTargetInfluences = [0]
-  const player = new ExpressionPlayer(mesh, new Wrinkles(mesh, randomSet(seeded(1), 1, 8)), EXPRESSIONS)
+  const { mesh, wrinkles } = face()
+  const player = new ExpressionPlayer(mesh, wrinkles, EXPRESSIONS)
   player.play('shout', 0)
-  mesh.morphTargetInfluences[0] = 0.2
+  mesh.morphTargetInfluences![0] = 0.2
   player.update(1)
-  expect(mesh.morphTargetInfluences[0]).toBe(0.2)
+  expect(mesh.morphTargetInfluences![0]).toBe(0.2)
 })
 
 it('measures the time if it is not given', () => {
   const now = vi.spyOn(performance, 'now').mockReturnValue(5000)
-  const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
-  mesh.morphTargetDictionary = { jawOpen: 0 }
-  mesh.morphTargetInfluences = [0]
-  const player = new ExpressionPlayer(mesh, new Wrinkles(mesh, randomSet(seeded(1), 1, 8)), EXPRESSIONS)
+  const { mesh, wrinkles } = face()
+  const player = new ExpressionPlayer(mesh, wrinkles, EXPRESSIONS)
   player.play('shout', 1)
   for (const [time, expected] of [
     [5250, 0.25],
@@ -49,15 +41,13 @@ it('measures the time if it is not given', () => {
   ]) {
     now.mockReturnValue(time)
     player.update()
-    expect(mesh.morphTargetInfluences[0]).toBeCloseTo(expected, 6)
+    expect(mesh.morphTargetInfluences![0]).toBeCloseTo(expected, 6)
   }
   now.mockRestore()
 })
 
 it('moves a face without wrinkles', () => {
-  const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
-  mesh.morphTargetDictionary = { jawOpen: 0 }
-  mesh.morphTargetInfluences = [0]
+  const mesh = blendMesh('jawOpen')
   const player = new ExpressionPlayer(mesh, undefined, EXPRESSIONS)
   player.play('shout', 0)
   expect(mesh.morphTargetInfluences).toEqual([1])

@@ -1,14 +1,7 @@
 import { FaceScores } from 'furrow/three'
-import { Group, Mesh } from 'three'
+import { Group } from 'three'
 import { afterEach, expect, it, vi } from 'vitest'
-
-/** A mesh with blendshapes, all at rest. */
-function meshWith(...names: string[]): Mesh {
-  const mesh = new Mesh()
-  mesh.morphTargetDictionary = Object.fromEntries(names.map((name, i) => [name, i]))
-  mesh.morphTargetInfluences = names.map(() => 0)
-  return mesh
-}
+import { blendMesh } from '../../blend-mesh.ts'
 
 const scoreList = (scores: Record<string, number>) =>
   Object.entries(scores).map(([categoryName, score]) => ({ categoryName, score }))
@@ -17,8 +10,8 @@ afterEach(() => vi.restoreAllMocks())
 
 it('moves every mesh of the face, whatever its spelling, and keeps other blendshapes', () => {
   const warn = vi.spyOn(console, 'warn')
-  const skin = meshWith('browDown_L', 'browInnerUp_L', 'browInnerUp_R', 'tongueOut')
-  const lashes = meshWith('Fcl.browDownLeft')
+  const skin = blendMesh('browDown_L', 'browInnerUp_L', 'browInnerUp_R', 'tongueOut')
+  const lashes = blendMesh('Fcl.browDownLeft')
   skin.morphTargetInfluences![3] = 0.3
   const scores = new FaceScores(new Group().add(skin, lashes))
   scores.set(scoreList({ _neutral: 0.9, browDownLeft: 0.7, browInnerUp: 0.4 }))
@@ -32,7 +25,7 @@ it('moves every mesh of the face, whatever its spelling, and keeps other blendsh
 
 it('warns once of the names that the face lacks', () => {
   const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
-  const face = meshWith('jawOpen')
+  const face = blendMesh('jawOpen')
   const scores = new FaceScores(face)
   for (let i = 0; i < 3; i++) scores.set(scoreList({ _neutral: 1, trunkUp: 1, jawOpen: 0.5 }))
   expect(face.morphTargetInfluences).toEqual([0.5])

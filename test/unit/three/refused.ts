@@ -1,7 +1,7 @@
 import { FurrowError } from 'furrow'
 import { Wrinkles } from 'furrow/three'
-import { Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
 import { expect } from 'vitest'
+import { blendMesh } from '../../blend-mesh.ts'
 import { randomSet } from '../../cases.ts'
 import { seeded } from '../../random.ts'
 
@@ -10,10 +10,8 @@ export const set = () => randomSet(seeded(1), 2, 8)
 
 /** A face with one blendshape, and wrinkles. */
 export function face() {
-  const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
+  const mesh = blendMesh('jawOpen')
   mesh.name = 'head'
-  mesh.morphTargetDictionary = { jawOpen: 0 }
-  mesh.morphTargetInfluences = [0]
   return { mesh, wrinkles: new Wrinkles(mesh, set()) }
 }
 
@@ -31,6 +29,4 @@ export function expectRefused(run: () => unknown, start: RegExp) {
 }
 
 /** A mesh without either. */
-export function plain(): Mesh {
-  return new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
-}
+export const plain = () => blendMesh()

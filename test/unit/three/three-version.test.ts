@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs'
 import type { WrinkleSet } from 'furrow'
 import { Wrinkles as WebGLWrinkles } from 'furrow/three'
+import { Wrinkles } from 'furrow/webgpu'
 import { writeArray } from 'furrow-files'
 import {
   BatchedMesh,
@@ -23,20 +24,19 @@ import {
 import { quadMaterials } from '../../../packages/furrow/src/three/webgl/influence/influence-quads.ts'
 import { instancedVertex } from '../../../packages/furrow/src/three/webgl/mixing/default-shader.ts'
 import { checkBatch } from '../../../packages/furrow/src/three/webgpu/influence/influence.ts'
-import { Wrinkles } from '../../../packages/furrow/src/three/webgpu/Wrinkles.ts'
 
-let revision: string | null = null
+const shown = vi.hoisted(() => ({ revision: null as string | null }))
 vi.mock('three', async (original) => {
   const three = await original<typeof import('three')>()
   return {
     ...three,
     get REVISION() {
-      return revision ?? three.REVISION
+      return shown.revision ?? three.REVISION
     },
   }
 })
 afterEach(() => {
-  revision = null
+  shown.revision = null
 })
 
 const read = (path: string) => JSON.parse(readFileSync(new URL(`../../../${path}`, import.meta.url), 'utf8'))
@@ -67,7 +67,7 @@ describe('the versions of three.js', () => {
     ['furrow/webgpu', Wrinkles],
   ] as const)('are checked by %s before the mesh is', (entry, Wrinkles) => {
     const oldest = OLDEST_THREE[entry]
-    revision = String(oldest - 1)
+    shown.revision = String(oldest - 1)
     const message = `Wrinkles of ${entry}: three.js is too old, got "r${oldest - 1}", allowed: r${oldest} or later; npm install three@^0.${oldest}.0`
     expect(() => new Wrinkles(new Mesh(), SET)).toThrow(message)
     for (const tested of [`${oldest}`, `${NEWEST_THREE}`, `${NEWEST_THREE + 1}dev`])

@@ -1,0 +1,29 @@
+import type { Curve, Link, MorphDriver } from 'furrow'
+
+/** A curve that rises in a straight line, from 0 at `from` to `most` at `to`. */
+export const ramp = (from: number, to: number, most = 1): Curve => [
+  [from, 0],
+  [to, most],
+]
+
+export const STRAIGHT = ramp(0, 1)
+
+export const link = (name: string, weight = 1, curve?: Curve): Link => ({
+  name,
+  weight,
+  ...(curve && { curve }),
+})
+
+/** A driver that adds up blendshapes: one of its name as it is, or several by their links. */
+export const morph = (
+  area: string,
+  targets: string | Link[],
+  more: Partial<MorphDriver> = {},
+): MorphDriver => ({
+  type: 'morph',
+  area,
+  targets: typeof targets === 'string' ? [link(targets)] : targets,
+  rule: 'sum',
+  curve: STRAIGHT,
+  ...more,
+})
