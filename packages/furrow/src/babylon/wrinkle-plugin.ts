@@ -60,8 +60,8 @@ const ALL_KINDS: MixedLayers = {
   values: Object.fromEntries(VALUE_KINDS.map((kind) => [kind, ONE(kind)])),
 }
 
-/** What tells apart the programs of a set: whether instances have cells, the atlas is one cell, and texture coordinates wrap. */
-const FLAGS = { FURROW_CELLS: false, FURROW_ALONE: false, FURROW_TILED: false }
+/** What tells apart the programs of a set: whether instances have cells, and texture coordinates wrap. */
+const FLAGS = { FURROW_CELLS: false, FURROW_TILED: false }
 
 /** Name of the vertex attribute with the cell of an instance. */
 export const CELL = 'furrowCell'
@@ -122,10 +122,9 @@ export class WrinklePlugin extends MaterialPluginBase {
     defines.FURROW_CELLS = Boolean(defines.INSTANCES) && (face?.hasCells ?? false)
     const { bumpTexture } = this._material as SkinMaterial
     const isWrapped = Boolean(face && bumpTexture && isTiled(mesh, bumpTexture))
-    const isAlone = !defines.FURROW_CELLS && (this.#shared?.atlas.cells.isSingle ?? false)
-    if (isWrapped === defines.FURROW_TILED && isAlone === defines.FURROW_ALONE) return
-    Object.assign(defines, { FURROW_TILED: isWrapped, FURROW_ALONE: isAlone })
-    // Babylon.js looks for changes of its own only; a page may move the normal map, or add a face.
+    if (isWrapped === defines.FURROW_TILED) return
+    defines.FURROW_TILED = isWrapped
+    // Babylon.js looks for changes of its own only; a page may move the normal map.
     defines.markAsUnprocessed()
   }
 

@@ -46,10 +46,7 @@ function sampledInfluence(d: Dialect, layers: number): string {
   const names = ['furrowPlace', 'furrowInside', 'furrowGrid', 'furrowLimit']
   const [place, inside, grid, limit] = names.map(d.uniform)
   const channels = CHANNELS.map((channel, i) => (i < layers ? `sampled.${channel}` : '0.0'))
-  const sampledAt = (at: string) => {
-    const sampled = d.sampleTexture('furrowInfluenceMap', at)
-    return d.local(vec4, 'sampled', `min(${sampled}, ${vec4}(${limit}.x))`)
-  }
+  const sampled = d.sampleTexture('furrowInfluenceMap', `corner + inside * ${place}.zw`)
   const body = `
 #ifdef FURROW_TILED
   furrowUv = uv - max(ceil(uv) - 1.0, min(floor(uv), ${vec2}(0.0)));
@@ -58,9 +55,6 @@ function sampledInfluence(d: Dialect, layers: number): string {
 #else
   furrowUv = uv;
 #endif
-#ifdef FURROW_ALONE
-  ${sampledAt('furrowUv')}
-#else
 #ifdef FURROW_CELLS
   ${d.local(float, 'index', `floor(${d.passed('vFurrowCell')} + 0.5)`)}
   ${d.local(float, 'row', `floor((index + 0.5) / ${grid}.x)`)}
@@ -69,8 +63,7 @@ function sampledInfluence(d: Dialect, layers: number): string {
   ${d.local(vec2, 'corner', `${place}.xy`)}
 #endif
   ${d.local(vec2, 'inside', `clamp(furrowUv * ${inside}.xy + ${inside}.zw, ${vec2}(0.0), ${vec2}(1.0))`)}
-  ${sampledAt(`corner + inside * ${place}.zw`)}
-#endif
+  ${d.local(vec4, 'sampled', `min(${sampled}, ${vec4}(${limit}.x))`)}
   furrowInfluence = ${vec4}(${channels.join(', ')});`
   return `
 #ifdef FURROW_CELLS
