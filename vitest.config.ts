@@ -3,6 +3,7 @@ import { playwright } from '@vitest/browser-playwright'
 import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config'
 import { CHROMIUM_FLAGS } from './packages/cli/src/chromium-flags.ts'
 import { SOURCES } from './scripts/lib/sources.mjs'
+import { FILES_FOR_OLDEST_BABYLON, onOldestBabylon } from './test/gpu/babylon/oldest-babylon.ts'
 import { mtoonNodes } from './test/gpu/mtoon-nodes.ts'
 import { FILES_FOR_OLDEST, onOldestThree } from './test/gpu/oldest-three.ts'
 import { serveFaces } from './test/gpu/serve-faces.ts'
@@ -51,6 +52,7 @@ export default defineConfig({
       pagesProject('pages'),
       gpuProject('gpu', ['test/gpu/**/*.test.ts']),
       onOldestThree(gpuProject('gpu-oldest', FILES_FOR_OLDEST)),
+      onOldestBabylon(gpuProject('gpu-oldest-babylon', FILES_FOR_OLDEST_BABYLON)),
       pagesProject('batch'),
       pagesProject('site'),
     ],

@@ -35,7 +35,9 @@ export const DEPENDENCIES = {
     '@react-three/drei@9',
   ],
   babylon: ['@babylonjs/core', '@babylonjs/loaders'].map(at),
-  oldestBabylon: ['@babylonjs/core@8.0.1', '@babylonjs/loaders@8.0.1'],
+  oldestBabylon: ['babylon-oldest', 'babylon-loaders-oldest'].map((name) =>
+    devDependencies[name].replace('npm:', ''),
+  ),
   // Only applications of our tests use these.
   webpack: 'webpack@5.112.2',
   esbuild: 'esbuild@0.28.2',

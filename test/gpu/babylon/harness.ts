@@ -85,7 +85,11 @@ export async function createHarness(name: EngineName): Promise<BabylonHarness> {
     })
     const camera = scene.activeCamera!
     camera.outputRenderTarget = target
+    // Each target has programs of its own. Babylon.js waits for those of the camera, and compiles others in the frame that needs them.
+    const { renderPassId } = camera
+    camera.renderPassId = target.renderPassId
     await scene.whenReadyAsync(true)
+    camera.renderPassId = renderPassId
     // A frame that waits loses the texture of the canvas, on WebGPU.
     engine.beginFrame()
     scene.render()
@@ -95,6 +99,12 @@ export async function createHarness(name: EngineName): Promise<BabylonHarness> {
     target.dispose()
     return pixels
   }
+}
+
+/** Disposes of a scene once it is ready: Babylon.js 8 prepares a texture of its own even after that, and fails. */
+export async function disposeScene(scene: Scene): Promise<void> {
+  if (!scene.isDisposed) await scene.whenReadyAsync()
+  scene.dispose()
 }
 
 /** Draws the influence maps of a scene once more with its next frame: those of a frame that was lost are lost with it. */

@@ -11,7 +11,7 @@ import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest'
 import { largestDifference, ROUNDING } from '../difference.ts'
 import { quietConsole } from '../quiet-console.ts'
 import { driver, wrinkledFile } from '../wrinkled-file.ts'
-import { type BabylonHarness, createHarness, ENGINES } from './harness.ts'
+import { type BabylonHarness, createHarness, disposeScene, ENGINES } from './harness.ts'
 
 const PIXELS = 32
 
@@ -50,8 +50,8 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
   beforeAll(async () => {
     harness = await createHarness(name)
   })
-  afterEach(() => {
-    scene.dispose()
+  afterEach(async () => {
+    await disposeScene(scene)
     expect(harness.errors).toEqual([])
   })
   afterAll(() => harness.dispose())

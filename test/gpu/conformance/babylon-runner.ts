@@ -13,7 +13,7 @@ import '@babylonjs/loaders/glTF/2.0/Extensions/KHR_mesh_quantization.js'
 import '@babylonjs/loaders/glTF/2.0/Extensions/KHR_texture_transform.js'
 import '@babylonjs/loaders/glTF/2.0/glTFLoader.js'
 import { registerWrinkleMaps, type Wrinkles, wrinklesOf } from 'furrow/babylon'
-import type { BabylonHarness } from '../babylon/harness.ts'
+import { type BabylonHarness, disposeScene } from '../babylon/harness.ts'
 import { addressOf, type ExpectedPoint, type ExpectedPose } from './samples.ts'
 import { at, type OpenedSample, PIXELS, type Pixels } from './suite.ts'
 
@@ -110,8 +110,8 @@ class BabylonSample implements OpenedSample {
     })
   }
 
-  dispose(): void {
-    this.#scene.dispose()
+  dispose(): Promise<void> {
+    return disposeScene(this.#scene)
   }
 
   get #materials(): PBRMaterial[] {

@@ -28,7 +28,7 @@ export interface OpenedSample {
   hasRoughness(points: readonly ExpectedPoint[], tolerance: number): Promise<boolean>
   /** Occlusion, where colours are without. */
   occlusion?(): Promise<Pixels>
-  dispose(): void
+  dispose(): void | Promise<void>
 }
 
 /**
@@ -57,13 +57,13 @@ export function testSamples(
       }
       if (pose.points) await checkPoints(opened, pose.points, await pictureOf(name, i))
     }
-    opened.dispose()
+    await opened.dispose()
   })
 
   it.each(missing)('%s stays plain', async (name) => {
     const opened = await open(name)
     expect(opened.isWrinkled).toBe(false)
-    opened.dispose()
+    await opened.dispose()
   })
 }
 

@@ -1,0 +1,25 @@
+import type { TestProjectInlineConfiguration } from 'vitest/config'
+
+/** Tests on the oldest Babylon.js: all that draw with it. */
+export const FILES_FOR_OLDEST_BABYLON = ['test/gpu/babylon/*.test.ts', 'test/gpu/conformance/babylon.test.ts']
+
+/** Packages of the oldest Babylon.js that is supported, under names of their own. */
+const OLDEST = [
+  { find: /^@babylonjs\/core(?=\/|$)/, replacement: 'babylon-oldest' },
+  { find: /^@babylonjs\/loaders(?=\/|$)/, replacement: 'babylon-loaders-oldest' },
+]
+
+/** Runs a project on the oldest Babylon.js that is supported. */
+export function onOldestBabylon(project: TestProjectInlineConfiguration): TestProjectInlineConfiguration {
+  const oldest = (name: string) =>
+    OLDEST.reduce((text, { find, replacement }) => text.replace(find, replacement), name)
+  const own = Object.entries(project.resolve?.alias ?? {}).map(([find, replacement]) => ({
+    find,
+    replacement,
+  }))
+  return {
+    ...project,
+    resolve: { ...project.resolve, alias: [...OLDEST, ...own] },
+    optimizeDeps: { ...project.optimizeDeps, include: project.optimizeDeps?.include?.map(oldest) },
+  }
+}
