@@ -13,7 +13,7 @@ import {
   updateLayer,
   Wrinkles,
 } from 'furrow/three'
-import { RecomputedNormals as RecomputedOnGpu } from 'furrow/webgpu'
+import { RecomputedNormals as RecomputedOnGpu, Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import { describe, expect, it } from 'vitest'
 import { expectRefused, face, plain, set } from './refused.ts'
 
@@ -90,6 +90,7 @@ describe('wrong arguments are refused in one line', () => {
     [/^Wrinkles.onDispose: /, () => wrinkles.onDispose(any(1))],
     [/^Wrinkles: unknown area, got null/, () => wrinkles.createInfluenceMaterial(any(null))],
     [/^Wrinkles: a mesh, got "null"/, () => new Wrinkles(any(null), set())],
+    [/^Wrinkles: a mesh, got "null"/, () => new WebGPUWrinkles(any(null), set())],
     [/^Wrinkles: a mesh/, () => new Wrinkles(any({}), set())],
     [/^Wrinkles: a wrinkle set, got "null"/, () => new Wrinkles(plain(), any(null))],
     [/^Wrinkles: a layer, got "null"/, () => new Wrinkles(plain(), { ...set(), layers: [any(null)] })],

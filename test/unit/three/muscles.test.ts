@@ -1,7 +1,8 @@
 import type { MuscleDriver } from 'furrow'
-import { addMorphNormals, addMuscles } from 'furrow/three'
+import { addMorphNormals, addMuscles, setDrivers } from 'furrow/three'
 import { Float32BufferAttribute, Mesh, PlaneGeometry } from 'three'
 import { describe, expect, it } from 'vitest'
+import { face } from './refused.ts'
 
 const muscle = (name: string): MuscleDriver => ({
   type: 'muscle',
@@ -61,6 +62,22 @@ describe('addMuscles', () => {
     expect(first.getX(13)).toBeGreaterThan(0.1)
     expect(first.getZ(13)).toBeLessThan(relative ? 0 : 1)
   })
+})
+
+it('drivers of a face add its muscles to all its meshes, once to a geometry that several have', () => {
+  const { mesh, wrinkles } = face()
+  const [other, twin] = [new PlaneGeometry(), mesh.geometry].map(
+    (geometry) => new Mesh(geometry, mesh.material),
+  )
+  mesh.geometry.morphAttributes.position = [mesh.geometry.attributes.position.clone()]
+  for (const each of [other, twin]) wrinkles.addMesh(each)
+  setDrivers(wrinkles, [muscle('a'), muscle('b')])
+  expect(mesh.morphTargetDictionary).toEqual({ jawOpen: 0, a: 1, b: 2 })
+  expect(other.morphTargetDictionary).toEqual({ a: 0, b: 1 })
+  expect(other.morphTargetInfluences).toEqual([0, 0])
+  expect(twin.morphTargetDictionary).toMatchObject({ a: 1, b: 2 })
+  expect(twin.morphTargetInfluences).toEqual([0, 0, 0])
+  expect(mesh.geometry.morphAttributes.position).toHaveLength(3)
 })
 
 describe('addMorphNormals', () => {

@@ -256,7 +256,8 @@ export abstract class WrinklesBase extends WrinkleFaces<AnyRenderer> {
   drive(drivers: readonly WrinkleDriver[] | DriverPlan, options?: InputOptions, isLate = false): void {
     this.checkInUse('setDrivers')
     const plan = 'areaNames' in drivers ? drivers : planDrivers(drivers)
-    addMuscles(this.mesh, driversOf('muscle', plan.drivers))
+    const muscles = driversOf('muscle', plan.drivers)
+    for (const mesh of this.#meshes) addMuscles(mesh, muscles)
     const all = { ...this.#inputOptions, ...options }
     this.driveBy(plan, (inputs) => bindInputs(this, inputs, this.#renderer.bindTension, all), isLate)
     this.#inputOptions = all

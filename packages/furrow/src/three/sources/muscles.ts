@@ -29,9 +29,13 @@ export function addMuscles(mesh: Mesh, muscles: readonly MuscleDriver[]): void {
   morphAttributes.position ??= []
   if (morphAttributes.position.length === 0) geometry.morphTargetsRelative = true
   for (const muscle of missing) {
+    const known = morphAttributes.position.findIndex(({ name }) => name === muscle.name)
+    const index = known < 0 ? morphAttributes.position.length : known
+    targets[muscle.name] = index
+    while (influences.length <= index) influences.push(0)
+    // Another mesh with this geometry has the muscle already.
+    if (known >= 0) continue
     const offsets = muscleOffsets(muscle, position)
-    targets[muscle.name] = influences.length
-    influences.push(0)
     const own = geometry.morphTargetsRelative ? offsets : offsets.map((offset, i) => offset + position[i])
     morphAttributes.position.push(named(new BufferAttribute(own, 3), muscle.name))
   }

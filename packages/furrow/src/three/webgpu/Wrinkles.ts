@@ -1,6 +1,7 @@
 import type { Mesh } from 'three'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import { checkSource } from '../check-source.ts'
+import { checkIsMesh } from '../mesh/check-mesh.ts'
 import { instancesOf } from '../mesh/instances.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
@@ -23,8 +24,9 @@ export class Wrinkles extends WrinklesBase {
   }
 }
 
-/** @throws FurrowError when three.js lacks what is needed for a `BatchedMesh`. */
+/** @throws FurrowError when it is not a mesh, or three.js lacks what is needed for a `BatchedMesh`. */
 function withBatchChecked(mesh: Mesh): Mesh {
+  checkIsMesh(mesh, 'Wrinkles')
   if (instancesOf(mesh) === 'batched') checkBatch(mesh)
   return mesh
 }
