@@ -36,7 +36,7 @@ describe.each([
 ])('apps/$source', ({ source, peers, prints }) => {
   let app: string
   beforeAll(async () => {
-    app = await createApp(join(folder, source.replace('.ts', '')), [furrow, ...peers], source)
+    app = await createApp(join(folder, source.replace('.ts', '')), [furrow, ...peers], { source })
   })
 
   it('compiles as for a bundler', () => compile(app, source, 'esnext', 'bundler'))

@@ -67,10 +67,18 @@ export async function pack(workspace: string, folder: string): Promise<string> {
   return join(folder, filename)
 }
 
-/** An empty app in which packages are installed, with one of the sources of `apps` where it is named. */
-export async function createApp(folder: string, packages: string[], source?: string): Promise<string> {
+/**
+ * Creates an empty app in which packages are installed.
+ *
+ * @param options source: one of `apps`, copied into it. overrides: releases of dependencies, for npm.
+ */
+export async function createApp(
+  folder: string,
+  packages: string[],
+  { source, overrides }: { source?: string; overrides?: Record<string, string> } = {},
+): Promise<string> {
   await mkdir(folder)
-  await writeFile(join(folder, 'package.json'), '{ "private": true, "type": "module" }')
+  await writeFile(join(folder, 'package.json'), JSON.stringify({ private: true, type: 'module', overrides }))
   if (source) await cp(join(ROOT, 'test/packages/apps', source), join(folder, source))
   const options = ['--prefer-offline', '--no-audit', '--no-fund']
   await run(folder, 'npm', 'install', '--prefix', folder, ...options, ...packages)

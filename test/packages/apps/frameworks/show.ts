@@ -1,0 +1,28 @@
+// What the apps of all frameworks do with the face once their scene has it: a click raises the brows, the next takes the wrinkles off.
+
+import { frameFace, wrinklesOf } from 'furrow/three'
+import type { Camera, Mesh, Object3D, PerspectiveCamera } from 'three'
+
+/** Waits for the face; then the title of the page says how many areas it has. */
+export async function showFace(scene: Object3D, camera: () => Camera | undefined): Promise<void> {
+  let face: Mesh | undefined
+  while (!face) {
+    await new Promise((resolve) => setTimeout(resolve, 50))
+    scene.traverse((node) => {
+      if ((node as Mesh).isMesh && wrinklesOf(node)) face = node as Mesh
+    })
+  }
+  const wrinkles = wrinklesOf(face)!
+  // Forehead and eyes, where the wrinkles are.
+  frameFace(camera() as PerspectiveCamera, scene, { zoom: 2 })
+  let clicks = 0
+  document.addEventListener('click', () => {
+    if (clicks++ === 0) {
+      const { morphTargetDictionary, morphTargetInfluences } = face!
+      for (const [name, index] of Object.entries(morphTargetDictionary!)) {
+        if (/^brow.*Up/.test(name)) morphTargetInfluences![index] = 1
+      }
+    } else wrinkles.mode = 'off'
+  })
+  document.title = `${wrinkles.areas.length} areas`
+}

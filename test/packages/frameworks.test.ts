@@ -1,0 +1,85 @@
+// The recipes of docs/frameworks.md, as they stand there, in apps that Vite builds from the packed package.
+
+import { cp, readFile, writeFile } from 'node:fs/promises'
+import { join } from 'node:path'
+import type { Browser } from 'playwright-core'
+import { afterAll, beforeAll, describe, expect, inject, it } from 'vitest'
+import { openBrowser, openPage } from '../pages/browser.ts'
+import { createApp, DEPENDENCIES, previewServer, ROOT, remove, run, temporaryFolder } from './npm.ts'
+import { settled } from './settled.ts'
+
+const { three, vite } = DEPENDENCIES
+
+describe.each([
+  {
+    name: 'threlte',
+    packages: [three, '@threlte/core@8.6.0', 'svelte@5.57.3', '@sveltejs/vite-plugin-svelte@7.3.1'],
+    recipe: { 'Face.svelte': 'svelte' },
+  },
+  {
+    name: 'tres',
+    packages: [three, '@tresjs/core@5.9.1', 'vue@3.5.45', '@vitejs/plugin-vue@6.0.11'],
+    recipe: { 'Face.vue': 'vue' },
+  },
+  {
+    name: 'aframe',
+    packages: ['three@npm:super-three@0.184.0', 'aframe@1.8.0'],
+    // A-Frame's own builds have it in them. It comes from GitHub, which not every machine may reach.
+    overrides: { 'three-bmfont-text': '3.0.1' },
+    recipe: { 'component.ts': 'ts', 'scene.html': 'html' },
+  },
+])('the recipe for $name', ({ name, packages, overrides, recipe }) => {
+  let folder: string
+  let browser: Browser
+  let server: Awaited<ReturnType<typeof previewServer>>
+
+  beforeAll(async () => {
+    folder = await temporaryFolder()
+    const app = await createApp(join(folder, 'app'), [inject('tarballs').furrow, vite, ...packages], {
+      overrides,
+    })
+    await cp(join(ROOT, 'test/packages/apps/frameworks'), app, { recursive: true })
+    const page = await readFile(join(ROOT, 'docs/frameworks.md'), 'utf8')
+    for (const [file, language] of Object.entries(recipe)) {
+      const [, text] = new RegExp(`^\`\`\`${language}\n([\\s\\S]*?)^\`\`\`$`, 'm').exec(page)!
+      await writeFile(join(app, name, file), text!)
+    }
+    await run(app, 'npx', 'vite', 'build', name, '--base', `/${name}/`, '--outDir', `../dist/${name}`)
+    await cp(join(ROOT, 'faces/human.glb'), join(app, 'dist/face.glb'))
+    server = await previewServer(app)
+    browser = await openBrowser()
+  })
+  afterAll(async () => {
+    await browser?.close()
+    await server?.close()
+    await remove(folder)
+  })
+
+  /** Writes a picture where they are asked for. */
+  async function keep(state: string, png: Buffer): Promise<void> {
+    const pictures = process.env.FURROW_PICTURES
+    if (pictures) await writeFile(join(pictures, `${name}-${state}.png`), png)
+  }
+
+  it('shows a face that wrinkles as its blendshapes move', async () => {
+    const { page, complaints } = await openPage(browser, { viewport: { width: 300, height: 300 } })
+    let mayLoad = () => {}
+    const loading = new Promise<void>((resolve) => {
+      mayLoad = resolve
+    })
+    await page.route('**/*.glb', (route) => loading.then(() => route.continue()))
+    await page.goto(`${server.origin}/${name}/`)
+    await page.locator('canvas').waitFor()
+    const blank = await page.screenshot()
+    mayLoad()
+    await expect.poll(() => page.title(), { timeout: 120_000 }).toMatch(/^\d+ areas$/)
+    const shown = await settled(page, blank)
+    await keep('shown', shown)
+    await page.mouse.click(150, 150)
+    const wrinkled = await settled(page, shown)
+    await keep('wrinkled', wrinkled)
+    await page.mouse.click(150, 150)
+    await keep('plain', await settled(page, wrinkled))
+    expect(complaints).toEqual([])
+  })
+})
