@@ -78,7 +78,11 @@ async function colourErrors(harness: Harness, random: () => number, first: Wrink
   scene.add(mesh, light, new AmbientLight(0xffffff, ambient))
   const wrinkles = new harness.Wrinkles(mesh, set, { mode: first, areaSize: MAP })
   wrinkles.mode = 'paper'
-  for (const { name } of set.areas) wrinkles.setActivation(name, random() * 0.1)
+  // Sums mostly stay below 1, and below the largest of the areas that combine by maximum.
+  const strength = Math.min(1, 2 / set.areas.length)
+  for (const { name, combine } of set.areas) {
+    wrinkles.setActivation(name, random() * (combine === 'max' ? 1 : strength))
+  }
   const pixels = await harness.render(scene, squareCamera(), PIXELS)
 
   const areas = packAreas(
