@@ -2,7 +2,6 @@ import { Wrinkles as WebGLWrinkles } from 'furrow/three'
 import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import {
   AmbientLight,
-  DataTexture,
   DirectionalLight,
   type Material,
   type Mesh,
@@ -17,9 +16,10 @@ import {
 import { expression, Fn, vec3 } from 'three/tsl'
 import { MeshStandardNodeMaterial, Node, type NodeBuilder } from 'three/webgpu'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
-import { randomNormals, randomSet } from '../cases.ts'
+import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { normalMap } from './normal-map.ts'
 import { quietConsole } from './quiet-console.ts'
 
 const written = quietConsole()
@@ -178,12 +178,10 @@ describe('shaders on webgl', () => {
         'vec3 own = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;\nnormal = normalize( tbn * own );',
       )
     }
-    const base = randomNormals(seeded(5), 16)
-    material.normalMap = new DataTexture(base.data, 16, 16)
-    material.normalMap.needsUpdate = true
-    const { normalMap } = material
+    const own = normalMap(5, 16)
+    material.normalMap = own
     await expectWrinkles(harness, square(material), 'composed')
-    expect(material.normalMap).toBe(normalMap)
+    expect(material.normalMap).toBe(own)
   })
 
   it('a ShaderMaterial that reads its normal map in its own way shows the composed map at once', async () => {
@@ -305,8 +303,7 @@ void main() { gl_FragColor = vec4( ${colour}, 1.0 ); }`,
     })
     this.normalMap = null
     if (!colour.includes('normalMap')) return
-    this.normalMap = new DataTexture(randomNormals(seeded(5), 16).data, 16, 16)
-    this.normalMap.needsUpdate = true
+    this.normalMap = normalMap(5, 16)
   }
   get normalMap(): Texture | null {
     return this.uniforms.normalMap.value

@@ -6,7 +6,6 @@ import {
   AmbientLight,
   BufferAttribute,
   Color,
-  DataTexture,
   DirectionalLight,
   type Group,
   type Material,
@@ -17,9 +16,10 @@ import {
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
-import { randomNormals, randomSet } from '../cases.ts'
+import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { createHarness, type Harness, RENDERERS, type RendererName, square, squareCamera } from './harness.ts'
+import { normalMap } from './normal-map.ts'
 import { vrmFile } from './vrm-file.ts'
 import { faceMeshes } from './wrinkled-file.ts'
 
@@ -39,14 +39,9 @@ describe.each(RENDERERS)('MToon on %s', (name) => {
   const mtoon = (parameters: object = {}) =>
     new (materialTypeFor(name))({ ...COLOURS, ...parameters } as never)
   const picture = (mesh: Mesh) => pictureOf(harness, mesh)
-  const ownMap = () => {
-    const map = new DataTexture(randomNormals(seeded(1), 16).data, 16, 16)
-    map.needsUpdate = true
-    return map
-  }
 
   it.each([
-    ['with a normal map', () => mtoon({ normalMap: ownMap() })],
+    ['with a normal map', () => mtoon({ normalMap: normalMap(1, 16) })],
     ['without one', () => mtoon()],
   ])('wrinkles clearly %s, is as before at rest, and is restored', async (_, create) => {
     const warn = vi.spyOn(console, 'warn')

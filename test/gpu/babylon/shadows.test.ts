@@ -10,6 +10,7 @@ import { addDrivers, Wrinkles } from 'furrow/babylon'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { randomSet } from '../../cases.ts'
 import { seeded } from '../../random.ts'
+import { largestDifference } from '../difference.ts'
 import { driver } from '../wrinkled-file.ts'
 import { type BabylonHarness, createHarness, ENGINES, square } from './harness.ts'
 
@@ -71,8 +72,4 @@ function skin(scene: Scene): PBRMaterial {
   const material = new PBRMaterial('skin', scene)
   Object.assign(material, { metallic: 0, roughness: 1, backFaceCulling: false })
   return material
-}
-
-function largestDifference(a: Float32Array, b: Float32Array): number {
-  return Math.max(...a.map((value, i) => Math.abs(value - b[i])))
 }

@@ -43,20 +43,6 @@ const DAMAGES: [what: string, spoil: Spoil, warning: RegExp][] = [
     /must be an object, got null/,
   ],
   [
-    'text',
-    (_, json) => (json.materials[0].extensions.FURROW_wrinkle_maps = 'x'),
-    /must be an object, got "x"/,
-  ],
-  ['no layers', (maps) => delete maps.layers, /layers must be an array, got nothing/],
-  ['no areas', (maps) => (maps.areas = []), /areas has the wrong number of items, got 0/],
-  [
-    'an unknown texture',
-    (maps) => (maps.layers[0].normalTexture.index = 99),
-    /layers\[0\].normalTexture.index is out of range, got 99/,
-  ],
-  ['an unknown layer', (maps) => (maps.areas[1].layer = 3), /areas\[1\].layer is out of range, got 3/],
-  ['two areas of one name', (maps) => (maps.areas[1].name = 'a'), /areas\[1\].name is taken, got "a"/],
-  [
     'a texture that is null',
     (maps, json) => (json.textures[maps.areas[0].texture.index] = null),
     /the wrinkles cannot be read/,

@@ -1,9 +1,10 @@
-import { DataTexture, DirectionalLight, type Mesh, MeshStandardMaterial, RepeatWrapping, Scene } from 'three'
+import { DataTexture, DirectionalLight, type Mesh, MeshStandardMaterial, Scene } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
-import { randomNormals, randomSet } from '../../cases.ts'
+import { randomSet } from '../../cases.ts'
 import { seeded } from '../../random.ts'
 import { largestDifference } from '../difference.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from '../harness.ts'
+import { normalMap } from '../normal-map.ts'
 import { quietConsole } from '../quiet-console.ts'
 
 const MODES = ['default', 'composed'] as const
@@ -36,7 +37,7 @@ describe.each(RENDERERS)('a normal map that the page takes away or exchanges, on
 
   describe.each(MODES)('in the mode %s', (mode) => {
     it('shows wrinkles on smooth skin, and on another map', async () => {
-      const [first, other] = [map(1), map(2)]
+      const [first, other] = [normalMap(1, 16), normalMap(2, 16)]
       const smooth = await picture(wrinkled(null, mode).mesh)
       const onOther = await picture(wrinkled(other, mode).mesh)
       const { material, mesh, wrinkles } = wrinkled(first, mode)
@@ -52,7 +53,7 @@ describe.each(RENDERERS)('a normal map that the page takes away or exchanges, on
     })
 
     it('is left as the page has it', async () => {
-      const { material, mesh, wrinkles } = wrinkled(map(1), mode)
+      const { material, mesh, wrinkles } = wrinkled(normalMap(1, 16), mode)
       await picture(mesh)
       exchange(material, null)
       expect((wrinkles.cloneMaterial() as MeshStandardMaterial).normalMap).toBeNull()
@@ -78,14 +79,14 @@ describe.each(RENDERERS)('a normal map that the page takes away or exchanges, on
     const flat = place(new DataTexture(new Uint8Array([128, 128, 255, 255]), 1, 1))
     flat.needsUpdate = true
     const expected = await picture(wrinkled(flat, 'default').mesh)
-    const { material, mesh } = wrinkled(place(map(1)), 'default')
+    const { material, mesh } = wrinkled(place(normalMap(1, 16)), 'default')
     exchange(material, null)
     expect(largestDifference(await picture(mesh), expected)).toBeLessThanOrEqual(3)
     nothingSaid()
   })
 
   it("is still drawn in the paper's mode", async () => {
-    const { material, mesh, wrinkles } = wrinkled(map(1), 'paper')
+    const { material, mesh, wrinkles } = wrinkled(normalMap(1, 16), 'paper')
     const before = await picture(mesh)
     exchange(material, null)
     expect(await picture(mesh)).toEqual(before)
@@ -95,7 +96,7 @@ describe.each(RENDERERS)('a normal map that the page takes away or exchanges, on
   })
 
   it('is shown as influence by its place', async () => {
-    const { material, mesh, wrinkles } = wrinkled(map(1), 'default')
+    const { material, mesh, wrinkles } = wrinkled(normalMap(1, 16), 'default')
     const influence = wrinkles.createInfluenceMaterial()
     mesh.material = influence as MeshStandardMaterial
     const expected = await picture(mesh)
@@ -107,10 +108,3 @@ describe.each(RENDERERS)('a normal map that the page takes away or exchanges, on
     nothingSaid()
   })
 })
-
-function map(seed: number): DataTexture {
-  const texture = new DataTexture(randomNormals(seeded(seed), 16).data, 16, 16)
-  texture.wrapS = texture.wrapT = RepeatWrapping
-  texture.needsUpdate = true
-  return texture
-}
