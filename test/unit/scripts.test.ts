@@ -1,31 +1,11 @@
 import { spawnSync } from 'node:child_process'
 import { expect, test } from 'vitest'
 
+const WHOLE = 'is not a whole number, got'
+
 test.each([
-  [
-    'fuzz',
-    '--count',
-    'abc',
-    '--count is not a whole number, got "abc", allowed: 1 or more; write e.g. --count 20',
-  ],
-  [
-    'fuzz',
-    '--count',
-    '0',
-    '--count is not a whole number, got "0", allowed: 1 or more; write e.g. --count 20',
-  ],
-  [
-    'fuzz',
-    '--first',
-    '1.5',
-    '--first is not a whole number, got "1.5", allowed: 0 or more; write e.g. --first 20',
-  ],
-  [
-    'interrupt',
-    '--moments',
-    '',
-    '--moments is not a whole number, got "", allowed: 1 or more; write e.g. --moments 20',
-  ],
+  ['fuzz', '--first', '1.5', `--first ${WHOLE} "1.5", allowed: 0 or more; write e.g. --first 20`],
+  ['interrupt', '--moments', '', `--moments ${WHOLE} "", allowed: 1 or more; write e.g. --moments 20`],
   [
     'blender',
     '--version',

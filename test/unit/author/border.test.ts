@@ -98,6 +98,10 @@ describe('extendPlanes', () => {
       return { triangle, x, y, dx: length * (random() - 0.5), dy: length * (random() - 0.5) }
     })
 
+  type Own = (texel: number, triangle: number) => void
+  const extend = (edges: BorderEdge[], isFree: (texel: number) => boolean, own: Own = () => {}) =>
+    extendPlanes(() => edges, 64, 64, 14, isFree, own)
+
   it.each([
     ['no', []],
     ['few long', edgesOf(8, 60)],
@@ -106,14 +110,7 @@ describe('extendPlanes', () => {
   ])('gives each texel to the nearest of %s edges', (_, edges) => {
     const isFree = (texel: number) => texel % 7 !== 0
     const owners = new Map<number, number>()
-    extendPlanes(
-      () => edges,
-      64,
-      64,
-      14,
-      isFree,
-      (texel, triangle) => owners.set(texel, triangle),
-    )
+    extend(edges, isFree, (texel, triangle) => owners.set(texel, triangle))
     for (let texel = 0; texel < 64 * 64; texel++) {
       const distances = edges.map((edge) => distanceTo(edge, texel % 64, Math.floor(texel / 64)))
       const least = Math.min(...distances)
@@ -128,15 +125,7 @@ describe('extendPlanes', () => {
     ['in one texel', edgesOf(20_000, 1).map((edge) => ({ ...edge, x: 30.2, y: 30.2 }))],
   ])('visits few texels for each of 20,000 edges shorter than a texel, %s', (_, edges) => {
     let visits = 0
-    const isFree = () => ++visits > 0
-    extendPlanes(
-      () => edges,
-      64,
-      64,
-      14,
-      isFree,
-      () => {},
-    )
+    extend(edges, () => ++visits > 0)
     expect(visits / edges.length).toBeLessThan(60)
   })
 })

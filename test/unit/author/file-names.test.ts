@@ -54,10 +54,10 @@ describe('fileNamesOf', () => {
         for (const file of files) {
           expect(Buffer.byteLength(file)).toBeLessThan(110)
           // biome-ignore lint/suspicious/noControlCharactersInRegex: they are what is excluded.
-          expect(file).not.toMatch(/[<>:"/\\|?*\x00-\x1f\x7f]|^[ .]|[ .]$|^$/)
+          expect(/[<>:"/\\|?*\x00-\x1f\x7f]|^[ .]|[ .]$|^$/.test(file), JSON.stringify(file)).toBe(false)
         }
       }),
-      { numRuns: 500, seed: 8 },
+      { numRuns: 100, seed: 8 },
     )
   })
 })

@@ -1,15 +1,13 @@
 import { parseStrokes, type SkinCanvas, type Stroke, skinCanvas, strokesToHeight } from 'furrow/author'
 import { describe, expect, it } from 'vitest'
-import { flatCanvas, sheet } from './planes.ts'
+import { across } from '../../strokes.ts'
+import { flatCanvas, same, sheet } from './planes.ts'
 
 const strokes = (...list: object[]): Stroke[] => parseStrokes({ version: 1, strokes: list }).strokes
 
 /** A level line across the middle of the map, without ends. */
 const level = {
-  points: [
-    [0.05, 0.5],
-    [0.95, 0.5],
-  ],
+  points: across(0.5, 0.05, 0.95),
   width: 4,
   depth: 0.6,
   taper: 0,
@@ -36,8 +34,6 @@ function texelAt(
 
 const lowestOf = (data: Float32Array) => data.reduce((low, mm) => Math.min(low, mm))
 const highestOf = (data: Float32Array) => data.reduce((high, mm) => Math.max(high, mm))
-const same = (a: Float32Array, b: Float32Array) =>
-  Buffer.compare(Buffer.from(a.buffer), Buffer.from(b.buffer)) === 0
 
 describe('strokesToHeight', () => {
   // 100 mm in 401 texels: an odd number puts the line at v = 0.5 on the centres of a row.
@@ -83,31 +79,28 @@ describe('strokesToHeight', () => {
   it('has one convex bulge between two lines whose banks reach from one to the other', () => {
     const line = (v: number) => ({
       ...level,
-      points: [
-        [0.05, v],
-        [0.95, v],
-      ],
+      points: across(v, 0.05, 0.95),
       width: 2,
       depth: 1,
       shoulder: 1,
       bank: 10,
     })
     const { data } = strokesToHeight(strokes(line(0.45), line(0.55)), canvas)
-    const across = Array.from({ length: 41 }, (_, i) => sample(data, canvas, 50, 45 + i / 4))
+    const profile = Array.from({ length: 41 }, (_, i) => sample(data, canvas, 50, 45 + i / 4))
     // From 1 mm beside one bottom to 1 mm beside the other, it bends downwards everywhere.
     for (let i = 4; i <= 36; i++) {
-      expect(across[i - 1] + across[i + 1] - 2 * across[i]).toBeLessThan(1e-4)
+      expect(profile[i - 1] + profile[i + 1] - 2 * profile[i]).toBeLessThan(1e-4)
     }
-    const crest = across.indexOf(Math.max(...across))
+    const crest = profile.indexOf(Math.max(...profile))
     expect(crest).toBeGreaterThan(14)
     expect(crest).toBeLessThan(26)
-    expect(across[crest]).toBeGreaterThan(0.15)
+    expect(profile[crest]).toBeGreaterThan(0.15)
   })
 
   it('has no rim: a bank falls nowhere a tenth as steeply as it rises from the bottom', () => {
     const { data } = strokesToHeight(strokes({ ...level, width: 2, depth: 1, shoulder: 1, bank: 9 }), canvas)
-    const across = Array.from({ length: 45 }, (_, i) => sample(data, canvas, 50, 50 + i / 4))
-    const slopes = across.slice(1).map((height, i) => 4 * (height - across[i]))
+    const profile = Array.from({ length: 45 }, (_, i) => sample(data, canvas, 50, 50 + i / 4))
+    const slopes = profile.slice(1).map((height, i) => 4 * (height - profile[i]))
     expect(Math.max(...slopes)).toBeGreaterThan(0.8)
     expect(Math.min(...slopes)).toBeGreaterThan(-0.08)
   })
@@ -176,10 +169,10 @@ describe('strokesToHeight', () => {
     const wide = flatCanvas(300, 100, 501)
     const down = { ...level, points: level.points.map(([u, v]) => [v, u]), shoulder: 1 }
     const { data } = strokesToHeight(strokes(down), wide)
-    const across = [-3, -2, -1, 1, 2, 3].map((x) => sample(data, wide, 150 + x, 50))
+    const profile = [-3, -2, -1, 1, 2, 3].map((x) => sample(data, wide, 150 + x, 50))
     const straight = strokesToHeight(strokes({ ...level, shoulder: 1 }), wide).data
     const along = [-3, -2, -1, 1, 2, 3].map((y) => sample(straight, wide, 150, 50 + y))
-    across.forEach((h, i) => {
+    profile.forEach((h, i) => {
       expect(h).toBeCloseTo(along[i], 1.5)
     })
   })

@@ -1,6 +1,7 @@
 import { paintAreas, parseStrokes, skinCanvas, strokesToHeight } from 'furrow/author'
 import { expect, test } from 'vitest'
 import { layOutStrokes } from '../../../packages/furrow/src/author/strokes/lay-out.ts'
+import { across } from '../../strokes.ts'
 import { sheet } from './auto/sheet.ts'
 
 test('strokes that are too long together are refused, whether their maps or their areas are drawn', () => {
@@ -8,10 +9,7 @@ test('strokes that are too long together are refused, whether their maps or thei
   const canvas = skinCanvas({ positions, uvs, indices }, 16, 16, 1)
   const stroke = {
     group: 'a',
-    points: [
-      [0.1, 0.5],
-      [0.9, 0.5],
-    ],
+    points: across(0.5),
     width: 1,
     depth: 0.1,
   }

@@ -15,6 +15,15 @@ export function sheet(
   return { positions, uvs, indices: [0, 3, 2, 0, 2, 1] }
 }
 
+/** Sheets as one mesh. */
+export function joined(...sheets: MetricMesh[]): MetricMesh {
+  return {
+    positions: sheets.flatMap(({ positions }) => Array.from(positions)),
+    uvs: sheets.flatMap(({ uvs }) => Array.from(uvs)),
+    indices: sheets.flatMap(({ indices = [] }, i) => Array.from(indices, (index) => index + 4 * i)),
+  }
+}
+
 /** An upright sheet of `width` x `height` millimetres to draw on, with `texels` x `texels` texels. */
 export function flatCanvas(width: number, height: number, texels: number): SkinCanvas {
   return skinCanvas(sheet([width, 0, 0], [0, -height, 0]), texels)
@@ -24,3 +33,7 @@ export function flatCanvas(width: number, height: number, texels: number): SkinC
 export function flatMetric(width: number, height: number, texels: number): Metric {
   return surfaceMetric(sheet([width, 0, 0], [0, -height, 0]), texels)
 }
+
+/** Whether two maps are the same, byte for byte. */
+export const same = (a: ArrayBufferView, b: ArrayBufferView) =>
+  Buffer.from(a.buffer, a.byteOffset, a.byteLength).equals(Buffer.from(b.buffer, b.byteOffset, b.byteLength))

@@ -1,6 +1,7 @@
 import { parseStrokes, type Stroke, skinCanvas, strokesToHeight } from 'furrow/author'
 import { describe, expect, it } from 'vitest'
 import { layOutStroke } from '../../../packages/furrow/src/author/strokes/lay-out.ts'
+import { across } from '../../strokes.ts'
 import { cylinder, folded, RADIUS, uvOf } from './skins.ts'
 
 const strokesOf = (...list: object[]): Stroke[] => parseStrokes({ version: 1, strokes: list }).strokes
@@ -105,10 +106,7 @@ it('where two halves use the same texels, the left one is drawn on', () => {
   const canvas = skinCanvas(folded(), 256)
   const stroke = strokesOf({
     ...ring,
-    points: [
-      [0.2, 0.5],
-      [0.8, 0.5],
-    ],
+    points: across(0.5, 0.2, 0.8),
   })
   for (const { points } of layOutStroke(stroke[0], canvas)) {
     for (let i = 0; i < points.length; i += 3) expect(points[i]).toBeGreaterThan(0)

@@ -2,6 +2,7 @@ import { readFileSync, writeFileSync } from 'node:fs'
 import { NodeIO } from '@gltf-transform/core'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { accessorsOf } from '../../accessors.ts'
+import { unit } from '../../vectors.ts'
 import {
   COLUMNS,
   corner,
@@ -15,7 +16,6 @@ import {
   readPixels,
   screenFrame,
   TILT,
-  unit,
   worst,
 } from './exact-sphere.ts'
 import { globe, icosphere, quad, writeGlb } from './spheres.ts'

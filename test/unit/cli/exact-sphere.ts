@@ -1,22 +1,11 @@
 /** What a map of a sphere baked onto a coarser one has to be, computed exactly, in the frames of those who draw it. */
 
 import sharp from 'sharp'
+import { cross, degreesBetween, dot, minus, unit, type Vector } from '../../vectors.ts'
 import type { globe } from './spheres.ts'
-
-type Vector = [number, number, number]
 
 const add = (...terms: [number, Vector][]): Vector =>
   [0, 1, 2].map((k) => terms.reduce((sum, [share, v]) => sum + share * v[k]!, 0)) as Vector
-export const dot = (a: Vector, b: Vector) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-]
-export const unit = (v: Vector) => add([1 / Math.hypot(...v), v])
-export const degrees = (a: Vector, b: Vector) =>
-  (Math.atan2(Math.hypot(...cross(a, b)), dot(a, b)) * 180) / Math.PI
-
 /** Radii in metres: the sculpt lies 3 mm outside the corners of the mesh. */
 export const [LOW, HIGH] = [0.1, 0.103]
 export const [COLUMNS, ROWS, TILT] = [24, 12, 0.2]
@@ -62,7 +51,7 @@ export const screenFrame: Frame = (shape, place) => {
     number[],
     number[],
   ]
-  const [e, f] = [add([1, p1], [-1, p0]), add([1, p2], [-1, p0])]
+  const [e, f] = [minus(p1, p0), minus(p2, p0)]
   const n = unit(mix(shape.normals, place))
   // Two steps on the triangle, the second to the left of the first as seen from outside.
   const steps = [
@@ -129,8 +118,8 @@ export async function worst(path: string, shape: Globe, frame: Frame) {
       const i = 3 * (y * width + x)
       const [r, g, b] = [0, 1, 2].map((k) => (2 * values[i + k]!) / full - 1) as Vector
       const [t, s, n] = frame(shape, place)
-      angle = Math.max(angle, degrees(add([r, t], [g, s], [b, n]), exact(shape, place).normal))
-      tilted = Math.max(tilted, degrees([r, g, b], [0, 0, 1]))
+      angle = Math.max(angle, degreesBetween(add([r, t], [g, s], [b, n]), exact(shape, place).normal))
+      tilted = Math.max(tilted, degreesBetween([r, g, b], [0, 0, 1]))
     }
   }
   return { angle, tilted }

@@ -4,42 +4,36 @@ import { join } from 'node:path'
 import { beforeAll, expect, inject, test } from 'vitest'
 import { bundle } from '../../../scripts/lib/bundle.mjs'
 import { COMMANDS } from '../../fuzz/cases.ts'
-import { fuzz } from '../../fuzz/fuzz.ts'
+import { type CommandResults, fuzz } from '../../fuzz/fuzz.ts'
 
 // More: `npm run fuzz -- --count 5000 --seed 2 --command auto`.
 const IN_DEPTH = inject('inDepth')
 const COUNT = IN_DEPTH ? 100 : 8
 const SEED = 1
+const keep = mkdtempSync(join(tmpdir(), 'furrow-fuzz-failures-'))
+const lines: string[] = []
+let results: CommandResults[]
 
-let child = ''
+const fuzzed = async (child: string, commands: string[], report?: (text: string) => void) => {
+  const limits = { seconds: 10, megabytes: 1024 }
+  return fuzz({ child, commands, seed: SEED, count: COUNT, limits, jobs: 1, keep, report })
+}
 
 beforeAll(async () => {
-  child = await bundle('test/fuzz/child.ts')
-})
+  results = await fuzzed(await bundle('test/fuzz/child.ts'), [...COMMANDS], (text) => lines.push(text))
+}, 30 * 60_000)
 
-test.each(COMMANDS)('%s: damaged files end in success, one line or a finding', async (command) => {
-  const keep = mkdtempSync(join(tmpdir(), 'furrow-fuzz-failures-'))
-  const lines: string[] = []
-  const [results] = await fuzz({
-    child,
-    commands: [command],
-    seed: SEED,
-    count: COUNT,
-    limits: { seconds: 10, megabytes: 1024 },
-    jobs: 1,
-    keep,
-    report: (text) => lines.push(text),
-  })
-  expect(results!.failures, `seed ${SEED}; the files are in ${keep}\n${lines.join('\n')}`).toEqual([])
-  expect(results!.tried).toHaveLength(COUNT)
+test.each(COMMANDS)('%s: damaged files end in success, one line or a finding', (command) => {
+  const { failures, tried } = results.find((each) => each.command === command)!
+  expect(failures, `seed ${SEED}; the files are in ${keep}\n${lines.join('\n')}`).toEqual([])
+  expect(tried).toHaveLength(COUNT)
   // A fuzz whose files are all refused at the door tests nothing behind it; of a few files all may be.
-  const successes = results!.tried.filter(({ outcome }) => outcome === 'success')
+  const successes = tried.filter(({ outcome }) => outcome === 'success')
   if (IN_DEPTH) expect(successes.length).toBeGreaterThan(0)
 })
 
 test('a command that reads no files is refused', async () => {
-  const options = { child, commands: ['auto', 'rendr'], seed: 1, count: 1, jobs: 1, keep: '' }
-  await expect(fuzz({ ...options, limits: { seconds: 10, megabytes: 1024 } })).rejects.toThrow(
+  await expect(fuzzed('', ['auto', 'rendr'])).rejects.toThrow(
     /^fuzz: no command of that name reads files, got "rendr", allowed: activations, .*; name one of these$/,
   )
 })

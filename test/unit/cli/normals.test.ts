@@ -1,9 +1,9 @@
 import { readFileSync, writeFileSync } from 'node:fs'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
+import { degreesBetween, plus, unit, type Vector, vectorAt } from '../../vectors.ts'
+import { readPixels } from './exact-sphere.ts'
 import { bench } from './workshop.ts'
-
-type Vector = [number, number, number]
 
 const at = bench('normals')
 const { file, run } = at
@@ -58,22 +58,12 @@ async function writeHeight(path: string, height: (x: number, y: number) => numbe
 
 /** Decodes a map and returns unit normals with y upwards, whatever its convention was. */
 async function readNormals(path: string, green: string): Promise<Vector[]> {
-  const { depth } = await sharp(path).metadata()
-  const wide = depth === 'ushort'
-  const image = wide ? sharp(path).toColourspace('rgb16').raw({ depth: 'ushort' }) : sharp(path).raw()
-  const { data, info } = await image.toBuffer({ resolveWithObject: true })
-  expect(info.channels).toBe(3)
-  const values = wide ? new Uint16Array(data.buffer, data.byteOffset, data.length / 2) : data
-  return Array.from({ length: info.width * info.height }, (_, i) => {
-    const [x, y, z] = [0, 1, 2].map((k) => (2 * values[3 * i + k]!) / (wide ? 65535 : 255) - 1) as Vector
-    const length = Math.hypot(x, y, z)
-    return [x / length, (green === 'up' ? y : -y) / length, z / length]
+  const { values, channels, full } = await readPixels(path)
+  expect(channels).toBe(3)
+  return Array.from({ length: values.length / 3 }, (_, i) => {
+    const [x, y, z] = vectorAt(values, i).map((value) => (2 * value) / full - 1)
+    return unit([x!, green === 'up' ? y! : -y!, z!])
   })
-}
-
-function angle(a: Vector, b: Vector): number {
-  const cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-  return (Math.atan2(Math.hypot(...cross), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) * 180) / Math.PI
 }
 
 async function worst(path: string, shape: (typeof SHAPES)[keyof typeof SHAPES], green: string) {
@@ -81,7 +71,7 @@ async function worst(path: string, shape: (typeof SHAPES)[keyof typeof SHAPES], 
   const side = Math.sqrt(normals.length)
   const angles = normals.map((normal, i) => {
     const [x, y] = place(i % side, Math.floor(i / side), side)
-    return shape.inside(x, y) ? angle(normal, shape.normal(x, y)) : 0
+    return shape.inside(x, y) ? degreesBetween(normal, shape.normal(x, y)) : 0
   })
   return Math.max(...angles)
 }
@@ -164,8 +154,8 @@ describe('furrow normals', () => {
       ['byte', 'rgb'].map((name) => readNormals(file(`${name}-n.png`), 'up')),
     )
     expect(fromRgb).toEqual(normals)
-    const mean = normals.reduce((sum, n) => [sum[0] + n[0], sum[1] + n[1], sum[2] + n[2]] as Vector)
-    expect(angle(mean, SHAPES.plane.normal())).toBeLessThan(0.5)
+    const mean = normals.reduce((sum, n) => plus(sum, n))
+    expect(degreesBetween(mean, SHAPES.plane.normal())).toBeLessThan(0.5)
   })
 
   it('turns bumps inside out with a negative strength', async () => {
@@ -173,7 +163,7 @@ describe('furrow normals', () => {
     await run(file('small.png'), '-o', file('in.png'), '--strength', '-4')
     const [out] = await readNormals(file('out.png'), 'up')
     const [turned] = await readNormals(file('in.png'), 'up')
-    expect(angle([-out![0], -out![1], out![2]], turned!)).toBeLessThan(0.7)
+    expect(degreesBetween([-out![0], -out![1], out![2]], turned!)).toBeLessThan(0.7)
     expect(out![0]).toBeLessThan(-0.01)
   })
 

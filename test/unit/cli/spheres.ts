@@ -1,5 +1,6 @@
 import { Document, NodeIO } from '@gltf-transform/core'
 import { accessorsOf } from '../../accessors.ts'
+import { cross, dot, minus, plus, unit, type Vector } from '../../vectors.ts'
 
 export interface Shape {
   positions: number[]
@@ -7,12 +8,6 @@ export interface Shape {
   uvs?: number[]
   tangents?: number[]
   indices: number[]
-}
-
-type Vector = [number, number, number]
-const unit = ([x, y, z]: Vector): Vector => {
-  const length = Math.hypot(x, y, z)
-  return [x / length, y / length, z / length]
 }
 
 /** A sphere of `radius` metres from an icosahedron whose triangles are cut in four `cuts` times. */
@@ -29,10 +24,7 @@ export function icosphere(radius: number, cuts: number): Shape {
   )
   // The faces of an icosahedron are the triples of corners that are neighbours; all turn outwards.
   let faces: Vector[] = []
-  const near = (i: number, j: number) => {
-    const dot = points[i]!.reduce((sum, value, k) => sum + value * points[j]![k]!, 0)
-    return i !== j && dot > 0.4
-  }
+  const near = (i: number, j: number) => i !== j && dot(points[i]!, points[j]!) > 0.4
   for (let i = 0; i < 12; i++) {
     for (let j = i + 1; j < 12; j++) {
       for (let k = j + 1; k < 12; k++) {
@@ -46,7 +38,7 @@ export function icosphere(radius: number, cuts: number): Shape {
       const key = i < j ? `${i} ${j}` : `${j} ${i}`
       if (!middles.has(key)) {
         const [p, q] = [points[i]!, points[j]!]
-        middles.set(key, points.push(unit([p[0] + q[0], p[1] + q[1], p[2] + q[2]])) - 1)
+        middles.set(key, points.push(unit(plus(p, q))) - 1)
       }
       return middles.get(key)!
     }
@@ -69,9 +61,7 @@ export function icosphere(radius: number, cuts: number): Shape {
 
 function outwards(points: Vector[], [i, j, k]: Vector): Vector {
   const [a, b, c] = [points[i]!, points[j]!, points[k]!]
-  const [u, v] = [0, 1].map((n) => [0, 1, 2].map((m) => (n ? c : b)[m]! - a[m]!)) as [number[], number[]]
-  const cross = [u[1]! * v[2]! - u[2]! * v[1]!, u[2]! * v[0]! - u[0]! * v[2]!, u[0]! * v[1]! - u[1]! * v[0]!]
-  return cross.reduce((sum, value, m) => sum + value * a[m]!, 0) > 0 ? [i, j, k] : [i, k, j]
+  return dot(cross(minus(b, a), minus(c, a)), a) > 0 ? [i, j, k] : [i, k, j]
 }
 
 /**
@@ -107,7 +97,7 @@ export function globe(radius: number, columns: number, rows: number, { tilt = 0,
 
 /** A rectangle from a corner along two edges, in metres, its texture over all of it. */
 export function quad(corner: Vector, a: Vector, b: Vector): Shape {
-  const normal = unit([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
+  const normal = unit(cross(a, b))
   const at = (s: number, t: number) => corner.map((value, k) => value + s * a[k]! + t * b[k]!)
   return {
     positions: [...at(0, 0), ...at(1, 0), ...at(1, 1), ...at(0, 1)],

@@ -4,6 +4,7 @@ import { Document, NodeIO } from '@gltf-transform/core'
 import sharp from 'sharp'
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { accessorsOf } from '../../accessors.ts'
+import { across } from '../../strokes.ts'
 import { sheet } from '../author/planes.ts'
 import { bench, grayOf, grayPng } from './workshop.ts'
 
@@ -17,10 +18,7 @@ const DOCUMENT = {
   strokes: [
     {
       group: 'brow',
-      points: [
-        [0.1, 0.5],
-        [0.9, 0.5],
-      ],
+      points: across(0.5),
       width: 4,
       depth: 0.5,
       taper: 0,
@@ -105,10 +103,7 @@ describe('furrow strokes', () => {
       ...DOCUMENT,
       strokes: DOCUMENT.strokes.map((stroke) => ({
         ...stroke,
-        points: [
-          [0.1, v],
-          [0.9, v],
-        ],
+        points: across(v),
       })),
     })
 

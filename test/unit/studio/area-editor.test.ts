@@ -2,7 +2,7 @@ import { effect } from '@preact/signals'
 import { beforeEach, describe, expect, it } from 'vitest'
 import { AreaEditor } from '../../../studio/src/session/area-editor.ts'
 import { Session } from '../../../studio/src/session/session.ts'
-import { frozen, sampleDocument, weightsOf } from './sample-document.ts'
+import { attempts, frozen, sampleDocument, weightsOf } from './sample-document.ts'
 
 let session: Session
 let areas: AreaEditor
@@ -10,14 +10,9 @@ let errors: string[]
 
 beforeEach(() => {
   session = new Session()
-  errors = []
-  areas = new AreaEditor(session, (task) => {
-    try {
-      task()
-    } catch (error) {
-      errors.push((error as Error).message)
-    }
-  })
+  const tried = attempts()
+  errors = tried.errors
+  areas = new AreaEditor(session, tried.attempt)
   session.open(frozen(sampleDocument()))
 })
 

@@ -38,7 +38,6 @@ describe('an area', () => {
 
   it.each([
     ['a taken name', () => addArea(document, areaOf('frown', 'up')), 'two of the areas would have one name'],
-    ['no name', () => addEmptyArea(document, ''), 'the area has no usable name'],
     ['a name of two lines', () => addEmptyArea(document, 'a\nb'), 'the area has no usable name'],
     [
       'an unknown layer',

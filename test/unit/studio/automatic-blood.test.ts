@@ -8,17 +8,16 @@ import type { PackedWrinkles } from '../../../packages/files/src/pack/embed.ts'
 import { automaticDocument, remake } from '../../../studio/src/document/automatic.ts'
 import type { AutoSettings, ImageFile, StudioDocument } from '../../../studio/src/document/document.ts'
 import { setLayer, setMap } from '../../../studio/src/document/layers.ts'
-import type { StrokeMaps } from '../../../studio/src/document/packed-layers.ts'
 import { readProject } from '../../../studio/src/export/read-document.ts'
 import { FACES } from '../author/auto/faces.ts'
-import { projectFiles } from './project-files.ts'
+import { opened, projectFiles } from './project-files.ts'
 
 const SETTINGS: AutoSettings = { age: 60, strength: 1, size: 128, seed: 1 }
 const AREA = 128
 
 let document: StudioDocument
-let drawn: Map<string, StrokeMaps>
 let packed: PackedWrinkles
+let files: Map<string, Uint8Array>
 
 beforeAll(async () => {
   const [[, path]] = FACES
@@ -26,7 +25,8 @@ beforeAll(async () => {
   const wrinkles = autoWrinkles(skin, { ...SETTINGS, areaSize: AREA })
   const bloodMaps = await Promise.all(wrinkles.blood.maps.map((map) => fileOf(halfSide(map))))
   document = automaticDocument(wrinkles, SETTINGS, AREA, {}, bloodMaps)
-  drawn = new Map(wrinkles.layers.map(({ name, ...maps }) => [name, maps]))
+  const drawn = new Map(wrinkles.layers.map(({ name, ...maps }) => [name, maps]))
+  files = projectFiles({ document, drawn })
   packed = await packAuto(wrinkles, false, 'test')
 })
 
@@ -45,7 +45,6 @@ const text = (bytes: Uint8Array) => JSON.parse(new TextDecoder().decode(bytes))
 
 describe('a project of automatic wrinkles has what furrow auto writes', () => {
   it('the same areas, flushed and pale ones among them, on the same layers', async () => {
-    const files = projectFiles({ document, drawn })
     const { layers, areas } = text(files.get('wrinkles.json')!)
     const names = packed.layers.map(({ name }) => name)
     expect(areas.map(({ name, layer }: { name: string; layer: string }) => [name, layer])).toEqual(
@@ -62,12 +61,10 @@ describe('a project of automatic wrinkles has what furrow auto writes', () => {
   })
 
   it('the same drivers', async () => {
-    const files = projectFiles({ document, drawn })
     expect(text(files.get('wrinkles.json')!).drivers).toEqual(JSON.parse(JSON.stringify(packed.drivers)))
   })
 
   it('the same maps of each layer, blood among them', async () => {
-    const files = projectFiles({ document, drawn })
     const { layers } = text(files.get('wrinkles.json')!)
     for (const [i, made] of packed.layers.entries()) {
       const own = layers[i]
@@ -86,9 +83,7 @@ describe('a project of automatic wrinkles has what furrow auto writes', () => {
   })
 
   it('and is read again with its automatic blood', async () => {
-    const files = projectFiles({ document, drawn })
-    const folder = [...files].map(([path, bytes]) => ({ path, file: new Blob([bytes as BlobPart]) }))
-    const read = await readProject(folder, 'Face')
+    const read = await readProject(opened(files), 'Face')
     expect(read.document.layers).toEqual(document.layers)
   })
 })

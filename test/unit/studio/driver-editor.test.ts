@@ -6,7 +6,7 @@ import { AREA_DRIVER_TYPES, createDriver } from '../../../studio/src/panels/driv
 import { DriverEditor } from '../../../studio/src/session/driver-editor.ts'
 import { Session } from '../../../studio/src/session/session.ts'
 import { ramp, STRAIGHT } from '../../drivers.ts'
-import { sampleDocument } from './sample-document.ts'
+import { attempts, sampleDocument } from './sample-document.ts'
 
 const face: Drivable = {
   pose: new Map([
@@ -21,14 +21,8 @@ const face: Drivable = {
 function open() {
   const session = new Session()
   session.open(sampleDocument())
-  const errors: unknown[] = []
-  const editor = new DriverEditor(session, (task) => {
-    try {
-      task()
-    } catch (error) {
-      errors.push(error)
-    }
-  })
+  const { errors, attempt } = attempts()
+  const editor = new DriverEditor(session, attempt)
   return { session, editor, errors, drivers: () => session.document.peek()!.drivers }
 }
 
@@ -98,7 +92,7 @@ describe('a change of a driver', () => {
     const { editor, errors, drivers } = open()
     const before = drivers()
     editor.set(0, 'curve', { curve: [[0, 0]] })
-    expect(String(errors[0])).toContain('Studio: drivers[0].curve')
+    expect(errors[0]).toContain('Studio: drivers[0].curve')
     expect(drivers()).toBe(before)
   })
 

@@ -8,7 +8,7 @@ import { readFace } from '../../../studio/src/export/read-face.ts'
 import { findingsOf } from '../../../studio/src/export/validate-face.ts'
 import { openFace, referencesIn } from '../../../studio/src/files/face-files.ts'
 import { Workshop } from '../cli/workshop.ts'
-import { projectFiles } from './project-files.ts'
+import { opened, projectFiles } from './project-files.ts'
 import { sampleDocument, strokeOf } from './sample-document.ts'
 
 const shop = new Workshop()
@@ -95,8 +95,7 @@ describe('the files beside a face', () => {
 describe('a project', () => {
   it('becomes the bytes of furrow pack, validated, and a project again', async () => {
     const { files, face } = await projectAt('whole')
-    const list = [...files].map(([path, bytes]) => ({ path, file: new Blob([bytes as BlobPart]) }))
-    const { document } = await readProject(list, 'whole')
+    const { document } = await readProject(opened(files), 'whole')
     for (const [name, source] of [
       ['images', { document, drawn: new Map() }],
       ['lines', { document: withLines(document), drawn: new Map([['age', LINES]]) }],

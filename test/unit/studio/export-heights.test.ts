@@ -3,7 +3,7 @@ import { expect, it } from 'vitest'
 import type { StudioDocument } from '../../../studio/src/document/document.ts'
 import type { StrokeMaps } from '../../../studio/src/document/packed-layers.ts'
 import { readProject } from '../../../studio/src/export/read-document.ts'
-import { projectFiles } from './project-files.ts'
+import { opened, projectFiles } from './project-files.ts'
 import { sampleDocument } from './sample-document.ts'
 
 const SIDE = 64
@@ -19,7 +19,7 @@ function lines(): StrokeMaps {
   }
 }
 
-async function documentOf(maps: StudioDocument['layers'][number]['maps'], heightAmplitude?: number) {
+function documentOf(maps: StudioDocument['layers'][number]['maps'], heightAmplitude?: number) {
   const document = sampleDocument()
   const [, down] = document.layers
   const layer = { ...down, maps, ...(heightAmplitude !== undefined && { heightAmplitude }) }
@@ -30,7 +30,7 @@ const entryOf = (files: ReadonlyMap<string, Uint8Array>) =>
   JSON.parse(new TextDecoder().decode(files.get('wrinkles.json')!)).layers[0]
 
 it('lines give their layer a height map in millimetres, of half the side', async () => {
-  const document = await documentOf({})
+  const document = documentOf({})
   const files = projectFiles({ document, drawn: new Map([['up', lines()]]) })
   expect(entryOf(files)).toMatchObject({
     height: 'layers/up/height.png',
@@ -46,11 +46,10 @@ it('lines give their layer a height map in millimetres, of half the side', async
 })
 
 it('a project is read without the heights that its lines make anew', async () => {
-  const document = await documentOf({})
+  const document = documentOf({})
   const files = projectFiles({ document, drawn: new Map([['up', lines()]]) })
   const read = async (paths: (path: string) => boolean) => {
-    const list = [...files].filter(([path]) => paths(path))
-    const folder = list.map(([path, bytes]) => ({ path, file: new Blob([bytes as BlobPart]) }))
+    const folder = opened([...files].filter(([path]) => paths(path)))
     return (await readProject(folder, 'Face')).document.layers[0]
   }
   expect(await read(() => true)).toEqual(document.layers[0])
@@ -60,7 +59,7 @@ it('a project is read without the heights that its lines make anew', async () =>
 
 it("a layer's own height map stays beside lines", async () => {
   const height = { mimeType: 'image/png', bytes: Uint8Array.of(1, 2, 3) }
-  const document = await documentOf({ height }, 0.02)
+  const document = documentOf({ height }, 0.02)
   const files = projectFiles({ document, drawn: new Map([['up', lines()]]) })
   expect(files.get('layers/up/height.png')).toEqual(height.bytes)
   expect(entryOf(files).heightAmplitude).toBe(0.02)

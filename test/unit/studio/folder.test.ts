@@ -13,6 +13,7 @@ import type { FolderFile } from '../../../studio/src/files/folder-files.ts'
 import { unzipFolder, zipFolder } from '../../../studio/src/files/zip.ts'
 import { folderFiles } from '../../../studio/src/keep/folder-files.ts'
 import { readFolder } from '../../../studio/src/keep/read-folder.ts'
+import { across } from '../../strokes.ts'
 import { Workshop } from '../cli/workshop.ts'
 import { sampleDocument } from './sample-document.ts'
 
@@ -182,10 +183,7 @@ describe('a folder made by hand', () => {
 
   it('with strokes has them drawn again instead of their maps', async () => {
     await shop.makeFolder('lines')
-    const points = [
-      [0.1, 0.2],
-      [0.4, 0.2],
-    ]
+    const points = across(0.2, 0.1, 0.4)
     const strokes = [{ layer: 'age', points, width: 2, depth: 1 }]
     shop.json('lines/strokes.json', { version: 1, scale: 100, size: 256, strokes })
     const { document } = await readFolder(onDisk('lines'), 'lines', decodeGray)

@@ -1,7 +1,7 @@
 import { beforeEach, expect, it } from 'vitest'
 import { LayerEditor } from '../../../studio/src/session/layer-editor.ts'
 import { Session } from '../../../studio/src/session/session.ts'
-import { frozen, sampleDocument } from './sample-document.ts'
+import { attempts, frozen, sampleDocument } from './sample-document.ts'
 
 let session: Session
 let layers: LayerEditor
@@ -9,19 +9,9 @@ let errors: string[]
 
 beforeEach(() => {
   session = new Session()
-  errors = []
-  layers = new LayerEditor({
-    session,
-    work: async () => null,
-    avatar: () => null,
-    attempt: (task) => {
-      try {
-        task()
-      } catch (error) {
-        errors.push((error as Error).message)
-      }
-    },
-  })
+  const tried = attempts()
+  errors = tried.errors
+  layers = new LayerEditor({ session, work: async () => null, avatar: () => null, attempt: tried.attempt })
   session.open(frozen(sampleDocument()))
 })
 

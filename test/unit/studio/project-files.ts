@@ -5,3 +5,7 @@ import { folderFiles } from '../../../studio/src/keep/folder-files.ts'
 export function projectFiles(source: DocumentToPack): Map<string, Uint8Array> {
   return new Map(folderFiles(source, []).map(({ path, content }) => [path, content as Uint8Array]))
 }
+
+/** Files by their paths as the studio opens them. */
+export const opened = (files: Iterable<[string, Uint8Array]>) =>
+  Array.from(files, ([path, bytes]) => ({ path, file: new Blob([bytes as BlobPart]) }))

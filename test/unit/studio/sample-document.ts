@@ -6,6 +6,7 @@ import {
   type StudioArea,
   type StudioDocument,
 } from '../../../studio/src/document/document.ts'
+import { across } from '../../strokes.ts'
 
 const AREA_SIZE = 4
 
@@ -18,10 +19,7 @@ export function areaOf(name: string, layer: string, value = 100): StudioArea {
 }
 
 export function strokeOf(layer: string, group: string, v = 0.5): LayerStroke {
-  const points = [
-    [0.1, v],
-    [0.9, v],
-  ]
+  const points = across(v)
   const stroke = { layer, group, points, width: 2, depth: 0.5 }
   return parseStrokes({ version: 1, strokes: [stroke] }).strokes[0] as Stroke as LayerStroke
 }
@@ -82,4 +80,17 @@ export function frozen<T>(value: T): T {
   if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value)) return value
   for (const part of Object.values(value)) frozen(part)
   return Object.freeze(value)
+}
+
+/** Runs tasks, and keeps the messages of those that fail. */
+export function attempts() {
+  const errors: string[] = []
+  const attempt = (task: () => void) => {
+    try {
+      task()
+    } catch (error) {
+      errors.push((error as Error).message)
+    }
+  }
+  return { errors, attempt }
 }

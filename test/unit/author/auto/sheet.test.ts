@@ -9,7 +9,7 @@ import { SkinTexels } from '../../../../packages/furrow/src/author/skin/skin-tex
 import { drawStrokes } from '../../../../packages/furrow/src/author/strokes/height.ts'
 import { COMPRESSION, SIDE, sheet } from './sheet.ts'
 
-const SIZE = 512
+const SIZE = 448
 
 describe.each([
   [20, 0, 6],
@@ -58,8 +58,8 @@ describe.each([
     const { data } = drawStrokes(creases, { texels, metric: surfaceMetric(skin, SIZE, SIZE, 1) }).heights
     const texel = SIDE / SIZE
     let [length, count] = [0, 0]
-    for (let row = 150; row < SIZE - 150; row++) {
-      for (let column = 150; column < SIZE - 150; column++) {
+    for (let row = 130; row < SIZE - 130; row++) {
+      for (let column = 130; column < SIZE - 130; column++) {
         const i = row * SIZE + column
         const slope =
           ((data[i + 1] - data[i - 1]) * cosine - (data[i + SIZE] - data[i - SIZE]) * sine) / (2 * texel)

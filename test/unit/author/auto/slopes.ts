@@ -1,6 +1,7 @@
 import type { RgbaImage } from 'furrow'
 import type { Skin } from 'furrow/author'
 import { interpolate } from '../../../../packages/furrow/src/core/reference.ts'
+import { dot, minus, plus, scaled, unit, type Vector, vectorAt } from '../../../vectors.ts'
 import type { CutSide } from './cuts.ts'
 
 /** A map with any number of channels. */
@@ -43,17 +44,12 @@ export function slopeIn(skin: Skin, map: Channels, { triangle, uv }: CutSide): n
 }
 
 /** Orthonormal vectors in a triangle's plane: along u, and perpendicular to it, towards smaller v. */
-function tangentFrame({ positions, uvs, indices }: Skin, triangle: number): readonly [number[], number[]] {
+function tangentFrame({ positions, uvs, indices }: Skin, triangle: number): readonly [Vector, Vector] {
   const [a, b, c] = [0, 1, 2].map((k) => indices[3 * triangle + k])
   const [u1, v1, u2, v2] = [b, c].flatMap((i) => [0, 1].map((k) => uvs[2 * i + k] - uvs[2 * a + k]))
   const sign = Math.sign(u1 * v2 - u2 * v1)
-  const [e1, e2] = [b, c].map((i) => [0, 1, 2].map((k) => positions[3 * i + k] - positions[3 * a + k]))
-  const alongU = e1.map((value, k) => sign * (value * v2 - e2[k] * v1))
-  const alongV = e1.map((value, k) => sign * (e2[k] * u1 - value * u2))
-  const tangent = unit(alongU)
-  const shear = dot(tangent, alongV)
-  return [tangent, unit(alongV.map((value, k) => shear * tangent[k] - value))]
+  const [e1, e2] = [b, c].map((i) => minus(vectorAt(positions, i), vectorAt(positions, a)))
+  const tangent = unit(scaled(plus(scaled(e1, v2), e2, -v1), sign))
+  const alongV = scaled(plus(scaled(e2, u1), e1, -u2), sign)
+  return [tangent, unit(plus(scaled(tangent, dot(tangent, alongV)), alongV, -1))]
 }
-
-const dot = (a: readonly number[], b: readonly number[]) => a.reduce((sum, value, k) => sum + value * b[k], 0)
-const unit = (a: readonly number[]) => a.map((value) => value / Math.hypot(...a))

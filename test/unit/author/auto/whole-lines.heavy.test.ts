@@ -6,6 +6,7 @@ import { poseOf } from '../../../../packages/furrow/src/author/auto/surface/pose
 import { cornersOf, skinVertices } from '../../../../packages/furrow/src/author/skin/surface.ts'
 import type { LaidStroke } from '../../../../packages/furrow/src/author/strokes/lay-out.ts'
 import { barycentrics3 } from '../../../../packages/furrow/src/math/barycentrics.ts'
+import { cross, degreesBetween, minus, plus, scaled, unit, type Vector, vectorAt } from '../../../vectors.ts'
 import { decimatedSkin } from './decimated.ts'
 import { FACES, facialCreases, type PreparedFace, prepareFace } from './faces.ts'
 
@@ -17,8 +18,6 @@ const TURN = 19
 const BREAK = 4
 /** Lean of which rounding to bytes, by half a step and by the byte of zero, turns the direction by TURN alone. */
 const UNSEEN = 3 / 127.5
-
-type Vector = readonly [x: number, y: number, z: number]
 
 describe.each(FACES)('%s, smiling, without tangents', (_, path) => {
   describe.each([1500, 2500, 5000])('with about %i vertices', (vertices) => {
@@ -98,7 +97,8 @@ class SmilingFace {
       const vertices = skinVertices(skin, face.surface, hit.triangle)
       const weights = new Float64Array(3)
       barycentrics3(weights, face.surface.points, ...corners, Float64Array.from(hit.position))
-      const mean = (values: readonly Vector[]) => sum(values.map((value, k) => scaled(value, weights[k])))
+      const mean = (values: readonly Vector[]) =>
+        values.map((value, k) => scaled(value, weights[k])).reduce((a, b) => plus(a, b))
       const normal = unit(mean(corners.map((point) => unit(vectorAt(this.#normals, point)))))
       const [du, dv] = [0, 1].map((k) =>
         mean(vertices.map((vertex) => vectorAt(this.#derivatives, 2 * vertex + k))),
@@ -162,41 +162,4 @@ function longestRun(values: readonly number[], isCounted: (value: number) => boo
     longest = Math.max(longest, run)
   }
   return longest
-}
-
-function degreesBetween(a: Vector, b: Vector): number {
-  const cosine = sumOf(a.map((x, k) => x * b[k])) / (Math.hypot(...a) * Math.hypot(...b) || 1)
-  return (Math.acos(Math.max(-1, Math.min(1, cosine))) * 180) / Math.PI
-}
-
-function sumOf(values: readonly number[]): number {
-  return values.reduce((a, b) => a + b, 0)
-}
-
-function sum(vectors: readonly Vector[]): Vector {
-  return vectors.reduce((a, b) => plus(a, b, 1))
-}
-
-function vectorAt(values: ArrayLike<number>, i: number): Vector {
-  return [values[3 * i], values[3 * i + 1], values[3 * i + 2]]
-}
-
-function scaled(v: Vector, factor: number): Vector {
-  return [factor * v[0], factor * v[1], factor * v[2]]
-}
-
-function plus(a: Vector, b: Vector, factor: number): Vector {
-  return [a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]]
-}
-
-function minus(a: Vector, b: Vector): Vector {
-  return plus(a, b, -1)
-}
-
-function cross(a: Vector, b: Vector): Vector {
-  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-function unit(v: Vector): Vector {
-  return scaled(v, 1 / Math.hypot(...v))
 }

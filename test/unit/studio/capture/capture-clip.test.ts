@@ -1,7 +1,8 @@
-import { AnimationMixer, BufferAttribute, BufferGeometry, Group, Mesh } from 'three'
+import { AnimationMixer, Group, type Mesh } from 'three'
 import { expect, it } from 'vitest'
 import { captureClip } from '../../../../studio/src/capture/capture-clip.ts'
 import type { Capture } from '../../../../studio/src/capture/live-link-face.ts'
+import { blendMesh } from '../../../blend-mesh.ts'
 
 const CAPTURE: Capture = {
   name: 'take',
@@ -14,20 +15,7 @@ const CAPTURE: Capture = {
 }
 
 /** A face of meshes with these blendshapes. */
-function faceOf(...meshes: string[][]): Group {
-  const face = new Group()
-  for (const names of meshes) {
-    const geometry = new BufferGeometry().setAttribute(
-      'position',
-      new BufferAttribute(new Float32Array(9), 3),
-    )
-    geometry.morphAttributes.position = names.map((name) =>
-      Object.assign(new BufferAttribute(new Float32Array(9), 3), { name }),
-    )
-    face.add(new Mesh(geometry))
-  }
-  return face
-}
+const faceOf = (...meshes: string[][]) => new Group().add(...meshes.map((names) => blendMesh(...names)))
 
 /** Weights of the meshes at a time. */
 function weightsAt(face: Group, time: number): number[][] {

@@ -4,6 +4,7 @@ import type { LayerStroke, StudioDocument } from '../../../../studio/src/documen
 import { LineEditor } from '../../../../studio/src/lines/line-editor.ts'
 import { readSkin } from '../../../../studio/src/paint/read-skin.ts'
 import { Session } from '../../../../studio/src/session/session.ts'
+import { across } from '../../../strokes.ts'
 import { plainSheet } from '../paint/skins.ts'
 import { frozen, sampleDocument } from '../sample-document.ts'
 
@@ -166,10 +167,7 @@ describe('a line that is drawn', () => {
   })
 
   test('belongs to the area under it and has the shape that is set', () => {
-    editor.draw([
-      [0.2, 0.3],
-      [0.8, 0.3],
-    ])
+    editor.draw(across(0.3, 0.2, 0.8))
     expect(strokes()[3]).toMatchObject({
       group: 'forehead',
       layer: 'up',
@@ -184,20 +182,14 @@ describe('a line that is drawn', () => {
   })
 
   test('gets an area of its own where there is none', () => {
-    editor.draw([
-      [0.2, 0.8],
-      [0.8, 0.8],
-    ])
+    editor.draw(across(0.8, 0.2, 0.8))
     expect(strokes()[3].group).toBe('lines')
     expect(session.document.value!.areas.at(-1)).toMatchObject({ name: 'lines', activation: 1 })
   })
 
   test('widens the area that is named', () => {
     editor.setGroup('frown')
-    editor.draw([
-      [0.2, 0.8],
-      [0.8, 0.8],
-    ])
+    editor.draw(across(0.8, 0.2, 0.8))
     const { areas } = session.document.value!
     expect(strokes()[3]).toMatchObject({ group: 'frown', layer: 'down' })
     expect(areas.length).toBe(3)

@@ -3,7 +3,17 @@ import { describe, expect, it } from 'vitest'
 import { BRUSH_DEFAULTS, type Brush, falloff } from '../../../../studio/src/paint/brush.ts'
 import { BrushStroke } from '../../../../studio/src/paint/brush-stroke.ts'
 import type { PaintSkin, SkinPoint } from '../../../../studio/src/paint/paint-skin.ts'
-import { cutSheet, empty, lips, paintSkin, placesOf, plainSheet, pointNear } from './skins.ts'
+import {
+  cutSheet,
+  empty,
+  lips,
+  onIslands,
+  paint,
+  paintSkin,
+  placesOf,
+  plainSheet,
+  pointNear,
+} from './skins.ts'
 
 const SIZE = 256
 const brush = (settings: Partial<Brush> = {}): Brush => ({
@@ -14,16 +24,12 @@ const brush = (settings: Partial<Brush> = {}): Brush => ({
 })
 
 /** Paints through points of the skin. */
-function paint(
+const paintOn = (
   skin: PaintSkin,
   points: readonly (SkinPoint | undefined)[],
   settings: Partial<Brush> = {},
   image = empty(SIZE),
-): GrayImage {
-  const stroke = new BrushStroke(image, brush(settings), skin)
-  for (const point of points) stroke.moveTo(point)
-  return stroke.end().image
-}
+) => paint(image, { radius: 15, ...settings }, skin, ...points)
 
 const largestDifference = (a: GrayImage, b: GrayImage) =>
   a.data.reduce((worst, value, i) => Math.max(worst, Math.abs(value - b.data[i])), 0)
@@ -64,7 +70,7 @@ describe('a dab', () => {
   it.each([0, 0.3, 1])(
     'of softness %d has its falloff on both sides of a seam, and beyond it',
     (softness) => {
-      const image = paint(skin, [pointNear(skin, 5, 8)], { softness })
+      const image = paintOn(skin, [pointNear(skin, 5, 8)], { softness })
       let [below, above, beyond, worst] = [0, 0, 0, 0]
       for (const { x, y, weight, isBeyond } of placesOf(map, image)) {
         const distance = Math.hypot(x - 5, y - 8)
@@ -82,7 +88,7 @@ describe('a dab', () => {
 
   it('is as wide on a map of another size', () => {
     for (const size of [64, 400]) {
-      const image = paint(skin, [pointNear(skin, 5, 8)], {}, empty(size))
+      const image = paintOn(skin, [pointNear(skin, 5, 8)], {}, empty(size))
       let worst = 0
       for (const { x, y, weight, isBeyond } of placesOf(skin.mapOf(size), image)) {
         const expected = 255 * falloff(Math.hypot(x - 5, y - 8), 15, 0.7)
@@ -94,22 +100,22 @@ describe('a dab', () => {
 
   it('covers a texel however small the brush is', () => {
     for (let x = -20; x < 20; x += 1.7) {
-      const image = paint(skin, [pointNear(skin, x, x / 3)], { radius: 0.1 }, empty(32))
+      const image = paintOn(skin, [pointNear(skin, x, x / 3)], { radius: 0.1 }, empty(32))
       expect(Math.max(...image.data)).toBeGreaterThan(100)
     }
   })
 
   it('leaves alone a lip that is near the other and not connected with it within reach', () => {
     const mouth = paintSkin(lips())
-    const image = paint(mouth, [pointNear(mouth, -10, 2)])
-    const weights = [...placesOf(mouth.mapOf(SIZE), image)].filter(({ isBeyond }) => !isBeyond)
+    const image = paintOn(mouth, [pointNear(mouth, -10, 2)])
+    const weights = onIslands(mouth, image)
     expect(weights.some(({ y, weight }) => y > 0 && weight === 255)).toBe(true)
     expect(weights.every(({ y, weight }) => y > 0 || weight === 0)).toBe(true)
   })
 
   it('reaches the other lip at the corner of the mouth', () => {
     const mouth = paintSkin(lips())
-    const image = paint(mouth, [pointNear(mouth, 48, 2)])
+    const image = paintOn(mouth, [pointNear(mouth, 48, 2)])
     const weights = [...placesOf(mouth.mapOf(SIZE), image)]
     expect(weights.some(({ y, weight, isBeyond }) => !isBeyond && y < -1 && weight > 200)).toBe(true)
   })
@@ -126,7 +132,7 @@ describe('a stroke', () => {
   ]
 
   it.each([1, 0.2])('of flow %d is the same in 5 and in 500 points', (flow) => {
-    const few = paint(
+    const few = paintOn(
       skin,
       along(skin, corners, 5).map((_, i) => pointNear(skin, ...corners[i])),
       { flow, radius: 6 },
@@ -138,11 +144,11 @@ describe('a stroke', () => {
       return along(skin, [corners[i], corner], count).slice(i === 0 ? 0 : 1)
     })
     expect(points.length).toBeGreaterThan(490)
-    expect(largestDifference(few, paint(skin, points, { flow, radius: 6 }))).toBeLessThanOrEqual(1)
+    expect(largestDifference(few, paintOn(skin, points, { flow, radius: 6 }))).toBeLessThanOrEqual(1)
   })
 
   it('depends on the distance from its line only, across seams', () => {
-    const image = paint(skin, [pointNear(skin, -20, -20), pointNear(skin, 20, 30)], { softness: 1 })
+    const image = paintOn(skin, [pointNear(skin, -20, -20), pointNear(skin, 20, 30)], { softness: 1 })
     const length = Math.hypot(40, 50)
     let worst = 0
     for (const { x, y, weight, isBeyond } of placesOf(skin.mapOf(SIZE), image)) {
@@ -159,7 +165,7 @@ describe('a stroke', () => {
     const point = pointNear(skin, 0, -10)
     const [, beside] = [point, pointNear(skin, 0, -10.001)]
     const peak = (points: SkinPoint[], settings: Partial<Brush>) =>
-      Math.max(...paint(skin, points, settings).data)
+      Math.max(...paintOn(skin, points, settings).data)
     expect(peak([point], { flow: 0.25 })).toBe(Math.round(0.25 * 255))
     const again = [point, pointNear(skin, 20, -10), pointNear(skin, -20, -10), pointNear(skin, 20, -10)]
     expect(peak(again, { flow: 0.25, opacity: 0.6 })).toBe(Math.round(0.6 * 255))
@@ -169,7 +175,7 @@ describe('a stroke', () => {
 
   it('is as soft at full flow wherever it passes twice', () => {
     const line = [pointNear(skin, -20, -20), pointNear(skin, 20, -20)]
-    const [once, thrice] = [paint(skin, line), paint(skin, [...line, line[0], line[1]])]
+    const [once, thrice] = [paintOn(skin, line), paintOn(skin, [...line, line[0], line[1]])]
     let worst = 0
     for (const { x, texel, weight } of placesOf(skin.mapOf(SIZE), once)) {
       if (Math.abs(x) < 15) worst = Math.max(worst, Math.abs(weight - thrice.data[texel]))
@@ -184,10 +190,12 @@ describe('a stroke', () => {
       const places = [...placesOf(skin.mapOf(SIZE), image)].filter(({ x, y }) => Math.hypot(x, y + 10) < 1)
       return new Set(places.map(({ weight }) => weight))
     }
-    expect(centre(paint(skin, [point], {}, half))).toEqual(new Set([255]))
-    expect(centre(paint(skin, [point], { opacity: 0.5 }, half))).toEqual(new Set([Math.round(128 + 127 / 2)]))
-    expect(centre(paint(skin, [point], { mode: 'remove' }, half))).toEqual(new Set([0]))
-    expect(centre(paint(skin, [point], { mode: 'remove', opacity: 0.5 }, half))).toEqual(new Set([64]))
+    expect(centre(paintOn(skin, [point], {}, half))).toEqual(new Set([255]))
+    expect(centre(paintOn(skin, [point], { opacity: 0.5 }, half))).toEqual(
+      new Set([Math.round(128 + 127 / 2)]),
+    )
+    expect(centre(paintOn(skin, [point], { mode: 'remove' }, half))).toEqual(new Set([0]))
+    expect(centre(paintOn(skin, [point], { mode: 'remove', opacity: 0.5 }, half))).toEqual(new Set([64]))
     expect(half.data.every((weight) => weight === 128)).toBe(true)
   })
 
@@ -206,16 +214,16 @@ describe('a stroke', () => {
 
   it('begins anew where it was off the face', () => {
     const ends = [pointNear(skin, -30, -30), pointNear(skin, 30, -30)]
-    const apart = paint(skin, [ends[0], undefined, ends[1]], { radius: 5 })
+    const apart = paintOn(skin, [ends[0], undefined, ends[1]], { radius: 5 })
     const places = [...placesOf(skin.mapOf(SIZE), apart)]
     expect(places.some(({ x, weight }) => Math.abs(x) < 20 && weight > 0)).toBe(false)
-    expect(paint(skin, [undefined]).data.every((weight) => weight === 0)).toBe(true)
+    expect(paintOn(skin, [undefined]).data.every((weight) => weight === 0)).toBe(true)
   })
 
   it('begins anew where the skin does not connect two points', () => {
     const mouth = paintSkin(lips())
-    const image = paint(mouth, [pointNear(mouth, -20, 20), pointNear(mouth, -20, -20)], { radius: 5 })
-    const weights = [...placesOf(mouth.mapOf(SIZE), image)].filter(({ isBeyond }) => !isBeyond)
+    const image = paintOn(mouth, [pointNear(mouth, -20, 20), pointNear(mouth, -20, -20)], { radius: 5 })
+    const weights = onIslands(mouth, image)
     expect(
       weights
         .filter(({ weight }) => weight > 0)

@@ -2,14 +2,13 @@ import { existsSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { type Mesh, Ray, Vector3 } from 'three'
 import { describe, expect, it } from 'vitest'
-import { BRUSH_DEFAULTS, falloff } from '../../../../studio/src/paint/brush.ts'
-import { BrushStroke } from '../../../../studio/src/paint/brush-stroke.ts'
+import { falloff } from '../../../../studio/src/paint/brush.ts'
 import type { SkinPoint } from '../../../../studio/src/paint/paint-skin.ts'
 import { SkinPicker } from '../../../../studio/src/paint/picker.ts'
 import { skinPath } from '../../../../studio/src/paint/skin-path.ts'
 import { SCANS } from '../../../bare-faces/bare-faces.ts'
 import { loadInNode } from '../../three/node-loader.ts'
-import { empty, paintSkin, placesOf } from './skins.ts'
+import { empty, onIslands, paint, paintSkin, placesOf } from './skins.ts'
 
 const FACES = [
   ['human', fileURLToPath(new URL('../../../../faces/human.glb', import.meta.url)), 'skin'],
@@ -37,12 +36,10 @@ describe.each(FACES)('painting on %s', async (_, path, name) => {
   it('leaves no trace at seams of the texture, wherever they are', () => {
     const seams = seamPoints(skin)
     const chosen = seams.filter((_, i) => i % Math.ceil(seams.length / 12) === 0)
-    const settings = { ...BRUSH_DEFAULTS, radius: 9, softness: 1, flow: 1 }
     let beyond = 0
     for (const { position, triangles } of chosen) {
-      const stroke = new BrushStroke(empty(SIZE), settings, skin)
-      stroke.moveTo({ triangle: triangles[0], position })
-      const places = [...placesOf(map, stroke.end().image)].map((place) => ({
+      const image = paint(empty(SIZE), { radius: 9, softness: 1 }, skin, { triangle: triangles[0], position })
+      const places = [...placesOf(map, image)].map((place) => ({
         ...place,
         distance: Math.hypot(place.x - position[0], place.y - position[1], place.z - position[2]),
       }))
@@ -68,12 +65,9 @@ describe.each(FACES)('painting on %s', async (_, path, name) => {
     ]
     const points = corners.slice(1).flatMap((to, i) => divided(skinPath(surface, corners[i], to)!, 125))
     expect(points.length).toBe(500)
-    const settings = { ...BRUSH_DEFAULTS, radius: 6, flow: 0.3 }
-    const [few, many] = [corners, [corners[0], ...points]].map((path) => {
-      const stroke = new BrushStroke(empty(SIZE), settings, skin)
-      for (const point of path) stroke.moveTo(point)
-      return stroke.end().image.data
-    })
+    const [few, many] = [corners, [corners[0], ...points]].map(
+      (path) => paint(empty(SIZE), { radius: 6, flow: 0.3 }, skin, ...path).data,
+    )
     expect(Math.max(...few)).toBeGreaterThan(250)
     expect(Math.max(...few.map((weight, i) => Math.abs(weight - many[i])))).toBeLessThanOrEqual(1)
   })
@@ -94,15 +88,10 @@ describe.each(FACES)('painting on %s', async (_, path, name) => {
     })
     expect(mouth).toBeGreaterThanOrEqual(0)
     const [lower, upper] = [hits[mouth], hits[mouth + 1]]
-    const stroke = new BrushStroke(empty(SIZE), { ...BRUSH_DEFAULTS, radius: 5, flow: 1 }, skin)
-    stroke.moveTo(upper)
-    const { data } = stroke.end().image
-    const triangleWeight = (triangle: number) =>
-      [...placesOf(map, { width: SIZE, height: SIZE, data })]
-        .filter((place) => place.triangle === triangle && !place.isBeyond)
-        .reduce((most, { weight }) => Math.max(most, weight), 0)
-    expect(Math.max(...data)).toBeGreaterThan(200)
-    expect(triangleWeight(lower.triangle)).toBe(0)
+    const image = paint(empty(SIZE), { radius: 5 }, skin, upper)
+    const below = onIslands(skin, image).filter(({ triangle }) => triangle === lower.triangle)
+    expect(Math.max(...image.data)).toBeGreaterThan(200)
+    expect(below.filter(({ weight }) => weight > 0)).toEqual([])
   })
 })
 

@@ -1,21 +1,14 @@
 import { expect, it } from 'vitest'
-import { BRUSH_DEFAULTS } from '../../../../studio/src/paint/brush.ts'
-import { BrushStroke } from '../../../../studio/src/paint/brush-stroke.ts'
 import { mirrorWeights } from '../../../../studio/src/paint/mirror-weights.ts'
-import { cutSheet, empty, paintSkin, placesOf, pointNear } from './skins.ts'
+import { cutSheet, empty, onIslands, paint, paintSkin, pointNear } from './skins.ts'
 
 const SIZE = 128
 
 it('each place has the weight of its mirror image, in whichever island either is', () => {
   const skin = paintSkin(cutSheet())
-  const stroke = new BrushStroke(empty(SIZE), { ...BRUSH_DEFAULTS, radius: 12, softness: 1, flow: 1 }, skin)
   // Across the seam, on the right.
-  stroke.moveTo(pointNear(skin, 25, 8, 0))
-  const { image } = stroke.end()
-  const mirrored = mirrorWeights(image, skin)
-  const weights = (of: typeof image) =>
-    [...placesOf(skin.mapOf(SIZE), of)].filter(({ isBeyond }) => !isBeyond)
-  const [own, other] = [weights(image), weights(mirrored)]
+  const image = paint(empty(SIZE), { radius: 12, softness: 1 }, skin, pointNear(skin, 25, 8, 0))
+  const [own, other] = [image, mirrorWeights(image, skin)].map((weights) => onIslands(skin, weights))
   expect(other.some(({ weight, x }) => weight > 200 && x < -20)).toBe(true)
   expect(other.every(({ weight, x }) => weight === 0 || x < -10)).toBe(true)
   // At each place of the image, that of the mirror image is a texel or two away.

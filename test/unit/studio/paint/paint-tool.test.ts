@@ -1,21 +1,18 @@
 import type { GrayImage } from 'furrow'
-import { Ray, Vector3 } from 'three'
+import { Vector3 } from 'three'
 import { expect, it } from 'vitest'
 import type { StudioArea } from '../../../../studio/src/document/document.ts'
 import { BRUSH_DEFAULTS } from '../../../../studio/src/paint/brush.ts'
-import { SkinPicker } from '../../../../studio/src/paint/picker.ts'
 import { circle } from '../../../../studio/src/tools/brush-ring.ts'
 import { PaintTool } from '../../../../studio/src/tools/paint-tool.ts'
-import type { StagePointer } from '../../../../studio/src/tools/stage-tool.ts'
-import { empty, paintSkin, plainSheet } from './skins.ts'
+import { empty, pickerOf, plainSheet, pointerAt } from './skins.ts'
 
 const SIZE = 64
 const area: StudioArea = { name: 'cheek', layer: 'up', combine: 'sum', activation: 0, weights: empty(SIZE) }
 
 /** A tool on a sheet, and what it has shown, kept and asked for. */
 function toolOnSheet() {
-  const skin = paintSkin(plainSheet())
-  const picker = new SkinPicker(skin.meshes, skin, skin.made)
+  const { skin, picker } = pickerOf(plainSheet())
   const [shown, kept]: GrayImage[][] = [[], []]
   const calls = { paint: 0, hits: [] as boolean[] }
   const tool = new PaintTool({
@@ -29,19 +26,13 @@ function toolOnSheet() {
   return { tool, shown, kept, calls }
 }
 
-/** Over a position in metres. */
-const at = (x: number, y: number, others: Partial<StagePointer> = {}): StagePointer => {
-  const ray = new Ray(new Vector3(x, y, 5), new Vector3(0, 0, -1))
-  return { ray, pressure: 1, x: 0, y: 0, shift: false, alt: false, ...others }
-}
-
 const total = ({ data }: GrayImage) => data.reduce((sum, weight) => sum + weight, 0)
 
 it('shows a stroke once per frame while it grows, and keeps it once when it ends', () => {
   const { tool, shown, kept, calls } = toolOnSheet()
-  expect(tool.begin(at(0, 0))).toBe(true)
-  tool.move([at(0.01, 0), at(0.02, 0)])
-  tool.move([at(0.03, 0)])
+  expect(tool.begin(pointerAt(0, 0))).toBe(true)
+  tool.move([pointerAt(0.01, 0), pointerAt(0.02, 0)])
+  tool.move([pointerAt(0.03, 0)])
   expect(shown).toEqual([])
   expect(calls.paint).toBe(3)
   tool.showStroke()
@@ -56,7 +47,7 @@ it('shows a stroke once per frame while it grows, and keeps it once when it ends
 
 it('shows the old weights again after a stroke is cancelled, and keeps nothing', () => {
   const { tool, shown, kept } = toolOnSheet()
-  tool.begin(at(0, 0))
+  tool.begin(pointerAt(0, 0))
   tool.showStroke()
   tool.cancel()
   tool.end()
@@ -66,21 +57,21 @@ it('shows the old weights again after a stroke is cancelled, and keeps nothing',
 
 it('leaves the pointer to the camera beside the face and with Alt', () => {
   const { tool } = toolOnSheet()
-  expect(tool.begin(at(0.2, 0))).toBe(false)
-  expect(tool.begin(at(0, 0, { alt: true }))).toBe(false)
+  expect(tool.begin(pointerAt(0.2, 0))).toBe(false)
+  expect(tool.begin(pointerAt(0, 0, { alt: true }))).toBe(false)
 })
 
 it('keeps nothing of a stroke that changes no weight', () => {
   const { tool, kept } = toolOnSheet()
-  tool.begin(at(0, 0, { pressure: 0 }))
+  tool.begin(pointerAt(0, 0, { pressure: 0 }))
   tool.end()
   expect(kept).toEqual([])
 })
 
 it('tells where the brush is over the face, and that it has left', () => {
   const { tool, calls } = toolOnSheet()
-  tool.hover(at(0, 0))
-  tool.hover(at(0.2, 0))
+  tool.hover(pointerAt(0, 0))
+  tool.hover(pointerAt(0.2, 0))
   tool.hover(null)
   expect(calls.hits).toEqual([true, false, false])
 })

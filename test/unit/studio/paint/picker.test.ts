@@ -4,7 +4,6 @@ import {
   DoubleSide,
   Float32BufferAttribute,
   Group,
-  type Mesh,
   Ray,
   Skeleton,
   SkinnedMesh,
@@ -15,18 +14,22 @@ import { describe, expect, it } from 'vitest'
 import { BRUSH_DEFAULTS } from '../../../../studio/src/paint/brush.ts'
 import { BrushStroke } from '../../../../studio/src/paint/brush-stroke.ts'
 import { paintSurface } from '../../../../studio/src/paint/paint-skin.ts'
-import { SkinPicker } from '../../../../studio/src/paint/picker.ts'
 import { paintPolygon } from '../../../../studio/src/paint/polygon.ts'
 import { readSkin } from '../../../../studio/src/paint/read-skin.ts'
-import { ball, cutSheet, empty, meshOf, paintSkin, placesOf, plainSheet, pointNear } from './skins.ts'
-
-function pickerOf(mesh: Mesh, ...parts: Mesh[]) {
-  const skin = paintSkin(mesh, ...parts)
-  return { skin, picker: new SkinPicker(skin.meshes, skin, skin.made) }
-}
-
-/** From metres in front of a position, along -z. */
-const rayAt = (x: number, y: number) => new Ray(new Vector3(x, y, 5), new Vector3(0, 0, -1))
+import {
+  ball,
+  cutSheet,
+  empty,
+  meshOf,
+  onIslands,
+  paint,
+  paintSkin,
+  pickerOf,
+  placesOf,
+  plainSheet,
+  pointNear,
+  rayAt,
+} from './skins.ts'
 
 describe('picking', () => {
   it('finds the triangle, where it is at rest, and in the texture', () => {
@@ -101,9 +104,8 @@ describe('picking', () => {
     const { picker, skin } = pickerOf(lower, upper)
     expect(picker.pick(rayAt(0, 0.02))!.position[1]).toBeCloseTo(20, 4)
     expect(picker.pick(rayAt(0, -0.02))!.position[1]).toBeCloseTo(-20, 4)
-    const stroke = new BrushStroke(empty(64), { ...BRUSH_DEFAULTS, radius: 10 }, skin)
-    stroke.moveTo(picker.pick(rayAt(0, -0.002)))
-    const painted = [...placesOf(skin.mapOf(64), stroke.end().image)].filter(({ weight }) => weight > 0)
+    const image = paint(empty(64), { radius: 10 }, skin, picker.pick(rayAt(0, -0.002)))
+    const painted = [...placesOf(skin.mapOf(64), image)].filter(({ weight }) => weight > 0)
     expect(painted.some(({ y }) => y > 2) && painted.some(({ y }) => y < -2)).toBe(true)
   })
 
@@ -137,16 +139,13 @@ describe('what is seen', () => {
   it('is painted, and the far side is not', () => {
     const stroke = new BrushStroke(empty(128), { ...BRUSH_DEFAULTS, radius: 45, flow: 1 }, skin, sight)
     stroke.moveTo(pointNear(skin, 45, 0, 22))
-    const places = [...placesOf(skin.mapOf(128), stroke.end().image)].filter(({ isBeyond }) => !isBeyond)
+    const places = onIslands(skin, stroke.end().image)
     // What a camera sees of a ball of 50 mm from 1 m has z > 2.5.
     const painted = places.filter(({ weight }) => weight > 0)
     expect(painted.filter(({ z }) => z > 5).length).toBeGreaterThan(50)
     expect(painted.filter(({ z }) => z < -1)).toEqual([])
-    const all = new BrushStroke(empty(128), { ...BRUSH_DEFAULTS, radius: 45, flow: 1 }, skin)
-    all.moveTo(pointNear(skin, 45, 0, 22))
-    const behind = [...placesOf(skin.mapOf(128), all.end().image)].filter(
-      ({ z, weight }) => z < -5 && weight > 0,
-    )
+    const all = paint(empty(128), { radius: 45 }, skin, pointNear(skin, 45, 0, 22))
+    const behind = [...placesOf(skin.mapOf(128), all)].filter(({ z, weight }) => z < -5 && weight > 0)
     expect(behind.length).toBeGreaterThan(50)
   })
 

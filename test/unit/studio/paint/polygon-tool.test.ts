@@ -1,11 +1,10 @@
 import { Ray, Vector3 } from 'three'
 import { beforeEach, expect, it } from 'vitest'
-import { type SkinHit, SkinPicker } from '../../../../studio/src/paint/picker.ts'
+import type { SkinHit } from '../../../../studio/src/paint/picker.ts'
 import { Polygon } from '../../../../studio/src/tools/polygon.ts'
 import { PolygonTool } from '../../../../studio/src/tools/polygon-tool.ts'
-import type { StagePointer } from '../../../../studio/src/tools/stage-tool.ts'
 import { TexturePicker } from '../../../../studio/src/tools/texture-picker.ts'
-import { paintSkin, plainSheet } from './skins.ts'
+import { pickerOf, plainSheet, pointerAt } from './skins.ts'
 
 let polygon: Polygon
 let tool: PolygonTool
@@ -14,8 +13,7 @@ let closed: (readonly SkinHit[])[]
 let onTexture: PolygonTool
 
 beforeEach(() => {
-  const skin = paintSkin(plainSheet())
-  const picker = new SkinPicker(skin.meshes, skin, skin.made)
+  const { skin, picker } = pickerOf(plainSheet())
   const texture = new TexturePicker(skin, picker, 64)
   closed = []
   polygon = new Polygon(() => {})
@@ -36,10 +34,7 @@ beforeEach(() => {
 })
 
 /** A pixel per millimetre. */
-const at = (x: number, y: number, others: Partial<StagePointer> = {}): StagePointer => {
-  const ray = new Ray(new Vector3(x / 1000, y / 1000, 5), new Vector3(0, 0, -1))
-  return { ray, pressure: 1, x, y, shift: false, alt: false, ...others }
-}
+const at = (x: number, y: number, others = {}) => pointerAt(x / 1000, y / 1000, { x, y, ...others })
 
 function click(x: number, y: number): boolean {
   const isTaken = tool.begin(at(x, y))

@@ -1,13 +1,13 @@
 import { expose } from 'comlink'
 import { type MetricMesh, type Skin, skinCanvas } from 'furrow/author'
 import { canvasArrays } from 'furrow/internal'
-import { Bone, Group, type Mesh, Ray, Skeleton, SkinnedMesh, Vector3 } from 'three'
+import { Bone, Group, type Mesh, Skeleton, SkinnedMesh } from 'three'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { LineSkin, readLineSkin } from '../../../../studio/src/lines/line-skin.ts'
 import { makeSkin } from '../../../../studio/src/paint/make-skin.ts'
 import { posedSkinOf, preparedSkin, prepareSkin } from '../../../../studio/src/paint/posed-skin.ts'
 import { PoseWatch } from '../../../../studio/src/viewer/pose/pose-watch.ts'
-import { plainSheet } from './skins.ts'
+import { plainSheet, rayAt } from './skins.ts'
 
 const SCALE = 1000
 
@@ -36,7 +36,7 @@ it('a skin that was read before has the present pose', () => {
   posedSkinOf(meshes, SCALE)
   mesh.position.y = 0.2
   const { picker } = posedSkinOf(meshes, SCALE)
-  const hit = picker.pick(new Ray(new Vector3(0.01, 0.22, 5), new Vector3(0, 0, -1)))
+  const hit = picker.pick(rayAt(0.01, 0.22))
   expect(hit?.position[1]).toBeCloseTo(20, 4)
 })
 
@@ -127,7 +127,7 @@ describe('a skin that is made in a worker', () => {
     const { locator: other, ...others } = own.skin.mapOf(AREA)
     expect(arrays).toEqual(others)
     expect(locator.grid).toEqual(other.grid)
-    const ray = new Ray(new Vector3(0.011, 0.013, 5), new Vector3(0, 0, -1))
+    const ray = rayAt(0.011, 0.013)
     expect(prepared.picker.pick(ray)).toEqual(own.picker.pick(ray))
     await prepareSkin(meshes, SCALE, AREA)
     expect(asked).toBe(1)
@@ -139,7 +139,7 @@ describe('a skin that is made in a worker', () => {
     const preparation = prepareSkin(meshes, SCALE, AREA)
     mesh.position.y = 0.1
     await preparation
-    const down = (y: number) => new Ray(new Vector3(0.01, y + 0.02, 5), new Vector3(0, 0, -1))
+    const down = (y: number) => rayAt(0.01, y + 0.02)
     expect(posedSkinOf(meshes, SCALE).picker.pick(down(0.1))?.position[1]).toBeCloseTo(20, 4)
     mesh.position.y = 0.2
     expect(posedSkinOf(meshes, SCALE).picker.pick(down(0.2))?.position[1]).toBeCloseTo(20, 4)

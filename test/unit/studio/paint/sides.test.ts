@@ -1,10 +1,19 @@
 import { describe, expect, it } from 'vitest'
-import { BRUSH_DEFAULTS, type Brush } from '../../../../studio/src/paint/brush.ts'
-import { BrushStroke } from '../../../../studio/src/paint/brush-stroke.ts'
-import { ball, empty, foldedSheet, meshOf, paintSkin, placesOf, plainSheet, pointNear } from './skins.ts'
+import {
+  ball,
+  empty,
+  foldedSheet,
+  meshOf,
+  onIslands,
+  paint,
+  paintSkin,
+  placesOf,
+  plainSheet,
+  pointNear,
+} from './skins.ts'
 
 const SIZE = 128
-const brush = (settings: Partial<Brush>): Brush => ({ ...BRUSH_DEFAULTS, flow: 0.5, radius: 10, ...settings })
+const BRUSH = { flow: 0.5, radius: 10 }
 
 describe('mirror', () => {
   it.each(['add', 'smooth'] as const)('paints both sides alike, over the middle too: %s', (mode) => {
@@ -14,10 +23,8 @@ describe('mirror', () => {
       const column = i % SIZE
       image.data[i] = mode === 'add' ? 0 : 4 * Math.min(column, SIZE - 1 - column)
     }
-    const stroke = new BrushStroke(image, brush({ mirror: true, mode }), skin)
-    stroke.moveTo(pointNear(skin, -20, -20))
-    stroke.moveTo(pointNear(skin, 12, 20))
-    const { data } = stroke.end().image
+    const points = [pointNear(skin, -20, -20), pointNear(skin, 12, 20)]
+    const { data } = paint(image, { ...BRUSH, mirror: true, mode }, skin, ...points)
     expect(data).not.toEqual(image.data)
     const differences = data.map((weight, i) =>
       Math.abs(weight - data[i - (i % SIZE) + SIZE - 1 - (i % SIZE)]),
@@ -27,9 +34,8 @@ describe('mirror', () => {
 
   it('covers the middle no more than the sides', () => {
     const skin = paintSkin(plainSheet())
-    const stroke = new BrushStroke(empty(SIZE), brush({ mirror: true }), skin)
-    stroke.moveTo(pointNear(skin, 1, 0))
-    expect(Math.max(...stroke.end().image.data)).toBe(128)
+    const { data } = paint(empty(SIZE), { ...BRUSH, mirror: true }, skin, pointNear(skin, 1, 0))
+    expect(Math.max(...data)).toBe(128)
   })
 
   it('finds the nearest skin on the other side of a mesh that is not symmetric', () => {
@@ -43,12 +49,9 @@ describe('mirror', () => {
 
 describe('texels that both halves of a face use', () => {
   const skin = paintSkin(foldedSheet())
-  const map = skin.mapOf(SIZE)
 
   it.each([25, -25, 3, -3])('are painted by a dab at x = %d on either half', (x) => {
-    const stroke = new BrushStroke(empty(SIZE), brush({ flow: 1 }), skin)
-    stroke.moveTo(pointNear(skin, x, 5))
-    const places = [...placesOf(map, stroke.end().image)].filter(({ isBeyond }) => !isBeyond)
+    const places = onIslands(skin, paint(empty(SIZE), { radius: 10 }, skin, pointNear(skin, x, 5)))
     for (const sign of [-1, 1]) {
       const near = places.filter((place) => Math.hypot(place.x - sign * Math.abs(x), place.y - 5) < 2)
       expect(near.length).toBeGreaterThan(5)
@@ -60,14 +63,11 @@ describe('texels that both halves of a face use', () => {
   })
 
   it('give what a dab has on one half, whichever it is', () => {
-    const [left, right] = [17.3, -17.3].map((x) => {
-      const stroke = new BrushStroke(empty(SIZE), brush({}), skin)
-      stroke.moveTo(pointNear(skin, x, 5))
-      return stroke.end().image
-    })
+    const [left, right] = [17.3, -17.3].map((x) => paint(empty(SIZE), BRUSH, skin, pointNear(skin, x, 5)))
     // Beyond the islands only the left half continues.
-    const places = [...placesOf(map, left)].filter(({ isBeyond }) => !isBeyond)
-    const differences = places.map(({ texel }) => Math.abs(left.data[texel] - right.data[texel]))
+    const differences = onIslands(skin, left).map(({ texel }) =>
+      Math.abs(left.data[texel] - right.data[texel]),
+    )
     expect(Math.max(...differences)).toBeLessThanOrEqual(1)
   })
 })
@@ -75,17 +75,15 @@ describe('texels that both halves of a face use', () => {
 describe('a closed surface', () => {
   it('is painted across all of its seams, with both sides alike', () => {
     const skin = paintSkin(ball())
-    const stroke = new BrushStroke(empty(SIZE), brush({ flow: 1 }), skin)
     // Over the seam at z = 0 and the pole.
-    for (const [x, y, z] of [
-      [40, 0, 30],
-      [40, 0, -30],
-      [20, 40, -22],
-      [0, 50, 0],
-      [-20, 40, 22],
-    ])
-      stroke.moveTo(pointNear(skin, x, y, z))
-    const { image } = stroke.end()
+    const points = [
+      pointNear(skin, 40, 0, 30),
+      pointNear(skin, 40, 0, -30),
+      pointNear(skin, 20, 40, -22),
+      pointNear(skin, 0, 50, 0),
+      pointNear(skin, -20, 40, 22),
+    ]
+    const image = paint(empty(SIZE), { radius: 10 }, skin, ...points)
     const places = [...placesOf(skin.mapOf(SIZE), image)]
     const seam = places.filter(({ z, x, y }) => Math.abs(z) < 2 && x > 0 && Math.abs(y) < 12)
     const pairs = seam.flatMap((one) =>

@@ -1,9 +1,13 @@
 import type { GrayImage } from 'furrow'
-import { BufferGeometry, Float32BufferAttribute, Mesh, MeshStandardMaterial } from 'three'
+import { BufferGeometry, Float32BufferAttribute, Mesh, MeshStandardMaterial, Ray, Vector3 } from 'three'
+import { BRUSH_DEFAULTS, type Brush } from '../../../../studio/src/paint/brush.ts'
+import { BrushStroke } from '../../../../studio/src/paint/brush-stroke.ts'
 import { type MadeSkin, makeSkin } from '../../../../studio/src/paint/make-skin.ts'
 import type { PaintMap } from '../../../../studio/src/paint/paint-map.ts'
 import { PaintSkin, type SkinPoint } from '../../../../studio/src/paint/paint-skin.ts'
+import { SkinPicker } from '../../../../studio/src/paint/picker.ts'
 import { type MeshSkin, readSkin } from '../../../../studio/src/paint/read-skin.ts'
+import type { StagePointer } from '../../../../studio/src/tools/stage-tool.ts'
 
 /** A point of a grid: x, y and z in millimetres, and u and v. */
 type GridPoint = readonly [x: number, y: number, z: number, u: number, v: number]
@@ -81,6 +85,38 @@ export function paintSkin(mesh: Mesh, ...parts: Mesh[]): PaintSkin & { meshes: M
   return Object.assign(new PaintSkin(meshes.skin, made.surface), { meshes, made })
 }
 
+/** A skin to paint on, and what finds its points under rays. */
+export function pickerOf(mesh: Mesh, ...parts: Mesh[]) {
+  const skin = paintSkin(mesh, ...parts)
+  return { skin, picker: new SkinPicker(skin.meshes, skin, skin.made) }
+}
+
+/** From metres in front of a position, along -z. */
+export const rayAt = (x: number, y: number) => new Ray(new Vector3(x, y, 5), new Vector3(0, 0, -1))
+
+/** A pointer on the stage, over a position in metres. */
+export const pointerAt = (x: number, y: number, others: Partial<StagePointer> = {}): StagePointer => ({
+  ray: rayAt(x, y),
+  pressure: 1,
+  x: 0,
+  y: 0,
+  shift: false,
+  alt: false,
+  ...others,
+})
+
+/** Paints through points of a skin, at full flow; returns the weights. */
+export function paint(
+  image: GrayImage,
+  settings: Partial<Brush>,
+  skin: PaintSkin,
+  ...points: readonly (SkinPoint | undefined)[]
+): GrayImage {
+  const stroke = new BrushStroke(image, { ...BRUSH_DEFAULTS, flow: 1, ...settings }, skin)
+  for (const point of points) stroke.moveTo(point)
+  return stroke.end().image
+}
+
 export function empty(size: number, weight = 0): GrayImage {
   return { width: size, height: size, data: new Uint8Array(size * size).fill(weight) }
 }
@@ -95,6 +131,10 @@ export function* placesOf(map: PaintMap, { data }: GrayImage) {
     }
   }
 }
+
+/** The places that are on the islands of the texture. */
+export const onIslands = (skin: PaintSkin, image: GrayImage) =>
+  [...placesOf(skin.mapOf(image.width), image)].filter(({ isBeyond }) => !isBeyond)
 
 /** The point of a skin nearest to a position. */
 export const pointNear = (skin: PaintSkin, x: number, y: number, z = 0): SkinPoint =>

@@ -1,22 +1,11 @@
 import type { GrayImage } from 'furrow'
 import { describe, expect, it } from 'vitest'
-import { BRUSH_DEFAULTS, type Brush } from '../../../../studio/src/paint/brush.ts'
+import { BRUSH_DEFAULTS } from '../../../../studio/src/paint/brush.ts'
 import { BrushStroke } from '../../../../studio/src/paint/brush-stroke.ts'
-import type { PaintSkin, SkinPoint } from '../../../../studio/src/paint/paint-skin.ts'
-import { cutSheet, empty, lips, paintSkin, placesOf, pointNear } from './skins.ts'
+import type { PaintSkin } from '../../../../studio/src/paint/paint-skin.ts'
+import { cutSheet, empty, lips, onIslands, paint, paintSkin, placesOf, pointNear } from './skins.ts'
 
 const SIZE = 128
-
-function paint(
-  image: GrayImage,
-  settings: Partial<Brush>,
-  skin: PaintSkin,
-  ...points: readonly SkinPoint[]
-): GrayImage {
-  const stroke = new BrushStroke(image, { ...BRUSH_DEFAULTS, flow: 1, ...settings }, skin)
-  for (const point of points) stroke.moveTo(point)
-  return stroke.end().image
-}
 
 /** Sets the weight of each texel by where it is. */
 function drawn(skin: PaintSkin, weightAt: (x: number, y: number) => number, size = SIZE): GrayImage {
@@ -24,10 +13,6 @@ function drawn(skin: PaintSkin, weightAt: (x: number, y: number) => number, size
   for (const { x, y, texel } of placesOf(skin.mapOf(size), image)) image.data[texel] = weightAt(x, y)
   return image
 }
-
-/** Without what lies beyond the islands. */
-const onIslands = (skin: PaintSkin, image: GrayImage) =>
-  [...placesOf(skin.mapOf(image.width), image)].filter(({ isBeyond }) => !isBeyond)
 
 describe('a brush that smooths', () => {
   const skin = paintSkin(cutSheet())
@@ -44,10 +29,9 @@ describe('a brush that smooths', () => {
   it('lowers a step, more at higher flow, within its radius only', () => {
     const step = drawn(skin, (x) => (x < 0 ? 40 : 200))
     const steepest = (image: GrayImage) => {
-      const row = [...placesOf(skin.mapOf(SIZE), image)].filter(
-        ({ x, y, isBeyond }) => !isBeyond && y > -14 && y < -6 && Math.abs(x) < 3,
-      )
-      return Math.max(...row.map(({ weight }) => weight)) - Math.min(...row.map(({ weight }) => weight))
+      const row = onIslands(skin, image).filter(({ x, y }) => y > -14 && y < -6 && Math.abs(x) < 3)
+      const weights = row.map(({ weight }) => weight)
+      return Math.max(...weights) - Math.min(...weights)
     }
     const across = [pointNear(skin, -10, -10), pointNear(skin, 10, -10)]
     const [weak, strong] = [0.1, 1].map((flow) =>
@@ -65,13 +49,8 @@ describe('a brush that smooths', () => {
   it('keeps both sides of a seam alike', () => {
     // A step across the seam at y = 10, and one along it.
     const step = drawn(skin, (x, y) => (x < 0 === y < 10 ? 40 : 200), 256)
-    const image = paint(
-      step,
-      { mode: 'smooth', radius: 15 },
-      skin,
-      pointNear(skin, -25, 10),
-      pointNear(skin, 25, 10),
-    )
+    const across = [pointNear(skin, -25, 10), pointNear(skin, 25, 10)]
+    const image = paint(step, { mode: 'smooth', radius: 15 }, skin, ...across)
     const near = [...placesOf(skin.mapOf(256), image)].filter(
       ({ x, y }) => Math.abs(x) < 20 && Math.abs(y - 10) < 0.8,
     )
@@ -87,13 +66,8 @@ describe('a brush that smooths', () => {
   it('does not mix what is not connected', () => {
     const mouth = paintSkin(lips())
     const image = drawn(mouth, (_, y) => (y > 0 ? 255 : 0))
-    const smoothed = paint(
-      image,
-      { mode: 'smooth', radius: 10 },
-      mouth,
-      pointNear(mouth, -30, 2),
-      pointNear(mouth, 0, 2),
-    )
+    const across = [pointNear(mouth, -30, 2), pointNear(mouth, 0, 2)]
+    const smoothed = paint(image, { mode: 'smooth', radius: 10 }, mouth, ...across)
     const mixed = onIslands(mouth, smoothed).filter(({ y, weight }) => weight !== (y > 0 ? 255 : 0))
     expect(mixed.filter(({ x }) => x < 40)).toEqual([])
   })

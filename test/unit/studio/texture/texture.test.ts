@@ -5,18 +5,16 @@ import { Ray, Vector3 } from 'three'
 import { expect, it } from 'vitest'
 import type { LayerStroke } from '../../../../studio/src/document/document.ts'
 import { BRUSH_DEFAULTS } from '../../../../studio/src/paint/brush.ts'
-import { SkinPicker } from '../../../../studio/src/paint/picker.ts'
 import { brushOutline } from '../../../../studio/src/texture/brush-outline.ts'
 import { TextureLines } from '../../../../studio/src/texture/texture-lines.ts'
 import { PaintTool } from '../../../../studio/src/tools/paint-tool.ts'
 import { TexturePicker } from '../../../../studio/src/tools/texture-picker.ts'
-import { cutSheet, empty, paintSkin, placesOf } from '../paint/skins.ts'
+import { cutSheet, empty, pickerOf, placesOf, pointerAt } from '../paint/skins.ts'
 
 const SIZE = 64
 
 function cutSkin() {
-  const skin = paintSkin(cutSheet())
-  const picker = new SkinPicker(skin.meshes, skin, skin.made)
+  const { skin, picker } = pickerOf(cutSheet())
   return { skin, picker, texture: new TexturePicker(skin, picker, SIZE) }
 }
 
@@ -74,14 +72,7 @@ it('a quick stroke between two islands goes straight in the texture, and not ove
     },
     onHit: () => {},
   })
-  const at = (u: number, v: number) => ({
-    ray: rayAt([u, v]),
-    pressure: 1,
-    x: 0,
-    y: 0,
-    shift: false,
-    alt: false,
-  })
+  const at = (u: number, v: number) => pointerAt(0, 0, { ray: rayAt([u, v]) })
   tool.begin(at(0.1, 0.8))
   tool.move([at(0.9, 0.7)])
   tool.end()

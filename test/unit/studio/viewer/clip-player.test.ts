@@ -1,16 +1,15 @@
 import {
   AnimationClip,
-  BufferAttribute,
-  BufferGeometry,
   Group,
   InterpolateDiscrete,
-  Mesh,
+  type Mesh,
   NumberKeyframeTrack,
   type Object3D,
   QuaternionKeyframeTrack,
 } from 'three'
 import { beforeEach, expect, it } from 'vitest'
 import { ClipPlayer } from '../../../../studio/src/viewer/pose/clip-player.ts'
+import { blendMesh } from '../../../blend-mesh.ts'
 
 let face: Group
 let mesh: Mesh
@@ -27,11 +26,7 @@ const nod = () =>
 
 beforeEach(() => {
   face = new Group()
-  const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(9), 3))
-  geometry.morphAttributes.position = ['browInnerUp', 'jawOpen'].map((name) =>
-    Object.assign(new BufferAttribute(new Float32Array(9), 3), { name }),
-  )
-  mesh = new Mesh(geometry)
+  mesh = blendMesh('browInnerUp', 'jawOpen')
   joint = new Group()
   face.add(joint.add(mesh))
   begun = 0

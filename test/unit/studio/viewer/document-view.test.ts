@@ -1,10 +1,10 @@
 import type { WrinkleSet } from 'furrow'
 import { Wrinkles } from 'furrow/three'
-import { Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
 import { beforeEach, expect, test, vi } from 'vitest'
 import type { StudioDocument, StudioLayer } from '../../../../studio/src/document/document.ts'
 import { DocumentView, type LayerMaps } from '../../../../studio/src/viewer/document-view.ts'
 import type { Viewer } from '../../../../studio/src/viewer/viewer.ts'
+import { blendMesh } from '../../../blend-mesh.ts'
 import { randomNormals } from '../../../cases.ts'
 import { seeded } from '../../../random.ts'
 import { sampleDocument } from '../sample-document.ts'
@@ -13,7 +13,7 @@ const SIZE = 8
 
 /** Of the viewer what shows documents. */
 function stubViewer() {
-  const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
+  const mesh = blendMesh()
   const viewer = {
     wrinkles: null as Wrinkles | null,
     setWrinkles: vi.fn((wrinkles: { set: WrinkleSet }) => {
