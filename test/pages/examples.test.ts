@@ -1,5 +1,5 @@
 import { readdirSync } from 'node:fs'
-import { mkdir, readFile } from 'node:fs/promises'
+import { mkdir } from 'node:fs/promises'
 import type { Browser, Page } from 'playwright-core'
 import sharp from 'sharp'
 import { afterAll, beforeAll, expect, test } from 'vitest'
@@ -52,11 +52,6 @@ afterAll(async () => {
 })
 
 test('there are examples', () => expect(EXAMPLES).toContain('minimal.html'))
-
-test('the page of the README has at most 25 lines', async () => {
-  const page = await readFile(new URL('../../examples/minimal.html', import.meta.url), 'utf8')
-  expect(page.trimEnd().split('\n').length).toBeLessThanOrEqual(25)
-})
 
 /** Examples of one face that is repeatedly surprised. */
 const PORTRAITS = ['minimal.html', 'webgpu.html']

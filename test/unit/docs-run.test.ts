@@ -3,8 +3,8 @@ import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { EXPRESSIONS, type WrinkleSet } from 'furrow'
 import { FaceScores, Wrinkles } from 'furrow/three'
-import { Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
+import { blendMesh } from '../blend-mesh.ts'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 
@@ -40,10 +40,7 @@ function set(): WrinkleSet {
 
 /** A face with the blendshapes of the presets. */
 function face() {
-  const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
-  const targets = [...new Set(EXPRESSIONS.flatMap((expression) => Object.keys(expression.targets)))]
-  mesh.morphTargetDictionary = Object.fromEntries(targets.map((name, i) => [name, i]))
-  mesh.morphTargetInfluences = targets.map(() => 0)
+  const mesh = blendMesh(...new Set(EXPRESSIONS.flatMap(({ targets }) => Object.keys(targets))))
   return { mesh, wrinkles: new Wrinkles(mesh, set()) }
 }
 

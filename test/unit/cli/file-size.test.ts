@@ -3,6 +3,7 @@ import { readBytes } from 'furrow-files/node'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { MAX_FILE_BYTES } from '../../../packages/files/src/base/file-size.ts'
 import type { CommandName } from '../../commands.ts'
+import { ONE_LINE } from '../../strokes.ts'
 import { faceBytes, Workshop } from './workshop.ts'
 
 const MIB = 2 ** 20
@@ -41,20 +42,7 @@ async function expectRefusal(message: string | RegExp, command: CommandName, arg
 beforeAll(async () => {
   shop.write('face.glb', await faceBytes())
   await shop.makeFolder('folder')
-  shop.json('strokes.json', {
-    version: 1,
-    strokes: [
-      {
-        group: 'brow',
-        points: [
-          [0.1, 0.8],
-          [0.4, 0.9],
-        ],
-        width: 4,
-        depth: 0.5,
-      },
-    ],
-  })
+  shop.json('strokes.json', ONE_LINE)
   sparse('huge.glb', HUGE, header(HUGE, 1000))
   sparse('huge.json', HUGE, Buffer.from('{'))
   sparse('huge.png', HUGE, Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'))

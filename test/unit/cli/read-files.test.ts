@@ -9,20 +9,11 @@ import { beforeAll, describe, expect, it } from 'vitest'
 import type { CommandName } from '../../commands.ts'
 import { editGlb } from '../../glb.ts'
 import { noise } from '../../noise.ts'
+import { ONE_LINE } from '../../strokes.ts'
 import { faceBytes, Workshop } from './workshop.ts'
 
 const shop = new Workshop()
 const WHO = 'furrow test'
-const LINE = {
-  group: 'brow',
-  points: [
-    [0.1, 0.8],
-    [0.4, 0.9],
-  ],
-  width: 4,
-  depth: 0.5,
-}
-const LINES = { version: 1, strokes: [LINE] }
 
 /** A file taken apart: its JSON, and the buffer and images that it refers to. */
 async function apart(bytes: Uint8Array) {
@@ -263,7 +254,7 @@ describe('files outside the folder', () => {
     ['bake', (face) => [face, face, '-o', shop.path('x.png'), '--size', '16']],
     ['inspect', (face) => [face]],
     ['pack', (face) => [shop.path('external'), '--face', face, '-o', shop.path('x.glb')]],
-    ['strokes', (face) => [shop.json('lines.json', LINES), '--face', face, '-o', shop.path('x.png')]],
+    ['strokes', (face) => [shop.json('lines.json', ONE_LINE), '--face', face, '-o', shop.path('x.png')]],
     ['unpack', (face) => [face, '-o', shop.path('x')]],
   ])('are read by furrow %s only where the user allows it', async (name, args) => {
     const face = await withImage('../secret.png')

@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs'
 import sharp from 'sharp'
 import { describe, expect, it } from 'vitest'
 import { editGlb } from '../../glb.ts'
+import { ONE_LINE } from '../../strokes.ts'
 import { faceBytes, stillTeeth, Workshop } from './workshop.ts'
 
 const shop = new Workshop()
@@ -85,19 +86,7 @@ describe('furrow inspect of a face without wrinkles', () => {
 
 describe('furrow strokes on an avatar', () => {
   it('finds the mesh that the blendshapes move', async () => {
-    const strokes = shop.json('strokes.json', {
-      version: 1,
-      strokes: [
-        {
-          points: [
-            [0.1, 0.8],
-            [0.4, 0.9],
-          ],
-          width: 4,
-          depth: 0.5,
-        },
-      ],
-    })
+    const strokes = shop.json('strokes.json', ONE_LINE)
     const path = await avatar()
     await shop.run('strokes', strokes, '--face', path, '-o', shop.path('height.png'), '--size', '64')
     expect(shop.printed).toContain('height.png: 64 x 64')

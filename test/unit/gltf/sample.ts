@@ -3,7 +3,8 @@ import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
 import type { Curve, WrinkleDriver } from 'furrow'
 import { FurrowWrinkleMaps, type MaterialWrinkles } from 'furrow/gltf'
 import { MeshoptDecoder, MeshoptEncoder } from 'meshoptimizer'
-import sharp from 'sharp'
+import { accessorsOf } from '../../accessors.ts'
+import { noise } from '../../noise.ts'
 
 export const NAME = 'FURROW_wrinkle_maps'
 
@@ -14,14 +15,6 @@ export function createIO(): NodeIO {
     .setLogger(silent)
     .registerExtensions([...ALL_EXTENSIONS, FurrowWrinkleMaps])
     .registerDependencies({ 'meshopt.decoder': MeshoptDecoder, 'meshopt.encoder': MeshoptEncoder })
-}
-
-/** A small PNG with varying texels, so that tools do not treat it as a solid colour. */
-export function picture(seed: number, size = 16, channels: 3 | 4 = 3): Promise<Uint8Array> {
-  const data = Uint8Array.from({ length: size * size * channels }, (_, i) => (i * 37 + seed * 101) % 251)
-  return sharp(data, { raw: { width: size, height: size, channels } })
-    .png()
-    .toBuffer()
 }
 
 const CURVE: Curve = [
@@ -133,29 +126,24 @@ export const STROKES = {
 /** A quad with one blendshape, two layers with every slot, and five areas in the channels of two images. */
 export async function createSample(): Promise<Document> {
   const document = new Document().setLogger(silent)
-  const buffer = document.createBuffer()
   const texture = async (name: string, seed: number, channels: 3 | 4 = 3) =>
     document
       .createTexture(name)
       .setMimeType('image/png')
-      .setImage((await picture(seed, 16, channels)) as Uint8Array<ArrayBuffer>)
-  const accessor = (type: 'VEC3' | 'VEC2' | 'SCALAR', values: number[]) =>
-    document
-      .createAccessor()
-      .setType(type)
-      .setArray(type === 'SCALAR' ? Uint16Array.from(values) : Float32Array.from(values))
-      .setBuffer(buffer)
+      .setImage((await noise(seed, channels)) as Uint8Array<ArrayBuffer>)
+  const accessor = accessorsOf(document)
+  const vectors = (type: 'VEC3' | 'VEC2', ...values: number[]) => accessor(type, Float32Array.from(values))
   const material = document.createMaterial('skin').setNormalTexture(await texture('smooth', 0))
   material.setBaseColorTexture(await texture('colour', 1))
   const target = document
     .createPrimitiveTarget('browInnerUp')
-    .setAttribute('POSITION', accessor('VEC3', [0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0]))
+    .setAttribute('POSITION', vectors('VEC3', 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0))
   const primitive = document
     .createPrimitive()
-    .setAttribute('POSITION', accessor('VEC3', [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0]))
-    .setAttribute('NORMAL', accessor('VEC3', [0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]))
-    .setAttribute('TEXCOORD_0', accessor('VEC2', [0, 1, 1, 1, 0, 0, 1, 0]))
-    .setIndices(accessor('SCALAR', [0, 1, 2, 2, 1, 3]))
+    .setAttribute('POSITION', vectors('VEC3', 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0))
+    .setAttribute('NORMAL', vectors('VEC3', 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1))
+    .setAttribute('TEXCOORD_0', vectors('VEC2', 0, 1, 1, 1, 0, 0, 1, 0))
+    .setIndices(accessor('SCALAR', Uint16Array.of(0, 1, 2, 2, 1, 3)))
     .setMaterial(material)
     .addTarget(target)
   const mesh = document
