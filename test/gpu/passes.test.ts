@@ -112,6 +112,9 @@ function watchTargets(renderer: Harness['renderer']): (draw: () => void) => numb
   }
 }
 
+/** Scenes are hooked between frames. */
+const frameEnd = () => Promise.resolve()
+
 describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) => {
   it('is drawn before the picture begins, once the scene is known', async () => {
     const harness = await createHarness(name)
@@ -125,6 +128,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
       return mostBegun(() => renderer.render(scene, squareCamera()))
     }
     expect(begun(0.1)).toBe(2)
+    await frameEnd()
     expect([0.2, 0.3, 0.4].map(begun)).toEqual([1, 1, 1])
     const shown = await picture()
     // A page may take over what the scene calls, and call what was there or not.
@@ -136,6 +140,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
         if (isCalled) onBeforeRender(...drawn)
       }
       begun(0.5)
+      await frameEnd()
       expect([0.6, 0.3, 0.4].map(begun)).toEqual([1, 1, 1])
       expect(calls).toBe(4)
       expect(largestDifference(await picture(), shown)).toBe(0)
@@ -158,6 +163,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
       return mostBegun(() => harness.renderer.render(scene, squareCamera()))
     }
     expect(begun(0.5)).toBe(2)
+    await frameEnd()
     expect([0.6, 0.7, 0.8].map(begun)).toEqual([1, 1, 1])
     wrinklesOf(meshes[0])!.dispose()
     harness.dispose()
@@ -170,6 +176,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     scene.onBeforeRender = own
     const draw = () => harness.renderer.render(scene, squareCamera())
     draw()
+    await frameEnd()
     expect(scene.onBeforeRender).not.toBe(own)
     wrinkles.dispose()
     draw()
@@ -215,6 +222,8 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
       renderer.render(scene, squareCamera())
       scene.overrideMaterial = null
     }
+    frame(0, [])
+    await frameEnd()
     for (const images of [[], [aside], [override], [override, aside], [aside, aside]]) {
       for (const value of [0.1, 0.2]) frame(value, images)
       const still = frame(0.2, images)
@@ -237,6 +246,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
       }
       const own = scene.onBeforeRender
       harness.renderer.render(scene, squareCamera())
+      await frameEnd()
       if (i > 20) expect(scene.onBeforeRender).toBe(own)
     }
     expect(depth).toBe((40 * 41) / 2)

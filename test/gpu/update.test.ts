@@ -17,6 +17,7 @@ import {
   Scene,
 } from 'three'
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest'
+import { meshOf } from '../../packages/furrow/src/three/wrinkles-base.ts'
 import { randomAreas, randomImage, randomNormals } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { deviceErrors } from './device-errors.ts'
@@ -254,7 +255,7 @@ describe.each(RENDERERS)('wrinkles that are changed while they are shown, on %s'
     const { wrinkles } = faceOf(set)
     const other = await createHarness(name)
     // Not by drawing: two of `WebGPURenderer` cannot draw one influence map in turns.
-    const upload = (by: Harness) => wrinkles.editable('test').inputs.textures.upload?.(by.renderer)
+    const upload = (by: Harness) => meshOf(wrinkles).shaderInputs.textures.upload?.(by.renderer)
     for (const by of [harness, other]) upload(by)
     for (let i = 0; i < 80; i++) {
       const region = REGIONS[i % 4]
@@ -357,7 +358,7 @@ function cropped({ width, height, data }: GrayImage, from: number, to: number): 
 }
 
 function texturesOf(wrinkles: AnyWrinkles): DataArrayTexture[] {
-  const { textures, areas } = wrinkles.editable('test').inputs
+  const { textures, areas } = meshOf(wrinkles).shaderInputs
   const maps = [textures.normals, ...Object.values(textures.values)]
   return [areas.texture, ...maps.map(({ texture }) => texture)] as DataArrayTexture[]
 }

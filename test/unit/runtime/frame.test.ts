@@ -3,6 +3,7 @@ import { addDrivers, Wrinkles } from 'furrow/three'
 import { InstancedMesh, type Mesh } from 'three'
 import { describe, expect, it } from 'vitest'
 import { Frame, type FrameMember } from '../../../packages/furrow/src/runtime/frame.ts'
+import { meshOf } from '../../../packages/furrow/src/three/wrinkles-base.ts'
 import { blendMesh } from '../../blend-mesh.ts'
 import { layer, randomNormals } from '../../cases.ts'
 import { morph, ramp, STRAIGHT } from '../../drivers.ts'
@@ -252,7 +253,7 @@ it('keeps what is set on an area that age alone drives, also before a VRM’s ex
     found++
     return undefined
   }
-  wrinkles.drive([aging], { expressions }, true)
+  meshOf(wrinkles).drive([aging], { expressions }, true)
   wrinkles.setActivation('brow', 0.3)
   wrinkles.inputs.set('age', 70)
   expect([found, wrinkles.isDriven('brow')]).toEqual([0, false])

@@ -3,6 +3,7 @@ import { updateLayer, Wrinkles, type WrinklesBase } from 'furrow/three'
 import { type DataArrayTexture, Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
 import { expect, it } from 'vitest'
 import { ReadSet } from '../../../packages/furrow/src/three/check-source.ts'
+import { meshOf } from '../../../packages/furrow/src/three/wrinkles-base.ts'
 
 const map = (value: number, channels: number) => ({
   width: 2,
@@ -19,7 +20,7 @@ const face = () => new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
 
 /** The texels of its textures of normals and occlusion. */
 function texelsOf(wrinkles: WrinklesBase): Uint8Array[] {
-  const { normals, values } = wrinkles.editable('test').inputs.textures
+  const { normals, values } = meshOf(wrinkles).shaderInputs.textures
   return [normals, values.occlusion!].map(
     ({ texture }) => (texture as DataArrayTexture).image.data as Uint8Array,
   )
@@ -71,7 +72,7 @@ it('an image that two layers have is not changed where one of them is', () => {
   for (const layer of layers) layer.normal = layers[0].normal
   const wrinkles = new Wrinkles(face(), new ReadSet({ layers, areas }))
   updateLayer(wrinkles, 'pores', { normal: map(128, 4) })
-  const { textures } = wrinkles.editable('test').inputs
+  const { textures } = meshOf(wrinkles).shaderInputs
   expect(textures.layers.map(({ normal }) => (normal as RgbaImage).data[0])).toEqual([255, 128])
   updateLayer(wrinkles, 'skin', { normal: map(64, 4) })
   expect(textures.layers.map(({ normal }) => (normal as RgbaImage).data[0])).toEqual([64, 128])

@@ -4,9 +4,9 @@
  * @module furrow/babylon
  */
 
+export type { Clock } from '../runtime/face-group.ts'
 export type { FaceScore } from '../runtime/face-scores.ts'
 export type { NamedInputs } from '../runtime/named-inputs.ts'
-export type { Clock } from '../runtime/wrinkle-faces.ts'
 export { ExpressionPlayer } from './expression-player.ts'
 export { FaceScores } from './face-scores.ts'
 export { type LoaderOptions, WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from './options.ts'

@@ -3,7 +3,8 @@ import type { Node } from '@babylonjs/core/node.js'
 import { isObject, wrongArgument } from '../core/argument.ts'
 import type { FurrowError } from '../core/error.ts'
 import { warnIfUnregistered } from './registered.ts'
-import { addedTo, type WrinklesBase } from './wrinkles-base.ts'
+import { addedTo } from './wrinkled-mesh.ts'
+import { type WrinklesBase, wrinklesFor } from './wrinkles-base.ts'
 
 /** What Babylon.js returns of a file: an asset container, or what was imported of it; or a copy by `instantiateModelsToScene`. */
 export type LoadedFile =
@@ -39,7 +40,8 @@ export function wrinklesOf(
   }
   if (typeof source.isVerticesDataPresent !== 'function')
     throw wrongSource((source as object).constructor?.name)
-  return addedTo(source)
+  const own = addedTo(source)
+  return own && wrinklesFor(own)
 }
 
 function wrongSource(value: unknown): FurrowError {
@@ -48,7 +50,8 @@ function wrongSource(value: unknown): FurrowError {
 }
 
 function facesOf(meshes: readonly AbstractMesh[]): WrinklesBase[] {
-  const faces = [...new Set(meshes.flatMap((mesh) => addedTo(mesh) ?? []))]
+  const own = new Set(meshes.flatMap((mesh) => addedTo(mesh) ?? []))
+  const faces = [...own].map(wrinklesFor)
   if (faces.length === 0) warnIfUnregistered()
   return faces
 }

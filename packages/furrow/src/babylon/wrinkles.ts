@@ -2,7 +2,8 @@ import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import { checkSource } from './check-source.ts'
 import type { WrinklesOptions } from './options.ts'
-import { WrinklesBase } from './wrinkles-base.ts'
+import { WrinkledMesh } from './wrinkled-mesh.ts'
+import { meshOf, WrinklesBase } from './wrinkles-base.ts'
 
 /** Wrinkles on one mesh, for a wrinkle set that is not in a file. */
 export class Wrinkles extends WrinklesBase {
@@ -18,6 +19,7 @@ export class Wrinkles extends WrinklesBase {
     source: WrinkleSet<ArraySlice> | WrinklesBase,
     options: WrinklesOptions = {},
   ) {
-    super(mesh, checkSource(source), options)
+    const own = source instanceof WrinklesBase ? meshOf(source) : checkSource(source)
+    super(new WrinkledMesh(mesh, own, options))
   }
 }

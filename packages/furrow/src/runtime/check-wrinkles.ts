@@ -6,7 +6,7 @@ import type { WrinkleFaces } from './wrinkle-faces.ts'
  *
  * @throws FurrowError otherwise; a list of them, as `wrinklesOf(file)` returns, is the usual mistake.
  */
-export function checkWrinkles(wrinkles: WrinkleFaces<never>, who: string, what = 'wrinkles'): void {
+export function checkWrinkles(wrinkles: WrinkleFaces, who: string, what = 'wrinkles'): void {
   if (typeof wrinkles?.hasArea === 'function') return
   const isList = Array.isArray(wrinkles)
   const value = isList ? `a list of ${wrinkles.length}` : wrinkles

@@ -1,5 +1,7 @@
 /** The faces of one mesh, which take part in frames. A phase reads what earlier phases wrote, and never calls one. */
 export interface FrameMember<Engine> {
+  /** Called between frames when another member joins: brings what the member is drawn with up to date. */
+  refresh?(): void
   /** Phase 1: reads blendshapes, joints, tension and the application's inputs. */
   readInputs(engine: Engine | null): void
   /** Phase 2: from inputs to the drivers' activations. */
@@ -72,6 +74,7 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
 
   /** Adds a member; the entry is for the methods below. */
   add(member: FrameMember<Engine>): FrameEntry<Engine> {
+    for (const other of this.#entries) other.member.refresh?.()
     const entry = { member, isLate: false, seen: -1, updated: -1, collected: -1 }
     this.#entries.push(entry)
     return entry

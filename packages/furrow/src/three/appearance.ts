@@ -1,4 +1,4 @@
-import type { Clock } from '../runtime/wrinkle-faces.ts'
+import type { Clock } from '../runtime/face-group.ts'
 
 /** What a frame adds at most, in milliseconds: the first one waits for the shader. */
 const LONGEST_STEP = 50

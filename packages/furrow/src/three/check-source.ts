@@ -2,7 +2,6 @@ import { checkMapSizes } from '../core/map-sizes.ts'
 import type { Area, ArraySlice, Layer, WrinkleSet } from '../core/types.ts'
 import { checkWrinkleSet } from '../core/wrinkle-set.ts'
 import { copyLayers } from '../runtime/layer-maps.ts'
-import { WrinklesBase } from './wrinkles-base.ts'
 
 /** A set that was checked as it was read, and whose texels belong to nobody else, so that textures may take them. */
 export class ReadSet implements WrinkleSet<ArraySlice> {
@@ -20,8 +19,8 @@ export class ReadSet implements WrinkleSet<ArraySlice> {
  *
  * @throws FurrowError when it is malformed, or maps of one kind differ in size.
  */
-export function checkSource<T extends WrinkleSet<ArraySlice> | WrinklesBase>(source: T): T {
-  if (source instanceof WrinklesBase || source instanceof ReadSet) return source
+export function checkSource(source: WrinkleSet<ArraySlice>): WrinkleSet<ArraySlice> {
+  if (source instanceof ReadSet) return source
   checkWrinkleSet(source, 'Wrinkles')
   checkMapSizes(source.layers)
   return { ...source, layers: copyLayers(source.layers) }

@@ -1,10 +1,10 @@
 /** The exports that `furrow/three` and `furrow/webgpu` have in common. */
 
 export type { Bounds } from '../core/bounds.ts'
+export type { Clock } from '../runtime/face-group.ts'
 export type { FaceScore } from '../runtime/face-scores.ts'
 export { decodeImage, toGray } from '../runtime/file/decode-image.ts'
 export type { NamedInputs } from '../runtime/named-inputs.ts'
-export type { Clock } from '../runtime/wrinkle-faces.ts'
 export { activationTrack } from './activation-track.ts'
 export { type FaceView, frameFace } from './camera/frame-face.ts'
 export { ExpressionPlayer } from './ExpressionPlayer.ts'

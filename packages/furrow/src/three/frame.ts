@@ -1,4 +1,4 @@
-import type { Scene } from 'three'
+import type { Scene, WebGLRenderer } from 'three'
 import { Frame, type FrameEntry } from '../runtime/frame.ts'
 import { InfluenceAtlas } from './atlas/influence-atlas.ts'
 import type { QuadMaterials } from './atlas/quad-materials.ts'
@@ -12,12 +12,14 @@ const MOST_HOOKS = 8
 const MOST_IMAGES = 4
 
 /** A scene in which faces are drawn. */
-interface Watched {
-  /** What it calls before it is drawn. */
+interface FaceScene {
+  /** Called before the scene is drawn; null until it is hooked. */
   hook: Scene['onBeforeRender'] | null
   /** How often it was hooked. */
   hooks: number
-  /** Frame in which a face was drawn last, and by what. */
+  /** Whether it will be hooked after the present frame. */
+  isDue: boolean
+  /** Frame in which a face was drawn last, and the renderer. */
   last: number
   renderer: AnyRenderer
   /** How many images have begun since. */
@@ -27,7 +29,7 @@ interface Watched {
 /** The frames of one kind of renderer, and the atlases of their faces. */
 export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
   readonly #materials: QuadMaterials
-  readonly #watched = new WeakMap<Scene, Watched>()
+  readonly #scenes = new WeakMap<Scene, FaceScene>()
 
   constructor(materials: QuadMaterials) {
     super(renderCount)
@@ -46,39 +48,56 @@ export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
   }
 
   /**
-   * Begins the frames of a scene before anything of it is drawn. WebGL would draw influence in the midst of an image, which the GPUs of phones then
-   * write to memory and read again (Arm GPU Best Practices, "Efficient render passes"); on WebGPU it is submitted before the image anyway.
-   *
-   * @param entry of a member that is being drawn in the scene.
+   * Compiles what draws the influence of an atlas, after the present frame: the first frame with wrinkles then waits for no program. Not at once,
+   * since `compile` of three.js would take the lights of a `compile` or frame that is going on.
    */
-  watch(scene: Scene, { seen }: FrameEntry<AnyRenderer>, renderer: AnyRenderer): void {
-    const watched = this.#watched.get(scene)
-    if (watched) {
-      watched.last = seen
-      watched.renderer = renderer
-      watched.images = 0
-      if (watched.hook === scene.onBeforeRender || watched.hooks === MOST_HOOKS) return
-    }
-    // three.js has an empty scene for what it draws without one.
-    if (scene.isScene && scene.children.length > 0 && drawsAtOnce(renderer)) this.#hook(scene, seen, renderer)
+  compileLater(atlas: InfluenceAtlas, renderer: WebGLRenderer): void {
+    queueMicrotask(() => this.targets.includes(atlas) && atlas.compile(renderer))
   }
 
-  /** What it makes for its callback would else be made in every frame. */
-  #hook(scene: Scene, last: number, renderer: AnyRenderer): void {
-    const hooks = (this.#watched.get(scene)?.hooks ?? 0) + 1
-    const watched: Watched = { hook: null, hooks, last, renderer, images: 0 }
+  /**
+   * Notes a scene in which a member is being drawn. From the next frame on, its frames begin before anything of it is drawn. WebGL would draw
+   * influence in the midst of an image, which the GPUs of phones then write to memory and read again (Arm GPU Best Practices, "Efficient render
+   * passes"); on WebGPU it is submitted before the image anyway.
+   *
+   * @param entry of the member.
+   */
+  noteScene(scene: Scene, { seen }: FrameEntry<AnyRenderer>, renderer: AnyRenderer): void {
+    const known = this.#scenes.get(scene)
+    if (known) {
+      known.last = seen
+      known.renderer = renderer
+      known.images = 0
+      if (known.isDue || known.hook === scene.onBeforeRender || known.hooks === MOST_HOOKS) return
+    }
+    // three.js has an empty scene for what it draws without one.
+    if (scene.isScene && scene.children.length > 0 && drawsAtOnce(renderer)) {
+      this.#hookLater(scene, seen, renderer)
+    }
+  }
+
+  /** A method of its own: closures allocate in every call. */
+  #hookLater(scene: Scene, last: number, renderer: AnyRenderer): void {
+    const hooks = (this.#scenes.get(scene)?.hooks ?? 0) + 1
+    const own: FaceScene = { hook: null, hooks, isDue: true, last, renderer, images: 0 }
+    this.#scenes.set(scene, own)
+    queueMicrotask(() => this.#hook(scene, own))
+  }
+
+  #hook(scene: Scene, own: FaceScene): void {
+    own.isDue = false
+    if (this.targets.length === 0) return
     const stop = callBeforeRender(scene, (by, _camera, { overrideMaterial }) => {
-      // The page may have wrapped an earlier one, which is called too.
-      if (this.#watched.get(scene) !== watched) return
+      // The page may have wrapped an earlier hook, which is called too.
+      if (this.#scenes.get(scene) !== own) return
       if (this.targets.length === 0) {
         stop()
-        this.#watched.delete(scene)
-      } else if (by === watched.renderer && !overrideMaterial && drawsAtOnce(by)) {
-        if (++watched.images <= MOST_IMAGES) this.beginImage(by, watched.last, 'calls' in by.info)
+        this.#scenes.delete(scene)
+      } else if (by === own.renderer && !overrideMaterial && drawsAtOnce(by)) {
+        if (++own.images <= MOST_IMAGES) this.beginImage(by, own.last, 'calls' in by.info)
       }
     })
-    watched.hook = scene.onBeforeRender
-    this.#watched.set(scene, watched)
+    own.hook = scene.onBeforeRender
   }
 
   /** Frees an atlas if no face uses it any more. */

@@ -1,6 +1,7 @@
 import type { WrinkleSet } from 'furrow'
 import { Wrinkles } from 'furrow/three'
 import { beforeEach, expect, test, vi } from 'vitest'
+import { meshOf } from '../../../../packages/furrow/src/three/wrinkles-base.ts'
 import type { StudioDocument, StudioLayer } from '../../../../studio/src/document/document.ts'
 import { DocumentView, type LayerMaps } from '../../../../studio/src/viewer/document-view.ts'
 import type { Viewer } from '../../../../studio/src/viewer/viewer.ts'
@@ -47,7 +48,7 @@ const withLayer = (change: Partial<StudioLayer>): StudioDocument => {
   return { ...document, layers: [{ ...first, ...change }, ...others] }
 }
 
-const scale = () => viewer.wrinkles!.editable('').inputs.normalScale.value.x
+const scale = () => meshOf(viewer.wrinkles!).shaderInputs.normalScale.value.x
 
 test('the scale of a layer moves without wrinkles being made anew', () => {
   for (const normalScale of [0.5, 0.4, 0.3]) show(withLayer({ normalScale }))

@@ -8,7 +8,7 @@ import { extensionOf, type FileWrinkles, wrinkleReader } from '../../runtime/fil
 import { Warnings } from '../../runtime/file/warnings.ts'
 import type { WrinkledFile } from '../../runtime/file/wrinkled-file.ts'
 import type { LoaderOptions, WrinklesOptions } from '../options.ts'
-import { WrinklesBase } from '../wrinkles-base.ts'
+import { WrinkledMesh } from '../wrinkled-mesh.ts'
 
 /** A face of a file: meshes of one node that have one material with the extension. */
 interface FileFace {
@@ -50,7 +50,7 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
     const read = wrinkleReader(fileOf(this.#loader, this.#transcoderPath), (fault) =>
       this.#warnings.add(fault, 'the other drivers work'),
     )
-    const first = new Map<FileWrinkles['set'], WrinklesBase>()
+    const first = new Map<FileWrinkles['set'], WrinkledMesh>()
     for (const { meshes, material } of faces) {
       try {
         this.#add(meshes, await read(material), first)
@@ -64,9 +64,9 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
   #add(
     [mesh, ...others]: AbstractMesh[],
     { set, drivers }: FileWrinkles,
-    first: Map<FileWrinkles['set'], WrinklesBase>,
+    first: Map<FileWrinkles['set'], WrinkledMesh>,
   ): void {
-    const own = new WrinklesBase(mesh, first.get(set) ?? set, this.#options)
+    const own = new WrinkledMesh(mesh, first.get(set) ?? set, this.#options)
     try {
       for (const other of others) own.addMesh(other)
       own.drive(drivers)

@@ -1,7 +1,7 @@
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 import { applyDrivers } from '../../runtime/apply-drivers.ts'
 import { checkWrinkles } from '../../runtime/check-wrinkles.ts'
-import type { WrinklesBase } from '../wrinkles-base.ts'
+import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 
 /**
  * Adds drivers to those of a face (`wrinkles.drivers`). They activate areas before each frame, as long as `wrinkles.driven` is true, and
@@ -13,7 +13,7 @@ import type { WrinklesBase } from '../wrinkles-base.ts'
  */
 export function addDrivers(wrinkles: WrinklesBase, drivers: readonly WrinkleDriver[]): void {
   checkWrinkles(wrinkles, 'addDrivers')
-  applyDrivers(drivers, 'addDrivers', () => wrinkles.drive([...wrinkles.drivers, ...drivers]))
+  applyDrivers(drivers, 'addDrivers', () => meshOf(wrinkles).drive([...wrinkles.drivers, ...drivers]))
 }
 
 /**
@@ -24,5 +24,5 @@ export function addDrivers(wrinkles: WrinklesBase, drivers: readonly WrinkleDriv
  */
 export function setDrivers(wrinkles: WrinklesBase, drivers: readonly WrinkleDriver[]): void {
   checkWrinkles(wrinkles, 'setDrivers')
-  applyDrivers(drivers, 'setDrivers', () => wrinkles.drive(drivers))
+  applyDrivers(drivers, 'setDrivers', () => meshOf(wrinkles).drive(drivers))
 }

@@ -2,12 +2,12 @@ import { VertexBuffer } from '@babylonjs/core/Buffers/buffer.js'
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { InputOf } from '../../drivers/activation.ts'
 import type { InputReader } from '../../runtime/driver-runtime.ts'
+import type { FaceGroup } from '../../runtime/face-group.ts'
 import { sampledTension, tensionSurface } from '../../runtime/sampled-tension.ts'
-import type { WrinkleFaces } from '../../runtime/wrinkle-faces.ts'
 import { sampledMesh, vertexData } from './surface.ts'
 
-/** The part of `Wrinkles` that tension needs. */
-export type DrivenFace = Pick<WrinkleFaces, 'getArea'> & { readonly mesh: AbstractMesh }
+/** What tension needs of a face. */
+export type DrivenFace = Pick<FaceGroup, 'getArea'> & { readonly mesh: AbstractMesh }
 
 /** Measures a few triangles of each area as morph targets and the skeleton deform them, on the CPU. */
 export function bindTension(face: DrivenFace, inputs: readonly InputOf<'tension'>[]): InputReader<unknown> {

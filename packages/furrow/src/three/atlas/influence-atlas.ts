@@ -45,8 +45,6 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   readonly layers: number
   readonly target: RenderTarget
   readonly cells: AtlasCells
-  /** Called when another face joins the one that was alone in it; that one sets it. */
-  onShared: (() => void) | null = null
   readonly #materials: QuadMaterials
   readonly #scene = new Scene()
   readonly #camera = new OrthographicCamera()
@@ -93,10 +91,6 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     const down = grid.rows * height
     if (across !== this.target.width || down !== this.target.height) this.target.texture.version++
     this.target.setSize(across, down)
-    if (!this.cells.isSingle) {
-      this.onShared?.()
-      this.onShared = null
-    }
     return added
   }
 

@@ -3,7 +3,7 @@ import { surfaceOf, withSurface } from '../material/surface.ts'
 import { instancesOf } from '../mesh/instances.ts'
 import { isReliefMesh } from '../relief/is-relief-mesh.ts'
 import type { AnyRenderer } from '../renderer.ts'
-import type { WrinklesBase } from '../wrinkles-base.ts'
+import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 
 /**
  * Calls a function before a mesh is drawn with a material.
@@ -75,7 +75,7 @@ export class Adoption {
     adoptions.set(this.#material, this)
     // drei's `<Clone deep>`, and whoever else copies the material.
     const clone = () => {
-      const copy = face.cloneSurface()
+      const copy = meshOf(face).cloneSurface()
       adoptCopy(copy, face, this.#parts)
       return copy
     }
@@ -107,7 +107,7 @@ export class Adoption {
       afterFrame(() => this.#separate(mesh))
       return
     }
-    face.prepareIn(scene, renderer, camera, mesh)
+    meshOf(face).prepareIn(scene, renderer, camera, mesh)
     if (this.#copyOf && !this.#guests.has(mesh)) this.#host(mesh, face, this.#copyOf)
   }
 
@@ -131,7 +131,7 @@ export class Adoption {
     // Several passes of one frame may have drawn it, and the page may have changed it since.
     if (!face || surfaceOf(mesh) !== this.#material || this.faceOf(mesh)) return
     const known = this.#copies.get(mesh)
-    const copy = known ?? face.cloneSurface()
+    const copy = known ?? meshOf(face).cloneSurface()
     mesh.material = withSurface(mesh, this.#material, copy)
     if (known) return
     this.#copies.set(mesh, copy)

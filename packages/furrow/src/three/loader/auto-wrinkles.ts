@@ -10,7 +10,7 @@ import type { Warnings } from '../../runtime/file/warnings.ts'
 import { Appearance } from '../appearance.ts'
 import { surfaceOf } from '../material/surface.ts'
 import { mapTexture } from '../material/textures.ts'
-import type { WrinklesBase } from '../wrinkles-base.ts'
+import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 import { canCrease, readMeshes } from './read-character.ts'
 
 type Meshes = [Mesh, ...Mesh[]]
@@ -57,7 +57,7 @@ async function addAutoWrinkles(
   const made = await makeAutoWrinkles(faces, options)
   for (const meshes of made?.faces ?? []) {
     const own = await addFace(meshes, made!)
-    own.appear(new Appearance(FADE_IN, own.clock))
+    meshOf(own).appear(new Appearance(FADE_IN, own.clock))
     file.userData.wrinkles.push(own)
   }
 }

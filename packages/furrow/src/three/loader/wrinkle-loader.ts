@@ -18,7 +18,7 @@ import {
 } from '../options.ts'
 import { combinableTargets } from '../sources/combined-targets.ts'
 import type { InputOptions } from '../sources/target.ts'
-import type { WrinklesBase } from '../wrinkles-base.ts'
+import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 import { Adoption, type WatchDraws } from './adoption.ts'
 import type { AddFace } from './auto-wrinkles.ts'
 import { addActivationTracks, dropBrokenChannels, type LoadedFace } from './key-frames.ts'
@@ -138,7 +138,7 @@ export class WrinkleLoader {
     const own = this.#addWrinkles(meshes, this.#bySet.get(set) ?? new ReadSet(set))
     try {
       // three-vrm may create a VRM's expressions after this.
-      own.drive(drivers, this.#inputsOf(meshes[0], file), this.#isVrm)
+      meshOf(own).drive(drivers, this.#inputsOf(meshes[0], file), this.#isVrm)
     } catch (error) {
       own.dispose()
       throw error

@@ -26,7 +26,7 @@ export interface ShownMode {
   update?: (renderer: AnyRenderer, activations: Activations) => void
   /** Whether its shader is right for another mesh of the face; for any where it is left out. */
   isFor?(mesh: Mesh): boolean
-  /** Whether its shader is right for the maps that the material has by now; always where it is left out. */
+  /** Whether its shader is right for the maps that the material has by now, and for the faces in the atlas; always where it is left out. */
   isCurrent?(): boolean
   undo(): void
 }

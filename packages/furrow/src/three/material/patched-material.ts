@@ -87,17 +87,19 @@ export class PatchedMaterial {
   /**
    * Called before each frame, since only the first one tells what becomes of the shader: a material that could not be patched shows
    * the composed mode from the second on, and one whose shader the GPU refuses is plain again, with one warning.
+   *
+   * @param renderer null between frames.
    */
-  settle(renderer: AnyRenderer): void {
+  settle(renderer: AnyRenderer | null): void {
     if (this.mode === 'off') return
     try {
-      // The page may take its map away, put another one where the composed map was, or change which maps it has.
+      // The page may take its map away, put another one where the composed map was, change which maps it has, or add faces.
       const { normalMap } = this.#material
       const isReplaced = !normalMap || (this.#shown?.composed ?? normalMap) !== normalMap
       if (isReplaced || this.#shown?.isCurrent?.() === false) this.#apply(this.mode)
       if (this.#isRefused && this.mode !== 'composed') this.show('default')
       if (this.mode === 'paper') this.#packPaper()
-      this.#checkShader(renderer)
+      if (renderer) this.#checkShader(renderer)
     } catch (error) {
       this.show('off')
       console.warn((error as Error).message)
@@ -113,11 +115,6 @@ export class PatchedMaterial {
   /** Called when the face has another mesh. */
   follow(mesh: Mesh): void {
     if (this.#shown?.isFor?.(mesh) === false) this.#apply(this.mode)
-  }
-
-  /** Called when the influence map is no longer that of the face alone, for which its program may be made. */
-  share(): void {
-    if (this.mode === 'default') this.#apply(this.mode)
   }
 
   /** Copies the material without wrinkles. */

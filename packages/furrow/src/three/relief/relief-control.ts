@@ -1,14 +1,13 @@
-import type { BufferGeometry, Camera, Material, Mesh } from 'three'
+import type { BufferGeometry, Camera, Mesh } from 'three'
 import { smoothstep } from '../../math/scalar.ts'
 import type { Face } from '../../runtime/face.ts'
 import type { AreaArray } from '../atlas/area-array.ts'
 import { pixelsPerUnit } from '../camera/size-on-screen.ts'
-import type { ShaderInputs } from '../material/shader-inputs.ts'
-import type { MeshPlace } from '../mesh/mesh-place.ts'
-import type { ReliefMode, WrinkleMode } from '../options.ts'
+import type { ReliefMode } from '../options.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import { limitationOf } from './limitation.ts'
 import { type MeshUnits, meshUnits } from './mesh-units.ts'
+import type { RaisedFace } from './raised-face.ts'
 import { canRise } from './raised-layer.ts'
 import { Relief, type ReliefHost } from './relief.ts'
 import type { ReliefParts } from './relief-parts.ts'
@@ -22,35 +21,13 @@ const AWAKE = 0.1
 /** Draws in a row in which nothing of it is seen before the meshes themselves are drawn again: cameras may take turns. */
 const PATIENCE = 60
 
-/** The wrinkles it belongs to, and what relief needs of them. */
-export interface ReliefOwner {
-  wrinkles: {
-    readonly mode: WrinkleMode
-    readonly mesh: Mesh
-    /** Runs the phases of a frame, as before any mesh is drawn. */
-    prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void
-  }
-  faces: readonly Face[]
-  /** The meshes of the face. */
-  meshes: readonly Mesh[]
-  /** Where the mesh was when the wrinkles were added. */
-  place: MeshPlace
-  material: {
-    /** The one that shows the wrinkles. */
-    readonly material: Material
-    /** Makes the material draw relief too, or no longer. */
-    setRelief(patch: ((own: Material) => () => void) | null): void
-  }
-  inputs: ShaderInputs
-}
-
 /** Creates the relief of a face by a renderer's shaders. */
-export type CreateRelief = (owner: ReliefOwner, mode: ReliefMode) => ReliefControl
+export type CreateRelief = (face: RaisedFace, mode: ReliefMode) => ReliefControl
 
 /** Whether a face is drawn with relief: splits its meshes when that is first wanted, and shows it while it can be seen. */
 export class ReliefControl {
   #mode: ReliefMode
-  readonly #owner: ReliefOwner
+  readonly #face: RaisedFace
   readonly #parts: ReliefParts
   readonly #units: MeshUnits
   #relief: Relief | null = null
@@ -69,11 +46,11 @@ export class ReliefControl {
   /** Draws in a row in which nothing of it was seen. */
   #unseen = 0
 
-  constructor(owner: ReliefOwner, parts: ReliefParts, mode: ReliefMode) {
-    this.#owner = owner
+  constructor(face: RaisedFace, parts: ReliefParts, mode: ReliefMode) {
+    this.#face = face
     this.#parts = parts
-    this.#units = meshUnits(owner.wrinkles.mesh, owner.place)
-    this.#isPossible = owner.inputs.textures.layers.some(canRise)
+    this.#units = meshUnits(face.mesh, face.place)
+    this.#isPossible = face.shaderInputs.textures.layers.some(canRise)
     this.#mode = mode
   }
 
@@ -125,18 +102,18 @@ export class ReliefControl {
   }
 
   get #isOutdated(): boolean {
-    const { meshes, inputs } = this.#owner
-    const { areas } = inputs
+    const { meshes, shaderInputs } = this.#face
+    const { areas } = shaderInputs
     if (areas !== this.#areas || areas.version !== this.#version) return true
     return meshes.some(({ geometry }, i) => geometry !== this.#geometries[i])
   }
 
   #amountAt(pixelsPerMetre: number): number {
-    if (this.mode === 'off' || this.#owner.wrinkles.mode === 'off') return 0
+    if (this.mode === 'off' || this.#face.mode === 'off') return 0
     if (this.mode === 'on') return 1
     const [from, to] = SIZES
     const bySize = smoothstep((pixelsPerMetre / 1000 - from) / (to - from))
-    return bySize && bySize * Math.min(largestActivation(this.#owner.faces) / AWAKE, 1)
+    return bySize && bySize * Math.min(largestActivation(this.#face.faces) / AWAKE, 1)
   }
 
   /** After this frame: lists of what it draws have been made. */
@@ -158,9 +135,9 @@ export class ReliefControl {
   }
 
   async #split(): Promise<void> {
-    const { wrinkles, meshes, material, inputs } = this.#owner
-    this.#areas = inputs.areas
-    this.#version = inputs.areas.version
+    const { meshes, shaderInputs } = this.#face
+    this.#areas = shaderInputs.areas
+    this.#version = shaderInputs.areas.version
     this.#geometries = meshes.map(({ geometry }) => geometry)
     const limitation = meshes.map(limitationOf).find(Boolean)
     if (limitation) {
@@ -169,12 +146,8 @@ export class ReliefControl {
     }
     try {
       const host: ReliefHost = {
-        meshes,
-        material: material.material,
-        inputs,
+        face: this.#face,
         units: this.#units,
-        isOn: () => wrinkles.mode !== 'off',
-        prepare: (renderer, camera, mesh) => wrinkles.prepare(renderer, camera, mesh),
         refuse: (error) => this.#limit(error as Error),
       }
       const made = await Relief.create(host, this.#parts, () => !this.#isDisposed)
@@ -213,7 +186,7 @@ export class ReliefControl {
     queueMicrotask(() => {
       if (this.#isDisposed) return
       this.#show(false)
-      if (this.#relief) this.#owner.material.setRelief(null)
+      if (this.#relief) this.#face.material.setRelief(null)
       this.#relief?.dispose()
       this.#relief = null
     })
@@ -225,7 +198,7 @@ export class ReliefControl {
     this.#relief = made
     this.#limitation = made.limitation
     this.#tellLimitation()
-    this.#owner.material.setRelief((own) => made.patch(own))
+    this.#face.material.setRelief((own) => made.patch(own))
     before?.dispose()
     this.#show(this.isShown)
   }

@@ -1,34 +1,26 @@
-import type { Camera, Material, Mesh, Sphere, Texture } from 'three'
+import type { Material, Mesh, Sphere, Texture } from 'three'
 import { FurrowError } from '../../core/error.ts'
 import { HeightField, weightedTexels } from '../../relief/height-fields.ts'
 import { TOLERANCES } from '../../relief/needed-halvings.ts'
 import { SPLIT_DEFAULTS } from '../../relief/split-mesh.ts'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
 import { instancesOf } from '../mesh/instances.ts'
-import type { AnyRenderer } from '../renderer.ts'
 import { CoarsePass } from './coarse-pass.ts'
 import { type Raised, ringTexture, type Split, splitGeometry } from './dense-geometry.ts'
 import { checkReach, createHeightMaps, type HeightMaps } from './height-maps.ts'
 import type { MeshUnits } from './mesh-units.ts'
 import { outlinesOf } from './outlines-of.ts'
+import type { RaisedFace } from './raised-face.ts'
 import type { ReliefInputs } from './relief-inputs.ts'
 import { createReliefMesh } from './relief-mesh.ts'
 import type { ReliefParts } from './relief-parts.ts'
 import { inSlices } from './slices.ts'
 import { StandIn } from './stand-in.ts'
 
-/** The wrinkles whose relief it is. */
+/** The face whose relief it is. */
 export interface ReliefHost {
-  /** The meshes of the face. */
-  readonly meshes: readonly Mesh[]
-  /** The one that shows the wrinkles. */
-  readonly material: Material
-  readonly inputs: ShaderInputs
+  readonly face: RaisedFace
   readonly units: MeshUnits
-  /** Whether the material shows wrinkles now. */
-  isOn(): boolean
-  /** Runs the phases of a frame, as before any mesh is drawn. */
-  prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void
   /** Called during a frame if a shader cannot draw the relief: it is then to be dropped. */
   refuse(error: unknown): void
 }
@@ -87,12 +79,14 @@ export class Relief {
    * @throws FurrowError when the meshes or the heights are not fit for it.
    */
   static async create(host: ReliefHost, parts: ReliefParts, isWanted: () => boolean): Promise<Relief | null> {
-    const { meshes, material, units, inputs } = host
+    const { face, units } = host
+    const { meshes, shaderInputs } = face
+    const { material } = face.material
     for (const mesh of meshes) checkPositions(mesh)
-    const heights = await createHeightMaps(inputs.textures.layers)
+    const heights = await createHeightMaps(shaderInputs.textures.layers)
     try {
       checkReach(heights, units.atRest * Math.max(...meshes.map(radiusOf)))
-      const raised = raisedBy(inputs, heights)
+      const raised = raisedBy(shaderInputs, heights)
       const splits: MeshSplit[] = []
       let first = 0
       for (const mesh of meshes) {
@@ -115,8 +109,8 @@ export class Relief {
 
   /** Makes the material draw it; for `PatchedMaterial`. */
   patch(material: Material): () => void {
-    const { meshes, inputs } = this.#host
-    return this.#parts.patch(material, this.#inputs, inputs, instancesOf(meshes[0]))
+    const { mesh, shaderInputs } = this.#host.face
+    return this.#parts.patch(material, this.#inputs, shaderInputs, instancesOf(mesh))
   }
 
   /** Draws the dense geometries from now on, or the meshes themselves. Not to be called during a frame. */
@@ -140,11 +134,12 @@ export class Relief {
 
   /** Of its surface, and of the outlines round it. */
   #standInsOf(split: MeshSplit): StandIn[] {
-    const { material, inputs } = this.#host
+    const { shaderInputs } = this.#host.face
+    const { material } = this.#host.face.material
     const { mesh, geometry } = split
     this.#onDispose.push(() => geometry.dispose())
     const outlines = outlinesOf(mesh, material).flatMap((own) => {
-      const copy = this.#parts.outlineMaterial(own, this.#inputs, inputs, instancesOf(mesh))
+      const copy = this.#parts.outlineMaterial(own, this.#inputs, shaderInputs, instancesOf(mesh))
       if (!copy) return []
       this.#onDispose.push(() => copy.dispose())
       return this.#standInOf(split, own, copy)
@@ -157,13 +152,15 @@ export class Relief {
    * @param drawn what is drawn with instead.
    */
   #standInOf({ mesh, geometry }: MeshSplit, material: Material, drawn: Material): StandIn {
-    const { inputs } = this.#host
+    const { face } = this.#host
     const dense = createReliefMesh(mesh, geometry, drawn)
-    this.#onDispose.push(this.#parts.dressShadow(dense, mesh, this.#inputs, inputs, instancesOf(mesh)))
+    this.#onDispose.push(
+      this.#parts.dressShadow(dense, mesh, this.#inputs, face.shaderInputs, instancesOf(mesh)),
+    )
     return new StandIn(mesh, dense, {
       material,
-      isOn: () => !this.#isRefused && this.#host.isOn(),
-      prepare: (renderer, camera, drawn) => this.#host.prepare(renderer, camera, drawn),
+      isOn: () => !this.#isRefused && face.mode !== 'off',
+      prepare: (renderer, camera, drawn) => face.prepare(renderer, camera, drawn),
       deform: (renderer, isShadow) => {
         if (isShadow) this.#parts.duringShadow(renderer, () => this.#pass.update(renderer))
         else this.#pass.update(renderer)

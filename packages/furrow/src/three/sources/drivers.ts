@@ -3,7 +3,7 @@ import type { VrmExpressions } from '../../drivers/morph/vrm.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 import { applyDrivers } from '../../runtime/apply-drivers.ts'
 import { checkWrinkles } from '../../runtime/check-wrinkles.ts'
-import type { WrinklesBase } from '../wrinkles-base.ts'
+import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 
 /** Options of `addDrivers` and `setDrivers`. */
 export interface DriversOptions {
@@ -26,7 +26,7 @@ export function addDrivers(
 ): void {
   checkWrinkles(wrinkles, 'addDrivers')
   applyDrivers(drivers, 'addDrivers', () =>
-    wrinkles.drive([...wrinkles.drivers, ...drivers], inputOptions(options, 'addDrivers')),
+    meshOf(wrinkles).drive([...wrinkles.drivers, ...drivers], inputOptions(options, 'addDrivers')),
   )
 }
 
@@ -43,7 +43,9 @@ export function setDrivers(
   options?: DriversOptions,
 ): void {
   checkWrinkles(wrinkles, 'setDrivers')
-  applyDrivers(drivers, 'setDrivers', () => wrinkles.drive(drivers, inputOptions(options, 'setDrivers')))
+  applyDrivers(drivers, 'setDrivers', () =>
+    meshOf(wrinkles).drive(drivers, inputOptions(options, 'setDrivers')),
+  )
 }
 
 function inputOptions(options: DriversOptions | undefined, who: string) {

@@ -2,20 +2,20 @@ import { type Material, type Mesh, Vector3 } from 'three'
 import type { InputOf } from '../../drivers/activation.ts'
 import type { SampledMesh } from '../../drivers/tension/samples.ts'
 import type { InputReader } from '../../runtime/driver-runtime.ts'
+import type { FaceGroup } from '../../runtime/face-group.ts'
 import {
   tensionSurface as surfaceOf,
   type TensionSurface,
   sampledTension as tensionOf,
 } from '../../runtime/sampled-tension.ts'
-import type { WrinkleFaces } from '../../runtime/wrinkle-faces.ts'
 import { wrinkleUvs } from '../mesh/wrinkle-uvs.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import { trianglesOf } from './geometry-arrays.ts'
 
 export { indexIn, type MeasuredArea, type TensionSurface } from '../../runtime/sampled-tension.ts'
 
-/** The part of `Wrinkles` that tension needs. */
-export type DrivenFace = Pick<WrinkleFaces, 'getArea' | 'onDispose'> & { readonly mesh: Mesh }
+/** What tension needs of a face. */
+export type DrivenFace = Pick<FaceGroup, 'getArea' | 'onDispose'> & { readonly mesh: Mesh }
 
 /** Measures tension as a renderer can. */
 export type BindTension = (

@@ -1,6 +1,6 @@
 import type { Area } from '../../core/types.ts'
 import { checkWrinkles } from '../../runtime/check-wrinkles.ts'
-import type { WrinklesBase } from '../wrinkles-base.ts'
+import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 
 /**
  * Adds an area to wrinkles, with its activation at rest. Shaders are not recompiled.
@@ -11,8 +11,9 @@ import type { WrinklesBase } from '../wrinkles-base.ts'
  */
 export function addArea(wrinkles: WrinklesBase, area: Area): void {
   checkWrinkles(wrinkles, 'addArea')
-  const { areas } = wrinkles.editable('addArea')
-  wrinkles.replaceAreas([...areas, area], 'addArea')
+  const mesh = meshOf(wrinkles)
+  mesh.checkInUse('addArea')
+  mesh.replaceAreas([...mesh.areas, area], 'addArea')
   for (let i = 0; i < wrinkles.faceCount; i++) {
     wrinkles.setRestingActivation(area.name, area.activation ?? 0, i)
   }
@@ -27,10 +28,11 @@ export function addArea(wrinkles: WrinklesBase, area: Area): void {
  */
 export function removeArea(wrinkles: WrinklesBase, name: string): void {
   checkWrinkles(wrinkles, 'removeArea')
-  const { areas } = wrinkles.editable('removeArea')
-  wrinkles.getActivation(name)
-  wrinkles.replaceAreas(
-    areas.filter((area) => area.name !== name),
+  const mesh = meshOf(wrinkles)
+  mesh.checkInUse('removeArea')
+  mesh.getActivation(name)
+  mesh.replaceAreas(
+    mesh.areas.filter((area) => area.name !== name),
     'removeArea',
   )
 }

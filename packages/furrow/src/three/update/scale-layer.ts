@@ -2,7 +2,7 @@ import { checkFinite, isObject, wrongArgument } from '../../core/argument.ts'
 import type { Layer } from '../../core/types.ts'
 import { checkBloodAmplitude } from '../../core/wrinkle-set.ts'
 import { checkWrinkles } from '../../runtime/check-wrinkles.ts'
-import type { WrinklesBase } from '../wrinkles-base.ts'
+import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 import { unknownLayer } from './unknown-layer.ts'
 
 const WHO = 'scaleLayer'
@@ -21,7 +21,9 @@ export type LayerScale = Pick<Layer, 'normalScale' | 'occlusionStrength' | 'bloo
  */
 export function scaleLayer(wrinkles: WrinklesBase, name: string, scale: LayerScale): void {
   checkWrinkles(wrinkles, WHO)
-  const { textures } = wrinkles.editable(WHO).inputs
+  const mesh = meshOf(wrinkles)
+  mesh.checkInUse(WHO)
+  const { textures } = mesh.shaderInputs
   const index = textures.layers.findIndex((layer) => layer.name === name)
   if (index < 0) throw unknownLayer(name, textures.layers, WHO)
   if (!isObject(scale))

@@ -6,7 +6,7 @@ import { checkImage, resampleGray } from '../../core/image.ts'
 import type { ImageArray } from '../../core/image-array.ts'
 import type { GrayImage } from '../../core/types.ts'
 import { checkWrinkles } from '../../runtime/check-wrinkles.ts'
-import type { WrinklesBase } from '../wrinkles-base.ts'
+import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 import { compressed } from './compressed.ts'
 import { changesOf } from './texture-changes.ts'
 
@@ -25,14 +25,16 @@ import { changesOf } from './texture-changes.ts'
  */
 export function updateArea(wrinkles: WrinklesBase, name: string, weights: GrayImage): void {
   checkWrinkles(wrinkles, WHO)
-  const { areas, inputs } = wrinkles.editable(WHO)
-  wrinkles.getActivation(name)
+  const mesh = meshOf(wrinkles)
+  mesh.checkInUse(WHO)
+  mesh.getActivation(name)
+  const { areas, shaderInputs } = mesh
   if (!isObject(weights)) throw wrongArgument(WHO, `weights of area "${name}"`, weights, 'a gray image')
   checkImage(weights, 'gray', `${WHO} area "${name}"`)
   const index = areas.findIndex((area) => area.name === name)
   if (isSlice(areas[index].weights)) throw compressed(`${WHO} area "${name}"`)
 
-  const { texture, slots, width } = inputs.areas
+  const { texture, slots, width } = shaderInputs.areas
   const array = texture.image as ImageArray
   const slot = slots[index]
   array.data.set(resampleGray(weights, width).data, slot.slice * array.width * array.height)
@@ -40,10 +42,10 @@ export function updateArea(wrinkles: WrinklesBase, name: string, weights: GrayIm
   slot.bounds = boundsOf(array, slot.slice)
   widen(changed, slot.bounds)
   areas[index].weights = weights
-  inputs.areas.version++
+  shaderInputs.areas.version++
   const changes = changesOf(texture as DataArrayTexture)
   changes.add(slot.slice, changed)
-  inputs.areas.upload ??= (renderer) => changes.upload(renderer)
+  shaderInputs.areas.upload ??= (renderer) => changes.upload(renderer)
 }
 
 const WHO = 'updateArea'

@@ -8,7 +8,7 @@ import type { ArraySlice, GrayImage, Layer, RgbaImage } from '../../core/types.t
 import { checkWrinkles } from '../../runtime/check-wrinkles.ts'
 import { MAP_KINDS } from '../../runtime/layer-maps.ts'
 import { type LayerMaps, listTextures, type WrinkleTextures } from '../material/wrinkle-textures.ts'
-import type { WrinklesBase } from '../wrinkles-base.ts'
+import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 import { compressed } from './compressed.ts'
 import { channelsOf, firstLevel } from './mip-chain.ts'
 import { changesOf } from './texture-changes.ts'
@@ -46,7 +46,9 @@ export function updateLayer(
   region?: Readonly<Bounds>,
 ): void {
   checkWrinkles(wrinkles, WHO)
-  const { textures } = wrinkles.editable(WHO).inputs
+  const mesh = meshOf(wrinkles)
+  mesh.checkInUse(WHO)
+  const { textures } = mesh.shaderInputs
   const index = textures.layers.findIndex((layer) => layer.name === name)
   if (index < 0) throw unknownLayer(name, textures.layers, WHO)
   const updates = kindsOf(images).map((kind) => checkUpdate(textures, index, kind, images[kind], region))

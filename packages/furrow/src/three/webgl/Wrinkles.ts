@@ -1,6 +1,5 @@
 import type { Mesh } from 'three'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
-import { checkSource } from '../check-source.ts'
 import type { WrinklesOptions } from '../options.ts'
 import { WrinklesBase } from '../wrinkles-base.ts'
 import { WEBGL } from './parts.ts'
@@ -16,6 +15,6 @@ export class Wrinkles extends WrinklesBase {
    * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then unchanged.
    */
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
-    super(WEBGL, mesh, checkSource(source), options)
+    super(WEBGL, mesh, source, options)
   }
 }

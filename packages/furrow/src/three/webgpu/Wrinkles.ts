@@ -1,6 +1,5 @@
 import type { Mesh } from 'three'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
-import { checkSource } from '../check-source.ts'
 import { checkIsMesh } from '../mesh/check-mesh.ts'
 import { instancesOf } from '../mesh/instances.ts'
 import type { WrinklesOptions } from '../options.ts'
@@ -20,7 +19,7 @@ export class Wrinkles extends WrinklesBase {
    *   is needed; the mesh is then unchanged.
    */
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
-    super(WEBGPU, withBatchChecked(mesh), checkSource(source), options)
+    super(WEBGPU, withBatchChecked(mesh), source, options)
   }
 }
 

@@ -18,8 +18,9 @@ export const showDefault: RendererParts['showDefault'] = ({
 }) => {
   const { textures } = inputs
   const instances = instancesOf(meshes[0])
-  const { isTiled, isFor, isCurrent } = tilingOf(meshes, material)
-  const cell = inputs.isAlone() ? 'only' : 'mesh'
+  const { isTiled, isFor, isCurrent: isTiledAsBefore } = tilingOf(meshes, material)
+  const isAlone = inputs.isAlone()
+  const cell = isAlone ? 'only' : 'mesh'
   const variant: ShaderVariant = {
     kinds: textures.kinds,
     normals: textures.normals.slices,
@@ -38,6 +39,7 @@ export const showDefault: RendererParts['showDefault'] = ({
     },
     refuse,
   }
+  const isCurrent = () => isTiledAsBefore() && (!isAlone || inputs.isAlone())
   return { ...patchShader(material, edit, onCompile), isFor, isCurrent }
 }
 

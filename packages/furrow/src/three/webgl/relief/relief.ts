@@ -198,4 +198,4 @@ const PARTS: ReliefParts = {
 }
 
 /** Relief on `WebGLRenderer`. */
-export const createRelief: CreateRelief = (owner, mode) => new ReliefControl(owner, PARTS, mode)
+export const createRelief: CreateRelief = (face, mode) => new ReliefControl(face, PARTS, mode)

@@ -10,7 +10,9 @@ export const showDefault: RendererParts['showDefault'] = ({ material, inputs, me
   const { isTiled, isFor, isCurrent: isTiledAsBefore } = tilingOf(meshes, material)
   const mixesMaps = isToon(material) || Object.keys(inputs.textures.values).length > 0
   const owned = ownedMaps(material)
-  const isCurrent = () => isTiledAsBefore() && (!mixesMaps || ownedMaps(material) === owned)
+  const isAlone = inputs.isAlone()
+  const isCurrent = () =>
+    isTiledAsBefore() && (!isAlone || inputs.isAlone()) && (!mixesMaps || ownedMaps(material) === owned)
   return { ...patchNodes(material, layerNodes(material, inputs, meshes[0], isTiled)), isFor, isCurrent }
 }
 

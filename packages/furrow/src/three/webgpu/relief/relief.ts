@@ -69,4 +69,4 @@ const PARTS: ReliefParts = {
 }
 
 /** Relief on `WebGPURenderer`. */
-export const createRelief: CreateRelief = (owner, mode) => new ReliefControl(owner, PARTS, mode)
+export const createRelief: CreateRelief = (face, mode) => new ReliefControl(face, PARTS, mode)

@@ -1,0 +1,247 @@
+import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
+import type { InstancedMesh } from '@babylonjs/core/Meshes/instancedMesh.js'
+import type { Mesh } from '@babylonjs/core/Meshes/mesh.js'
+import '@babylonjs/core/Meshes/thinInstanceMesh.js'
+import type { Scene } from '@babylonjs/core/scene.js'
+import type { ArraySlice, WrinkleSet } from '../core/types.ts'
+import { driversOf } from '../drivers/of-type.ts'
+import { type DriverPlan, planDrivers } from '../drivers/plan.ts'
+import type { WrinkleDriver } from '../drivers/registry.ts'
+import { applyDrivers } from '../runtime/apply-drivers.ts'
+import type { Cell } from '../runtime/atlas-cells.ts'
+import { FaceGroup } from '../runtime/face-group.ts'
+import { checkIsMesh, checkMaterial, checkMesh } from './check-mesh.ts'
+import { checkMode, checkOptions, type WrinkleMode, type WrinklesOptions } from './options.ts'
+import { patchMaterial } from './patched-material.ts'
+import { type SceneMember, sceneFrame } from './scene-frame.ts'
+import { SharedSet } from './shared-set.ts'
+import { bindInputs } from './sources/bind-inputs.ts'
+import { addMuscles } from './sources/muscles.ts'
+import { CELL, type DrawnFace, WrinklePlugin } from './wrinkle-plugin.ts'
+
+const facesByMesh = new WeakMap<AbstractMesh, WrinkledMesh>()
+
+/** The wrinkles of a mesh, or undefined. A copy that was made since the last frame gets its own now. */
+export function addedTo(mesh: AbstractMesh): WrinkledMesh | undefined {
+  const source = (mesh as InstancedMesh).sourceMesh
+  if (!facesByMesh.has(mesh) && source) facesByMesh.get(source)?.adopt()
+  return facesByMesh.get(mesh) ?? adoptedLater(mesh)
+}
+
+/** Copies that the page has made of meshes with wrinkles, which get their own before the next frame. */
+const copies = new Map<AbstractMesh, WrinkledMesh>()
+
+function adoptedLater(mesh: AbstractMesh): WrinkledMesh | undefined {
+  copies.get(mesh)?.adopt()
+  return facesByMesh.get(mesh)
+}
+
+/** A mesh that shows wrinkles: everything behind `Wrinkles`, out of users' reach. */
+export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, DrawnFace {
+  readonly mesh: AbstractMesh
+  readonly shared: SharedSet
+  readonly cells: readonly Cell[]
+  readonly #meshes: AbstractMesh[] = []
+  readonly #options: Required<WrinklesOptions>
+  readonly #unpatch = new Map<AbstractMesh, () => void>()
+  #mode: WrinkleMode = 'off'
+  /** Whether the vertices of its instances tell their cells. */
+  hasCells = false
+
+  /**
+   * @param source a checked set. Or another mesh: its set, textures and drivers are used, with activations at rest; those of the same mesh are
+   *   replaced.
+   * @throws FurrowError when the mesh or its material does not fit; the mesh is then unchanged.
+   */
+  constructor(
+    mesh: AbstractMesh,
+    source: WrinkleSet<ArraySlice> | WrinkledMesh,
+    options: WrinklesOptions = {},
+  ) {
+    const isCopy = source instanceof WrinkledMesh
+    const all = checkOptions(isCopy ? { ...source.#options, ...options } : options, 'Wrinkles')
+    checkMesh(mesh)
+    const { material } = checkMaterial(mesh)
+    if (isCopy) source.checkInUse('set')
+    const shared = isCopy
+      ? source.shared
+      : new SharedSet(
+          source as WrinkleSet,
+          all.areaSize,
+          material.bumpTexture?.anisotropicFilteringLevel ?? 4,
+          mesh.getScene(),
+        )
+    // Read before the wrinkles of the same mesh are disposed of.
+    const plan = isCopy ? source.plan : undefined
+    super(Math.max((mesh as Mesh).thinInstanceCount ?? 0, 1), shared.areas, shared.slices)
+    this.mesh = mesh
+    this.shared = shared
+    this.#options = all
+    shared.retain()
+    this.cells = shared.atlas.add(this.faces)
+    facesByMesh.get(mesh)?.dispose()
+    sceneFrame(shared.scene).join(this)
+    try {
+      this.addMesh(mesh)
+      this.mode = all.mode
+      const { drivers } = source
+      if (plan) this.drive(plan, true)
+      else if (drivers)
+        applyDrivers(drivers as readonly WrinkleDriver[], 'Wrinkles', () => this.drive(drivers))
+    } catch (error) {
+      this.dispose()
+      throw error
+    }
+  }
+
+  get mode(): WrinkleMode {
+    return this.#mode
+  }
+
+  /** @throws FurrowError when Babylon.js has no such mode, or the material shows another set; the mode then stays as it was. */
+  set mode(mode: WrinkleMode) {
+    this.checkInUse('mode')
+    checkMode(mode)
+    if (mode === 'default') for (const mesh of this.#meshes) this.#patch(mesh)
+    else this.#unpatchAll()
+    this.#mode = mode
+  }
+
+  /** @throws FurrowError when the material of the mesh cannot be patched, or shows another set. */
+  addMesh(mesh: AbstractMesh): void {
+    this.checkInUse('addMesh')
+    checkIsMesh(mesh, 'Wrinkles.addMesh')
+    if (this.#mode === 'default') this.#patch(mesh)
+    this.#meshes.push(mesh)
+    facesByMesh.set(mesh, this)
+    const cloned = mesh.onClonedObservable.add((copy) => copies.set(copy as AbstractMesh, this))
+    const disposed = mesh.onDisposeObservable.add(() => this.dispose())
+    if (this.faces.length > 1 || isInstance(mesh)) this.#tellCells(mesh)
+    this.onDispose(() => {
+      mesh.onClonedObservable.remove(cloned)
+      mesh.onDisposeObservable.remove(disposed)
+      if (facesByMesh.get(mesh) === this) facesByMesh.delete(mesh)
+    })
+  }
+
+  /** Updates inputs, drivers and activations now; influence is drawn only with a scene. */
+  update(scene: Scene | null): void {
+    this.checkInUse('update')
+    sceneFrame(this.shared.scene).run(this, scene)
+  }
+
+  /**
+   * Replaces the drivers.
+   *
+   * @param isLate whether their inputs are found at the first frame.
+   */
+  drive(drivers: readonly WrinkleDriver[] | DriverPlan, isLate = false): void {
+    this.checkInUse('setDrivers')
+    const plan = 'areaNames' in drivers ? drivers : planDrivers(drivers)
+    const muscles = driversOf('muscle', plan.drivers)
+    for (const mesh of this.#meshes) addMuscles(mesh, muscles)
+    this.driveBy(plan, (inputs) => bindInputs(this, inputs), isLate)
+  }
+
+  override dispose(): void {
+    if (this.isDisposed) return
+    super.dispose()
+    this.#unpatchAll()
+    sceneFrame(this.shared.scene).leave(this)
+    this.shared.atlas.cells.remove(this.cells)
+    for (const [copy, source] of copies) if (source === this) copies.delete(copy)
+    this.shared.release()
+  }
+
+  get isShown(): boolean {
+    return this.#mode === 'default' && this.mesh.isEnabled()
+  }
+
+  /** Gives copies of the meshes wrinkles of their own. */
+  adopt(): void {
+    for (const [copy, source] of copies) {
+      if (source !== this) continue
+      copies.delete(copy)
+      this.#copyTo(copy)
+    }
+    for (const mesh of this.#meshes) {
+      for (const instance of (mesh as Mesh).instances ?? [])
+        if (!facesByMesh.has(instance)) this.#copyTo(instance)
+    }
+  }
+
+  /** Phase 4 of a frame, see `Frame`. */
+  collectInfluence(): boolean {
+    if (this.#mode === 'off') return false
+    this.shared.atlas.cells.collect(this.cells)
+    return true
+  }
+
+  /** Phase 5: nothing is derived from the influence. */
+  composeNormals(): void {}
+
+  #copyTo(copy: AbstractMesh): void {
+    if (copy.isDisposed() || facesByMesh.has(copy)) return
+    try {
+      new WrinkledMesh(copy, this)
+    } catch (error) {
+      // A copy with another material stays plain.
+      console.warn((error as Error).message)
+    }
+  }
+
+  #patch(mesh: AbstractMesh): void {
+    if (this.#unpatch.has(mesh)) return
+    const { material, kind } = checkMaterial(mesh)
+    this.#unpatch.set(
+      mesh,
+      patchMaterial(material, kind, this.shared, (drawn) => shownOn(drawn)),
+    )
+  }
+
+  #unpatchAll(): void {
+    for (const unpatch of this.#unpatch.values()) unpatch()
+    this.#unpatch.clear()
+  }
+
+  /** Tells the vertices of a mesh's instances which cells are theirs. */
+  #tellCells(mesh: AbstractMesh): void {
+    const source = isInstance(mesh) ? mesh.sourceMesh : (mesh as Mesh)
+    const first = this.cells[0].index
+    if (isInstance(mesh)) {
+      const owner = facesByMesh.get(source)
+      if (!source.instancedBuffers?.[CELL]) {
+        source.registerInstancedBuffer(CELL, 1)
+        source.instancedBuffers[CELL] = owner?.cells[0].index ?? first
+      }
+      mesh.instancedBuffers[CELL] = first
+      owner?.markInstanced()
+    } else {
+      source.thinInstanceSetBuffer(
+        CELL,
+        Float32Array.from(this.cells, ({ index }) => index),
+        1,
+        true,
+      )
+      this.markInstanced()
+    }
+  }
+
+  markInstanced(): void {
+    if (this.hasCells) return
+    this.hasCells = true
+    for (const mesh of this.#meshes) {
+      mesh.material?.pluginManager?.getPlugin<WrinklePlugin>(WrinklePlugin.NAME)?.markAllDefinesAsDirty()
+    }
+  }
+}
+
+/** The face that a mesh shows, if it does. */
+function shownOn(mesh: AbstractMesh): WrinkledMesh | undefined {
+  const face = facesByMesh.get(mesh)
+  return face?.mode === 'default' ? face : undefined
+}
+
+function isInstance(mesh: AbstractMesh): mesh is InstancedMesh {
+  return mesh.isAnInstance
+}

@@ -1,0 +1,195 @@
+import { wrongArgument } from '../core/argument.ts'
+import { FurrowError } from '../core/error.ts'
+import type { Area, ArraySlice } from '../core/types.ts'
+import { type Expression, expressionsOf } from '../drivers/expression/expression.ts'
+import type { DriverPlan } from '../drivers/plan.ts'
+import type { WrinkleDriver } from '../drivers/registry.ts'
+import type { AreaSlots } from './area-slots.ts'
+import { type BindInputs, DriverRuntime } from './driver-runtime.ts'
+import { Face } from './face.ts'
+import { checkInstance, NamedInputs } from './named-inputs.ts'
+
+/** A source of time. */
+export interface Clock {
+  /** Milliseconds since any fixed moment. */
+  now(): number
+}
+
+/**
+ * The faces of one mesh: one for each instance, or the mesh itself. Holds their areas, activations, inputs and drivers, independent of
+ * the engine. `WrinkleFaces` is what users see of it.
+ *
+ * @typeParam Engine what draws a frame, e.g. a renderer.
+ */
+export abstract class FaceGroup<Engine = unknown> {
+  /** Whether drivers activate their areas. */
+  driven = true
+  /** The mesh that drives. */
+  abstract readonly mesh: { readonly name: string }
+  readonly inputs: NamedInputs
+  readonly faces: readonly Face[]
+  /** In the order of the activations. */
+  areas: Area<ArraySlice>[]
+  #clock: Clock = performance
+  #isDisposed = false
+  #runtime: DriverRuntime<Engine> | null = null
+  #expressions: readonly Expression[] = []
+  readonly #disposers: (() => void)[] = []
+
+  /**
+   * @param count number of faces.
+   * @param slots of the areas, in their order.
+   */
+  constructor(count: number, areas: readonly Area<ArraySlice>[], slots: AreaSlots) {
+    this.areas = [...areas]
+    this.faces = Array.from({ length: count }, () => new Face(slots, areas))
+    this.inputs = new NamedInputs(count, (method) => this.checkInUse(method))
+  }
+
+  /** The time for drivers with a delay. */
+  get clock(): Clock {
+    return this.#clock
+  }
+
+  /** @throws FurrowError when it cannot tell the time. */
+  set clock(clock: Clock) {
+    if (typeof clock?.now !== 'function') {
+      throw wrongArgument('Wrinkles.clock', 'a clock', clock, 'an object with now()')
+    }
+    this.#clock = clock
+  }
+
+  get isDisposed(): boolean {
+    return this.#isDisposed
+  }
+
+  get areaNames(): string[] {
+    return this.areas.map(({ name }) => name)
+  }
+
+  getArea(name: string): Area<ArraySlice> | undefined {
+    return this.areas.find((area) => area.name === name)
+  }
+
+  hasArea(name: string): boolean {
+    return this.faces[0].activations.has(name)
+  }
+
+  /** @throws FurrowError when no area has that name, the value is not a number, or there is no such instance. */
+  setActivation(area: string, value: number, instance = 0): void {
+    this.checkInUse('setActivation')
+    const face = this.#faceOf(instance, 'setActivation')
+    if (this.#isMoved(area)) face.activations.set(area, value)
+    else face.setResting(area, value)
+  }
+
+  /** @throws FurrowError when there are fewer values than names, or no such instance. */
+  setActivations(names: readonly string[], values: Float32Array, instance = 0): void {
+    this.checkInUse('setActivations')
+    if (!Array.isArray(names) || !(values?.length >= names.length)) {
+      throw wrongArgument(
+        'Wrinkles.setActivations',
+        'values',
+        values?.length,
+        `one for each of ${names?.length} names`,
+      )
+    }
+    const { activations, resting } = this.#faceOf(instance, 'setActivations')
+    activations.setNamed(names, values)
+    resting.setNamed(names, values, this.plan?.movedAreas)
+  }
+
+  /** @throws FurrowError when no area has that name. */
+  getActivation(area: string, instance = 0): number {
+    return this.#faceOf(instance, 'getActivation').activations.get(area)
+  }
+
+  /** @throws FurrowError as `setActivation` does. */
+  setRestingActivation(area: string, value: number, instance = 0): void {
+    this.checkInUse('setRestingActivation')
+    this.#faceOf(instance, 'setRestingActivation').setResting(area, value)
+  }
+
+  /** @throws FurrowError when no area has that name. */
+  getRestingActivation(area: string, instance = 0): number {
+    return this.#faceOf(instance, 'getRestingActivation').resting.get(area)
+  }
+
+  isDriven(area: string): boolean {
+    return this.driven && this.#isMoved(area)
+  }
+
+  get drivers(): readonly WrinkleDriver[] {
+    return this.plan?.drivers ?? []
+  }
+
+  get expressions(): readonly Expression[] {
+    return this.#expressions
+  }
+
+  get plan(): DriverPlan | undefined {
+    return this.#runtime?.plan
+  }
+
+  /**
+   * Replaces the drivers.
+   *
+   * @param bindInputs finds their inputs on the mesh.
+   * @param isLate whether inputs are found at the first frame; otherwise now.
+   */
+  driveBy(plan: DriverPlan, bindInputs: BindInputs<Engine>, isLate: boolean): void {
+    const runtime = new DriverRuntime(plan, bindInputs, this.inputs, this.faces.length, this.mesh.name)
+    if (!isLate) runtime.bind()
+    this.#runtime = runtime
+    this.#expressions = expressionsOf(plan.drivers)
+  }
+
+  /** Phase 1 of a frame, see `Frame`. */
+  readInputs(engine: Engine | null): void {
+    if (this.driven) this.#runtime?.readInputs(this.faces, this.clock, engine)
+  }
+
+  /** Phase 2. */
+  evaluateDrivers(): void {
+    if (this.driven) this.#runtime?.evaluate(this.faces)
+  }
+
+  /** Phase 3. */
+  applyActivations(): void {
+    if (this.driven) this.#runtime?.apply(this.faces)
+  }
+
+  onDispose(dispose: () => void): void {
+    if (typeof dispose !== 'function') {
+      throw wrongArgument('Wrinkles.onDispose', 'what to call', dispose, 'a function')
+    }
+    this.#disposers.push(dispose)
+  }
+
+  /** Calls the functions registered by `onDispose`, and drops the drivers. */
+  dispose(): void {
+    this.#isDisposed = true
+    for (const dispose of this.#disposers.splice(0)) dispose()
+    this.#runtime = null
+  }
+
+  /** @throws FurrowError when the wrinkles were disposed of. */
+  checkInUse(method: string): void {
+    if (!this.#isDisposed) return
+    throw new FurrowError({
+      who: `Wrinkles.${method}`,
+      what: 'the wrinkles were disposed of',
+      remedy: 'create new ones for the mesh',
+    })
+  }
+
+  #faceOf(instance: number, method: string): Face {
+    const face = this.faces[instance]
+    if (!face) checkInstance(instance, this.faces.length, `Wrinkles.${method}`)
+    return face
+  }
+
+  #isMoved(area: string): boolean {
+    return this.plan?.movedAreas.has(area) ?? false
+  }
+}

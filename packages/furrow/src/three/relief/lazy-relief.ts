@@ -1,0 +1,66 @@
+import type { Camera, Mesh } from 'three'
+import { checkReliefMode, type ReliefMode } from '../options.ts'
+import type { AnyRenderer } from '../renderer.ts'
+import type { RaisedFace } from './raised-face.ts'
+import { canRise } from './raised-layer.ts'
+import type { CreateRelief, ReliefControl } from './relief-control.ts'
+
+/** The relief of a face. Its code is fetched when relief is first wanted, and there are heights for it. */
+export class LazyRelief {
+  readonly #face: RaisedFace
+  readonly #load: () => Promise<CreateRelief>
+  #mode: ReliefMode = 'off'
+  #control: ReliefControl | null = null
+
+  /** @param load fetches the code. */
+  constructor(face: RaisedFace, load: () => Promise<CreateRelief>) {
+    this.#face = face
+    this.#load = load
+  }
+
+  get mode(): ReliefMode {
+    return this.#mode
+  }
+
+  /** @throws FurrowError when there is no such mode. */
+  set mode(mode: ReliefMode) {
+    this.#face.checkInUse('relief')
+    checkReliefMode(mode)
+    this.#mode = mode
+    if (this.#control) this.#control.mode = mode
+    else if (mode !== 'off') this.#fetch().catch(({ message }) => console.warn(message))
+  }
+
+  /** Whether dense geometries are drawn. */
+  get isShown(): boolean {
+    return this.#control?.isShown ?? false
+  }
+
+  /** Splits the triangles now; fulfilled when relief can be drawn. */
+  async ready(): Promise<void> {
+    this.#face.checkInUse('reliefReady')
+    await (await this.#fetch())?.ready()
+  }
+
+  /** Called when the material shows another mode, so that the first frame has its relief already. */
+  resume(): void {
+    this.#control?.resume()
+  }
+
+  /** Called before a mesh is drawn. */
+  prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
+    this.#control?.prepare(renderer, camera, mesh)
+  }
+
+  dispose(): void {
+    this.#control?.dispose()
+  }
+
+  async #fetch(): Promise<ReliefControl | null> {
+    if (!this.#face.shaderInputs.textures.layers.some(canRise)) return null
+    const createRelief = await this.#load()
+    if (this.#face.isDisposed) return null
+    this.#control ??= createRelief(this.#face, this.#mode)
+    return this.#control
+  }
+}

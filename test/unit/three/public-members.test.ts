@@ -1,0 +1,27 @@
+import { Wrinkles as BabylonWrinkles } from 'furrow/babylon'
+import { expect, it } from 'vitest'
+import { face } from './refused.ts'
+
+const MEMBERS = [
+  ...['addMesh', 'areaNames', 'clock', 'dispose', 'driven', 'drivers', 'expressions', 'faceCount'],
+  ...['getActivation', 'getArea', 'getRestingActivation', 'hasArea', 'inputs', 'isDisposed', 'isDriven'],
+  ...['mesh', 'mode', 'onDispose', 'setActivation', 'setActivations', 'setRestingActivation', 'update'],
+]
+const OF_THREE = ['cloneMaterial', 'createInfluenceMaterial', 'relief', 'reliefReady']
+
+/** Names of everything that can be reached on an object, but for those that all objects have. */
+function membersOf(object: object): string[] {
+  const names = new Set<string>()
+  for (let own = object; own !== Object.prototype; own = Object.getPrototypeOf(own))
+    for (const key of Reflect.ownKeys(own)) names.add(String(key))
+  names.delete('constructor')
+  return [...names].sort()
+}
+
+it.each([
+  ['three.js', face().wrinkles, [...MEMBERS, ...OF_THREE]],
+  // Its maps need a GPU.
+  ['Babylon.js', BabylonWrinkles.prototype, MEMBERS],
+])('wrinkles of %s have the documented members alone', (_, wrinkles, members) => {
+  expect(membersOf(wrinkles)).toEqual([...members].sort())
+})
