@@ -1,12 +1,6 @@
 /** Times a face from its file to the first frame, in a page that has drawn nothing before but an empty scene. */
 import { Box3, DirectionalLight, type Mesh, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three'
-import {
-  type GLTF,
-  GLTFLoader,
-  type GLTFLoaderPlugin,
-  type GLTFParser,
-} from 'three/addons/loaders/GLTFLoader.js'
-import { type StrippedPatch, StrippedPlugin } from './stripped.ts'
+import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
 /** Milliseconds. */
 export interface FirstFrame {
@@ -18,8 +12,8 @@ export interface FirstFrame {
   longest: number
 }
 
-/** How the face is loaded: without wrinkles, with as little as can show them (`stripped.ts`), with Furrow's plugin. */
-type Variant = 'plain' | 'stripped' | 'furrow'
+/** How the face is loaded: without wrinkles, or with Furrow's plugin. */
+type Variant = 'plain' | 'furrow'
 
 declare global {
   interface Window {
@@ -28,7 +22,7 @@ declare global {
 }
 
 window.firstFrame = async (kind, variant) => {
-  const { draw, plugins } = await (kind === 'webgl' ? webgl() : webgpu())
+  const { draw, extendLoader } = await (kind === 'webgl' ? webgl() : webgpu())
   const file = await (await fetch('/human.glb')).arrayBuffer()
   const camera = new PerspectiveCamera(20, 4 / 3, 0.01, 10)
   await draw(new Scene(), camera)
@@ -36,7 +30,7 @@ window.firstFrame = async (kind, variant) => {
   await pulse.begin()
   const start = performance.now()
   const loader = new GLTFLoader()
-  if (variant !== 'plain') loader.register(plugins[variant])
+  if (variant === 'furrow') extendLoader(loader)
   const gltf = await loader.parseAsync(file, '')
   const parsed = performance.now()
   const scene = litFace(gltf, camera)
@@ -49,10 +43,7 @@ window.firstFrame = async (kind, variant) => {
 }
 
 async function webgl() {
-  const [{ WrinkleLoaderPlugin }, { strippedPatch }] = await Promise.all([
-    import('furrow/three'),
-    import('./stripped-glsl.ts'),
-  ])
+  const { extendLoader } = await import('furrow/three')
   const renderer = new WebGLRenderer()
   renderer.setSize(800, 600)
   document.body.append(renderer.domElement)
@@ -61,14 +52,13 @@ async function webgl() {
     renderer.render(scene, camera)
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4))
   }
-  return { draw, plugins: pluginsOf(WrinkleLoaderPlugin, strippedPatch) }
+  return { draw, extendLoader }
 }
 
 async function webgpu() {
-  const [{ WrinkleLoaderPlugin }, { WebGPURenderer }, { strippedPatch }] = await Promise.all([
+  const [{ extendLoader }, { WebGPURenderer }] = await Promise.all([
     import('furrow/webgpu'),
     import('three/webgpu'),
-    import('./stripped-tsl.ts'),
   ])
   const renderer = new WebGPURenderer()
   renderer.setSize(800, 600)
@@ -79,14 +69,7 @@ async function webgpu() {
     renderer.render(scene, camera)
     await device.queue.onSubmittedWorkDone()
   }
-  return { draw, plugins: pluginsOf(WrinkleLoaderPlugin, strippedPatch) }
-}
-
-function pluginsOf(Furrow: new (parser: GLTFParser) => GLTFLoaderPlugin, patch: StrippedPatch) {
-  return {
-    stripped: (parser: GLTFParser) => new StrippedPlugin(parser, patch),
-    furrow: (parser: GLTFParser) => new Furrow(parser),
-  }
+  return { draw, extendLoader }
 }
 
 /** The face in lights, frowning. */

@@ -18,7 +18,7 @@ const { values: options } = parseArgs({
   },
 })
 const rounds = Number(options.rounds)
-const VARIANTS = ['plain', 'stripped', 'furrow']
+const VARIANTS = ['plain', 'furrow']
 
 const server = await serve()
 await runServed(server, run)
@@ -56,15 +56,12 @@ async function run() {
         if (i > 0) times.push(round)
       }
       for (const what of ['parsed', 'drawn', 'longest']) {
-        const of = (variant) => median(times.map((round) => round[variant][what]))
-        const added = (from, to) => median(times.map((round) => round[to][what] - round[from][what]))
         rows.push({
           renderer,
           what,
-          ...Object.fromEntries(VARIANTS.map((variant) => [variant, of(variant)])),
-          floor: added('plain', 'stripped'),
-          own: added('stripped', 'furrow'),
-          added: added('plain', 'furrow'),
+          plain: median(times.map(({ plain }) => plain[what])),
+          furrow: median(times.map(({ furrow }) => furrow[what])),
+          added: median(times.map(({ plain, furrow }) => furrow[what] - plain[what])),
         })
       }
     }
@@ -76,7 +73,7 @@ async function run() {
   process.stdout.write(
     `${cpus()[0].model}, ${cpus().length} cores, medians of ${rounds} rounds, in milliseconds\n`,
   )
-  const columns = [...VARIANTS, 'floor', 'own', 'added']
+  const columns = [...VARIANTS, 'added']
   process.stdout.write(line(['', '', ...columns]))
   for (const row of rows) {
     process.stdout.write(line([row.renderer, row.what, ...columns.map((name) => row[name].toFixed(0))]))
