@@ -1,9 +1,7 @@
 import { type AutoWrinkles, autoWrinkleSet, autoWrinkles, type Skin } from 'furrow/author'
 import { checkWrinkleSet } from 'furrow/internal'
-import { findSkin } from 'furrow-files'
-import { readDocument } from 'furrow-files/node'
 import { describe, expect, test } from 'vitest'
-import { FACES } from './faces.ts'
+import { FACES, skinAt } from './faces.ts'
 import { sheet } from './sheet.ts'
 
 const SETTINGS = { age: 50, size: 256, areaSize: 128 }
@@ -17,7 +15,7 @@ const FLUSHES = [
 ]
 
 describe.each(FACES)('blood of %s', async (_, path) => {
-  const { skin } = findSkin(await readDocument(path, 'test'), path, 'test')
+  const skin = await skinAt(path)
   const wrinkles = autoWrinkles(skin, SETTINGS)
   const { blood, areas, layers } = wrinkles
   const flushOf = (name: string) => blood.areas.find((area) => area.name === name)!

@@ -14,6 +14,11 @@ import {
 import { SCANS } from '../../../bare-faces/bare-faces.ts'
 import { driven } from '../../../driven.ts'
 
+/** The skin of a face in a file, as `furrow auto` finds it. */
+export async function skinAt(path: string): Promise<Skin> {
+  return findSkin(await readDocument(path, 'test'), path, 'test').skin
+}
+
 /** The face that ships, and the scan where it is available. */
 export const FACES = [
   ['human', fileURLToPath(new URL('../../../../faces/human.glb', import.meta.url))],
@@ -54,7 +59,7 @@ export class MeasuredFace {
   }
 
   static async read(path: string): Promise<MeasuredFace> {
-    const { skin } = findSkin(await readDocument(path, 'test'), path, 'test')
+    const skin = await skinAt(path)
     return new MeasuredFace(skin, autoWrinkles(skin, { age: 70, size: 512 }))
   }
 

@@ -9,13 +9,11 @@ import {
   sampleTriangles,
   TensionMeasurement,
 } from 'furrow/internal'
-import { findSkin } from 'furrow-files'
-import { readDocument } from 'furrow-files/node'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { poseOf } from '../../../../packages/furrow/src/author/auto/surface/pose.ts'
 import { driven } from '../../../driven.ts'
 import { seeded } from '../../../random.ts'
-import { FACES, prepareFace } from './faces.ts'
+import { FACES, prepareFace, skinAt } from './faces.ts'
 
 type Pose = Readonly<Record<string, number>>
 
@@ -35,7 +33,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
   let skin: Skin
   let wrinkles: AutoWrinkles
   beforeAll(async () => {
-    skin = findSkin(await readDocument(path, 'test'), path, 'test').skin
+    skin = await skinAt(path)
     wrinkles = autoWrinkles(skin, { size: 2048, furrows: true, age: 50 })
   })
 

@@ -1,10 +1,8 @@
 import { skinCanvas } from 'furrow/author'
 import { addFurrows, FINE_FURROW_DEFAULTS } from 'furrow/internal'
-import { findSkin } from 'furrow-files'
-import { readDocument } from 'furrow-files/node'
 import { expect, test } from 'vitest'
 import { cutInTwo, findCuts, halfTurn } from './cuts.ts'
-import { FACES } from './faces.ts'
+import { FACES, skinAt } from './faces.ts'
 
 const SIZE = 1024
 /** Seven texels of this size make a furrow. */
@@ -12,7 +10,7 @@ const FURROWS = { ...FINE_FURROW_DEFAULTS, size: 9, depth: 0.1 }
 
 test('fine furrows are as deep on both sides of a cut of the texture', async () => {
   const [, path] = FACES[0]
-  const { skin } = findSkin(await readDocument(path, 'test'), path, 'test')
+  const skin = await skinAt(path)
   const isSecond = (triangle: number) =>
     [0, 1, 2].every((k) => skin.uvs[2 * skin.indices[3 * triangle + k]] <= 0.5)
   const { cut } = cutInTwo(skin, isSecond, halfTurn)

@@ -7,11 +7,9 @@ import {
   skinCanvas,
 } from 'furrow/author'
 import { addFurrows, strokesOf } from 'furrow/internal'
-import { findSkin } from 'furrow-files'
-import { readDocument } from 'furrow-files/node'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { driven } from '../../../driven.ts'
-import { FACES } from './faces.ts'
+import { FACES, skinAt } from './faces.ts'
 
 const [, HUMAN] = FACES[0]
 const SIZE = 2048
@@ -24,7 +22,7 @@ const made = new Map<number, AutoWrinkles>()
 const make = (options: AutoOptions) => autoWrinkles(skin, { size: SIZE, furrows: true, ...options })
 
 beforeAll(async () => {
-  skin = findSkin(await readDocument(HUMAN, 'test'), HUMAN, 'test').skin
+  skin = await skinAt(HUMAN)
   for (const age of [30, 50, 70]) made.set(age, make({ age }))
 })
 

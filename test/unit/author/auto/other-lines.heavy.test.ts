@@ -1,16 +1,14 @@
 import { type AutoOptions, autoWrinkles, type Skin } from 'furrow/author'
 import { strokesOf } from 'furrow/internal'
-import { findSkin } from 'furrow-files'
-import { readDocument } from 'furrow-files/node'
 import { beforeAll, expect, test } from 'vitest'
-import { FACES } from './faces.ts'
+import { FACES, skinAt } from './faces.ts'
 
 let skin: Skin
 let first: Map<string, string>
 
 beforeAll(async () => {
   const [[, path]] = FACES
-  skin = findSkin(await readDocument(path, 'test'), path, 'test').skin
+  skin = await skinAt(path)
   first = linesOf({})
 })
 

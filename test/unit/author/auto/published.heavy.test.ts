@@ -1,9 +1,7 @@
 import { type AutoWrinkles, autoWrinkles } from 'furrow/author'
-import { findSkin } from 'furrow-files'
-import { readDocument } from 'furrow-files/node'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { bankSlope } from '../../../../packages/furrow/src/author/strokes/profile.ts'
-import { FACES } from './faces.ts'
+import { FACES, skinAt } from './faces.ts'
 import {
   measureProfile,
   type Profile,
@@ -33,7 +31,7 @@ describe.each(FACES)('%s, its heights measured', (_, path) => {
   const profiles = new Map<string, Profile>()
 
   beforeAll(async () => {
-    const { skin } = findSkin(await readDocument(path, 'test'), path, 'test')
+    const skin = await skinAt(path)
     for (const age of AGES) {
       const wrinkles = autoWrinkles(skin, { age, size: 1024 })
       made.set(age, wrinkles)

@@ -1,7 +1,5 @@
 import { autoWrinkles, heightToNormal, type Skin } from 'furrow/author'
 import { type SkinSurface, surfaceMetric } from 'furrow/internal'
-import { findSkin } from 'furrow-files'
-import { readDocument } from 'furrow-files/node'
 import { beforeAll, describe, expect, test } from 'vitest'
 import type { CreasedRegion } from '../../../../packages/furrow/src/author/auto/lines/crease.ts'
 import { drawAreas } from '../../../../packages/furrow/src/author/auto/raster/draw-areas.ts'
@@ -10,7 +8,7 @@ import { SkinTexels } from '../../../../packages/furrow/src/author/skin/skin-tex
 import { drawStrokes } from '../../../../packages/furrow/src/author/strokes/height.ts'
 import { Rng } from '../../../../packages/furrow/src/math/rng.ts'
 import { type CutPoint, type CutSide, cutInTwo, findCuts, halfTurn, quarterTurn } from './cuts.ts'
-import { FACES, facialCreases, prepareFace } from './faces.ts'
+import { FACES, facialCreases, prepareFace, skinAt } from './faces.ts'
 import { SIDE, sheet } from './sheet.ts'
 import { type Channels, levelsOf, sample, slopeIn } from './slopes.ts'
 
@@ -205,7 +203,7 @@ interface DrawnFace {
 
 /** A face cut in two, with its lines, which are laid on the cut one. */
 async function cutFace(path: string): Promise<CutFace> {
-  const { skin } = findSkin(await readDocument(path, 'test'), path, 'test')
+  const skin = await skinAt(path)
   const isRight = (triangle: number) =>
     [0, 1, 2].reduce((sum, k) => sum + skin.positions[3 * skin.indices[3 * triangle + k]], 0) < 0
   const skins = cutInTwo(skin, isRight, halfTurn)

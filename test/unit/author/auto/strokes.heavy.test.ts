@@ -7,16 +7,14 @@ import {
   strokesToHeight,
 } from 'furrow/author'
 import { strokesOf } from 'furrow/internal'
-import { findSkin } from 'furrow-files'
-import { readDocument } from 'furrow-files/node'
 import { describe, expect, test } from 'vitest'
 import { decimatedSkin } from './decimated.ts'
-import { FACES } from './faces.ts'
+import { FACES, skinAt } from './faces.ts'
 
 const [, HUMAN] = FACES[0]
 const SIZE = 512
 
-const human = async () => findSkin(await readDocument(HUMAN, 'test'), HUMAN, 'test').skin
+const human = () => skinAt(HUMAN)
 
 /** In centimetres, lying on its back. */
 async function lying(): Promise<Skin> {

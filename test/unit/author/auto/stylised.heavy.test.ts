@@ -1,9 +1,7 @@
 import { autoWrinkles, type Skin } from 'furrow/author'
-import { findSkin } from 'furrow-files'
-import { readDocument } from 'furrow-files/node'
 import { beforeAll, expect, test } from 'vitest'
 import { oddMeasures } from '../../../../packages/furrow/src/author/auto/anatomy/proportions.ts'
-import { FACES, prepareFace } from './faces.ts'
+import { FACES, prepareFace, skinAt } from './faces.ts'
 
 const SETTINGS = { size: 64, areaSize: 32 }
 
@@ -11,7 +9,7 @@ let human: Skin
 
 beforeAll(async () => {
   const [[, path]] = FACES
-  human = findSkin(await readDocument(path, 'test'), path, 'test').skin
+  human = await skinAt(path)
 })
 
 /** A head that is stretched along an axis, blendshapes included. */
@@ -58,6 +56,6 @@ test('eyes that reach from nose to temple get no lines round them', () => {
 })
 
 test.each(FACES)('%s is like people', async (_, path) => {
-  const { skin } = findSkin(await readDocument(path, 'test'), path, 'test')
+  const skin = await skinAt(path)
   expect(oddMeasures(prepareFace(skin).face.landmarks)).toEqual([])
 })
