@@ -1,15 +1,14 @@
 import { readFileSync, writeFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
 import { editGlb } from '../../glb.ts'
-import { sheet, sheetGlb } from './sheet.ts'
+import { writeSheet } from './sheet.ts'
 import { bench } from './workshop.ts'
 
 const at = bench('auto')
 const { file, fails } = at
 
-async function writeSheet(name: string, edit: Parameters<typeof editGlb>[1] = () => {}): Promise<string> {
-  writeFileSync(file(name), await sheetGlb(sheet(40)))
-  writeFileSync(file(name), editGlb(readFileSync(file(name)), edit))
+async function write(name: string, edit: Parameters<typeof editGlb>[1] = () => {}): Promise<string> {
+  writeFileSync(file(name), editGlb(readFileSync(await writeSheet(file(name))), edit))
   return file(name)
 }
 
@@ -17,7 +16,7 @@ test.each([
   ['PNG', []],
   ['KTX 2', ['--ktx2']],
 ])('the cost is what inspect counts, as %s', async (_, options) => {
-  const path = await writeSheet('plain.glb')
+  const path = await write('plain.glb')
   await at.run(path, '-o', file('out.glb'), '--size', '512', '--json', '--force', ...options)
   const { cost } = JSON.parse(at.printed)
   const { gpu, influenceMapBytes, imageBytes, strokes } = JSON.parse(
@@ -44,7 +43,7 @@ test('an avatar takes at most 2 MB on the GPU at 1024 texels, compressed, as ins
 })
 
 test('what wrinkles cost, how they cost less and what drops them is printed', async () => {
-  await at.run(await writeSheet('plain.glb'), '-o', file('out.glb'), '--size', '512')
+  await at.run(await write('plain.glb'), '-o', file('out.glb'), '--size', '512')
   expect(at.printed).toMatch(
     /wrinkles: [\d.]+ kB in the file, [\d.]+ kB on the GPU; --ktx2 or a smaller --size/,
   )
@@ -52,7 +51,7 @@ test('what wrinkles cost, how they cost less and what drops them is printed', as
 })
 
 test('what compressed wrinkles cost on a phone is printed too', async () => {
-  await at.run(await writeSheet('plain.glb'), '-o', file('out.glb'), '--size', '512', '--ktx2', '--force')
+  await at.run(await write('plain.glb'), '-o', file('out.glb'), '--size', '512', '--ktx2', '--force')
   const [, desktop, phone] = /([\d.]+) kB on the GPU \(([\d.]+) kB on a phone, as ASTC\)/.exec(at.printed)!
   // Maps take twice as much, areas and the influence map the same.
   expect(Number(phone)).toBeGreaterThan(1.5 * Number(desktop))
@@ -86,12 +85,12 @@ test.each<[string, (json: Json) => void, string]>([
     'the material "cloth" shows no wrinkles: a mesh with this material has no NORMAL; export the mesh with normals',
   ],
 ])('a material that is %s is told of', async (_, edit, warning) => {
-  await at.run(await writeSheet('odd.glb', edit as never), '-o', file('out.glb'), '--size', '512')
+  await at.run(await write('odd.glb', edit as never), '-o', file('out.glb'), '--size', '512')
   expect(at.warned).toContain(warning)
 })
 
 test('a lit material is preferred to an unlit one that moves as much', async () => {
-  const face = await writeSheet('two.glb', ((json: Json) => {
+  const face = await write('two.glb', ((json: Json) => {
     const [primitive] = json.meshes[0]!.primitives
     unlit(json.materials[0]!)
     json.materials.push({ name: 'lit' })

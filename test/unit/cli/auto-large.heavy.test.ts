@@ -1,9 +1,9 @@
-import { readFileSync, writeFileSync } from 'node:fs'
+import { readFileSync } from 'node:fs'
 import { parseWrinkleMaps } from 'furrow/internal'
 import { describe, expect, test } from 'vitest'
 import { BARE_FACES } from '../../bare-faces/bare-faces.ts'
 import { jsonOf } from '../../glb.ts'
-import { sheet, sheetGlb } from './sheet.ts'
+import { writeSheet } from './sheet.ts'
 import { bench } from './workshop.ts'
 
 const FACE = 'faces/human.glb'
@@ -19,8 +19,7 @@ const areasOf = (path: string) => {
 }
 
 test('400,000 triangles are worked on', async () => {
-  writeFileSync(file('fine.glb'), await sheetGlb(sheet(448)))
-  await run(file('fine.glb'), '-o', file('out.glb'))
+  await run(await writeSheet(file('fine.glb'), undefined, 448), '-o', file('out.glb'))
   expect(areasOf(file('out.glb')).length).toBeGreaterThan(0)
 })
 

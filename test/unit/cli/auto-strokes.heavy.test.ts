@@ -1,6 +1,6 @@
-import { readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { readdirSync, readFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
-import { sheet, sheetGlb } from './sheet.ts'
+import { writeSheet } from './sheet.ts'
 import { bench } from './workshop.ts'
 
 const at = bench('auto')
@@ -10,7 +10,7 @@ test.each([
   ['PNG', []],
   ['KTX 2', ['--ktx2']],
 ])('auto keeps its lines in the file, with maps as %s', async (kind, options) => {
-  writeFileSync(file('sheet.glb'), await sheetGlb(sheet(40)))
+  await writeSheet(file('sheet.glb'))
   const [out, lines, folder] = [file(`${kind}.glb`), file(`${kind}.json`), file(kind)]
   await at.run(file('sheet.glb'), '-o', out, '--size', '512', '--strokes', lines, ...options)
   await at.shop.run('unpack', out, '-o', folder)
@@ -39,10 +39,10 @@ test('furrow strokes draws them again as the same maps, byte for byte', async ()
 })
 
 test('the strokes of a skin whose texture is another tile, and sticks out of it, are readable', async () => {
-  const shape = sheet(40)
-  // Down to 1 mm beyond the edges of the tile.
-  shape.uvs = shape.uvs!.map((value) => 1 + 1.006 * value - 0.003)
-  writeFileSync(file('tile.glb'), await sheetGlb(shape))
+  await writeSheet(file('tile.glb'), (shape) => {
+    // Down to 1 mm beyond the edges of the tile.
+    shape.uvs = shape.uvs!.map((value) => 1 + 1.006 * value - 0.003)
+  })
   await at.run(file('tile.glb'), '-o', file('out.glb'), '--size', '512', '--age', '80', '--strength', '2')
   expect(await at.shop.output('validate', file('out.glb'))).not.toContain('STROKES')
   expect(

@@ -5,7 +5,7 @@ import { AUTO_STEPS, parseWrinkleMaps } from 'furrow/internal'
 import sharp from 'sharp'
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
 import { editGlb, jsonOf } from '../../glb.ts'
-import { PUSHED, type Sheet, sheet, sheetGlb } from './sheet.ts'
+import { PUSHED, type Sheet, writeSheet } from './sheet.ts'
 import { bench } from './workshop.ts'
 
 const NAME = 'FURROW_wrinkle_maps'
@@ -15,13 +15,7 @@ const { file, fails } = at
 /** At the smallest size: what is tested here does not hang on it. */
 const run = (...args: string[]) => at.run(...args, '--size', '512')
 
-/** Writes a sheet, spoilt or not. */
-async function write(name: string, spoil: (shape: Sheet) => void = () => {}, squares = 40): Promise<string> {
-  const shape = sheet(squares)
-  spoil(shape)
-  writeFileSync(file(name), await sheetGlb(shape))
-  return file(name)
-}
+const write = (name: string, spoil?: (shape: Sheet) => void) => writeSheet(file(name), spoil)
 
 const areasOf = (path: string) => {
   const json = jsonOf(readFileSync(path))

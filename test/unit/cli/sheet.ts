@@ -1,3 +1,4 @@
+import { writeFileSync } from 'node:fs'
 import { Document, NodeIO } from '@gltf-transform/core'
 import { accessorsOf } from '../../accessors.ts'
 
@@ -65,4 +66,12 @@ export async function sheetGlb({ positions, uvs, indices, targets }: Sheet): Pro
 
 function towardsViewer(count: number): Float32Array {
   return Float32Array.from({ length: 3 * count }, (_, i) => (i % 3 === 2 ? 1 : 0))
+}
+
+/** Writes a sheet, spoilt or not; returns the path. */
+export async function writeSheet(path: string, spoil: (shape: Sheet) => void = () => {}, squares = 40) {
+  const shape = sheet(squares)
+  spoil(shape)
+  writeFileSync(path, await sheetGlb(shape))
+  return path
 }

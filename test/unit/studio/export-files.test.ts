@@ -96,26 +96,27 @@ describe('a project', () => {
   it('becomes the bytes of furrow pack, validated, and a project again', async () => {
     const { files, face } = await projectAt('whole')
     const { document } = await readProject(opened(files), 'whole')
-    for (const [name, source] of [
-      ['images', { document, drawn: new Map() }],
-      ['lines', { document: withLines(document), drawn: new Map([['age', LINES]]) }],
+    const images = { document, drawn: new Map() }
+    const lines = { document: withLines(document), drawn: new Map([['age', LINES]]) }
+    const ofEyes = ['--size', '8', '--area-size', '64', '--mesh', 'eyes']
+    for (const [source, options, words] of [
+      [images, {}, []],
+      [lines, {}, []],
+      [lines, { size: 8, areaSize: 64, mesh: 'eyes' }, ofEyes],
+      [images, { size: 8, areaSize: 16, ktx2: true }, ['--size', '8', '--area-size', '16', '--ktx2']],
     ] as const) {
-      const folder = saved(name, source, face.bytes)
-      for (const [options, words] of [
-        [{}, []],
-        [{ size: 8, areaSize: 64, mesh: 'eyes' }, ['--size', '8', '--area-size', '64', '--mesh', 'eyes']],
-        [{ size: 8, areaSize: 16, ktx2: true }, ['--size', '8', '--area-size', '16', '--ktx2']],
-      ] as const) {
-        const out = shop.path('out.glb')
-        await shop.run('pack', folder, '-o', out, ...words)
-        const { bytes, findings, cost, warnings } = await exportDocument(face, source, options)
-        expect(Buffer.from(bytes).equals(readFileSync(out)), words.join(' ')).toBe(true)
-        expect(findings.filter(({ severity }) => severity === 'error')).toEqual([])
-        expect([cost.file, cost.gpu].every((size) => size > 0)).toBe(true)
-        expect(warnings).toEqual([])
-      }
+      const [folder, out] = [
+        saved(source === lines ? 'lines' : 'images', source, face.bytes),
+        shop.path('out.glb'),
+      ]
+      await shop.run('pack', folder, '-o', out, ...words)
+      const { bytes, findings, cost, warnings } = await exportDocument(face, source, options)
+      expect(Buffer.from(bytes).equals(readFileSync(out)), words.join(' ')).toBe(true)
+      expect(findings.filter(({ severity }) => severity === 'error')).toEqual([])
+      expect([cost.file, cost.gpu].every((size) => size > 0)).toBe(true)
+      expect(warnings).toEqual([])
     }
-    const { bytes } = await exportDocument(face, { document, drawn: new Map() })
+    const { bytes } = await exportDocument(face, images)
     const file = { name: 'out.glb', bytes }
     const again = { document: (await readDocument(file))!, drawn: new Map() }
     const { face: bare } = await readFace(file)
