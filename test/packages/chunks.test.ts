@@ -2,48 +2,40 @@
 
 import { cp } from 'node:fs/promises'
 import { join } from 'node:path'
-import type { Browser } from 'playwright-core'
-import { afterAll, beforeAll, expect, inject, it } from 'vitest'
-import { openBrowser } from '../pages/browser.ts'
-import { createApp, DEPENDENCIES, ROOT, remove, run, temporaryFolder } from './npm.ts'
-import { buildByEsbuild, buildByWebpack, titleOf } from './pages.ts'
+import { beforeAll, expect, inject, it } from 'vitest'
+import { useBrowser } from '../pages/browser.ts'
+import { createApp, DEPENDENCIES, ROOT, run } from './npm.ts'
+import { buildByEsbuild, buildByWebpack, titleOf, useFolder } from './pages.ts'
 
 const AT_ONCE = 'morph 0.5; input 0.25; relief'
 const IN_CHUNKS = 'morph 0.5; input 0.25; relief fetched'
 
-let folder: string
+const folder = useFolder()
 let app: string
-let browser: Browser
+const browser = useBrowser()
 
 beforeAll(async () => {
-  folder = await temporaryFolder()
   const { three, vite, webpack, esbuild } = DEPENDENCIES
-  app = await createApp(join(folder, 'app'), [inject('tarballs').furrow, three, vite, webpack, esbuild])
+  app = await createApp(join(folder(), 'app'), [inject('tarballs').furrow, three, vite, webpack, esbuild])
   await cp(join(ROOT, 'test/packages/apps/chunks'), app, { recursive: true })
-  browser = await openBrowser()
-})
-
-afterAll(async () => {
-  await browser?.close()
-  await remove(folder)
 })
 
 it('work on a page without a bundler', async () => {
-  expect(await titleOf(browser, app, 'plain.html')).toBe(IN_CHUNKS)
+  expect(await titleOf(browser(), app, 'plain.html')).toBe(IN_CHUNKS)
 })
 
 it('are fetched as built by Vite', async () => {
   await run(app, 'npx', 'vite', 'build', '--target', 'esnext')
-  expect(await titleOf(browser, join(app, 'dist'), 'index.html')).toBe(IN_CHUNKS)
+  expect(await titleOf(browser(), join(app, 'dist'), 'index.html')).toBe(IN_CHUNKS)
 })
 
 it('are fetched as built by webpack', async () => {
-  expect(await titleOf(browser, await buildByWebpack(app), 'index.html')).toBe(IN_CHUNKS)
+  expect(await titleOf(browser(), await buildByWebpack(app), 'index.html')).toBe(IN_CHUNKS)
 })
 
 it.each([
   [false, AT_ONCE],
   [true, IN_CHUNKS],
 ])('work as built by esbuild, in chunks: %s', async (maySplit, title) => {
-  expect(await titleOf(browser, await buildByEsbuild(app, maySplit), 'index.html')).toBe(title)
+  expect(await titleOf(browser(), await buildByEsbuild(app, maySplit), 'index.html')).toBe(title)
 })

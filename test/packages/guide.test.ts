@@ -2,16 +2,16 @@
 
 import { cp, mkdir, readFile, writeFile } from 'node:fs/promises'
 import { dirname, join } from 'node:path'
-import type { Browser } from 'playwright-core'
 import sharp from 'sharp'
-import { afterAll, beforeAll, expect, inject, it } from 'vitest'
+import { beforeAll, expect, inject, it } from 'vitest'
 import { BARE_FACES } from '../bare-faces/bare-faces.ts'
-import { openBrowser, openPage } from '../pages/browser.ts'
+import { openPage, useBrowser } from '../pages/browser.ts'
 import { openPaused, playSurprise } from '../pages/paused-page.ts'
 import { contrast } from '../pages/pixels.ts'
 import { readCanvas } from '../pages/read-canvas.ts'
 import { startStaticServer } from '../pages/static-server.ts'
-import { DEPENDENCIES, ROOT, remove, run, temporaryFolder } from './npm.ts'
+import { DEPENDENCIES, ROOT, run } from './npm.ts'
+import { useFolder } from './pages.ts'
 
 /** The scan where it is at hand, otherwise one of ours. */
 const AVATAR = BARE_FACES.at(-1)!.path
@@ -26,14 +26,13 @@ const PAINTED = {
 /** What a page has to be a step: a block of commands, or a file whose name stands in a comment above its block. */
 const STEP = /^(?:<!-- (?<file>\S+) -->\n)?```(?<language>\w+)\n(?<text>.*?)^```$/gms
 
-let folder: string
+const folder = useFolder()
 let walk: string
 let tarballs: Record<string, string>
-let browser: Browser
+const browser = useBrowser()
 
 beforeAll(async () => {
-  folder = await temporaryFolder()
-  walk = join(folder, 'walk')
+  walk = join(folder(), 'walk')
   tarballs = {
     ...inject('tarballs'),
     three: DEPENDENCIES.three,
@@ -47,12 +46,6 @@ beforeAll(async () => {
       .png()
       .toFile(join(walk, file))
   }
-  browser = await openBrowser()
-})
-
-afterAll(async () => {
-  await browser?.close()
-  await remove(folder)
 })
 
 it('every command of the guide works, in order, and its page shows the face', async () => {
@@ -66,7 +59,7 @@ it('every command of the guide works, in order, and its page shows the face', as
     }
   }
   const server = await startStaticServer(join(walk, 'dist'))
-  const { page, complaints } = await openPage(browser, { viewport: { width: 300, height: 300 } })
+  const { page, complaints } = await openPage(browser(), { viewport: { width: 300, height: 300 } })
   try {
     await openPaused(page, `${server.origin}/index.html`)
     await playSurprise(page)

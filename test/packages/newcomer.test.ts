@@ -2,10 +2,10 @@
 
 import { cp, mkdir, readFile, writeFile } from 'node:fs/promises'
 import { basename, join } from 'node:path'
-import type { Browser, Page } from 'playwright-core'
+import type { Page } from 'playwright-core'
 import { afterAll, beforeAll, describe, expect, inject, it } from 'vitest'
 import { BARE_FACES } from '../bare-faces/bare-faces.ts'
-import { openBrowser, openPage } from '../pages/browser.ts'
+import { openPage, useBrowser } from '../pages/browser.ts'
 import {
   firstPicture,
   openPaused,
@@ -15,30 +15,21 @@ import {
 } from '../pages/paused-page.ts'
 import { contrast, largestDifference, WHOLE } from '../pages/pixels.ts'
 import { startStaticServer } from '../pages/static-server.ts'
-import {
-  createApp,
-  DEPENDENCIES,
-  previewServer,
-  ROOT,
-  remove,
-  run,
-  runUninstalled,
-  temporaryFolder,
-} from './npm.ts'
+import { createApp, DEPENDENCIES, previewServer, ROOT, run, runUninstalled } from './npm.ts'
+import { useFolder } from './pages.ts'
 
 /** The scan where it is at hand, otherwise one of ours. */
 const AVATAR = BARE_FACES.at(-1)!.path
 
 const SIZE = { width: 300, height: 300 }
 
-let folder: string
+const folder = useFolder()
 let app: string
-let browser: Browser
+const browser = useBrowser()
 
 beforeAll(async () => {
-  folder = await temporaryFolder()
   const { furrow, 'furrow-cli': cli } = inject('tarballs')
-  const empty = join(folder, 'empty')
+  const empty = join(folder(), 'empty')
   await mkdir(empty)
   await cp(AVATAR, join(empty, 'avatar.glb'))
   await cp(cli, join(empty, basename(cli)))
@@ -47,15 +38,9 @@ beforeAll(async () => {
   await runUninstalled(empty, `./${basename(cli)}`, 'auto', 'avatar.glb', ...options)
 
   const { three, types, vite, typescript } = DEPENDENCIES
-  app = await createApp(join(folder, 'app'), [furrow, three, types, vite, typescript])
+  app = await createApp(join(folder(), 'app'), [furrow, three, types, vite, typescript])
   await cp(join(ROOT, 'test/packages/apps/vite'), app, { recursive: true })
   await cp(join(empty, 'wrinkled.glb'), join(app, 'public/wrinkled.glb'))
-  browser = await openBrowser()
-})
-
-afterAll(async () => {
-  await browser?.close()
-  await remove(folder)
 })
 
 describe('an app in strict TypeScript, built by Vite', () => {
@@ -99,7 +84,7 @@ async function expectWrinkles(page: Page, off: () => Promise<void>): Promise<voi
 
 /** Opens a page with its time paused; it must complain of nothing. */
 async function withPage(url: string, inspect: (page: Page) => Promise<void>): Promise<void> {
-  const { page, complaints } = await openPage(browser, { viewport: SIZE })
+  const { page, complaints } = await openPage(browser(), { viewport: SIZE })
   try {
     await openPaused(page, url)
     await inspect(page)

@@ -2,9 +2,20 @@ import { cp } from 'node:fs/promises'
 import { join } from 'node:path'
 import { pathToFileURL } from 'node:url'
 import type { Browser } from 'playwright-core'
+import { afterAll, beforeAll } from 'vitest'
 import { openPage } from '../pages/browser.ts'
 import { startStaticServer } from '../pages/static-server.ts'
-import { run } from './npm.ts'
+import { remove, run, temporaryFolder } from './npm.ts'
+
+/** A temporary folder for all tests of a file. */
+export function useFolder(): () => string {
+  let folder = ''
+  beforeAll(async () => {
+    folder = await temporaryFolder()
+  })
+  afterAll(() => remove(folder))
+  return () => folder
+}
 
 /** A module of a package that an app has installed. */
 export function importOf(app: string, path: string) {

@@ -1,29 +1,21 @@
 // The page of `three.test.ts` with all its steps: on both ends of each range of releases in docs/versions.md.
 
-import type { Browser } from 'playwright-core'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { beforeAll, describe, expect, it } from 'vitest'
 import { NEWEST_THREE, OLDEST_THREE } from '../../packages/furrow/src/three/three-version.ts'
-import { openBrowser } from '../pages/browser.ts'
-import { remove, temporaryFolder } from './npm.ts'
+import { useBrowser } from '../pages/browser.ts'
+import { useFolder } from './pages.ts'
 import { type Drawn, expectAllFeatures, expectSameUnlit, reportOf } from './three-releases.ts'
 
 const RELEASES = [160, 161, 162, 165, 166, 169, 170, 172, 173, 182, 185, 186]
 const NO_RELIEF =
   /^Wrinkles\.relief of mesh "skin": three\.js is too old for relief, got "r16[01]", allowed: r162 or later/
 
-let folder: string
-let browser: Browser
+const folder = useFolder()
+const browser = useBrowser()
 let newest: Drawn
 beforeAll(async () => {
-  folder = await temporaryFolder()
-  browser = await openBrowser()
-  newest = await reportOf<Drawn>(browser, folder, NEWEST_THREE, 'index.html')
+  newest = await reportOf<Drawn>(browser(), folder(), NEWEST_THREE, 'index.html')
 })
-afterAll(async () => {
-  await browser?.close()
-  await remove(folder)
-})
-
 it('the newest three.js draws all features, relief too', () => {
   expectAllFeatures(newest, newest)
   const { relief, default: plain } = newest.light.result
@@ -32,7 +24,7 @@ it('the newest three.js draws all features, relief too', () => {
 })
 
 it.each(RELEASES)('r%i draws what the newest three.js draws, except for light', async (release) => {
-  const drawn = await reportOf<Drawn>(browser, folder, release, 'index.html')
+  const drawn = await reportOf<Drawn>(browser(), folder(), release, 'index.html')
   expect(drawn.release).toBe(String(release))
   expectSameUnlit(drawn, newest)
   expectAllFeatures(drawn, newest)
@@ -58,8 +50,8 @@ describe('a three.js that is too old', () => {
       const options = ['--force']
       const page = `refused-${way}.html` as const
       const report = await reportOf<{ warnings: string[]; meshes: number }>(
-        browser,
-        folder,
+        browser(),
+        folder(),
         release,
         page,
         options,

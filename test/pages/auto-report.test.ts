@@ -2,17 +2,16 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath, pathToFileURL } from 'node:url'
-import type { Browser } from 'playwright-core'
 import { afterAll, beforeAll, expect, test } from 'vitest'
 import { editGlb } from '../glb.ts'
-import { openBrowser, openPage } from './browser.ts'
+import { openPage, useBrowser } from './browser.ts'
 import { type CommandResult, runFurrow } from './run-furrow.ts'
 
 /** Blendshapes that keep their names: enough to recognise the rig, and for one expression. */
 const KEPT_NAMES = /^(eyeBlink|mouthSmileLeft|browDown|browInnerUp)/
 
 const folder = mkdtempSync(join(tmpdir(), 'furrow-report-'))
-let browser: Browser
+const browser = useBrowser()
 let result: CommandResult
 
 interface Json {
@@ -38,11 +37,9 @@ beforeAll(async () => {
     join(folder, 'out.glb'),
     ...options,
   )
-  browser = await openBrowser()
 })
 
 afterAll(async () => {
-  await browser?.close()
   rmSync(folder, { recursive: true })
 })
 
@@ -56,7 +53,7 @@ test.each([
   [1280, 800],
   [390, 844],
 ])('the report fits into %d x %d', async (width, height) => {
-  const { page, complaints } = await openPage(browser, { viewport: { width, height } })
+  const { page, complaints } = await openPage(browser(), { viewport: { width, height } })
   await page.goto(pathToFileURL(join(folder, 'report/index.html')).href)
   const content = await page.evaluate(() => ({
     scrollWidth: document.documentElement.scrollWidth,

@@ -1,4 +1,5 @@
 import type { Browser, Page } from 'playwright-core'
+import { afterAll, beforeAll } from 'vitest'
 import { launchBrowser } from '../../packages/cli/src/browser.ts'
 
 /** Milliseconds that an element or a page is waited for: a missing one fails its test long before the test's own limit. */
@@ -6,6 +7,16 @@ const PATIENCE = 120_000
 
 /** Opens the browser for tests of pages; the caller closes it. */
 export const openBrowser = launchBrowser
+
+/** The browser of all tests of a file, which is open from their beginning to their end. */
+export function useBrowser(): () => Browser {
+  let browser: Browser | undefined
+  beforeAll(async () => {
+    browser = await openBrowser()
+  })
+  afterAll(() => browser?.close())
+  return () => browser!
+}
 
 /** Opens an empty page in a context of its own, and collects its console errors, exceptions and failed requests. */
 export async function openPage(

@@ -1,29 +1,26 @@
 // The example that makes wrinkles, for which the whole face is computed.
 
-import type { Browser } from 'playwright-core'
 import { afterAll, beforeAll, expect, test } from 'vitest'
-import { openBrowser, openPage } from './browser.ts'
+import { openPage, useBrowser } from './browser.ts'
 import { firstPicture, openPaused, readNextFrame, SECOND, switchWrinkles } from './paused-page.ts'
 import { largestDifference } from './pixels.ts'
 import { startStaticServer } from './static-server.ts'
 
 const BROWS = { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }
 
-let browser: Browser
+const browser = useBrowser()
 let server: Awaited<ReturnType<typeof startStaticServer>>
 
 beforeAll(async () => {
-  browser = await openBrowser()
   server = await startStaticServer()
 })
 
 afterAll(async () => {
-  await browser?.close()
   server?.close()
 })
 
 test('auto.html makes wrinkles while the face is shown, and takes its bar away', async () => {
-  const { page, complaints } = await openPage(browser, { viewport: { width: 400, height: 300 } })
+  const { page, complaints } = await openPage(browser(), { viewport: { width: 400, height: 300 } })
   await openPaused(page, `${server.origin}/examples/auto.html`)
   await firstPicture(page)
   await page.locator('progress').waitFor({ state: 'detached', timeout: 0 })

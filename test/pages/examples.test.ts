@@ -1,9 +1,9 @@
 import { readdirSync } from 'node:fs'
 import { mkdir } from 'node:fs/promises'
-import type { Browser, Page } from 'playwright-core'
+import type { Page } from 'playwright-core'
 import sharp from 'sharp'
 import { afterAll, beforeAll, expect, test } from 'vitest'
-import { openBrowser, openPage } from './browser.ts'
+import { openPage, useBrowser } from './browser.ts'
 import {
   drawSettled,
   firstPicture,
@@ -37,17 +37,15 @@ const PHONE = { width: 390, height: 844 }
 const SIZE = { width: 400, height: 300 }
 const CROWD_SIZE = { width: 800, height: 600 }
 
-let browser: Browser
+const browser = useBrowser()
 let server: Awaited<ReturnType<typeof startStaticServer>>
 
 beforeAll(async () => {
-  browser = await openBrowser()
   server = await startStaticServer()
   await mkdir(OUTPUT, { recursive: true })
 })
 
 afterAll(async () => {
-  await browser?.close()
   server?.close()
 })
 
@@ -142,7 +140,7 @@ test.each([
 
 // `examples-auto.test.ts` checks that it makes wrinkles and takes its bar away.
 test('auto.html shows the face and its bar while it makes wrinkles', async () => {
-  const { page, complaints } = await openPage(browser, { viewport: PHONE })
+  const { page, complaints } = await openPage(browser(), { viewport: PHONE })
   await openPaused(page, `${server.origin}/examples/auto.html`)
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(PHONE.width)
   await firstPicture(page)
@@ -207,7 +205,7 @@ async function expectSmoothed(
 async function withExample<T>(name: string, inspect: (page: Page) => Promise<T>): Promise<T> {
   const hasControls = ![...PORTRAITS, 'crowd.html'].some((page) => name.startsWith(page))
   const size = name.startsWith('crowd.html') ? CROWD_SIZE : SIZE
-  const { page, complaints } = await openPage(browser, { viewport: hasControls ? PHONE : size })
+  const { page, complaints } = await openPage(browser(), { viewport: hasControls ? PHONE : size })
   page.on('console', (message) => {
     const text = message.text()
     // Performance messages of the driver are not the page's.

@@ -1,8 +1,8 @@
-import type { Browser, Page } from 'playwright-core'
+import type { Page } from 'playwright-core'
 import sharp from 'sharp'
 import type { ViteDevServer } from 'vite'
 import { afterAll, afterEach, beforeAll, describe, expect, test } from 'vitest'
-import { openBrowser, openPage } from './browser.ts'
+import { openPage, useBrowser } from './browser.ts'
 import { serveStudio } from './opened-studio.ts'
 import { movesFace, savesPicture, showsLooks } from './studio-face.ts'
 import {
@@ -23,15 +23,13 @@ const PHONE = { width: 390, height: 844 }
 
 let server: ViteDevServer
 let address: string
-let browser: Browser
+const browser = useBrowser()
 
 beforeAll(async () => {
   ;({ server, address } = await serveStudio())
-  browser = await openBrowser()
 })
 
 afterAll(async () => {
-  await browser?.close()
   await server?.close()
 })
 
@@ -255,7 +253,7 @@ async function fitsPhone(page: Page): Promise<void> {
 function openStudio(): { page: Page } {
   const studio = {} as Awaited<ReturnType<typeof openPage>>
   beforeAll(async () => {
-    Object.assign(studio, await openPage(browser, { viewport: DESKTOP, reducedMotion: 'reduce' }))
+    Object.assign(studio, await openPage(browser(), { viewport: DESKTOP, reducedMotion: 'reduce' }))
     await studio.page.goto(address)
     await waitUntilReady(studio.page)
     await expectValue(slider(studio.page, 'foreheadLeft'), 1)

@@ -2,12 +2,12 @@
 
 import { spawnSync } from 'node:child_process'
 import { existsSync, readdirSync, readFileSync } from 'node:fs'
-import type { Browser, Page } from 'playwright-core'
+import type { Page } from 'playwright-core'
 import sharp from 'sharp'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { serveSite } from '../../site/serve.mjs'
 import { BARE_FACES } from '../bare-faces/bare-faces.ts'
-import { openBrowser, openPage } from '../pages/browser.ts'
+import { openPage, useBrowser } from '../pages/browser.ts'
 import { contrast, largestDifference, type Region, WHOLE } from '../pages/pixels.ts'
 import type { CanvasPixels } from '../pages/read-canvas.ts'
 
@@ -33,23 +33,21 @@ const PAGES = [
 /** The forehead of the first page's face, as fractions of the picture of its square. */
 const FOREHEAD: Region = { left: 0.35, top: 0.2, right: 0.65, bottom: 0.38 }
 
-let browser: Browser
+const browser = useBrowser()
 let site: Awaited<ReturnType<typeof serveSite>>
 
 beforeAll(async () => {
   if (!existsSync(DIST)) throw new Error('site: site/dist is missing; run npm run site')
-  browser = await openBrowser()
   site = await serveSite()
 })
 
 afterAll(async () => {
-  await browser?.close()
   await site?.close()
 })
 
 /** Opens a page of the site; whatever it asks for must be there, and on the site. */
 async function withPage(path: string, options: object, work: (page: Page) => Promise<void>): Promise<void> {
-  const { page, complaints } = await openPage(browser, options)
+  const { page, complaints } = await openPage(browser(), options)
   page.on('request', (request) => {
     if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(site.address)) {
       complaints.push(`asks for ${request.url()}`)
@@ -182,7 +180,7 @@ describe('the first page', () => {
   })
 
   it('keeps the poster, and says so, where there is no WebGL', async () => {
-    const { page } = await openPage(browser, { viewport: DESKTOP })
+    const { page } = await openPage(browser(), { viewport: DESKTOP })
     await page.addInitScript(() => {
       HTMLCanvasElement.prototype.getContext = () => null
     })

@@ -49,6 +49,17 @@ describe('reference', () => {
     )
   })
 
+  it('mixes the values of layers, divided by their influences where these sum to more than 1', () => {
+    const layer = (value: number, influence: number) => ({ value: [value], influence })
+    expect(reference.mixValues([0.5], [layer(1, 0.5), layer(0, 0.2)])[0]).toBeCloseTo(0.65, 12)
+    expect(reference.mixValues([0.5], [layer(1, 1), layer(0, 1)])[0]).toBeCloseTo(0.5, 12)
+    expect(reference.mixValues([0.5], [layer(1, 0.9), layer(1, 0.9)])[0]).toBeCloseTo(1, 12)
+  })
+
+  it('unpacks a normal from -1 to 1', () => {
+    expect(reference.unpackNormal([0, 0.5, 1])).toEqual([-1, 0, 1])
+  })
+
   it('reorients: a flat detail gives the base, a flat base gives the detail', () => {
     const tilted = [0.6, 0, 0.8]
     expect(close(reference.reorientNormal(tilted, [0, 0, 1]), tilted)).toBe(true)
