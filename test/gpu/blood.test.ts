@@ -1,11 +1,12 @@
 import type { Area, GrayImage, Layer } from 'furrow'
-import { packAreas, packGrays, reference } from 'furrow/internal'
+import { packGrays, reference } from 'furrow/internal'
 import { Color, DirectionalLight, MeshLambertMaterial, Scene } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { randomAreas } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
 import { casesOn, createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { influenceAt } from './influence-at.ts'
 import { type Kind, MAP, randomLayer } from './layer-values.ts'
 
 const PIXELS = 16
@@ -88,15 +89,7 @@ function absorbed(
   areas: readonly Area[],
   activations: readonly number[],
 ): Float32Array {
-  const packed = packAreas(
-    areas.map(({ weights }) => weights as GrayImage),
-    MAP,
-  )
-  const active = areas.map(({ layer, combine = 'sum' }, i) => ({
-    activation: activations[i],
-    layer: NAMES.indexOf(layer!),
-    combine,
-  }))
+  const influence = influenceAt(areas, activations, MAP, NAMES)
   const maps = layers.map(({ blood }) => blood && packGrays([blood as GrayImage]))
   const exact = plain.slice()
   for (let pixel = 0; pixel < PIXELS * PIXELS; pixel++) {
@@ -106,7 +99,7 @@ function absorbed(
       const map = maps[i]
       if (!map) return []
       const value = [reference.bloodOf(reference.sampleArray(map, u, v, 0)) * bloodAmplitude!]
-      return [{ value, influence: reference.influenceFromMap(packed, active, u, v, i) }]
+      return [{ value, influence: influence(u, v, i) }]
     })
     const [blood] = reference.mixValues([0], values)
     exact.set(reference.bloodColour([...plain.subarray(4 * pixel, 4 * pixel + 3)], blood), 4 * pixel)

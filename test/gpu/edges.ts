@@ -1,7 +1,7 @@
 import type { Area, WrinkleSet } from 'furrow'
-import { packAreas, reference } from 'furrow/internal'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
+import { influenceAt } from './influence-at.ts'
 
 /** Texels of an area's side. */
 export const AREA = 8
@@ -74,19 +74,13 @@ const CORNERS = [
  * @param shown influence at a pixel, given its index from the bottom.
  */
 export function edgeError({ areas }: WrinkleSet, shown: (pixel: number) => number): number {
-  const packed = packAreas(
-    areas.map(({ weights }) => weights),
-    AREA,
-  )
   let largest = 0
   for (const face of FACES) {
-    const activations = activationsOf(face)
-    const table = areas.map(({ combine = 'sum' }, i) => ({ activation: activations[i], layer: 0, combine }))
+    const exactAt = influenceAt(areas, activationsOf(face), AREA)
     for (const [row, v] of AT.entries()) {
       for (const [column, u] of AT.entries()) {
         const [x, y] = [(face % SIDE) * SIDE + column, Math.floor(face / SIDE) * SIDE + row]
-        const exact = reference.influenceFromMap(packed, table, u, v)
-        largest = Math.max(largest, Math.abs(shown(y * PIXELS + x) - exact))
+        largest = Math.max(largest, Math.abs(shown(y * PIXELS + x) - exactAt(u, v)))
       }
     }
   }

@@ -1,5 +1,5 @@
 import type { WrinkleSet } from 'furrow'
-import { packAreas, reference } from 'furrow/internal'
+import { influenceAt } from './influence-at.ts'
 
 /** The square's texture coordinates, see `square`. */
 export interface UvTransform {
@@ -23,18 +23,13 @@ export function influenceDifference(
   shown: (pixel: number) => number,
   side: number,
 ): number {
-  const areas = packAreas(
-    set.areas.map(({ weights }) => weights),
-    areaSize,
-  )
-  const table = set.areas.map(({ combine = 'sum' }, i) => ({ activation: activations[i], layer: 0, combine }))
+  const exactAt = influenceAt(set.areas, activations, areaSize)
   let largest = 0
   for (let y = 0; y < side; y++) {
     for (let x = 0; x < side; x++) {
       const u = ((x + 0.5) / side) * scale + offset[0]
       const v = (1 - (y + 0.5) / side) * scale + offset[1]
-      const exact = reference.influenceFromMap(areas, table, u, v)
-      largest = Math.max(largest, Math.abs(shown(y * side + x) - exact))
+      largest = Math.max(largest, Math.abs(shown(y * side + x) - exactAt(u, v)))
     }
   }
   return largest

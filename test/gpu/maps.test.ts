@@ -1,4 +1,4 @@
-import { packAreas, packColours, packGrays, reference } from 'furrow/internal'
+import { packColours, packGrays, reference } from 'furrow/internal'
 import {
   AmbientLight,
   DataTexture,
@@ -15,6 +15,7 @@ import { randomAreas, randomImage } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference, STEP } from './difference.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { influenceAt } from './influence-at.ts'
 import { colourAt, KINDS, type Kind, LAYERS, layerValue, MAP, randomLayer } from './layer-values.ts'
 
 const PIXELS = 32
@@ -111,23 +112,15 @@ describe.each(RENDERERS)('highlights of lights on %s', (name) => {
       const plain = await harness.render(scene, squareCamera(), PIXELS)
       for (const { name } of areas) wrinkles.setActivation(name, random())
       const shown = await harness.render(scene, squareCamera(), PIXELS)
-      const packed = packAreas(
-        areas.map(({ weights }) => weights),
-        MAP,
-      )
-      const table = areas.map(({ name, combine }) => ({
-        activation: wrinkles.getActivation(name),
-        layer: 0,
-        combine: combine ?? ('sum' as const),
-      }))
+      const activations = areas.map(({ name }) => wrinkles.getActivation(name))
+      const influenceOf = influenceAt(areas, activations, MAP)
       const cosine = light.position.z / light.position.length()
       const exact = plain.slice()
       for (let pixel = 0; pixel < PIXELS * PIXELS; pixel++) {
         const u = (((pixel % PIXELS) + 0.5) / PIXELS) * 0.8 + 0.1
         const v = (1 - (Math.floor(pixel / PIXELS) + 0.5) / PIXELS) * 0.8 + 0.1
         const value = [reference.sampleArray(packGrays([own.occlusion!]), u, v, 0)]
-        const influence = reference.influenceFromMap(packed, table, u, v, 0)
-        const [visibility] = reference.mixValues([1], [{ value, influence }])
+        const [visibility] = reference.mixValues([1], [{ value, influence: influenceOf(u, v) }])
         const shadow = reference.microShadow(visibility, cosine)
         for (let c = 0; c < 3; c++) exact[4 * pixel + c] *= shadow
       }
@@ -163,27 +156,14 @@ async function compare(harness: Harness, random: () => number, kinds: Kind[][], 
   for (const { name } of areas) wrinkles.setActivation(name, random() * 0.6)
   const shown = await harness.render(scene, squareCamera(), PIXELS)
 
-  const packed = packAreas(
-    areas.map(({ weights }) => weights),
-    MAP,
-  )
-  const table = areas.map(({ name, combine }, i) => ({
-    activation: wrinkles.getActivation(name),
-    layer: i % layers.length,
-    combine: combine ?? ('sum' as const),
-  }))
+  const activations = areas.map(({ name }) => wrinkles.getActivation(name))
+  const names = layers.map(({ name }) => name)
+  const influence = influenceAt(areas, activations, MAP, names)
   const mixed = (kind: Kind) => (u: number, v: number) =>
     reference.mixValues(
       ownValue(kind, hasMaps ? own : null, u, v),
       layers.flatMap((layer, i) =>
-        layer[kind]
-          ? [
-              {
-                value: layerValue(layer, kind, u, v),
-                influence: reference.influenceFromMap(packed, table, u, v, i),
-              },
-            ]
-          : [],
+        layer[kind] ? [{ value: layerValue(layer, kind, u, v), influence: influence(u, v, i) }] : [],
       ),
     )
   wrinkles.dispose()

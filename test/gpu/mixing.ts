@@ -1,10 +1,11 @@
 import type { GrayImage, LayerKind } from 'furrow'
-import { packAreas, packColours, reference } from 'furrow/internal'
+import { packColours, reference } from 'furrow/internal'
 import type { WrinklesOptions } from 'furrow/three'
 import { removeArea } from 'furrow/three'
 import { type Camera, DataTexture, DirectionalLight, LinearFilter, MeshLambertMaterial, Scene } from 'three'
 import { layer, randomAreas, randomNormals } from '../cases.ts'
 import { type Harness, square } from './harness.ts'
+import { influenceAt } from './influence-at.ts'
 
 /** Width and height of the areas in texels; the default of the maps. */
 const AREA = 16
@@ -57,22 +58,16 @@ export function mixingCase(
      * are read from three pictures, each with a light along one axis.
      */
     async largestError(camera: Camera, pixels: number): Promise<number> {
-      const packed = packAreas(
-        areas.map(({ weights }) => weights),
-        AREA,
-      )
-      const table = areas.map(({ name, combine, layer: layerName }) => ({
-        activation: wrinkles.getActivation(name),
-        layer: layers.findIndex((known) => known.name === layerName),
-        combine: combine ?? ('sum' as const),
-      }))
+      const activations = areas.map(({ name }) => wrinkles.getActivation(name))
+      const names = layers.map(({ name }) => name)
+      const influence = influenceAt(areas, activations, AREA, names)
       const exactAt = (u: number, v: number) => {
         const normalOf = (map: number) =>
           reference.unpackNormal([0, 1, 2].map((c) => reference.sampleArray(maps, u, v, map, c)))
         const mixed = kinds.map((kind, k) => ({
           kind,
           normal: normalOf(k + 1),
-          influence: reference.influenceFromMap(packed, table, u, v, k),
+          influence: influence(u, v, k),
         }))
         return reference.mixNormals(normalOf(0), mixed)
       }

@@ -1,9 +1,10 @@
-import { packAreas, packColours, reference } from 'furrow/internal'
+import { packColours, reference } from 'furrow/internal'
 import { Color, DataTexture, DirectionalLight, MeshToonMaterial, NearestFilter, Scene } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { layer, randomAreas, randomNormals } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { influenceAt } from './influence-at.ts'
 
 /** Width and height of maps in texels and of the picture in pixels. */
 const SIZE = 32
@@ -31,23 +32,18 @@ describe.each(RENDERERS)('a toon material on %s', (name) => {
     const shown = await harness.render(scene, squareCamera(), SIZE)
 
     const maps = packColours([normals])
-    const packed = packAreas(
-      areas.map(({ weights }) => weights),
-      16,
-    )
-    const table = areas.map(({ name, combine }) => ({
-      activation: wrinkles.getActivation(name),
-      layer: 0,
-      combine: combine ?? ('sum' as const),
-    }))
+    const activations = areas.map(({ name }) => wrinkles.getActivation(name))
+    const influenceOf = influenceAt(areas, activations, 16)
     let worst = 0
     let lines = 0
     for (let i = 0; i < SIZE * SIZE; i++) {
       const u = ((i % SIZE) + 0.5) / SIZE
       const v = 1 - (Math.floor(i / SIZE) + 0.5) / SIZE
       const normal = reference.unpackNormal([0, 1, 2].map((c) => reference.sampleArray(maps, u, v, 0, c)))
-      const influence = reference.influenceFromMap(packed, table, u, v, 0)
-      const mixed = reference.mixNormals([0, 0, 1], [{ kind: 'detail', normal, influence }])
+      const mixed = reference.mixNormals(
+        [0, 0, 1],
+        [{ kind: 'detail', normal, influence: influenceOf(u, v) }],
+      )
       const exact = reference.toonColour(colour, [0, 0, 1], mixed)
       for (let c = 0; c < 3; c++) worst = Math.max(worst, Math.abs(shown[4 * i + c] - exact[c]))
       if (exact[1] < 0.95 * colour[1]) lines++

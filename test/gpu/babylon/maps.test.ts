@@ -9,10 +9,11 @@ import { ToHalfFloat } from '@babylonjs/core/Misc/textureTools.js'
 import type { Scene } from '@babylonjs/core/scene.js'
 import type { RgbaImage } from 'furrow'
 import { Wrinkles } from 'furrow/babylon'
-import { packAreas, packColours, packGrays, reference } from 'furrow/internal'
+import { packColours, packGrays, reference } from 'furrow/internal'
 import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest'
 import { randomAreas, randomImage } from '../../cases.ts'
 import { seeded } from '../../random.ts'
+import { influenceAt } from '../influence-at.ts'
 import { colourAt, type Kind, LAYERS, layerValue, linear, MAP, randomLayer } from '../layer-values.ts'
 import { type BabylonHarness, createHarness, ENGINES, square } from './harness.ts'
 
@@ -82,25 +83,21 @@ describe.each(ENGINES)("the layers' other maps in Babylon.js on %s", (name) => {
     const mesh = square(scene)
     mesh.material = material
     const wrinkles = new Wrinkles(mesh, { layers: [own], areas }, { areaSize: MAP })
-    const table = activate(wrinkles, random, areas, 1)
-    const packed = packAreas(
-      areas.map(({ weights }) => weights),
-      MAP,
-    )
+    const activations = activate(wrinkles, random)
+    const influenceOf = influenceAt(areas, activations, MAP)
     const cosine = 0.5 / Math.hypot(0.8, 0.1, 0.5)
     for (const metallic of [1, 0]) {
       // Metal reflects, and black paint does not, so that there is nothing but highlights or nothing but diffuse light.
       Object.assign(material, { metallic, roughness: 0.9, metallicF0Factor: metallic })
-      for (const { name: area, activation } of table) wrinkles.setActivation(area, 0 * activation)
+      for (const area of wrinkles.areaNames) wrinkles.setActivation(area, 0)
       const plain = await harness.render(scene, PIXELS)
-      for (const { name: area, activation } of table) wrinkles.setActivation(area, activation)
+      for (const [i, area] of wrinkles.areaNames.entries()) wrinkles.setActivation(area, activations[i])
       const shown = await harness.render(scene, PIXELS)
       let [error, effect] = [0, 0]
       for (let i = 0; i < PIXELS * PIXELS; i++) {
         const [u, v] = uvOf(i)
         const value = [reference.sampleArray(packGrays([own.occlusion!]), u, v, 0)]
-        const influence = reference.influenceFromMap(packed, table, u, v, 0)
-        const [visibility] = reference.mixValues([1], [{ value, influence }])
+        const [visibility] = reference.mixValues([1], [{ value, influence: influenceOf(u, v) }])
         const shadow = metallic ? reference.microShadow(visibility, cosine) : 1
         error = Math.max(error, Math.abs(shown[4 * i] - plain[4 * i] * shadow))
         effect = Math.max(effect, Math.abs(plain[4 * i] * (1 - shadow)))
@@ -194,16 +191,11 @@ function linearTexture(image: RgbaImage, scene: Scene): RawTexture {
   return texture
 }
 
-function activate(
-  wrinkles: Wrinkles,
-  random: () => number,
-  areas: ReturnType<typeof randomAreas>,
-  layers: number,
-) {
-  return areas.map(({ name, combine = 'sum' }, i) => {
-    const activation = random() * 0.6
-    wrinkles.setActivation(name, activation)
-    return { name, activation, layer: i % layers, combine }
+/** Activates all areas at random; returns the activations. */
+function activate(wrinkles: Wrinkles, random: () => number): number[] {
+  return wrinkles.areaNames.map((name) => {
+    wrinkles.setActivation(name, random() * 0.6)
+    return wrinkles.getActivation(name)
   })
 }
 
@@ -225,20 +217,17 @@ async function compare(
   mesh.material = material
   const wrinkles = new Wrinkles(mesh, { layers, areas }, { areaSize: MAP })
   const plain = await harness.render(scene, PIXELS)
-  const table = activate(wrinkles, random, areas, layers.length)
+  const activations = activate(wrinkles, random)
   const pixels = await harness.render(scene, PIXELS)
   scene.dispose()
-  const packed = packAreas(
-    areas.map(({ weights }) => weights),
-    MAP,
-  )
+  const names = layers.map(({ name }) => name)
+  const influence = influenceAt(areas, activations, MAP, names)
   const mixed = (kind: Kind, u: number, v: number) => {
     const base = own(kind, u, v)
     const sampled = layers.flatMap((layer, i) => {
       if (!layer[kind]) return []
       const stored = layerValue(layer, kind, u, v)
-      const influence = reference.influenceFromMap(packed, table, u, v, i)
-      return [{ value: base.map((_, c) => stored[c % stored.length]), influence }]
+      return [{ value: base.map((_, c) => stored[c % stored.length]), influence: influence(u, v, i) }]
     })
     return reference.mixValues(base, sampled)
   }

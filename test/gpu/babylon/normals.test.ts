@@ -7,11 +7,12 @@ import { Vector3 } from '@babylonjs/core/Maths/math.vector.js'
 import type { Scene } from '@babylonjs/core/scene.js'
 import type { LayerKind, RgbaImage } from 'furrow'
 import { Wrinkles } from 'furrow/babylon'
-import { packAreas, packColours, reference } from 'furrow/internal'
+import { packColours, reference } from 'furrow/internal'
 import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest'
 import { layer, randomAreas, randomNormals } from '../../cases.ts'
 import { seeded } from '../../random.ts'
 import { largestDifference } from '../difference.ts'
+import { influenceAt } from '../influence-at.ts'
 import { type BabylonHarness, createHarness, ENGINES, square } from './harness.ts'
 
 const PIXELS = 32
@@ -203,17 +204,12 @@ async function compare(
   const { mesh, seen, base } = skin(scene, random, hasMap, create)
   const { layers, areas } = randomLayers(random, kinds)
   const wrinkles = new Wrinkles(mesh, { layers, areas }, { areaSize: MAP })
-  const table = areas.map(({ name, combine = 'sum' }, i) => {
-    const activation = random() * 0.5
-    wrinkles.setActivation(name, activation)
-    return { activation, layer: i % kinds.length, combine }
-  })
+  const activations = areas.map(() => random() * 0.5)
+  for (const [i, { name }] of areas.entries()) wrinkles.setActivation(name, activations[i])
   const shown = await harness.render(scene, PIXELS)
   scene.dispose()
-  const packed = packAreas(
-    areas.map(({ weights }) => weights),
-    MAP,
-  )
+  const names = layers.map(({ name }) => name)
+  const influence = influenceAt(areas, activations, MAP, names)
   const maps = packColours([base, ...layers.map(({ normal }) => normal as RgbaImage)])
   let [worst, effect] = [0, 0]
   for (let i = 0; i < PIXELS * PIXELS; i++) {
@@ -223,11 +219,7 @@ async function compare(
       map === 0 && !hasMap
         ? [0, 0, 1]
         : reference.unpackNormal([0, 1, 2].map((c) => reference.sampleArray(maps, u, v, map, c)))
-    const mixed = kinds.map((kind, k) => ({
-      kind,
-      normal: normalOf(k + 1),
-      influence: reference.influenceFromMap(packed, table, u, v, k),
-    }))
+    const mixed = kinds.map((kind, k) => ({ kind, normal: normalOf(k + 1), influence: influence(u, v, k) }))
     const exact = seen(reference.mixNormals(normalOf(0), mixed))
     const plain = seen(reference.mixNormals(normalOf(0), []))
     for (const axis of [0, 1, 2]) {
