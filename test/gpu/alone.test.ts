@@ -7,21 +7,17 @@ import {
   Scene,
   type WebGLRenderer,
 } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { layer, randomAreas, randomImage, randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference, ROUNDING } from './difference.ts'
 import { mapOf } from './face.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { createHarness, harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 
 const SIZE = 64
 
 describe.each(RENDERERS)('a face that is alone in its influence map, on %s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   /** All of the map fills the picture, with its edges, also where coordinates wrap. */
   function wrinkledSquare(scale = 1) {

@@ -5,23 +5,21 @@ import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest'
 import { largestDifference } from './difference.ts'
 import { HEIGHT, WIDTH } from './face.ts'
-import { createHarness, type Harness, RENDERERS } from './harness.ts'
+import { harnessOn, RENDERERS } from './harness.ts'
 import { compareWrinkles, loadPacked, posedPicture, wrinklesAlone } from './packed.ts'
 
 describe.each(RENDERERS)('maps in KTX 2 on %s', (name) => {
-  let harness: Harness
+  const harness = harnessOn(name)
   let ktx2: KTX2Loader
   /** The face with PNG images: its influence, and its wrinkles alone. */
   let images: { areaNames: readonly string[]; influence: Float32Array; alone: Float32Array }
   beforeAll(async () => {
-    harness = await createHarness(name)
     ktx2 = new KTX2Loader().setTranscoderPath('/node_modules/three/examples/jsm/libs/basis/')
     ktx2.detectSupport(harness.renderer as never)
     images = await shown('images')
   })
   afterAll(() => {
     ktx2.dispose()
-    harness.dispose()
   })
 
   const load = (file: 'images' | 'arrays' | 'ktx2', loader = new GLTFLoader().setKTX2Loader(ktx2)) =>

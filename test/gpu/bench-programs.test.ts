@@ -1,16 +1,12 @@
 import { DirectionalLight, type Material, MeshPhysicalMaterial, Scene } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { giveDistinctProgram } from '../../bench/page/distinct-program.ts'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { createHarness, type Harness, square, squareCamera } from './harness.ts'
+import { harnessOn, square, squareCamera } from './harness.ts'
 
 describe.each(['webgl', 'webgpu'] as const)('programs of the benchmark on %s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   it.each(['off', 'default', 'composed', 'paper'] as const)(
     'are shared with no other copy, and draw the same: %s',

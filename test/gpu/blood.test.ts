@@ -1,11 +1,11 @@
 import type { Area, GrayImage, Layer } from 'furrow'
 import { packGrays, reference } from 'furrow/internal'
 import { Color, DirectionalLight, MeshLambertMaterial, Scene } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { randomAreas } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
-import { casesOn, createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { casesOn, harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 import { influenceAt } from './influence-at.ts'
 import { type Kind, MAP, randomLayer } from './layer-values.ts'
 
@@ -21,11 +21,7 @@ const NAMES = Object.keys(LAYERS)
 
 describe.each(RENDERERS)('blood on %s', (name) => {
   const cases = casesOn(name)
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   /** Pictures of a square in one colour, at rest and with wrinkles. */
   async function show(layers: Layer[], areas: Area[], color: Color, activations: readonly number[]) {

@@ -1,17 +1,15 @@
 import { Color, PerspectiveCamera, Scene } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
-import { createHarness, type Harness, RENDERERS } from './harness.ts'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { harnessOn, RENDERERS } from './harness.ts'
 import { litPicture, loadFile } from './loaded.ts'
 import { wrinkledFile } from './wrinkled-file.ts'
 
 describe.each(RENDERERS)('influence maps that are all drawn again, on %s', (name) => {
-  let harness: Harness
+  const harness = harnessOn(name)
   let file: Uint8Array
   beforeAll(async () => {
-    harness = await createHarness(name)
     file = await wrinkledFile()
   })
-  afterAll(() => harness.dispose())
 
   it('hold nothing of the frame before, nor do those of other faces change', async () => {
     const [first, second] = await Promise.all([loadFile(harness, file), loadFile(harness, file)])

@@ -7,20 +7,16 @@ import {
   Scene,
   type WebGLRenderer,
 } from 'three'
-import { afterAll, beforeAll, describe, expect, inject, it } from 'vitest'
+import { describe, expect, inject, it } from 'vitest'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { createHarness, harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 
 const SIZE = 32
 const isOnOldest = inject('threeRelease') === 'oldest'
 
 describe.each(RENDERERS)('compileAsync on %s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   it('compiles all that the first frame with wrinkles takes, and draws nothing too early', async () => {
     const renderer = harness.renderer as WebGLRenderer

@@ -8,11 +8,11 @@ import {
   Scene,
   type Texture,
 } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { randomNormals } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
-import { createHarness, type Harness, square, squareCamera } from './harness.ts'
+import { harnessOn, square, squareCamera } from './harness.ts'
 import { readLevel } from './read-level.ts'
 
 const SIZE = 64
@@ -20,11 +20,7 @@ const LEVELS = [0, 1, 2, 3, 4, 5, 6]
 
 /** `WebGPURenderer` has the GPU make all levels but the first. */
 describe('the levels of the composed map on webgl', () => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness('webgl')
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn('webgl')
 
   const random = seeded(5)
   const area = (name: string, x0: number, x1: number) => {

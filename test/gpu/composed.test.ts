@@ -9,11 +9,11 @@ import {
   PlaneGeometry,
   Scene,
 } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { layer, randomAreas, randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 import { mixingCase } from './mixing.ts'
 
 /** Width and height of the maps in texels and of the pictures in pixels; areas are smaller. */
@@ -30,11 +30,7 @@ const KINDS: LayerKind[][] = [
 ]
 
 describe.each(RENDERERS)('the composed mode on %s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   it.each(KINDS)(
     'writes the normals of the reference for %s %s %s %s layers, also when only some areas change',

@@ -11,10 +11,10 @@ import {
   type OrthographicCamera,
   Scene,
 } from 'three'
-import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
+import { afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 
 const PIXELS = 32
 const HALF = PIXELS / 2
@@ -36,13 +36,11 @@ const ACTIVATIONS = [
 ] as const
 
 describe.each(RENDERERS)('a crowd on %s', (name) => {
-  let harness: Harness
+  const harness = harnessOn(name)
   let set: WrinkleSet
-  beforeAll(async () => {
-    harness = await createHarness(name)
+  beforeAll(() => {
     set = randomSet(seeded(5), 3, 8)
   })
-  afterAll(() => harness.dispose())
   afterEach(() => {
     vi.restoreAllMocks()
   })

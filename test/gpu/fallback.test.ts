@@ -15,10 +15,10 @@ import {
 } from 'three'
 import { expression, Fn, vec3 } from 'three/tsl'
 import { MeshStandardNodeMaterial, Node, type NodeBuilder } from 'three/webgpu'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { createHarness, type Harness, harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 import { normalMap } from './normal-map.ts'
 import { quietConsole } from './quiet-console.ts'
 
@@ -69,11 +69,7 @@ async function expectWrinkles(harness: Harness, mesh: Mesh, mode: 'default' | 'c
 }
 
 describe.each(RENDERERS)('materials on %s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   const unlit: [string, () => Material][] = [
     ['matcap', () => new MeshMatcapMaterial()],
@@ -153,11 +149,7 @@ describe.each(RENDERERS)('materials on %s', (name) => {
 })
 
 describe('shaders on webgl', () => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness('webgl')
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn('webgl')
 
   it("the user's own edits stay, and what they leave of the normal map is patched", async () => {
     const material = new MeshStandardMaterial()
@@ -240,11 +232,7 @@ describe('shaders on webgl', () => {
 })
 
 describe.each(['webgpu', 'webgpu on webgl2'] as const)('nodes on %s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   /** Nodes that fail only in a material whose normals are patched. */
   const failing = (fail: () => Node<'vec3'>) => {

@@ -16,10 +16,10 @@ import {
   Skeleton,
   SkinnedMesh,
 } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { type Harness, harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 
 interface Feature {
   /** Sets the feature up for the square; returns the mesh to add wrinkles to. */
@@ -108,11 +108,7 @@ const FEATURES: Record<string, Feature> = {
 }
 
 describe.each(RENDERERS)("the user's scene on %s", (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   it.each(Object.entries(FEATURES))('%s keep working with wrinkles', async (_, { apply }) => {
     const scene = new Scene()

@@ -1,19 +1,17 @@
 import type { WrinkleSet } from 'furrow'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { beforeAll, describe, expect, it } from 'vitest'
 import type { Face } from '../../stage/face.ts'
 import { largestDifference, ROUNDING } from './difference.ts'
 import { faceScene, HEIGHT, loadUndriven, renderWith, uvMaterial, WIDTH } from './face.ts'
-import { createHarness, type Harness, RENDERERS } from './harness.ts'
+import { harnessOn, RENDERERS } from './harness.ts'
 
 describe.each(RENDERERS)('areas of the shipped face on %s', (name) => {
-  let harness: Harness
+  const harness = harnessOn(name)
   let face: Face
   let set: WrinkleSet
   beforeAll(async () => {
-    harness = await createHarness(name)
     ;({ face, set } = await loadUndriven())
   })
-  afterAll(() => harness.dispose())
 
   it.each([
     { area: 'foreheadLeft', view: 'front' },

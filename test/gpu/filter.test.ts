@@ -1,21 +1,17 @@
 import type { RgbaImage } from 'furrow'
 import { DirectionalLight, MeshStandardMaterial, Scene } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { layer, randomNormals } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
 import { mapOf } from './face.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 
 const PIXELS = 32
 const MAP = 256
 
 describe.each(RENDERERS)("filtering of the layers' maps on %s", (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   // Texels per pixel in x and y: 8 and 8, 5 and 5, 8 and 1 as at a grazing angle, and magnified.
   it.each([

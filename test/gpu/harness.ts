@@ -15,7 +15,7 @@ import {
   WebGLRenderTarget,
 } from 'three'
 import { WebGPURenderer } from 'three/webgpu'
-import { inject } from 'vitest'
+import { afterAll, beforeAll, inject } from 'vitest'
 
 /** All rendering paths. A missing one fails. */
 const PATHS = ['webgl', 'webgpu', 'webgpu on webgl2'] as const
@@ -88,6 +88,14 @@ export async function createHarness(name: RendererName): Promise<Harness> {
         : (renderer.info.memory as unknown as { programs: number }).programs,
     dispose: () => renderer.dispose(),
   }
+}
+
+/** A harness of all tests that are described where this is called. */
+export function harnessOn(name: RendererName): Harness {
+  const harness = {} as Harness
+  beforeAll(async () => void Object.assign(harness, await createHarness(name)))
+  afterAll(() => harness.dispose())
+  return harness
 }
 
 /** A square that fills the frame; `uv = (x, 1 - y) * scale + offset`, v downwards as in glTF. */

@@ -8,7 +8,7 @@ import {
   MeshStandardMaterial,
   Scene,
 } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { beforeAll, describe, expect, it } from 'vitest'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { STEP } from './difference.ts'
@@ -23,17 +23,15 @@ import {
   PIXELS,
   SCALE,
 } from './edges.ts'
-import { casesOn, createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { casesOn, type Harness, harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 import { influenceError } from './influence-error.ts'
 
 describe.each(RENDERERS)('influence on %s', (name) => {
   const cases = casesOn(name)
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
+  const harness = harnessOn(name)
+  beforeAll(() => {
     console.info(`${name}: ${harness.adapter}`)
   })
-  afterAll(() => harness.dispose())
 
   it(`is within 1/255 of the reference in ${cases} random cases`, async () => {
     const random = seeded(2008)

@@ -1,7 +1,7 @@
 import type { LayerKind } from 'furrow'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { seeded } from '../random.ts'
-import { casesIn, createHarness, type Harness, RENDERERS, squareCamera } from './harness.ts'
+import { casesIn, harnessOn, RENDERERS, squareCamera } from './harness.ts'
 import { mixingCase } from './mixing.ts'
 
 const PIXELS = 32
@@ -16,11 +16,7 @@ const KINDS: LayerKind[][] = [
 ]
 
 describe.each(RENDERERS)('the default mode on %s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   it.each(KINDS)('mixes %s %s %s %s layers as the reference does', async (...kinds) => {
     const random = seeded(7)

@@ -10,21 +10,17 @@ import {
   Scene,
   SRGBColorSpace,
 } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { randomAreas, randomImage } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference, STEP } from './difference.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { type Harness, harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 import { influenceAt } from './influence-at.ts'
 import { colourAt, KINDS, type Kind, LAYERS, layerValue, MAP, randomLayer } from './layer-values.ts'
 
 const PIXELS = 32
 describe.each(RENDERERS)("the layers' other maps on %s", (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   describe.each([
     ['with maps of its own', true],
@@ -85,11 +81,7 @@ describe.each(RENDERERS)("the layers' other maps on %s", (name) => {
 })
 
 describe.each(RENDERERS)('highlights of lights on %s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   it.each([
     ['physical', () => new MeshStandardMaterial({ roughness: 0.9, metalness: 1 })],

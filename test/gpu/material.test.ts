@@ -13,10 +13,10 @@ import {
   MeshToonMaterial,
   Scene,
 } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { layer, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 import { normalMap } from './normal-map.ts'
 
 const MATERIALS = {
@@ -28,11 +28,7 @@ const MATERIALS = {
 }
 
 describe.each(RENDERERS)("the user's material on %s", (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   const picture = async (mesh: Mesh) => {
     const scene = new Scene()

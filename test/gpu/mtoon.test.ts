@@ -15,10 +15,18 @@ import {
 } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
-import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
+import { afterEach, describe, expect, it, vi } from 'vitest'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { createHarness, type Harness, RENDERERS, type RendererName, square, squareCamera } from './harness.ts'
+import {
+  createHarness,
+  type Harness,
+  harnessOn,
+  RENDERERS,
+  type RendererName,
+  square,
+  squareCamera,
+} from './harness.ts'
 import { normalMap } from './normal-map.ts'
 import { vrmFile } from './vrm-file.ts'
 import { faceMeshes } from './wrinkled-file.ts'
@@ -30,11 +38,7 @@ const COLOURS = { color: new Color(0.9, 0.7, 0.6), shadeColorFactor: new Color(0
 afterEach(() => vi.restoreAllMocks())
 
 describe.each(RENDERERS)('MToon on %s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   const mtoon = (parameters: object = {}) =>
     new (materialTypeFor(name))({ ...COLOURS, ...parameters } as never)
@@ -89,11 +93,7 @@ describe.each(
     { name, outline: 'without one', hasOutline: false },
   ]),
 )('the MToon face of a VRM on $name, $outline', ({ name, hasOutline }) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   const vrm = (loader: GLTFLoader) =>
     loader.register((parser) => {

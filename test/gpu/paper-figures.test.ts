@@ -2,7 +2,7 @@ import { EXPRESSIONS, type WrinkleSet } from 'furrow'
 import { reference } from 'furrow/internal'
 import { ExpressionPlayer } from 'furrow/three'
 import { type MeshStandardMaterial, NoColorSpace } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { beforeAll, describe, expect, it } from 'vitest'
 import type { Face } from '../../stage/face.ts'
 import {
   faceScene,
@@ -14,7 +14,7 @@ import {
   WIDTH,
   wrinkledMaterial,
 } from './face.ts'
-import { createHarness, type Harness, RENDERERS } from './harness.ts'
+import { harnessOn, RENDERERS } from './harness.ts'
 
 /** The paper's figures: expression and view. */
 const FIGURES = [
@@ -25,17 +25,15 @@ const FIGURES = [
 ] as const
 
 describe.each(RENDERERS)('figures on %s', (name) => {
-  let harness: Harness
+  const harness = harnessOn(name)
   let face: Face
   let set: WrinkleSet
   beforeAll(async () => {
-    harness = await createHarness(name)
     ;({ face, set } = await loadUndriven())
     // Colours as stored, like the paper's: decoding before or after filtering gives other results in fine hair.
     const { map } = face.skin.material as MeshStandardMaterial
     map!.colorSpace = NoColorSpace
   })
-  afterAll(() => harness.dispose())
 
   it.each(FIGURES)('figure $figure is as the reference computes it', async ({ expression, view }) => {
     const stage = faceScene(face, view)

@@ -11,10 +11,10 @@ import {
   Vector2,
   Vector3,
 } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { randomImage, randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { casesOn, createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { casesOn, type Harness, harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 
 const PIXELS = 32
 const MAP = 16
@@ -24,11 +24,7 @@ const [DIFFUSE, SMOOTH, WRINKLED] = [0, 1, 2]
 
 describe.each(RENDERERS)("the paper's mode on %s", (name) => {
   const cases = casesOn(name)
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   it(`colours are within 2/255 of the reference on 99.9% of the pixels of ${cases} random cases`, async () => {
     const random = seeded(42)

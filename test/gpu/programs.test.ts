@@ -1,18 +1,14 @@
 import { addArea, removeArea } from 'furrow/three'
 import { DirectionalLight, MeshPhysicalMaterial, Scene } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { randomAreas, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 
 const COUNTS = [1, 2, 8, 19, 30, 256]
 
 describe.each(RENDERERS)('shader programs on %s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   it.each(['default', 'paper'] as const)('one program serves 1 to 256 areas in %s mode', async (mode) => {
     const random = seeded(19)

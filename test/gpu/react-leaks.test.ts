@@ -12,7 +12,7 @@ import type { RendererFrame } from '../../packages/furrow/src/three/frame.ts'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { alive } from './alive.ts'
-import { createHarness, type Harness } from './harness.ts'
+import { harnessOn } from './harness.ts'
 import { createReactScene, type ReactScene } from './react-root.ts'
 import { wrinkledFile } from './wrinkled-file.ts'
 
@@ -21,7 +21,7 @@ const CYCLES = 30
 
 describe.each(['webgl', 'webgpu'] as const)('components that come and go, %s', (name) => {
   const { extendLoader, useWrinkles, Wrinkles } = name === 'webgl' ? forWebGL : forWebGPU
-  let harness: Harness
+  const harness = harnessOn(name)
   let react: ReactScene
   let gltf: GLTF
   let added: MockInstance
@@ -33,7 +33,6 @@ describe.each(['webgl', 'webgpu'] as const)('components that come and go, %s', (
   const set = randomSet(seeded(3), 1, 16)
 
   beforeAll(async () => {
-    harness = await createHarness(name)
     react = await createReactScene(harness, SIZE)
     const loader = new GLTFLoader()
     extendLoader(loader)
@@ -45,7 +44,6 @@ describe.each(['webgl', 'webgpu'] as const)('components that come and go, %s', (
     vi.restoreAllMocks()
     for (const wrinkles of wrinklesOf(gltf)) wrinkles.dispose()
     await react.dispose()
-    harness.dispose()
   })
 
   function Hooked() {

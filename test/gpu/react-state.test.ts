@@ -7,25 +7,23 @@ import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { createHarness, type Harness } from './harness.ts'
+import { harnessOn } from './harness.ts'
 import { createReactScene, type ReactScene } from './react-root.ts'
 import { faceMeshes, wrinkledFile } from './wrinkled-file.ts'
 
 const SIZE = 16
 
 describe('the state of wrinkles in React', () => {
-  let harness: Harness
+  const harness = harnessOn('webgl')
   let react: ReactScene
   let gltf: GLTF
   let face: WrinklesBase
 
   beforeAll(async () => {
-    harness = await createHarness('webgl')
     react = await createReactScene(harness, SIZE)
   })
   afterAll(async () => {
     await react.dispose()
-    harness.dispose()
   })
   beforeEach(async () => {
     const loader = new GLTFLoader()

@@ -6,25 +6,23 @@ import * as THREE from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { clone } from 'three/addons/utils/SkeletonUtils.js'
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
-import { createHarness, type Harness, squareCamera } from './harness.ts'
+import { harnessOn, squareCamera } from './harness.ts'
 import { createReactScene, type ReactScene } from './react-root.ts'
 import { wrinkledFile } from './wrinkled-file.ts'
 
 const SIZE = 32
 
 describe('a loaded face in React Three Fiber', () => {
-  let harness: Harness
+  const harness = harnessOn('webgl')
   let react: ReactScene
   let scene: THREE.Scene
   let gltf: GLTF
 
   beforeAll(async () => {
-    harness = await createHarness('webgl')
     react = await createReactScene(harness, SIZE)
   })
   afterAll(async () => {
     await react.dispose()
-    harness.dispose()
   })
   beforeEach(async () => {
     const loader = new GLTFLoader().register((parser) => new WrinkleLoaderPlugin(parser))

@@ -7,23 +7,21 @@ import {
   PlaneGeometry,
   Scene,
 } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { beforeAll, describe, expect, it } from 'vitest'
 import { randomAreas, randomImage, randomNormals } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
 import { mapOf } from './face.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 import { KINDS, MAP, randomLayer } from './layer-values.ts'
 
 const PIXELS = 64
 
 describe.each(RENDERERS)('shadows on %s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
+  const harness = harnessOn(name)
+  beforeAll(() => {
     harness.renderer.shadowMap.enabled = true
   })
-  afterAll(() => harness.dispose())
 
   // Shadows are drawn by a material of the renderer's own, with the nodes of the mesh's colour.
   it.each([

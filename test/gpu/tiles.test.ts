@@ -9,11 +9,11 @@ import {
   RepeatWrapping,
   Scene,
 } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { randomImage, randomNormals, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { createHarness, type Harness, harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 
 const MAP = 16
 const PIXELS = 64
@@ -25,11 +25,7 @@ const TILES = [
 ]
 
 describe.each(RENDERERS)('skin in another UV tile on %s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   it.each([
     ['default', true],

@@ -1,20 +1,16 @@
 import { packColours, reference } from 'furrow/internal'
 import { Color, DataTexture, DirectionalLight, MeshToonMaterial, NearestFilter, Scene } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { layer, randomAreas, randomNormals } from '../cases.ts'
 import { seeded } from '../random.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 import { influenceAt } from './influence-at.ts'
 
 /** Width and height of maps in texels and of the picture in pixels. */
 const SIZE = 32
 
 describe.each(RENDERERS)('a toon material on %s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   it('draws wrinkles as the lines of the reference, where its steps hide all slopes', async () => {
     const random = seeded(21)

@@ -1,16 +1,14 @@
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { beforeAll, describe, expect, it } from 'vitest'
 import { BARE_FACES } from './bare-faces.ts'
-import { createHarness, type Harness, RENDERERS } from './harness.ts'
+import { harnessOn, RENDERERS } from './harness.ts'
 import { compareWrinkles, loadPacked, wrinklesAlone } from './packed.ts'
 
 describe.each(RENDERERS)('a face compressed by glTF-Transform, on %s', (name) => {
-  let harness: Harness
+  const harness = harnessOn(name)
   let shipped: Float32Array
   beforeAll(async () => {
-    harness = await createHarness(name)
     shipped = await wrinklesOf('shipped')
   })
-  afterAll(() => harness.dispose())
 
   async function wrinklesOf(file: string): Promise<Float32Array> {
     const gltf = await loadPacked(harness, file)

@@ -16,13 +16,13 @@ import {
   MeshStandardMaterial,
   Scene,
 } from 'three'
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest'
+import { afterEach, beforeEach, describe, expect, it } from 'vitest'
 import { meshOf } from '../../packages/furrow/src/three/wrinkles-base.ts'
 import { randomAreas, randomImage, randomNormals } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { deviceErrors } from './device-errors.ts'
 import { largestDifference } from './difference.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from './harness.ts'
+import { createHarness, type Harness, harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 import { readLevel } from './read-level.ts'
 
 const AREA = 16
@@ -41,16 +41,12 @@ const REGIONS: Bounds[] = [
 type AnyWrinkles = InstanceType<Harness['Wrinkles']>
 
 describe.each(RENDERERS)('wrinkles that are changed while they are shown, on %s', (name) => {
-  let harness: Harness
+  const harness = harnessOn(name)
   let errors: string[]
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
   beforeEach(() => {
     errors = name === 'webgpu' ? deviceErrors(harness) : []
   })
   afterEach(() => expect(errors).toEqual([]))
-  afterAll(() => harness.dispose())
 
   /** A square in a scene, with its wrinkles. */
   function faceOf(source: WrinkleSet | AnyWrinkles, mode: WrinkleMode = 'default') {

@@ -15,15 +15,14 @@ import {
 } from 'vitest'
 import type { DamagedFace } from './damaged-faces.ts'
 import { largestDifference, ROUNDING } from './difference.ts'
-import { createHarness, type Harness, squareCamera } from './harness.ts'
+import { harnessOn, squareCamera } from './harness.ts'
 
 describe('a loader and validate', () => {
-  let harness: Harness
+  const harness = harnessOn('webgl')
   let ktx2: KTX2Loader
   let faces: DamagedFace[]
   let warn: MockInstance<typeof console.warn>
   beforeAll(async () => {
-    harness = await createHarness('webgl')
     ktx2 = new KTX2Loader()
       .setTranscoderPath('/node_modules/three/examples/jsm/libs/basis/')
       .detectSupport(harness.renderer)
@@ -31,7 +30,6 @@ describe('a loader and validate', () => {
   })
   afterAll(() => {
     ktx2.dispose()
-    harness.dispose()
   })
   beforeEach(() => {
     warn = vi.spyOn(console, 'warn').mockImplementation(() => {})

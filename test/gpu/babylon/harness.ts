@@ -9,6 +9,7 @@ import { Vector3 } from '@babylonjs/core/Maths/math.vector.js'
 import { Mesh } from '@babylonjs/core/Meshes/mesh.js'
 import { VertexData } from '@babylonjs/core/Meshes/mesh.vertexData.js'
 import { Scene } from '@babylonjs/core/scene.js'
+import { afterAll, beforeAll } from 'vitest'
 import { WrinklePlugin } from '../../../packages/furrow/src/babylon/wrinkle-plugin.ts'
 
 /** Both are tested; a missing one fails. */
@@ -33,6 +34,14 @@ export interface BabylonHarness {
  */
 const LOST_CANVAS = /Destroyed texture \[Texture \(unlabeled 300x150 px/
 const ATTEMPTS = 3
+
+/** A harness of all tests that are described where this is called. */
+export function harnessOn(name: EngineName): BabylonHarness {
+  const harness = {} as BabylonHarness
+  beforeAll(async () => void Object.assign(harness, await createHarness(name)))
+  afterAll(() => harness.dispose())
+  return harness
+}
 
 /** Creates an engine; fails if it is not available. */
 export async function createHarness(name: EngineName): Promise<BabylonHarness> {

@@ -6,7 +6,7 @@ import { VertexData } from '@babylonjs/core/Meshes/mesh.vertexData.js'
 import type { Scene } from '@babylonjs/core/scene.js'
 import type { GrayImage, WrinkleSet } from 'furrow'
 import { Wrinkles } from 'furrow/babylon'
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest'
+import { afterEach, describe, expect, it } from 'vitest'
 import { randomSet } from '../../cases.ts'
 import { seeded } from '../../random.ts'
 import { STEP } from '../difference.ts'
@@ -23,7 +23,7 @@ import {
 } from '../edges.ts'
 import { casesIn } from '../harness.ts'
 import { influenceDifference, type UvTransform } from '../influence-difference.ts'
-import { type BabylonHarness, createHarness, ENGINES, square } from './harness.ts'
+import { type BabylonHarness, ENGINES, harnessOn, square } from './harness.ts'
 
 const CASES = casesIn(200)
 const PIXELS = 32
@@ -33,12 +33,8 @@ const AREA = 32
 const SHOW_ROUGHNESS = 63
 
 describe.each(ENGINES)('influence in Babylon.js on %s', (name) => {
-  let harness: BabylonHarness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
+  const harness = harnessOn(name)
   afterEach(() => expect(harness.errors).toEqual([]))
-  afterAll(() => harness.dispose())
 
   it(`is within 1/255 of the reference in ${CASES} random cases`, async () => {
     const random = seeded(2008)

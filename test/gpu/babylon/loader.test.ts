@@ -7,11 +7,11 @@ import type { Mesh } from '@babylonjs/core/Meshes/mesh.js'
 import type { Scene } from '@babylonjs/core/scene.js'
 import '@babylonjs/loaders/glTF/2.0/glTFLoader.js'
 import { ExpressionPlayer, FaceScores, registerWrinkleMaps, Wrinkles, wrinklesOf } from 'furrow/babylon'
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest'
+import { afterEach, beforeAll, describe, expect, it } from 'vitest'
 import { largestDifference, ROUNDING } from '../difference.ts'
 import { quietConsole } from '../quiet-console.ts'
 import { driver, wrinkledFile } from '../wrinkled-file.ts'
-import { type BabylonHarness, createHarness, disposeScene, ENGINES } from './harness.ts'
+import { type BabylonHarness, disposeScene, ENGINES, harnessOn } from './harness.ts'
 
 const PIXELS = 32
 
@@ -45,16 +45,12 @@ const setTarget = (meshes: readonly { morphTargetManager?: Mesh['morphTargetMana
 
 describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
   const written = quietConsole()
-  let harness: BabylonHarness
+  const harness = harnessOn(name)
   let scene: Scene
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
   afterEach(async () => {
     await disposeScene(scene)
     expect(harness.errors).toEqual([])
   })
-  afterAll(() => harness.dispose())
 
   const open = async (...edits: Parameters<typeof wrinkledFile>) => {
     scene = litScene(harness)

@@ -10,12 +10,12 @@ import type { Scene } from '@babylonjs/core/scene.js'
 import type { RgbaImage } from 'furrow'
 import { Wrinkles } from 'furrow/babylon'
 import { packColours, packGrays, reference } from 'furrow/internal'
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest'
+import { afterEach, describe, expect, it } from 'vitest'
 import { randomAreas, randomImage } from '../../cases.ts'
 import { seeded } from '../../random.ts'
 import { influenceAt } from '../influence-at.ts'
 import { colourAt, type Kind, LAYERS, layerValue, linear, MAP, randomLayer } from '../layer-values.ts'
-import { type BabylonHarness, createHarness, ENGINES, square } from './harness.ts'
+import { type BabylonHarness, ENGINES, harnessOn, square } from './harness.ts'
 
 const PIXELS = 32
 
@@ -23,12 +23,8 @@ const PIXELS = 32
 const SHOW = { roughness: 63, occlusion: 89 }
 
 describe.each(ENGINES)("the layers' other maps in Babylon.js on %s", (name) => {
-  let harness: BabylonHarness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
+  const harness = harnessOn(name)
   afterEach(() => expect(harness.errors).toEqual([]))
-  afterAll(() => harness.dispose())
 
   describe.each([
     ['with maps of its own', true],

@@ -8,12 +8,12 @@ import type { Scene } from '@babylonjs/core/scene.js'
 import type { LayerKind, RgbaImage } from 'furrow'
 import { Wrinkles } from 'furrow/babylon'
 import { packColours, reference } from 'furrow/internal'
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest'
+import { afterEach, describe, expect, it } from 'vitest'
 import { layer, randomAreas, randomNormals } from '../../cases.ts'
 import { seeded } from '../../random.ts'
 import { largestDifference } from '../difference.ts'
 import { influenceAt } from '../influence-at.ts'
-import { type BabylonHarness, createHarness, ENGINES, square } from './harness.ts'
+import { type BabylonHarness, ENGINES, harnessOn, square } from './harness.ts'
 
 const PIXELS = 32
 const MAP = 16
@@ -30,12 +30,8 @@ const KINDS: LayerKind[][] = [
 ]
 
 describe.each(ENGINES)('normals in Babylon.js on %s', (name) => {
-  let harness: BabylonHarness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
+  const harness = harnessOn(name)
   afterEach(() => expect(harness.errors).toEqual([]))
-  afterAll(() => harness.dispose())
 
   it.each([
     ['PBRMaterial', shownByPbr],

@@ -7,21 +7,17 @@ import { MorphTarget } from '@babylonjs/core/Morph/morphTarget.js'
 import { MorphTargetManager } from '@babylonjs/core/Morph/morphTargetManager.js'
 import type { Scene } from '@babylonjs/core/scene.js'
 import { addDrivers, Wrinkles } from 'furrow/babylon'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { randomSet } from '../../cases.ts'
 import { seeded } from '../../random.ts'
 import { largestDifference } from '../difference.ts'
 import { driver } from '../wrinkled-file.ts'
-import { type BabylonHarness, createHarness, ENGINES, square } from './harness.ts'
+import { type BabylonHarness, ENGINES, harnessOn, square } from './harness.ts'
 
 const PIXELS = 64
 
 describe.each(ENGINES)('shadows in Babylon.js on %s', (name) => {
-  let harness: BabylonHarness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   it('of a face that its blendshapes move are those of the plain one', async () => {
     const { scene, mesh, target } = shadowed(harness)

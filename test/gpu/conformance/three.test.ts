@@ -1,18 +1,16 @@
 import { afterAll, beforeAll, describe } from 'vitest'
-import { createHarness, type Harness, RENDERERS } from '../harness.ts'
+import { harnessOn, RENDERERS } from '../harness.ts'
 import { testSamples } from './suite.ts'
 import { ThreeRunner } from './three-runner.ts'
 
 describe.each(RENDERERS)('conformance of three.js on %s', (name) => {
-  let harness: Harness
+  const harness = harnessOn(name)
   let runner: ThreeRunner
-  beforeAll(async () => {
-    harness = await createHarness(name)
+  beforeAll(() => {
     runner = new ThreeRunner(harness)
   })
   afterAll(() => {
     runner.dispose()
-    harness.dispose()
   })
 
   testSamples((sample) => runner.open(sample))

@@ -1,17 +1,13 @@
 import { wrinklesOf } from 'furrow/three'
 import { Group, type Material } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { largestDifference, ROUNDING } from '../difference.ts'
-import { createHarness, type Harness, RENDERERS } from '../harness.ts'
+import { harnessOn, RENDERERS } from '../harness.ts'
 import { litPicture, loadFile, pageMesh } from '../loaded.ts'
 import { faceMeshes, wrinkledFile } from '../wrinkled-file.ts'
 
 describe.each(RENDERERS)('a mesh that a page makes with the material of a loaded face, on %s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   const load = async () => loadFile(harness, await wrinkledFile())
   const picture = (root: Group) => litPicture(harness, root)

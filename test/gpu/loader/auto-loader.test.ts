@@ -8,9 +8,9 @@ import {
 import { WrinkleLoaderPlugin as WebGPUPlugin } from 'furrow/webgpu'
 import { DirectionalLight, type Mesh, type Object3D, OrthographicCamera, Scene } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { largestDifference, ROUNDING } from '../difference.ts'
-import { createHarness, type Harness, RENDERERS } from '../harness.ts'
+import { harnessOn, RENDERERS } from '../harness.ts'
 import {
   bareSheet,
   HALF,
@@ -28,11 +28,7 @@ const SIZE = 64
 const AUTO = { size: 256, areaSize: 32 }
 
 describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
   beforeEach(forgetAll)
   afterEach(() => {
     vi.restoreAllMocks()

@@ -3,9 +3,9 @@ import { readWrinkleMaps, WrinkleLoaderPlugin, wrinklesOf } from 'furrow/three'
 import { Mesh, type WebGLRenderer } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
-import { afterAll, beforeAll, describe, expect, it, onTestFinished } from 'vitest'
+import { beforeAll, describe, expect, it, onTestFinished } from 'vitest'
 import { editGlb } from '../../glb.ts'
-import { createHarness, type Harness, RENDERERS } from '../harness.ts'
+import { createHarness, harnessOn, RENDERERS } from '../harness.ts'
 import { grayPng } from '../images.ts'
 import { litPicture, loadFile } from '../loaded.ts'
 import { quietConsole } from '../quiet-console.ts'
@@ -99,11 +99,7 @@ const DAMAGES: [what: string, spoil: Spoil, warning: RegExp][] = [
 ]
 
 describe.each(RENDERERS)('a damaged file on %s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   const load = (file: Uint8Array) => loadFile(harness, file)
   const picture = ({ scene }: GLTF) => litPicture(harness, scene)

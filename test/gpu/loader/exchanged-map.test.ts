@@ -1,9 +1,9 @@
 import { DataTexture, DirectionalLight, type Mesh, MeshStandardMaterial, Scene } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { describe, expect, it } from 'vitest'
 import { randomSet } from '../../cases.ts'
 import { seeded } from '../../random.ts'
 import { largestDifference } from '../difference.ts'
-import { createHarness, type Harness, RENDERERS, square, squareCamera } from '../harness.ts'
+import { harnessOn, RENDERERS, square, squareCamera } from '../harness.ts'
 import { normalMap } from '../normal-map.ts'
 import { quietConsole } from '../quiet-console.ts'
 
@@ -11,11 +11,7 @@ const MODES = ['default', 'composed'] as const
 
 describe.each(RENDERERS)('a normal map that the page takes away or exchanges, on %s', (name) => {
   const console = quietConsole()
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   const picture = (mesh: Mesh) => {
     const light = new DirectionalLight(0xffffff, 2)

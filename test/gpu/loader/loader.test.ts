@@ -4,21 +4,17 @@ import { wrinklesOf } from 'furrow/three'
 import type { Mesh, WebGLRenderer } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
-import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest'
+import { describe, expect, it, vi } from 'vitest'
 import { editGlb } from '../../glb.ts'
 import { largestDifference, ROUNDING } from '../difference.ts'
-import { createHarness, type Harness, RENDERERS } from '../harness.ts'
+import { harnessOn, RENDERERS } from '../harness.ts'
 import { litPicture, loadFile } from '../loaded.ts'
 import { driver, WEIGHTS, wrinkledFile } from '../wrinkled-file.ts'
 
 const SIZE = 16
 
 describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   const load = (file: Uint8Array) => loadFile(harness, file)
   const picture = ({ scene }: GLTF) => litPicture(harness, scene)

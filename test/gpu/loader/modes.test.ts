@@ -1,18 +1,16 @@
 import { type WrinkleMode, type WrinklesBase, wrinklesOf } from 'furrow/three'
 import { DirectionalLight, Scene } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
-import { createHarness, type Harness, RENDERERS, squareCamera } from '../harness.ts'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { harnessOn, RENDERERS, squareCamera } from '../harness.ts'
 import { wrinkledFile } from '../wrinkled-file.ts'
 
 describe.each(RENDERERS)('a loaded face on %s', (name) => {
-  let harness: Harness
+  const harness = harnessOn(name)
   let file: Uint8Array<ArrayBuffer>
   beforeAll(async () => {
-    harness = await createHarness(name)
     file = await wrinkledFile()
   })
-  afterAll(() => harness.dispose())
 
   async function load(mode: WrinkleMode, fadeBelow = 0) {
     const loader = new GLTFLoader().register((parser) => new harness.Plugin(parser, { mode, fadeBelow }))

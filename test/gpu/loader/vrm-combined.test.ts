@@ -3,8 +3,8 @@ import { WrinkleLoaderPlugin, wrinklesOf, wrinklesReady } from 'furrow/three'
 import { type Object3D, Scene } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
-import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
-import { createHarness, type Harness, squareCamera } from '../harness.ts'
+import { afterEach, describe, expect, it, vi } from 'vitest'
+import { createHarness, harnessOn, squareCamera } from '../harness.ts'
 import { asVrm, vrmFile } from '../vrm-file.ts'
 import { driver, faceMeshes } from '../wrinkled-file.ts'
 import { bareSheet } from './bare-sheet.ts'
@@ -27,11 +27,7 @@ describe.each([
   ['VRM 0', vrm0],
   ['VRM 1.0', vrm1],
 ])("the face of a %s after three-vrm's combineMorphs", (_, addExpressions) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness('webgl')
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn('webgl')
 
   const load = async (): Promise<GLTF> => {
     const file = await vrmFile(

@@ -12,7 +12,7 @@ import {
 } from 'three'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { Rng } from '../../../packages/furrow/src/math/rng.ts'
-import { createHarness, type Harness, RENDERERS } from '../harness.ts'
+import { harnessOn, RENDERERS } from '../harness.ts'
 import { distances, fractionWithin, type Outline, outlineOf, projectedOutline } from './outline.ts'
 import { bandedFace, displacedSkin, type RaisedFace } from './raised-face.ts'
 
@@ -29,15 +29,13 @@ const outlines = new Map<number, Outline>()
 const POSE = { browInnerUp: 1, browOuterUpLeft: 1, browOuterUpRight: 1, mouthSmileLeft: 0.5 }
 
 describe.each(RENDERERS)('the shipped face on %s', (name) => {
-  let harness: Harness
+  const harness = harnessOn(name)
   let face: RaisedFace
   beforeAll(async () => {
-    harness = await createHarness(name)
     face = await bandedFace(harness)
   })
   afterAll(() => {
     face.dispose()
-    harness.dispose()
   })
 
   function pose(weights: Record<string, number>): void {

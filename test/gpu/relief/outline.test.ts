@@ -1,6 +1,6 @@
 import type { Mesh } from 'three'
-import { afterAll, beforeAll, describe, expect, it } from 'vitest'
-import { createHarness, type Harness, RENDERERS } from '../harness.ts'
+import { describe, expect, it } from 'vitest'
+import { harnessOn, RENDERERS } from '../harness.ts'
 import { ball, heightSet, sceneOf, sideCamera } from './ball.ts'
 import { displacedBall } from './displaced-ball.ts'
 import { distances, fractionWithin, type Outline, outlineOf, projectedOutline } from './outline.ts'
@@ -11,11 +11,7 @@ const PIXEL = FINE / 1600
 const SIDE = 0.15
 
 describe.each(RENDERERS)('%s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
 
   it('heights move the outline to where the reference has it', async () => {
     const mesh = ball()

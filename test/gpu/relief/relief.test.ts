@@ -21,8 +21,8 @@ import {
   Vector3,
 } from 'three'
 import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
-import { afterAll, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
-import { createHarness, type Harness, RENDERERS } from '../harness.ts'
+import { beforeEach, describe, expect, it, vi } from 'vitest'
+import { harnessOn, RENDERERS } from '../harness.ts'
 import { AMPLITUDE, ball, heightSet, RADIUS, sceneOf, sideCamera } from './ball.ts'
 import { differing, FEW } from './differing.ts'
 import { displacedMesh } from './displaced-ball.ts'
@@ -31,11 +31,7 @@ const SIZE = 256
 const SIDE = 0.15
 
 describe.each(RENDERERS)('%s', (name) => {
-  let harness: Harness
-  beforeAll(async () => {
-    harness = await createHarness(name)
-  })
-  afterAll(() => harness.dispose())
+  const harness = harnessOn(name)
   beforeEach(() => {
     vi.restoreAllMocks()
   })
