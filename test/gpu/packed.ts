@@ -39,11 +39,8 @@ export async function posedPicture(harness: Harness, gltf: GLTF, mode: 'default'
 }
 
 function skinOf(gltf: GLTF): Mesh {
-  let skin: Mesh | undefined
-  gltf.scene.traverse((object) => {
-    if ((object as Mesh).isMesh && wrinklesOf(object as Mesh)) skin ??= object as Mesh
-  })
-  return skin!
+  const meshes = gltf.scene.getObjectsByProperty('isMesh', true) as Mesh[]
+  return meshes.find((mesh) => wrinklesOf(mesh))!
 }
 
 /** What wrinkles do to the picture of a face. */

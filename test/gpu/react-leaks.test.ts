@@ -74,10 +74,7 @@ describe.each(['webgl', 'webgpu'] as const)('components that come and go, %s', (
   /** One mount and one unmount, each drawn. */
   const cycle = async () => {
     const { scene } = await react.show(page())
-    const meshes: Mesh[] = []
-    scene.traverse((object) => {
-      if ((object as Mesh).isMesh) meshes.push(object as Mesh)
-    })
+    const meshes = scene.getObjectsByProperty('isMesh', true) as Mesh[]
     for (const { morphTargetInfluences } of meshes) morphTargetInfluences?.fill(1)
     // Meshes that the page makes have wrinkles from their second frame on.
     await react.advance(2)

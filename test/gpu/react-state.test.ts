@@ -124,11 +124,8 @@ describe('the state of wrinkles in React', () => {
       )
     const { scene } = await react.show([copy(30), copy(70)])
     await react.advance(4)
-    const ages: number[] = []
-    scene.traverse((object) => {
-      const own = (object as Mesh).isMesh && wrinklesOf(object as Mesh)
-      if (own) ages.push(own.inputs.get('age'))
-    })
+    const meshes = scene.getObjectsByProperty('isMesh', true) as Mesh[]
+    const ages = meshes.map((mesh) => wrinklesOf(mesh)!.inputs.get('age'))
     expect(new Set(ages)).toEqual(new Set([30, 70]))
     expect(face.inputs.get('age')).toBe(0)
   })

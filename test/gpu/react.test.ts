@@ -43,11 +43,7 @@ describe('a loaded face in React Three Fiber', () => {
     return harness.render(scene, squareCamera(), SIZE)
   }
   const shownMeshes = () => {
-    const meshes: THREE.Mesh[] = []
-    scene.traverse((object) => {
-      if ((object as THREE.Mesh).isMesh) meshes.push(object as THREE.Mesh)
-    })
-    return meshes
+    return scene.getObjectsByProperty('isMesh', true) as THREE.Mesh[]
   }
   const move = (weight: number) => {
     for (const { morphTargetInfluences } of shownMeshes()) morphTargetInfluences?.fill(weight)

@@ -124,12 +124,10 @@ async function pose({ scene, animations }: GLTF): Promise<Record<string, number>
 }
 
 function skinOf(scene: Object3D): Mesh {
-  const meshes: Mesh[] = []
-  scene.traverse((object) => {
-    if ('isMesh' in object && wrinklesOf(object as Mesh)) meshes.push(object as Mesh)
-  })
-  expect(meshes.length).toBe(1)
-  return meshes[0]
+  const meshes = scene.getObjectsByProperty('isMesh', true) as Mesh[]
+  const skins = meshes.filter((mesh) => wrinklesOf(mesh))
+  expect(skins.length).toBe(1)
+  return skins[0]
 }
 
 /** From the front, with light from above and a side: RGBA, rows from the bottom. */

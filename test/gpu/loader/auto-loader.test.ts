@@ -173,11 +173,7 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
 })
 
 function firstMesh(scene: Object3D): Mesh {
-  let found: Mesh | undefined
-  scene.traverse((object) => {
-    if ((object as Mesh).isMesh) found ??= object as Mesh
-  })
-  return found!
+  return scene.getObjectByProperty('isMesh', true) as Mesh
 }
 
 async function ourCaches(): Promise<string[]> {

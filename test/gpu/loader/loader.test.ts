@@ -19,11 +19,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
   const load = (file: Uint8Array) => loadFile(harness, file)
   const picture = ({ scene }: GLTF) => litPicture(harness, scene)
   const meshesOf = (gltf: GLTF) => {
-    const meshes: Mesh[] = []
-    gltf.scene.traverse((object) => {
-      if ((object as Mesh).isMesh) meshes.push(object as Mesh)
-    })
-    return meshes
+    return gltf.scene.getObjectsByProperty('isMesh', true) as Mesh[]
   }
 
   it('wrinkles as its blendshapes move', async () => {

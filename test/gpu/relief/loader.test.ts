@@ -30,11 +30,7 @@ function close() {
 }
 
 function meshesOf({ scene }: GLTF): Mesh[] {
-  const meshes: Mesh[] = []
-  scene.traverse((object) => {
-    if ((object as Mesh).isMesh) meshes.push(object as Mesh)
-  })
-  return meshes
+  return scene.getObjectsByProperty('isMesh', true) as Mesh[]
 }
 
 afterEach(() => {

@@ -104,8 +104,7 @@ it('an avatar loaded by three-vrm has its outlines round its relief, and so has 
   for (const root of [gltf.scene, copy]) {
     const scene = sceneOf(root as never).add(new AmbientLight(0xffffff, 5))
     await harness.renderBytes(scene, squareCamera(), 32)
-    const meshes: Mesh[] = []
-    root.traverse((object) => 'isMesh' in object && meshes.push(object as Mesh))
+    const meshes = root.getObjectsByProperty('isMesh', true) as Mesh[]
     await wrinklesOf(meshes[0])!.reliefReady()
     for (let i = 0; i < 3; i++) await harness.renderBytes(scene, squareCamera(), 32)
     const dense: Mesh[] = []
