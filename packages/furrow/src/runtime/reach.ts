@@ -30,11 +30,15 @@ export function findReach({ slots, width, height }: AreaSlots, values: Float32Ar
   for (let i = 0; i < slots.length; i++) if (values[i] !== 0) widen(span, slots[i].bounds)
   const { x0, y0, x1, y1 } = span
   // Bilinear filtering spreads a texel to the centres of its neighbours; clamping spreads those at the border infinitely.
-  // No function for the four: a number that is passed may be boxed.
-  reach.x = x0 < 1 ? -FAR : (x0 - 0.5) / width
-  reach.y = y0 < 1 ? -FAR : (y0 - 0.5) / height
-  reach.z = x1 > width - 1 ? FAR : (x1 + 0.5) / width
-  reach.w = y1 > height - 1 ? FAR : (y1 + 0.5) / height
+  // Statements, not conditional expressions or a function for the four: V8 allocates a number that may be a constant or computed.
+  if (x0 < 1) reach.x = -FAR
+  else reach.x = (x0 - 0.5) / width
+  if (y0 < 1) reach.y = -FAR
+  else reach.y = (y0 - 0.5) / height
+  if (x1 > width - 1) reach.z = FAR
+  else reach.z = (x1 + 0.5) / width
+  if (y1 > height - 1) reach.w = FAR
+  else reach.w = (y1 + 0.5) / height
 }
 
 /** Sets a rectangle that contains everything, for several faces at once. */
