@@ -35,7 +35,8 @@ export async function measureSizes() {
     if (!page.startsWith('the loader')) continue
     for (const [what, file] of Object.entries(LAZY)) {
       const roots = chunks.filter(({ facadeModuleId: id }) => file.test(id ?? ''))
-      const later = closure(roots, chunks).filter((chunk) => !own.includes(chunk))
+      const others = chunks.filter((chunk) => !own.includes(chunk))
+      const later = closure(roots, others, 'dynamicImports')
       if (later.length > 0) sizes[`${page}: ${what}`] = compressed(later)
     }
   }
@@ -67,11 +68,11 @@ async function bundle(code) {
   return output.filter(({ type }) => type === 'chunk').sort((a, b) => Number(b.isEntry) - Number(a.isEntry))
 }
 
-/** Some chunks, and all that they import at once. */
-export function closure(chunks, all) {
+/** Some chunks, and all that they import: at once, and with `dynamicImports` later too. */
+export function closure(chunks, all, later) {
   const found = new Set(chunks)
-  for (const { imports } of found) {
-    for (const name of imports) {
+  for (const { imports, [later]: others = [] } of found) {
+    for (const name of [...imports, ...others]) {
       const chunk = all.find(({ fileName }) => fileName === name)
       if (chunk) found.add(chunk)
     }

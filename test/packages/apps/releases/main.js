@@ -135,9 +135,8 @@ async function light() {
     modes[mode] = await picture(scene, camera)
   }
   wrinkles.relief = 'on'
-  // Fetches relief, and splits the meshes.
   await picture(scene, camera)
-  await new Promise((resolve) => setTimeout(resolve, 1000))
+  await wrinkles.reliefReady()
   modes.relief = await picture(scene, camera)
   // Into the page itself, for those who look at it.
   renderer.render(scene, camera)
