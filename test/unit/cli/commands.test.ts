@@ -50,7 +50,7 @@ describe('an option', () => {
   const choices = (option: Option) => option.argChoices?.join(' ')
   const parse = (option: Option, text: string) => option.parseArg!(text, undefined)
 
-  /** What an option says of a value that it refuses. */
+  /** Text of an option about a value that it refuses. */
   function ruleOf(option: Option): string {
     try {
       return `takes ${parse(option, '?')}`

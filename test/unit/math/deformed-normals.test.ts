@@ -38,7 +38,7 @@ function largestAngle(a: ArrayLike<number>, b: ArrayLike<number>): number {
   return vectorsOf(a).reduce((most, vector, i) => Math.max(most, vector.angleTo(others[i])), 0)
 }
 
-/** What moves each point, and the normals of a mesh after it. */
+/** Offsets of each point, and the normals of a mesh after them. */
 function deform(mesh: ReturnType<typeof meshOf>, move: (point: Vector3) => Vector3) {
   const deformed = new DeformedNormals(mesh)
   const out = new Float32Array(mesh.normals.length)

@@ -20,7 +20,7 @@ import { expectRefused, face, plain, set } from './refused.ts'
 /** What plain JavaScript may pass. */
 const any = (value: unknown) => value as never
 
-/** What the errors of calls begin with. */
+/** Beginnings of the errors of calls. */
 type Calls = [start: RegExp, run: () => unknown][]
 
 describe('wrong arguments are refused in one line', () => {

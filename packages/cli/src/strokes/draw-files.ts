@@ -34,7 +34,7 @@ const WHO = 'furrow strokes'
 /** Side of the maps in texels where neither an option, nor the document, nor a base gives it. */
 export const DEFAULT_SIZE = 1024
 
-/** What to draw, as the options of `furrow strokes` say. */
+/** Maps to draw, and how: options of `furrow strokes`. */
 export interface DrawOptions {
   base?: string
   detail?: boolean

@@ -60,7 +60,7 @@ const ALL_KINDS: MixedLayers = {
   values: Object.fromEntries(VALUE_KINDS.map((kind) => [kind, ONE(kind)])),
 }
 
-/** What tells apart the programs of a set: whether instances have cells, and texture coordinates wrap. */
+/** Differences between the programs of a set: whether instances have cells, and texture coordinates wrap. */
 const FLAGS = { FURROW_CELLS: false, FURROW_TILED: false }
 
 /** Name of the vertex attribute with the cell of an instance. */

@@ -1,4 +1,4 @@
-// What the apps of all frameworks do with the face once their scene has it: a click raises the brows, the next takes the wrinkles off.
+// Shared by the apps of all frameworks: shows the face once the scene has it. A click raises the brows, the next removes the wrinkles.
 
 import { frameFace, wrinklesOf } from 'furrow/three'
 import type { Camera, Mesh, Object3D, PerspectiveCamera } from 'three'

@@ -6,7 +6,7 @@ import type { FaceGroup } from '../../runtime/face-group.ts'
 import { sampledTension, tensionSurface } from '../../runtime/sampled-tension.ts'
 import { sampledMesh, vertexData } from './surface.ts'
 
-/** What tension needs of a face. */
+/** Parts of a face that tension needs. */
 export type DrivenFace = Pick<FaceGroup, 'getArea'> & { readonly mesh: AbstractMesh }
 
 /** Measures a few triangles of each area as morph targets and the skeleton deform them, on the CPU. */

@@ -14,7 +14,7 @@ import { trianglesOf } from './geometry-arrays.ts'
 
 export { indexIn, type MeasuredArea, type TensionSurface } from '../../runtime/sampled-tension.ts'
 
-/** What tension needs of a face. */
+/** Parts of a face that tension needs. */
 export type DrivenFace = Pick<FaceGroup, 'getArea' | 'onDispose'> & { readonly mesh: Mesh }
 
 /** Measures tension as a renderer can. */
