@@ -47,7 +47,8 @@ async function writeLow(from, to) {
 
 /** The lines of the face's own wrinkles, and its scale. */
 async function automaticLines(server, path) {
-  const { autoWrinkles, strokesOf } = await server.ssrLoadModule('/packages/furrow/src/author/index.ts')
+  const { autoWrinkles } = await server.ssrLoadModule('/packages/furrow/src/author/index.ts')
+  const { strokesOf } = await server.ssrLoadModule('/packages/furrow/internal/index.ts')
   const { findSkin } = await server.ssrLoadModule('/packages/files/src/index.ts')
   const { readDocument } = await server.ssrLoadModule('/packages/files/src/node.ts')
   const { skin } = findSkin(await readDocument(path, 'bench'), path, 'bench')
