@@ -8,5 +8,9 @@ interface Chunk {
 }
 
 export function measureSizes(): Promise<Record<string, Size>>
-export function closure(chunks: readonly Chunk[], all: readonly Chunk[], later?: 'dynamicImports'): Chunk[]
+export function closure(
+  chunks: readonly Chunk[],
+  all: readonly Chunk[],
+  kinds?: readonly ('imports' | 'dynamicImports')[],
+): Chunk[]
 export function compressed(chunks: readonly { code: string }[]): Size

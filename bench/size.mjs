@@ -36,7 +36,7 @@ export async function measureSizes() {
     for (const [what, file] of Object.entries(LAZY)) {
       const roots = chunks.filter(({ facadeModuleId: id }) => file.test(id ?? ''))
       const others = chunks.filter((chunk) => !own.includes(chunk))
-      const later = closure(roots, others, 'dynamicImports')
+      const later = closure(roots, others, ['imports', 'dynamicImports'])
       if (later.length > 0) sizes[`${page}: ${what}`] = compressed(later)
     }
   }
@@ -68,11 +68,11 @@ async function bundle(code) {
   return output.filter(({ type }) => type === 'chunk').sort((a, b) => Number(b.isEntry) - Number(a.isEntry))
 }
 
-/** Some chunks, and all that they import: at once, and with `dynamicImports` later too. */
-export function closure(chunks, all, later) {
+/** Some chunks, and all that they import at once; with `dynamicImports` among the kinds, later too. */
+export function closure(chunks, all, kinds = ['imports']) {
   const found = new Set(chunks)
-  for (const { imports, [later]: others = [] } of found) {
-    for (const name of [...imports, ...others]) {
+  for (const each of found) {
+    for (const name of kinds.flatMap((kind) => each[kind])) {
       const chunk = all.find(({ fileName }) => fileName === name)
       if (chunk) found.add(chunk)
     }

@@ -88,8 +88,8 @@ describe('furrow pack --ktx2', () => {
     const out = shop.path('bare')
     await shop.run('unpack', packed, '-o', out)
     expect(jsonOf(readFileSync(`${out}/face.glb`))).toEqual(jsonOf(await faceBytes()))
-    await shop.run('pack', folder, '--face', packed, '--ktx2', '-o', shop.path('anew.glb'))
-    expect(readFileSync(shop.path('anew.glb')).equals(readFileSync(packed))).toBe(true)
+    await shop.run('pack', folder, '--face', packed, '--ktx2', '-o', shop.path('repacked.glb'))
+    expect(readFileSync(shop.path('repacked.glb')).equals(readFileSync(packed))).toBe(true)
   })
 
   it('survives dedup, prune and WebP', async () => {
