@@ -2,11 +2,34 @@ import sharp, { type Metadata, type Sharp } from 'sharp'
 import { checkImageSize, checkImageType, formatNames, GLTF_IMAGES, type ImageHeader } from './check-image.ts'
 import { withImageErrors } from './image-errors.ts'
 
-// What is opened has been looked at; this keeps libvips from its other readers, whatever it takes a file for.
-sharp.block({ operation: ['VipsForeignLoad'] })
-sharp.unblock({
-  operation: ['Png', 'Jpeg', 'Webp', 'Heif', 'Tiff'].map((format) => `VipsForeignLoad${format}`),
-})
+/** The formats that libvips must not read, in any of its builds. */
+const BLOCKED = [
+  'Analyze',
+  'Csv',
+  'Dcraw',
+  'Fits',
+  'Jp2k',
+  'Jxl',
+  'Magick',
+  'Magick7',
+  'Mat',
+  'Matrix',
+  'Nifti',
+  'Nsgif',
+  'OpenExr',
+  'Openslide',
+  'Pdf',
+  'Ppm',
+  'Rad',
+  'Raw',
+  'Svg',
+  'Uhdr',
+  'Vips',
+]
+
+// `checkImageType` knows the format; this keeps libvips from its other readers, whatever it takes a file for. It holds
+// for all threads at once. To block every reader first and then allow some would fail images that another thread reads.
+sharp.block({ operation: BLOCKED.map((format) => `VipsForeignLoad${format}`) })
 
 /** An image that may be decoded: its header says that it is small enough. */
 export interface OpenedImage extends ImageHeader, Pick<Metadata, 'channels' | 'depth'> {
