@@ -66,15 +66,17 @@ describe('addMuscles', () => {
 
 it('drivers of a face add its muscles to all its meshes, once to a geometry that several have', () => {
   const { mesh, wrinkles } = face()
-  const [other, twin] = [new PlaneGeometry(), mesh.geometry].map(
+  const [other, twin, late] = [new PlaneGeometry(), mesh.geometry, new PlaneGeometry()].map(
     (geometry) => new Mesh(geometry, mesh.material),
   )
   mesh.geometry.morphAttributes.position = [mesh.geometry.attributes.position.clone()]
   for (const each of [other, twin]) wrinkles.addMesh(each)
   setDrivers(wrinkles, [muscle('a'), muscle('b')])
+  wrinkles.addMesh(late)
   expect(mesh.morphTargetDictionary).toEqual({ jawOpen: 0, a: 1, b: 2 })
   expect(other.morphTargetDictionary).toEqual({ a: 0, b: 1 })
   expect(other.morphTargetInfluences).toEqual([0, 0])
+  expect(late.morphTargetDictionary).toEqual({ a: 0, b: 1 })
   expect(twin.morphTargetDictionary).toMatchObject({ a: 1, b: 2 })
   expect(twin.morphTargetInfluences).toEqual([0, 0, 0])
   expect(mesh.geometry.morphAttributes.position).toHaveLength(3)

@@ -112,6 +112,7 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
     this.checkInUse('addMesh')
     checkIsMesh(mesh, 'Wrinkles.addMesh')
     if (this.#mode === 'default') this.#patch(mesh)
+    addMuscles(mesh, driversOf('muscle', this.drivers))
     this.#meshes.push(mesh)
     facesByMesh.set(mesh, this)
     const cloned = mesh.onClonedObservable.add((copy) => copies.set(copy as AbstractMesh, this))

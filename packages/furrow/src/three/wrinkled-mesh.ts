@@ -145,6 +145,7 @@ export class WrinkledMesh extends FaceGroup<AnyRenderer> implements FrameMember<
   addMesh(mesh: Mesh): void {
     this.checkInUse('addMesh')
     checkIsMesh(mesh, 'Wrinkles.addMesh')
+    addMuscles(mesh, driversOf('muscle', this.drivers))
     this.meshes.push(mesh)
     this.material.follow(mesh)
     if (mesh === this.mesh) exposeAreas(mesh, this)
