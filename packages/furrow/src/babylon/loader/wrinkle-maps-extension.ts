@@ -3,10 +3,10 @@ import type { GLTFLoader } from '@babylonjs/loaders/glTF/2.0/glTFLoader.js'
 import type { IGLTFLoaderExtension } from '@babylonjs/loaders/glTF/2.0/glTFLoaderExtension.js'
 import type { INode, IScene } from '@babylonjs/loaders/glTF/2.0/glTFLoaderInterfaces.js'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
+import type { GltfSource } from '../../runtime/file/gltf-source.ts'
 import { notFetched } from '../../runtime/file/image-faults.ts'
 import { extensionOf, type FileWrinkles, wrinkleReader } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
-import type { WrinkledFile } from '../../runtime/file/wrinkled-file.ts'
 import type { LoaderOptions, WrinklesOptions } from '../options.ts'
 import { WrinkledMesh } from '../wrinkled-mesh.ts'
 
@@ -97,9 +97,9 @@ function meshesOf({ _primitiveBabylonMeshes: meshes }: INode): readonly Abstract
 }
 
 /** Few files have KTX 2 images: the code for these is fetched when one appears. */
-function fileOf(loader: GLTFLoader, transcoderPath: string | undefined): WrinkledFile {
+function fileOf(loader: GLTFLoader, transcoderPath: string | undefined): GltfSource {
   const { gltf } = loader
-  const readBytes: WrinkledFile['readBytes'] = async (index, who) => {
+  const readBytes: GltfSource['readBytes'] = async (index, who) => {
     const image = gltf.images?.[index as number]
     if (!image) return undefined
     try {

@@ -1,8 +1,8 @@
 import type { TextureShape } from '../../core/maps/rules.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 
-/** A glTF file, as far as its wrinkles are read from it. */
-export interface WrinkledFile {
+/** The parts of a glTF file that reading its wrinkles needs; each engine supplies them. */
+export interface GltfSource {
   // biome-ignore lint/suspicious/noExplicitAny: JSON of any shape
   readonly json: any
   /**

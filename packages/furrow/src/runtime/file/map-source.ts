@@ -8,13 +8,13 @@ import type { MapsAndAreas, TextureReference } from '../../core/maps/wrinkle-map
 import type { ArraySlice, GrayImage, RgbaImage, WrinkleSet } from '../../core/types.ts'
 import { decodeBytes } from './decode-image.ts'
 import { fileError } from './file-error.ts'
-import type { FileArray, FileArrays, MapUse, WrinkledFile } from './wrinkled-file.ts'
+import type { FileArray, FileArrays, GltfSource, MapUse } from './gltf-source.ts'
 
 export const UNREADABLE = 'the wrinkles cannot be read'
 
 /** Reads the images of a file, each once. KTX 2 images and arrays become slices of the engine's textures. */
 export class MapSource {
-  readonly #file: WrinkledFile
+  readonly #file: GltfSource
   readonly #decoded: DecodedBytes
   /** By texture. */
   readonly #images = new Map<number, Promise<RgbaImage>>()
@@ -25,7 +25,7 @@ export class MapSource {
   #decoding: Promise<unknown> = Promise.resolve()
 
   /** @param decoded counts the decoded bytes of the whole file. */
-  constructor(file: WrinkledFile, decoded: DecodedBytes) {
+  constructor(file: GltfSource, decoded: DecodedBytes) {
     this.#file = file
     this.#decoded = decoded
   }

@@ -8,8 +8,8 @@ import { parseWrinkleMaps, type WrinkleMaps } from '../../drivers/parse.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 import { MAP_KINDS, type ValueKind } from '../layer-maps.ts'
 import { fileError } from './file-error.ts'
+import type { GltfSource } from './gltf-source.ts'
 import { MapSource, once, UNREADABLE } from './map-source.ts'
-import type { WrinkledFile } from './wrinkled-file.ts'
 
 /** The wrinkles of a material in a file. */
 export interface FileWrinkles {
@@ -28,7 +28,7 @@ export type OnFault = (fault: FurrowError) => void
  * @returns a function of a material's index, which throws FurrowError when the extension is malformed or an image cannot be read.
  */
 export function wrinkleReader(
-  file: WrinkledFile,
+  file: GltfSource,
   onFault?: OnFault,
 ): (material: number) => Promise<FileWrinkles> {
   const known = new Map<number, Promise<FileWrinkles>>()
@@ -48,7 +48,7 @@ export function wrinkleReader(
 }
 
 /** The extension's JSON of a material, malformed or not; undefined where it has none. */
-export function extensionOf(material: number, { json }: Pick<WrinkledFile, 'json'>): unknown {
+export function extensionOf(material: number, { json }: Pick<GltfSource, 'json'>): unknown {
   return json.materials[material].extensions?.[WRINKLE_MAPS]
 }
 

@@ -1,12 +1,12 @@
 import type { Mesh, Object3D } from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
+import type { GltfSource } from '../../runtime/file/gltf-source.ts'
 import {
   extensionOf,
   type FileWrinkles,
   type OnFault,
   wrinkleReader,
 } from '../../runtime/file/read-wrinkles.ts'
-import type { WrinkledFile } from '../../runtime/file/wrinkled-file.ts'
 import { surfaceOf } from '../material/surface.ts'
 import type { RaisedLayer } from '../relief/raised-layer.ts'
 import { readImageBytes } from './image-bytes.ts'
@@ -72,7 +72,7 @@ export function materialReader(
 }
 
 /** Few files have KTX 2 images: the code for these is fetched when one appears. */
-function fileOf(parser: Parser): WrinkledFile {
+function fileOf(parser: Parser): GltfSource {
   return {
     json: parser.json,
     readBytes: (image, who) => readImageBytes(parser, image, who),
