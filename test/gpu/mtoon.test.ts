@@ -18,6 +18,7 @@ import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
 import { afterEach, describe, expect, it, vi } from 'vitest'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
+import { asVrm0 } from '../vrm.ts'
 import {
   createHarness,
   type Harness,
@@ -29,7 +30,7 @@ import {
 } from './harness.ts'
 import { normalMap } from './normal-map.ts'
 import { vrmFile } from './vrm-file.ts'
-import { faceMeshes } from './wrinkled-file.ts'
+import { faceMeshes, wrinkledFile } from './wrinkled-file.ts'
 
 const SIZE = 32
 
@@ -87,28 +88,19 @@ describe.each(RENDERERS)('MToon on %s', (name) => {
   })
 })
 
-describe.each(
-  RENDERERS.flatMap((name) => [
-    { name, outline: 'with an outline', hasOutline: true },
-    { name, outline: 'without one', hasOutline: false },
-  ]),
-)('the MToon face of a VRM on $name, $outline', ({ name, hasOutline }) => {
-  const harness = harnessOn(name)
+/** Files whose face three-vrm draws with MToon. */
+const FILES: Record<string, () => Promise<Uint8Array<ArrayBuffer>>> = {
+  'a VRM 1.0 with an outline': () => vrmFile(true),
+  'a VRM 1.0 without one': () => vrmFile(false),
+  'a VRM 0 with MToon': async () => asVrm0(await wrinkledFile(), 'VRM/MToon'),
+  'a VRM 0 with VRM/UnlitTexture': async () => asVrm0(await wrinkledFile(), 'VRM/UnlitTexture'),
+}
 
-  const vrm = (loader: GLTFLoader) =>
-    loader.register((parser) => {
-      const materialType = materialTypeFor(name)
-      const mtoonMaterialPlugin = new MToonMaterialLoaderPlugin(parser, { materialType })
-      return new VRMLoaderPlugin(parser, { mtoonMaterialPlugin })
-    })
-  const wrinkled = (loader: GLTFLoader) => loader.register((parser) => new harness.Plugin(parser))
-  const load = async (...plugins: ((loader: GLTFLoader) => GLTFLoader)[]) => {
-    const loader = plugins.reduce((all, register) => register(all), new GLTFLoader())
-    return loader.parseAsync((await vrmFile(hasOutline)).buffer, '')
-  }
-  const move = (root: Object3D, weight: number) => {
-    for (const { morphTargetInfluences } of faceMeshes(root)) morphTargetInfluences![0] = weight
-  }
+describe.each(
+  RENDERERS.flatMap((name) => Object.entries(FILES).map(([kind, file]) => ({ name, kind, file }))),
+)('the face of $kind on $name', ({ name, kind, file }) => {
+  const harness = harnessOn(name)
+  const { vrm, wrinkled, load } = loadersOf(harness, name, file)
   const picture = (root: Object3D) => pictureOf(harness, root)
 
   it.each([
@@ -120,10 +112,12 @@ describe.each(
     const gltf = await load(...plugins)
     expect(gltf.userData.vrm).toBeDefined()
     const meshes = faceMeshes(gltf.scene)
+    const hasOutline = kind.endsWith('with an outline')
     for (const { material } of meshes) expect([material].flat()).toHaveLength(hasOutline ? 2 : 1)
     const [face, ...others] = wrinklesOf(gltf)
     expect(others).toEqual([])
     expect(meshes.map((mesh) => wrinklesOf(mesh))).toEqual([face, face])
+    expect([meshes[0].material].flat()[0]).toBeInstanceOf(materialTypeFor(name))
     face.setActivation('b', 0)
     const rest = await picture(gltf.scene)
     expect(meanOf(rest)).toBeGreaterThan(60)
@@ -136,6 +130,17 @@ describe.each(
     expect(meanDifference(await picture(gltf.scene), await picture(plain.scene))).toBe(0)
     expect(warn.mock.calls.filter(([text]) => /wrinkle/i.test(text))).toEqual([])
   })
+})
+
+describe.each(
+  RENDERERS.flatMap((name) => [
+    { name, outline: 'with an outline', hasOutline: true },
+    { name, outline: 'without one', hasOutline: false },
+  ]),
+)('the MToon face of a VRM on $name, $outline', ({ name, hasOutline }) => {
+  const harness = harnessOn(name)
+  const { vrm, wrinkled, load } = loadersOf(harness, name, () => vrmFile(hasOutline))
+  const picture = (root: Object3D) => pictureOf(harness, root)
 
   it("wrinkles as before after three-vrm's own optimisations, and in first person", async () => {
     const gltf = await load(vrm, wrinkled)
@@ -195,6 +200,28 @@ it('an MToon face with tangents, whose shader takes no normal map, stays plain w
 
 function materialTypeFor(name: RendererName): typeof MToonMaterial {
   return name === 'webgl' ? MToonMaterial : (MToonNodeMaterial as never)
+}
+
+type Register = (loader: GLTFLoader) => GLTFLoader
+
+/** Registers three-vrm's plugin and ours, and loads a file with some of them. */
+function loadersOf(harness: Harness, name: RendererName, file: () => Promise<Uint8Array<ArrayBuffer>>) {
+  const vrm: Register = (loader) =>
+    loader.register((parser) => {
+      const materialType = materialTypeFor(name)
+      const mtoonMaterialPlugin = new MToonMaterialLoaderPlugin(parser, { materialType })
+      return new VRMLoaderPlugin(parser, { mtoonMaterialPlugin })
+    })
+  const wrinkled: Register = (loader) => loader.register((parser) => new harness.Plugin(parser))
+  const load = async (...plugins: Register[]) => {
+    const loader = plugins.reduce((all, register) => register(all), new GLTFLoader())
+    return loader.parseAsync((await file()).buffer, '')
+  }
+  return { vrm, wrinkled, load }
+}
+
+function move(root: Object3D, weight: number): void {
+  for (const { morphTargetInfluences } of faceMeshes(root)) morphTargetInfluences![0] = weight
 }
 
 /** Several frames later, since the first one tells what becomes of the shader. */

@@ -9,7 +9,7 @@ import { draco, prune } from '@gltf-transform/functions'
 import draco3d from 'draco3d'
 import sharp from 'sharp'
 import { turnScene } from '../avatar.ts'
-import { editGlb } from '../glb.ts'
+import { asVrm0 } from '../vrm.ts'
 
 const HUMAN = fileURLToPath(new URL('../../faces/human.glb', import.meta.url))
 
@@ -64,41 +64,6 @@ export async function writeAvatars(folder: string): Promise<void> {
   const black = { create: { width: 32, height: 32, channels: 3, background: '#000' } } as const
   write('wrinkles/areas/everywhere.png', await sharp(black).png().toBuffer())
 }
-
-/** The parts of VRM 0 that three-vrm needs. Nothing moves its bones. */
-export function asVrm0(glb: Uint8Array): Uint8Array {
-  return editGlb(glb, (json) => {
-    const bones = ['hips', 'spine', 'chest', 'neck', 'head', ...LIMBS]
-    const first = json.nodes.length
-    json.nodes.push(...bones.map((name) => ({ name })))
-    json.scenes[0].nodes.push(...bones.map((_, i) => first + i))
-    const humanBones = bones.map((bone, i) => ({ bone, node: first + i, useDefaultValues: true }))
-    const materialProperties = json.materials.map(({ name }: { name: string }) => ({
-      name,
-      shader: 'VRM_USE_GLTFSHADER',
-      renderQueue: 2000,
-      floatProperties: {},
-      vectorProperties: {},
-      textureProperties: {},
-      keywordMap: {},
-      tagMap: {},
-    }))
-    json.extensionsUsed = [...(json.extensionsUsed ?? []), 'VRM']
-    json.extensions = {
-      VRM: {
-        specVersion: '0.0',
-        meta: { title: 'face' },
-        humanoid: { humanBones },
-        blendShapeMaster: { blendShapeGroups: [] },
-        materialProperties,
-      },
-    }
-  })
-}
-
-const LIMBS = ['left', 'right'].flatMap((side) =>
-  ['UpperLeg', 'LowerLeg', 'Foot', 'UpperArm', 'LowerArm', 'Hand'].map((bone) => side + bone),
-)
 
 /** A normal map of level lines. */
 function ripples(): Promise<Buffer> {

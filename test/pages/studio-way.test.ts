@@ -1,7 +1,8 @@
 import { existsSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { turnScene } from '../avatar.ts'
-import { asVrm0, io, plainHuman } from './avatars.ts'
+import { asVrm0 } from '../vrm.ts'
+import { io, plainHuman } from './avatars.ts'
 import { cutTexture } from './cut-texture.ts'
 import { describeWay, OF_HUMAN } from './studio-way.ts'
 

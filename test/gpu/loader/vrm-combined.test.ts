@@ -4,8 +4,9 @@ import { type Object3D, Scene } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
 import { afterEach, describe, expect, it, vi } from 'vitest'
+import { asVrm1 } from '../../vrm.ts'
 import { createHarness, harnessOn, squareCamera } from '../harness.ts'
-import { asVrm, vrmFile } from '../vrm-file.ts'
+import { vrmFile } from '../vrm-file.ts'
 import { driver, faceMeshes } from '../wrinkled-file.ts'
 import { bareSheet } from './bare-sheet.ts'
 
@@ -116,7 +117,7 @@ describe.each([
 it('automatic wrinkles that are done after combineMorphs follow expressions too', async () => {
   const harness = await createHarness('webgl')
   const shown = async (isCombined: boolean) => {
-    const file = asVrm(await bareSheet(), (json) => {
+    const file = asVrm1(await bareSheet(), (json) => {
       const preset = { happy: { morphTargetBinds: [{ node: 0, index: 0, weight: 0.75 }] } }
       json.extensions.VRMC_vrm.expressions = { preset }
     })

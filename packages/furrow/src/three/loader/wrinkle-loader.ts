@@ -5,7 +5,7 @@ import { isObject } from '../../core/argument.ts'
 import { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
-import { extensionOf, type FileWrinkles } from '../../runtime/file/read-wrinkles.ts'
+import type { FileWrinkles } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
 import { nextTask } from '../../runtime/next-task.ts'
 import { ReadSet } from '../check-source.ts'
@@ -21,6 +21,7 @@ import type { InputOptions } from '../sources/target.ts'
 import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 import { Adoption, type WatchDraws } from './adoption.ts'
 import type { AddFace } from './auto-wrinkles.ts'
+import { DeclaredWrinkles } from './declared-wrinkles.ts'
 import { addActivationTracks, dropBrokenChannels, type LoadedFace } from './key-frames.ts'
 import { type FileFace, facesOf, materialReader, wrinkledFaces } from './read-wrinkle-maps.ts'
 
@@ -55,6 +56,7 @@ export class WrinkleLoader {
   readonly #options: Required<WrinklesOptions>
   readonly #auto: AutoRunOptions | undefined
   readonly #warnings = new Warnings('WrinkleLoaderPlugin')
+  readonly #declared: DeclaredWrinkles
   /** The first of each set, whose textures all others use. */
   readonly #bySet = new Map<FileWrinkles['set'], WrinklesBase>()
   /** The first of each material. */
@@ -70,29 +72,25 @@ export class WrinkleLoader {
     this.#options = { ...WRINKLES_DEFAULTS, ...others }
     this.#parser = parser
     this.#parts = parts
+    this.#declared = new DeclaredWrinkles(parser)
     this.#read = materialReader(parser, (fault) => this.#warnings.add(fault, 'the other drivers work'))
   }
 
-  /** Called by the loader before it loads anything. */
+  /** Begins to read the wrinkles while the rest is loaded. Called by the loader before it loads anything. */
   async beforeRoot(): Promise<void> {
-    this.#begin()
+    this.#declared.restore()
+    // Faults are reported when the wrinkles are added.
+    for (const material of this.#declared.materials) this.#read(material).catch(() => {})
     // Arrives while the rest is loaded.
     if (this.#auto) import('./auto-wrinkles.ts').catch(() => {})
     if (hasPointers(this.#parser)) dropBrokenChannels(this.#parser, this.#warnings)
-  }
-
-  /** Begins to read the wrinkles of the meshes' materials while the rest is loaded. */
-  #begin(): void {
-    for (const material of materialsOfMeshes(this.#parser.json)) {
-      // Whatever is wrong is told when the wrinkles are added.
-      if (extensionOf(material, this.#parser) !== undefined) this.#read(material).catch(() => {})
-    }
   }
 
   /** Called by the loader when everything else is loaded. */
   async afterRoot(gltf: GLTF): Promise<void> {
     const wrinkles: WrinklesBase[] = []
     gltf.userData.wrinkles = wrinkles
+    this.#declared.restore()
     const faces: LoadedFace[] = []
     const addFace: AddFace = (meshes, read) => this.#addFace(meshes, read, gltf)
     const wrinkled = wrinkledFaces(gltf, this.#parser)
@@ -215,14 +213,6 @@ function withoutParser(given: unknown): FurrowError {
     limit: 'the GLTFParser that GLTFLoader passes to what is registered',
     remedy: 'call extendLoader(loader), or loader.register((parser) => new WrinkleLoaderPlugin(parser))',
   })
-}
-
-/** The materials that a file's meshes have, as far as it is sound. */
-function materialsOfMeshes({ meshes, materials }: GLTFParser['json']): Set<number> {
-  const used: unknown[] = [meshes]
-    .flat()
-    .flatMap((mesh) => [mesh?.primitives].flat().map((part) => part?.material))
-  return new Set(used.filter((material): material is number => Boolean(materials?.[material as number])))
 }
 
 /** Whether an animation moves what only a pointer reaches, such as an area. */

@@ -1,0 +1,43 @@
+import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
+import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
+import { extensionOf } from '../../runtime/file/read-wrinkles.ts'
+
+/**
+ * The wrinkles that a file declares, by material. Other plugins may replace the extensions of materials in `beforeRoot`, as three-vrm's
+ * `VRMMaterialsV0CompatPlugin` does for MToon and `VRM/Unlit` of VRM 0.
+ */
+export class DeclaredWrinkles {
+  readonly #parser: GLTFParser
+  readonly #byMaterial = new Map<number, unknown>()
+
+  /** To be created before any plugin changes the file. */
+  constructor(parser: GLTFParser) {
+    this.#parser = parser
+    for (const material of materialsOfMeshes(parser.json)) {
+      const declared = extensionOf(material, parser)
+      if (declared !== undefined) this.#byMaterial.set(material, declared)
+    }
+  }
+
+  /** Indices of the materials with wrinkles. */
+  get materials(): Iterable<number> {
+    return this.#byMaterial.keys()
+  }
+
+  /** Adds the declarations to materials that have lost them. */
+  restore(): void {
+    for (const [material, declared] of this.#byMaterial) {
+      if (extensionOf(material, this.#parser) !== undefined) continue
+      const json = this.#parser.json.materials[material]
+      json.extensions = { ...json.extensions, [WRINKLE_MAPS]: declared }
+    }
+  }
+}
+
+/** The materials that a file's meshes have, as far as it is sound. */
+function materialsOfMeshes({ meshes, materials }: GLTFParser['json']): Set<number> {
+  const used: unknown[] = [meshes]
+    .flat()
+    .flatMap((mesh) => [mesh?.primitives].flat().map((part) => part?.material))
+  return new Set(used.filter((material): material is number => Boolean(materials?.[material as number])))
+}

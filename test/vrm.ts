@@ -1,0 +1,112 @@
+/** Files as VRMs with what three-vrm needs of them. */
+
+import { editGlb } from './glb.ts'
+
+type Edit = Parameters<typeof editGlb>[1]
+
+/** Shaders of VRM 0: the file's own material, or one that three-vrm makes from properties of Unity's. */
+export type Vrm0Shader = 'VRM_USE_GLTFSHADER' | 'VRM/MToon' | 'VRM/UnlitTexture'
+
+const LIMBS = ['left', 'right'].flatMap((side) =>
+  ['UpperLeg', 'LowerLeg', 'Foot', 'UpperArm', 'LowerArm', 'Hand'].map((bone) => side + bone),
+)
+
+/** The bones that VRM 1.0 requires. */
+const BONES = ['hips', 'spine', 'head', ...LIMBS]
+
+/** The bones that VRM 0 requires. */
+const BONES_0 = ['hips', 'spine', 'chest', 'neck', 'head', ...LIMBS]
+
+const OUTLINE = { outlineWidthMode: 'worldCoordinates', outlineWidthFactor: 0.01 }
+
+/** A file as a VRM 1.0, whose JSON may be changed further. Nothing moves its bones. */
+export function asVrm1(file: Uint8Array, change: Edit = () => {}): Uint8Array<ArrayBuffer> {
+  return editGlb(file, (json) => {
+    const first = addNodes(json, BONES)
+    json.extensionsUsed = [...(json.extensionsUsed ?? []), 'VRMC_vrm']
+    const humanBones = Object.fromEntries(BONES.map((name, i) => [name, { node: first + i }]))
+    const meta = { name: 'face', authors: ['nobody'], licenseUrl: 'https://vrm.dev/licenses/1.0/' }
+    json.extensions = { VRMC_vrm: { specVersion: '1.0', meta, humanoid: { humanBones } } }
+    change(json)
+  })
+}
+
+/** Gives all materials of a VRM 1.0 MToon, as a change of `asVrm1`. */
+export function addMToon(json: Parameters<Edit>[0], hasOutline = false): void {
+  const mtoon = { specVersion: '1.0', shadeColorFactor: [0.7, 0.4, 0.4], ...(hasOutline && OUTLINE) }
+  for (const material of json.materials) {
+    material.extensions = { ...material.extensions, VRMC_materials_mtoon: mtoon }
+  }
+  json.extensionsUsed.push('VRMC_materials_mtoon')
+}
+
+/**
+ * A file as a VRM 0. Nothing moves its bones.
+ *
+ * @param shader of all materials. They have `KHR_materials_unlit` too unless it is the file's own, as exporters write them.
+ * @param change changes the JSON further.
+ */
+export function asVrm0(
+  file: Uint8Array,
+  shader: Vrm0Shader = 'VRM_USE_GLTFSHADER',
+  change: Edit = () => {},
+): Uint8Array<ArrayBuffer> {
+  return editGlb(file, (json) => {
+    const first = addNodes(json, BONES_0)
+    const humanBones = BONES_0.map((bone, i) => ({ bone, node: first + i, useDefaultValues: true }))
+    const isOwn = shader === 'VRM_USE_GLTFSHADER'
+    json.extensionsUsed = [...(json.extensionsUsed ?? []), 'VRM', ...(isOwn ? [] : ['KHR_materials_unlit'])]
+    json.extensions = {
+      VRM: {
+        specVersion: '0.0',
+        meta: { title: 'face' },
+        humanoid: { humanBones },
+        blendShapeMaster: { blendShapeGroups: [] },
+        materialProperties: json.materials.map((material: Material) => propertiesOf(material, shader)),
+      },
+    }
+    if (!isOwn) {
+      for (const material of json.materials) {
+        material.extensions = { ...material.extensions, KHR_materials_unlit: {} }
+      }
+    }
+    change(json)
+  })
+}
+
+interface Material {
+  name: string
+  pbrMetallicRoughness?: { baseColorTexture?: { index: number } }
+  normalTexture?: { index: number }
+}
+
+/** Names of properties are those of Unity's shaders. */
+function propertiesOf({ name, pbrMetallicRoughness, normalTexture }: Material, shader: Vrm0Shader): object {
+  const isMToon = shader === 'VRM/MToon'
+  const baseColor = pbrMetallicRoughness?.baseColorTexture?.index
+  return {
+    name,
+    shader,
+    renderQueue: 2000,
+    floatProperties: isMToon ? { _ShadeToony: 0.9, _BumpScale: 1, _CullMode: 2 } : {},
+    vectorProperties: isMToon ? { _Color: [1, 1, 1, 1], _ShadeColor: [0.85, 0.66, 0.66, 1] } : {},
+    textureProperties:
+      shader === 'VRM_USE_GLTFSHADER'
+        ? {}
+        : {
+            ...(baseColor !== undefined && { _MainTex: baseColor }),
+            ...(isMToon && baseColor !== undefined && { _ShadeTexture: baseColor }),
+            ...(isMToon && normalTexture && { _BumpMap: normalTexture.index }),
+          },
+    keywordMap: {},
+    tagMap: {},
+  }
+}
+
+/** Adds nodes to a file's first scene and returns the index of the first. */
+function addNodes(json: Parameters<Edit>[0], names: readonly string[]): number {
+  const first = json.nodes.length
+  json.nodes.push(...names.map((name) => ({ name })))
+  json.scenes[0].nodes.push(...names.map((_, i) => first + i))
+  return first
+}
