@@ -1,5 +1,6 @@
 /** `furrow/internal/three`: as `furrow/internal`, of the rooms of three.js. */
 
+export { DeclaredWrinkles } from '../src/three/loader/declared-wrinkles.ts'
 export { readImages } from '../src/three/loader/load-wrinkle-set.ts'
 export { canCrease, placementOf, readMeshes } from '../src/three/loader/read-character.ts'
 export { facesOf, materialReader, wrinkledFaces } from '../src/three/loader/read-wrinkle-maps.ts'

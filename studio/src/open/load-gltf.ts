@@ -1,5 +1,6 @@
 import type { VRM } from '@pixiv/three-vrm'
 import { FurrowError } from 'furrow'
+import { DeclaredWrinkles } from 'furrow/internal/three'
 import { firstLine } from 'furrow-files'
 import { LoadingManager, WebGLRenderer } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
@@ -49,7 +50,7 @@ async function load(face: FaceFile, isVrm: boolean): Promise<LoadedGltf> {
     urls.set(url, address)
     return address
   })
-  const loader = new GLTFLoader(manager)
+  const loader = new GLTFLoader(manager).register((parser) => new DeclaredWrinkles(parser))
   const decoders = await addDecoders(loader, manager, face)
   const vrm = isVrm ? await import('@pixiv/three-vrm') : null
   if (vrm) loader.register((parser) => new vrm.VRMLoaderPlugin(parser))

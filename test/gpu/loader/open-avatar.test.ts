@@ -1,6 +1,7 @@
 import type { Mesh } from 'three'
 import { describe, expect, it } from 'vitest'
 import { disposeAvatar, faceOf, openAvatar } from '../../../studio/src/open/avatar.ts'
+import { asVrm0, type Vrm0Shader } from '../../vrm.ts'
 import { quietConsole } from '../quiet-console.ts'
 import { vrmFile } from '../vrm-file.ts'
 import { wrinkledFile } from '../wrinkled-file.ts'
@@ -114,6 +115,16 @@ describe('an opened VRM', () => {
     expect([skin.material].flat()).toHaveLength(2)
     expect(avatar.skins[0].triangles).toBe(4)
   })
+
+  it.each<Vrm0Shader>(['VRM/MToon', 'VRM/UnlitTexture'])(
+    'has its wrinkles as a VRM 0 with %s',
+    async (shader) => {
+      const avatar = await openAvatar(droppedAs('avatar.vrm', asVrm0(await wrinkledFile(), shader)))
+      expect(avatar.vrm?.meta.metaVersion).toBe('0')
+      expect(avatar.notes).toEqual([])
+      expect(faceOf(avatar).wrinkles?.set.areas.map(({ name }) => name)).toEqual(['a', 'b', 'c', 'd'])
+    },
+  )
 
   it('is opened as a glTF file where what makes it a VRM is broken', async () => {
     const bytes = await wrinkledFile(undefined, (json) => {

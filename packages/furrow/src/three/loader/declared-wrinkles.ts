@@ -4,9 +4,10 @@ import { extensionOf } from '../../runtime/file/read-wrinkles.ts'
 
 /**
  * The wrinkles that a file declares, by material. Other plugins may replace the extensions of materials in `beforeRoot`, as three-vrm's
- * `VRMMaterialsV0CompatPlugin` does for MToon and `VRM/Unlit` of VRM 0.
+ * `VRMMaterialsV0CompatPlugin` does for MToon and `VRM/Unlit` of VRM 0. Registered as a plugin, it makes `readWrinkleMaps` work then.
  */
 export class DeclaredWrinkles {
+  readonly name = WRINKLE_MAPS
   readonly #parser: GLTFParser
   readonly #byMaterial = new Map<number, unknown>()
 
@@ -22,6 +23,11 @@ export class DeclaredWrinkles {
   /** Indices of the materials with wrinkles. */
   get materials(): Iterable<number> {
     return this.#byMaterial.keys()
+  }
+
+  /** Called by the loader when everything else is loaded. */
+  async afterRoot(): Promise<void> {
+    this.restore()
   }
 
   /** Adds the declarations to materials that have lost them. */

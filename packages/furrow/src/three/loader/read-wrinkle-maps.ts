@@ -29,7 +29,7 @@ type Parser = GLTF['parser']
 
 /**
  * Reads FURROW_wrinkle_maps from a file that three.js's `GLTFLoader` has loaded, as plain data for any renderer. `WrinkleLoaderPlugin`
- * calls it by itself.
+ * calls it by itself. three-vrm replaces the materials of a VRM 0: for these, register `WrinkleLoaderPlugin` too.
  *
  * @param gltf what the loader returned.
  * @param parser the loader's, `gltf.parser` by default.
