@@ -1,7 +1,7 @@
 // The built `furrow batch`, with its processes.
 
-import { readdirSync, readFileSync } from 'node:fs'
-import { cp, mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises'
+import { readdirSync, readFileSync, statSync } from 'node:fs'
+import { cp, mkdir, mkdtemp, rm, symlink, writeFile } from 'node:fs/promises'
 import { createServer } from 'node:http'
 import type { AddressInfo } from 'node:net'
 import { tmpdir } from 'node:os'
@@ -116,7 +116,8 @@ describe('a batch', () => {
     const child = startFurrow(folder, {}, 'batch', 'in/*.glb', ...options, '--jobs', '2', '--thumbnails', '0')
     const ended = new Promise((done) => child.once('close', (_, signal) => done(signal)))
     const jobs = () => childrenOf(child.pid!)
-    while (jobs().length < 2) await sleep(20)
+    // Two jobs, and the guard of their folder.
+    while (jobs().length < 3) await sleep(20)
     const pids = jobs()
     child.kill('SIGINT')
     expect(await ended).toBe('SIGINT')
@@ -156,6 +157,71 @@ describe('a batch', () => {
       /none\.glb \(the server answers 404\)/,
     )
     expect(asked).toEqual(expect.arrayContaining(['HEAD /face.glb', 'GET /face.glb', 'HEAD /none.glb']))
+  })
+})
+
+describe('what a batch downloads', () => {
+  /** A server without tags, and how much of a face it sends: all of it, or half, and then nothing more. */
+  async function serve(bytes: Uint8Array, isWhole: boolean) {
+    const server = createServer((request, response) => {
+      response.writeHead(200)
+      if (request.method === 'HEAD') return void response.end()
+      if (isWhole || asked++ === 0) return void response.end(bytes)
+      response.write(bytes.subarray(0, bytes.length / 2))
+    })
+    let asked = 0
+    await new Promise<void>((ready) => server.listen(0, '127.0.0.1', ready))
+    const close = () => {
+      server.closeAllConnections()
+      server.close()
+    }
+    return { url: `http://127.0.0.1:${(server.address() as AddressInfo).port}/face.glb`, close }
+  }
+
+  /** A folder for temporary files, with names that an attacker would guess, as links to a file. */
+  async function trap(name: string) {
+    const folder = join(root, name)
+    const tmp = join(folder, 'tmp')
+    await mkdir(tmp, { recursive: true })
+    await writeFile(join(folder, 'precious'), 'precious')
+    const planted = ['input-1.glb', 'input-2.glb', 'output-1.glb']
+    for (const link of planted) await symlink('../precious', join(tmp, link))
+    const others = () => readdirSync(tmp).filter((found) => !planted.includes(found))
+    const check = () => expect(readFileSync(join(folder, 'precious'), 'utf8')).toBe('precious')
+    return { folder, tmp, others, check }
+  }
+
+  it.each([
+    ['is used', () => face, 0],
+    ['is refused', () => Buffer.from('text'), 1],
+  ] as const)('is gone after it %s', async (name, bytes, expected) => {
+    const { folder, tmp, others, check } = await trap(`web ${name}`)
+    const { url, close } = await serve(bytes(), true)
+    const { code, stderr } = await runFurrow(
+      folder,
+      { TMPDIR: tmp },
+      ...['batch', url, ...options, '--thumbnails', '0'],
+    )
+    close()
+    expect(code, stderr).toBe(expected)
+    expect(others()).toEqual([])
+    check()
+  })
+
+  it.each(['SIGINT', 'SIGKILL'] as const)('is private, and gone after %s', async (signal) => {
+    const { folder, tmp, others, check } = await trap(`web ${signal}`)
+    const { url, close } = await serve(face, false)
+    const child = startFurrow(folder, { TMPDIR: tmp }, 'batch', url, ...options, '--thumbnails', '0')
+    const ended = new Promise((done) => child.once('close', done))
+    const parts = () =>
+      others().flatMap((own) => readdirSync(join(tmp, own), { recursive: true }).map(String))
+    while (!parts().some((part) => part.endsWith('.glb'))) await sleep(20)
+    expect(others().map((own) => statSync(join(tmp, own)).mode & 0o777)).toEqual([0o700])
+    child.kill(signal)
+    await ended
+    close()
+    await expect.poll(others).toEqual([])
+    check()
   })
 })
 

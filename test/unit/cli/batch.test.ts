@@ -1,4 +1,13 @@
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs'
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { afterAll, describe, expect, it, vi } from 'vitest'
@@ -222,6 +231,21 @@ describe('a job', () => {
     const failure = `furrow validate: ${join(root, 'job.glb')} is empty; name another`
     const { outcome } = await run({ ...done, report: { ...done.report, exitCode: 1, failure } })
     expect(outcome).toMatchObject({ status: 'failed', kind: 'file', attempts: 1, reason: failure })
+  })
+
+  it('leaves nothing behind, whatever came of it', async () => {
+    const scratch = mkdtempSync(join(root, 'scratch-'))
+    const identity = await files.identify(input(), 'file')
+    const job: Job = { key: 'k', command: 'auto', input: input(), identity, output: 'out.glb', options: {} }
+    const pool = {
+      run: vi.fn(async ({ words }: { words: string[] }): Promise<ProcessEnd> => {
+        writeFileSync(join(words.at(-1)!, '..', '.furrow-1.tmp'), 'half a face')
+        return { end: 'crash', reason: 'SIGSEGV' }
+      }),
+    }
+    const outcome = await runJob(job, { pool, limits: { memory: 2 ** 30, seconds: 60 }, scratch })
+    expect(outcome).toMatchObject({ status: 'failed', kind: 'crash' })
+    expect(readdirSync(scratch)).toEqual([])
   })
 
   it('whose input is gone fails without a process', async () => {

@@ -2,7 +2,7 @@ import { join, resolve } from 'node:path'
 import { Option } from 'commander'
 import { FurrowError } from 'furrow'
 import { createCommand } from '../../command.ts'
-import { onInterruption, temporaryFolder } from '../../interruption.ts'
+import { onInterruption } from '../../interruption.ts'
 import { numberParser } from '../../options.ts'
 import { checkFolder } from '../../outputs.ts'
 import { print } from '../../print.ts'
@@ -20,6 +20,7 @@ import { checkEntries } from '../plan.ts'
 import { ProcessPool } from '../processes/process-pool.ts'
 import { redisEngine } from '../queue/redis-engine.ts'
 import { type Batch, runBatch } from '../run-batch.ts'
+import { openScratch } from '../scratch.ts'
 import { countsText } from '../summary.ts'
 
 const WHO = 'furrow batch'
@@ -132,12 +133,12 @@ async function runHere(todo: Batch, options: Options) {
   const { lanes, limits } = limitsOf(options)
   const pool = new ProcessPool(limits)
   const takeBack = onInterruption(() => pool.close())
-  const scratch = temporaryFolder()
+  const scratch = openScratch({ endsBySignal: true })
   try {
     return await runBatch(todo, localEngine({ pool, limits, scratch: scratch.path }, lanes))
   } finally {
     pool.close()
-    await scratch.remove()
+    scratch.remove()
     takeBack()
   }
 }

@@ -1,6 +1,3 @@
-import { mkdtempSync, rmSync } from 'node:fs'
-import { tmpdir } from 'node:os'
-import { join } from 'node:path'
 import { createCommand } from '../../command.ts'
 import { print } from '../../print.ts'
 import { version } from '../../version.ts'
@@ -9,6 +6,7 @@ import { runJob } from '../jobs/run-job.ts'
 import { LIMIT_OPTIONS, type LimitOptions, limitsOf } from '../limits.ts'
 import { ProcessPool } from '../processes/process-pool.ts'
 import { bullmq, connectRedis, queueName } from '../queue/redis.ts'
+import { openScratch } from '../scratch.ts'
 
 const WHO = 'furrow worker'
 
@@ -44,15 +42,15 @@ async function work({ redis: url, ...options }: Options): Promise<void> {
   const { lanes, limits } = limitsOf(options)
   const connection = await connectRedis(url, WHO)
   const pool = new ProcessPool(limits)
-  const scratch = mkdtempSync(join(tmpdir(), 'furrow-worker-'))
+  const scratch = openScratch({ endsBySignal: false })
   process.once('exit', () => {
     pool.close()
-    rmSync(scratch, { recursive: true, force: true })
+    scratch.remove()
   })
   // The jobs themselves run in other processes: this one has nothing to do but to renew their locks.
   const worker = new Worker<Job, Outcome>(
     queueName(version),
-    ({ data }) => runJob(data, { pool, limits, scratch }),
+    ({ data }) => runJob(data, { pool, limits, scratch: scratch.path }),
     {
       connection,
       concurrency: lanes,

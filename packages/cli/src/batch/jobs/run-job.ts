@@ -1,4 +1,4 @@
-import { readFile, rm } from 'node:fs/promises'
+import { mkdtemp, readFile, rm } from 'node:fs/promises'
 import { extname, join, resolve } from 'node:path'
 import { performance } from 'node:perf_hooks'
 import { patiently } from '../places/passing.ts'
@@ -12,26 +12,30 @@ import { wordsOf } from './job-options.ts'
 export interface Workshop {
   pool: Pick<ProcessPool, 'run'>
   limits: ProcessLimits
-  /** A folder of this machine for what a job needs while it runs. */
+  /** A private folder: each job has one of its own in it while it runs. */
   scratch: string
 }
 
 /** A job fails at most so often because of its process: the next one is fresh, and may have more of the machine's memory. */
 const MOST_PROCESSES = 2
 
-let made = 0
-
 /** Runs a job to its end. It does not throw: whatever fails is the outcome. */
 export async function runJob(job: Job, workshop: Workshop): Promise<Outcome> {
   const start = performance.now()
   const progress = { attempts: 0 }
   const seconds = () => Number(((performance.now() - start) / 1000).toFixed(2))
+  let folder: string | undefined
   try {
-    const outcome = await attempt(job, workshop, progress)
+    folder = await mkdtemp(join(workshop.scratch, 'job-'))
+    const outcome = await attempt(job, workshop, folder, progress)
     return { ...outcome, seconds: seconds(), ...progress }
   } catch (error) {
     // Reading the input and writing the output, which were tried again where that could help.
     return { ...machineFailure(error), seconds: seconds(), ...progress }
+  } finally {
+    // What a process that was ended has left half-written is gone with it.
+    if (folder !== undefined)
+      await rm(folder, { recursive: true, force: true, maxRetries: 5 }).catch(() => {})
   }
 }
 
@@ -45,51 +49,44 @@ export function machineFailure(
 
 async function attempt(
   job: Job,
-  { pool, limits, scratch }: Workshop,
+  { pool, limits }: Workshop,
+  folder: string,
   progress: { attempts: number },
 ): Promise<Omit<Outcome, 'seconds' | 'attempts'>> {
   const command: JobCommand = JOB_COMMANDS[job.command]
-  const path = await patiently(() =>
-    placeOf(job.input).fetch(job.input, job.identity, command.reads, scratch),
-  )
-  const target =
-    job.output === undefined ? undefined : join(scratch, `output-${++made}${extname(job.output)}`)
-  try {
-    const input = resolve(path)
-    const words = [
-      input,
-      ...wordsOf(job.options),
-      '--json',
-      ...(target === undefined ? [] : ['--output', target]),
-    ]
-    let end: ProcessEnd
-    do {
-      progress.attempts++
-      end = await pool.run({ command: job.command, words })
-    } while ((end.end === 'crash' || end.end === 'memory') && progress.attempts < MOST_PROCESSES)
-    if (end.end !== 'report') return { status: 'failed', ...limitFailure(end, limits), warnings: [] }
-    const { report } = end
-    // Users know files by their addresses.
-    const told = (text: string) =>
-      text.replaceAll(input, job.input).replaceAll(target ?? input, job.output ?? job.input)
-    const warnings = report.warnings.map(told)
-    const { memory } = report
-    if (report.failure !== undefined) {
-      const kind = report.isBug ? 'crash' : report.isMachine ? 'machine' : 'file'
-      return { status: 'failed', reason: told(report.failure), kind, warnings, memory }
-    }
-    const result = command.summary(JSON.parse(report.lines.join('\n')))
-    if (report.exitCode !== 0) {
-      return { status: 'failed', reason: `${result.errors} errors`, kind: 'file', warnings, result, memory }
-    }
-    if (target === undefined) return { status: 'done', warnings, result, memory }
-    const bytes = await readFile(target)
-    await patiently(() => placeOf(job.output!).put(job.output!, bytes))
-    return { status: 'done', warnings, result, bytes: bytes.length, memory }
-  } finally {
-    if (target !== undefined) await rm(target, { force: true })
-    if (path.startsWith(join(scratch, '/'))) await rm(path, { force: true })
+  const path = await patiently(() => placeOf(job.input).fetch(job.input, job.identity, command.reads, folder))
+  const target = job.output === undefined ? undefined : join(folder, `output${extname(job.output)}`)
+  const input = resolve(path)
+  const words = [
+    input,
+    ...wordsOf(job.options),
+    '--json',
+    ...(target === undefined ? [] : ['--output', target]),
+  ]
+  let end: ProcessEnd
+  do {
+    progress.attempts++
+    end = await pool.run({ command: job.command, words })
+  } while ((end.end === 'crash' || end.end === 'memory') && progress.attempts < MOST_PROCESSES)
+  if (end.end !== 'report') return { status: 'failed', ...limitFailure(end, limits), warnings: [] }
+  const { report } = end
+  // Users know files by their addresses.
+  const told = (text: string) =>
+    text.replaceAll(input, job.input).replaceAll(target ?? input, job.output ?? job.input)
+  const warnings = report.warnings.map(told)
+  const { memory } = report
+  if (report.failure !== undefined) {
+    const kind = report.isBug ? 'crash' : report.isMachine ? 'machine' : 'file'
+    return { status: 'failed', reason: told(report.failure), kind, warnings, memory }
   }
+  const result = command.summary(JSON.parse(report.lines.join('\n')))
+  if (report.exitCode !== 0) {
+    return { status: 'failed', reason: `${result.errors} errors`, kind: 'file', warnings, result, memory }
+  }
+  if (target === undefined) return { status: 'done', warnings, result, memory }
+  const bytes = await readFile(target)
+  await patiently(() => placeOf(job.output!).put(job.output!, bytes))
+  return { status: 'done', warnings, result, bytes: bytes.length, memory }
 }
 
 function limitFailure(end: Exclude<ProcessEnd, { end: 'report' }>, { memory, seconds }: ProcessLimits) {

@@ -9,7 +9,7 @@ export interface Place {
   /**
    * Makes the content at an address a file.
    *
-   * @param scratch a folder for it.
+   * @param scratch an empty folder for it, which the caller removes.
    * @returns its path; elsewhere than in `scratch` where it is a file already.
    * @throws FurrowError also where it no longer has the identity.
    */

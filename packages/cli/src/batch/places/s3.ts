@@ -3,7 +3,7 @@ import type { S3Client } from '@aws-sdk/client-s3'
 import { FurrowError } from 'furrow'
 import { cannotRead, cannotWrite, firstLine } from 'furrow-files'
 import { optionalPackage } from '../optional-package.ts'
-import { download } from './download.ts'
+import { bytesOf, download } from './download.ts'
 import { changed } from './files.ts'
 import type { Listed, Place } from './place.ts'
 
@@ -32,7 +32,7 @@ export const s3: Place = {
     const { GetObjectCommand } = await sdk()
     return withErrors(cannotRead, address, async (client) => {
       const { Body } = await client.send(new GetObjectCommand(objectOf(address)))
-      return Body!.transformToByteArray()
+      return bytesOf(Body as Readable, address)
     })
   },
   async put(address, bytes) {

@@ -1,10 +1,8 @@
-import { rm } from 'node:fs/promises'
-import { tmpdir } from 'node:os'
 import { Readable } from 'node:stream'
 import type { ReadableStream } from 'node:stream/web'
 import { FurrowError } from 'furrow'
-import { cannotRead } from 'furrow-files'
-import { download } from './download.ts'
+import { cannotRead, checkFileBytes } from 'furrow-files'
+import { bytesOf, download, hashOf } from './download.ts'
 import { changed } from './files.ts'
 import type { Place } from './place.ts'
 
@@ -20,18 +18,16 @@ export const web: Place = {
     const tag = headers.get('etag')
     // A weak tag may stay where bytes change. Tags of two servers can be the same text.
     if (tag && !tag.startsWith('W/')) return `etag:${address}:${tag}`
-    const { path, sha256 } = await get(address, tmpdir())
-    await rm(path)
-    return sha256
+    return withErrors(address, async () => hashOf((await get(address)).body, address))
   },
   async fetch(address, identity, _, scratch) {
-    const { path, sha256, tag } = await get(address, scratch)
+    const { body, tag } = await get(address)
+    const { path, sha256 } = await withErrors(address, () => download(body, address, scratch))
     if (identity === sha256 || identity === `etag:${address}:${tag}`) return path
-    await rm(path)
     throw changed(address)
   },
   async read(address) {
-    return new Uint8Array(await (await request(address, 'GET')).arrayBuffer())
+    return withErrors(address, async () => bytesOf((await get(address)).body, address))
   },
   async put(address) {
     throw new FurrowError({
@@ -58,11 +54,19 @@ async function request(address: string, method: 'GET' | 'HEAD'): Promise<Respons
   throw cannotRead(WHO, address, problem, { remedy: 'check the address' })
 }
 
-async function get(address: string, scratch: string) {
+async function get(address: string) {
   const response = await request(address, 'GET')
-  const body = Readable.fromWeb((response.body ?? new Blob([]).stream()) as ReadableStream)
-  const { path, sha256 } = await download(body, address, scratch).catch((error) => {
+  const { headers, body } = response
+  // A server that tells the size is spared the download.
+  checkFileBytes(Number(headers.get('content-length') ?? 0), address, WHO)
+  const stream = Readable.fromWeb((body ?? new Blob([]).stream()) as ReadableStream)
+  return { body: stream, tag: headers.get('etag') }
+}
+
+async function withErrors<T>(address: string, work: () => Promise<T>): Promise<T> {
+  try {
+    return await work()
+  } catch (error) {
     throw error instanceof FurrowError ? error : cannotRead(WHO, address, error)
-  })
-  return { path, sha256, tag: response.headers.get('etag') }
+  }
 }

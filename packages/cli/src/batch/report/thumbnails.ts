@@ -8,11 +8,11 @@ import sharp from 'sharp'
 import { posesOf } from '../../auto/report/poses.ts'
 import { launchBrowser } from '../../browser.ts'
 import { writeAll } from '../../files.ts'
-import { temporaryFolder } from '../../interruption.ts'
 import type { PictureRequest } from '../../render/picture.ts'
 import { renderPicturesIn } from '../../render/render-pictures.ts'
 import { isRemote, placeOf } from '../places/places.ts'
 import type { ResultLine } from '../results.ts'
+import { openScratch } from '../scratch.ts'
 
 const WHO = 'furrow batch'
 
@@ -42,7 +42,7 @@ export async function drawThumbnails(
   )
   const reasons = new Set<string>()
   let browser: Browser | undefined
-  const scratch = temporaryFolder()
+  const scratch = openScratch({ endsBySignal: true })
   try {
     for (const [done, line] of missing.entries()) {
       progress(done)
@@ -62,7 +62,7 @@ export async function drawThumbnails(
     }
   } finally {
     await browser?.close()
-    await scratch.remove()
+    scratch.remove()
   }
   return [...reasons]
 }
