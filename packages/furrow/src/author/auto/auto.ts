@@ -4,6 +4,7 @@ import type { AgeDriver } from '../../drivers/age/definition.ts'
 import type { ExpressionDriver } from '../../drivers/expression/definition.ts'
 import { EXPRESSIONS } from '../../drivers/expression/presets.ts'
 import type { MorphDriver } from '../../drivers/morph/definition.ts'
+import { targetFinder } from '../../drivers/morph/target-names.ts'
 import type { Skin } from '../skin/surface.ts'
 import type { StrokesDocument } from '../strokes/document.ts'
 import { type OddMeasure, oddMeasures } from './anatomy/proportions.ts'
@@ -18,6 +19,7 @@ import { layLines } from './lines/lay-lines.ts'
 import { AUTO_DEFAULTS, type AutoOptions, checkAutoOptions } from './options.ts'
 import { type AutoLayer, drawMaps } from './raster/draw-maps.ts'
 import { measureStrain } from './strain/measure-strain.ts'
+import type { DetectedFace } from './surface/detect-face.ts'
 import type { Landmarks } from './surface/landmarks.ts'
 import { prepareSkin } from './surface/prepare-skin.ts'
 
@@ -144,7 +146,7 @@ export function autoWrinkles(
       ...[...doubtful].map((name) => ({ name, reason: 'the head is stylised' })),
       ...(planned?.missing ?? []),
     ],
-    expressions: face ? presetsOf(face.find) : [],
+    expressions: face ? presetsOf(face) : [],
     warnings: [
       ...prepared.warnings,
       ...stylised(odd),
@@ -193,13 +195,24 @@ function regionsWithoutFace(regions: readonly string[]): FurrowError {
 }
 
 /** `EXPRESSIONS` with the targets that a face has, without the activations of areas that other faces have. */
-function presetsOf(find: (name: string) => number[]): ExpressionDriver[] {
-  return EXPRESSIONS.map(({ name, targets }) => ({
-    type: 'expression',
-    name,
-    targets: Object.entries(targets).flatMap(([target, weight]) =>
-      find(target).length > 0 ? [{ name: target, weight }] : [],
-    ),
-    activations: [],
-  }))
+function presetsOf({ names, hints, find }: DetectedFace): ExpressionDriver[] {
+  const loaderFinds = targetFinder(names)
+  const ownNames = (shape: string) => {
+    const found = find(shape)
+    if (found.length === 0 || loaderFinds(shape).length > 0) return found.slice(0, 1).map(() => shape)
+    // The loader knows this rig's names as they are and no others.
+    const own = found.filter((target) => hints[target]?.match !== 'like')
+    return own.length > 0 ? own.map((target) => names[target]) : [shape]
+  }
+  return EXPRESSIONS.map(({ name, targets }) => {
+    const weights = new Map<string, number>()
+    for (const [shape, weight] of Object.entries(targets))
+      for (const own of ownNames(shape)) weights.set(own, Math.max(weight, weights.get(own) ?? 0))
+    return {
+      type: 'expression',
+      name,
+      targets: [...weights].map(([own, weight]) => ({ name: own, weight })),
+      activations: [],
+    }
+  })
 }

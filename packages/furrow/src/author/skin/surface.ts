@@ -16,6 +16,8 @@ export interface Skin {
 /** A blendshape. */
 export interface SkinTarget {
   name: string
+  /** Name of a VRM's expression that moves this target alone. */
+  expression?: string | undefined
   /** x, y and z added to each vertex at weight 1. */
   offsets: ArrayLike<number>
 }

@@ -1,45 +1,46 @@
-/**
- * Names of the same shape in different rigs; the first of each line is the canonical one. Spelling, prefixes and `_L` / `_R` are handled
- * by `target-names.ts`. ARKit's 52 names are also MediaPipe's, in the same spelling.
- */
-const BOTH_SIDES = [
-  ['browDown'],
-  ['browOuterUp'],
-  ['cheekSquint'],
-  ['eyeBlink'],
-  ['eyeLookDown'],
-  ['eyeLookIn'],
-  ['eyeLookOut'],
-  ['eyeLookUp'],
-  ['eyeSquint'],
-  ['eyeWide'],
-  ['mouthDimple'],
-  ['mouthFrown'],
-  ['mouthLowerDown'],
-  ['mouthPress'],
-  ['mouthSmile'],
-  ['mouthStretch'],
-  ['mouthUpperUp'],
-  ['noseSneer'],
+/** ARKit's shapes that have a left and a right one, without the side. ARKit's 52 names are also MediaPipe's, in the same spelling. */
+export const BOTH_SIDES: readonly string[] = [
+  'browDown',
+  'browOuterUp',
+  'cheekSquint',
+  'eyeBlink',
+  'eyeLookDown',
+  'eyeLookIn',
+  'eyeLookOut',
+  'eyeLookUp',
+  'eyeSquint',
+  'eyeWide',
+  'mouthDimple',
+  'mouthFrown',
+  'mouthLowerDown',
+  'mouthPress',
+  'mouthSmile',
+  'mouthStretch',
+  'mouthUpperUp',
+  'noseSneer',
 ]
 
-const UNSIDED = [
-  ['browInnerUp'],
-  ['cheekPuff'],
-  ['jawForward'],
-  ['jawLeft'],
-  ['jawOpen'],
-  ['jawRight'],
-  ['mouthClose'],
-  ['mouthFunnel'],
-  ['mouthLeft'],
-  ['mouthPucker'],
-  ['mouthRight'],
-  ['mouthRollLower'],
-  ['mouthRollUpper'],
-  ['mouthShrugLower'],
-  ['mouthShrugUpper'],
-  ['tongueOut'],
+/** ARKit's other shapes. */
+export const CENTRAL: readonly string[] = [
+  'browInnerUp',
+  'cheekPuff',
+  'jawForward',
+  'jawLeft',
+  'jawOpen',
+  'jawRight',
+  'mouthClose',
+  'mouthFunnel',
+  'mouthLeft',
+  'mouthPucker',
+  'mouthRight',
+  'mouthRollLower',
+  'mouthRollUpper',
+  'mouthShrugLower',
+  'mouthShrugUpper',
+  'tongueOut',
+]
+
+const OTHER_RIGS = [
   // Oculus visemes, VRChat's of the same sounds, and VRM's and VRoid's vowels.
   ['viseme_sil', 'vrc.v_sil'],
   ['viseme_PP', 'vrc.v_pp'],
@@ -67,8 +68,12 @@ const UNSIDED = [
   ['blinkRight', 'Fcl_EYE_Close_R'],
 ]
 
-/** Names of blendshapes in different rigs: one list per shape, its canonical name first. */
+/**
+ * Names of the same shape in different rigs: one list per shape, its canonical name first. Spelling, prefixes and `_L` / `_R` are handled by
+ * `target-names.ts`. Rigs that only authoring reads are in `author/shapes/names`.
+ */
 export const ALIASES: readonly (readonly string[])[] = [
-  ...BOTH_SIDES.flatMap((names) => ['Left', 'Right'].map((side) => names.map((name) => `${name}${side}`))),
-  ...UNSIDED,
+  ...BOTH_SIDES.flatMap((name) => ['Left', 'Right'].map((side) => [`${name}${side}`])),
+  ...CENTRAL.map((name) => [name]),
+  ...OTHER_RIGS,
 ]

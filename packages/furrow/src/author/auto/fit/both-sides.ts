@@ -1,5 +1,5 @@
 import type { MorphDriver } from '../../../drivers/morph/definition.ts'
-import { canonicalTargetName } from '../../../drivers/morph/target-names.ts'
+import { shapeNameOf } from '../../shapes/names/hint.ts'
 import type { SkinRegion } from '../anatomy/region.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { type FittedRegion, type MissingRegion, roundWeight } from './fit-driver.ts'
@@ -10,7 +10,7 @@ const MIDDLE = 5
 /** For a texture that both sides share: the areas of the left side, which show on both, each driven by the targets of both. */
 export function mergeSides(
   fitted: readonly FittedRegion[],
-  { names, find }: Pick<PreparedSkin, 'names' | 'find'>,
+  prepared: Pick<PreparedSkin, 'names' | 'hints' | 'find'>,
 ): FittedRegion[] {
   return fitted
     .filter(({ region }) => !region.name.endsWith('Right'))
@@ -19,7 +19,7 @@ export function mergeSides(
       const { influence } = region
       const whole: SkinRegion = { ...region, name }
       if (influence) whole.influence = ([across, up]) => influence([Math.max(MIDDLE, across), up])
-      const targets = targetsOfBothSides(driver, names, find)
+      const targets = targetsOfBothSides(driver, prepared)
       return { ...rest, driver: { ...driver, area: name, targets }, region: whole }
     })
 }
@@ -34,13 +34,12 @@ export function withoutSides(missing: readonly MissingRegion[]): MissingRegion[]
 /** Each target and its counterpart on the other side, at half the weight. */
 function targetsOfBothSides(
   { targets }: MorphDriver,
-  names: readonly string[],
-  find: (name: string) => number[],
+  { names, hints, find }: Pick<PreparedSkin, 'names' | 'hints' | 'find'>,
 ): MorphDriver['targets'] {
   const weights = new Map<string, number>()
   const add = (name: string, weight: number) => weights.set(name, (weights.get(name) ?? 0) + weight)
   for (const { name, weight = 1 } of targets) {
-    const shape = canonicalTargetName(name)
+    const shape = shapeNameOf(name, hints[names.indexOf(name)])
     const opposite = shape.replace(/(Left|Right)$/, (side) => (side === 'Left' ? 'Right' : 'Left'))
     const [other] = opposite === shape ? [] : find(opposite)
     if (other === undefined) add(name, weight)

@@ -1,7 +1,7 @@
 import type { MorphDriver } from '../../../drivers/morph/definition.ts'
-import { canonicalTargetName } from '../../../drivers/morph/target-names.ts'
 import { Rng } from '../../../math/rng.ts'
 import { clamp } from '../../../math/scalar.ts'
+import { shapeNameOf } from '../../shapes/names/hint.ts'
 import type { SkinRegion } from '../anatomy/region.ts'
 import type { CreasedRegion } from '../lines/crease.ts'
 import type { Pose } from '../surface/pose.ts'
@@ -49,7 +49,7 @@ const TAUT = /^(jaw|tongue|eyeLook|eyeWide|cheekPuff|mouth(Left|Right|Close|Roll
  * @returns a string where no target compresses the skin: the reason.
  */
 export function fitDriver(
-  { surface, offsets, names }: Pick<PreparedSkin, 'surface' | 'offsets' | 'names'>,
+  { surface, offsets, names, hints }: Pick<PreparedSkin, 'surface' | 'offsets' | 'names' | 'hints'>,
   creased: CreasedRegion,
   cause: Pose,
 ): FittedRegion | string {
@@ -64,7 +64,7 @@ export function fitDriver(
   const gauge = makeGauge(surface, region, folds)
   if (!gauge) return 'the mesh has no skin beside its lines'
   const rest = vectorsAcross(gauge, surface.points)
-  const bounds = names.map((name) => boundsOf(name, region))
+  const bounds = names.map((name, i) => boundsOf(name, shapeNameOf(name, hints[i]), region))
   const one = { vectors: new Float64Array(rest.length), weight: 1 }
   const compressions = offsets.map((offset) => {
     vectorsAcross(gauge, offset, one.vectors)
@@ -156,8 +156,7 @@ function drawPoses(targets: readonly number[], cause: Pose): Pose[] {
 }
 
 /** Bounds of a target's weight. Targets of the other side, and those that pull the skin taut, only take away. */
-function boundsOf(name: string, { cause, name: area }: SkinRegion): Bounds {
-  const shape = canonicalTargetName(name)
+function boundsOf(name: string, shape: string, { cause, name: area }: SkinRegion): Bounds {
   const own = Object.keys(cause).find((known) => [known, `${known}Left`, `${known}Right`].includes(shape))
   // Targets of the cause do not work against it.
   if (own !== undefined || name in cause) return [0, MAX_CAUSE * cause[own ?? name]]

@@ -25,7 +25,7 @@ export function fitDrivers(
   maxAreas: number,
   report: (fraction: number) => void,
 ): FittedSkin {
-  const { face, names, find, isMirrored } = prepared
+  const { face, names, hints, find, isMirrored } = prepared
   const fitted: FittedRegion[] = []
   const missing: MissingRegion[] = []
   for (const [i, region] of creased.entries()) {
@@ -40,7 +40,7 @@ export function fitDrivers(
     missing.push({ name: region.name, reason: `more than ${maxAreas} areas would be needed` })
   const warnings: string[] = []
   if (regions.length === 0) warnings.push('no blendshape pushes the skin together enough to crease it')
-  const standIns = face ? standInsOf(names) : []
+  const standIns = face ? standInsOf(names, hints) : []
   if (standIns.length > 0) warnings.push(`${standIns.join(', ')} stand in for ARKit's shapes`)
   return { regions, missing: isMirrored ? withoutSides(missing) : missing, warnings }
 }

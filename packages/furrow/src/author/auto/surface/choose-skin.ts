@@ -1,6 +1,6 @@
 import { length3 } from '../../../math/vector.ts'
 import { crossOf, type Skin } from '../../skin/surface.ts'
-import { faceShapeFinder } from './stand-ins.ts'
+import { faceShapeFinder, hintsOf } from './stand-ins.ts'
 
 /** A mesh, or the part of one with one material, that may be the skin. */
 export interface SkinCandidate {
@@ -48,7 +48,8 @@ export function chooseSkin(candidates: readonly SkinCandidate[]): SkinChoice | u
 
 /** Indices of the targets that move brows, lids and mouth. */
 function faceTargets({ targets }: Skin): number[] {
-  const find = faceShapeFinder(targets.map(({ name }) => name))
+  const names = targets.map(({ name }) => name)
+  const find = faceShapeFinder(names, hintsOf(targets))
   return [...new Set(SKIN_SHAPES.flatMap(find))]
 }
 

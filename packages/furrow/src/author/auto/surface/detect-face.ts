@@ -2,7 +2,7 @@ import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } fr
 import type { MirrorPlane } from '../../strokes/edit/mirror.ts'
 import { HeadChart } from './head-chart.ts'
 import { centroidOf, findLandmarks, type Landmarks } from './landmarks.ts'
-import { faceShapeFinder, partShapeFinder } from './stand-ins.ts'
+import { faceShapeFinder, hintsOf, partShapeFinder, type TargetHints } from './stand-ins.ts'
 
 /** A skin that was recognised as a face. */
 export interface DetectedFace {
@@ -17,6 +17,8 @@ export interface DetectedFace {
   offsets: readonly Float64Array[]
   /** Names of the targets. */
   names: readonly string[]
+  /** What their names tell. */
+  hints: TargetHints
   /** Indices of the targets of that name, in any rig's spelling, or of its stand-ins. */
   find(name: string): number[]
 }
@@ -35,11 +37,12 @@ const BROWS_ABOVE = 10
  * @returns undefined where the targets needed for that have other names, or move nothing.
  */
 export function detectFace(skin: Skin): DetectedFace | undefined {
-  const placed = placeFace(skin)
+  const names = skin.targets.map(({ name }) => name)
+  const hints = hintsOf(skin.targets)
+  const placed = placeFace(skin, hints)
   if (!placed) return undefined
   const { surface, offsets, scale } = placed
-  const names = skin.targets.map(({ name }) => name)
-  const [find, findPart] = [faceShapeFinder(names), partShapeFinder(names)]
+  const [find, findPart] = [faceShapeFinder(names, hints), partShapeFinder(names, hints)]
   const browsMoveAsOne = `${find('browInnerUp')}` === `${find('browOuterUpLeft')}`
   const count = surface.areas.length
   const landmarks = findLandmarks(surface, browsMoveAsOne, (...shapes) => {
@@ -47,7 +50,9 @@ export function detectFace(skin: Skin): DetectedFace | undefined {
     if (parts.length > 0) return sumDisplacements(offsets, parts, count)
     return inHalf(surface, shapes[0], sumDisplacements(offsets, shapes.flatMap(find), count))
   })
-  return landmarks && { surface, chart: new HeadChart(surface), landmarks, scale, offsets, names, find }
+  return (
+    landmarks && { surface, chart: new HeadChart(surface), landmarks, scale, offsets, names, hints, find }
+  )
 }
 
 /**
@@ -70,9 +75,10 @@ interface PlacedFace extends Pick<DetectedFace, 'surface' | 'offsets' | 'scale'>
  *
  * @returns undefined where its targets do not show them.
  */
-export function placeFace(skin: Skin): PlacedFace | undefined {
+export function placeFace(skin: Skin, hints = hintsOf(skin.targets)): PlacedFace | undefined {
   const welded = weldSurface(skin)
-  const findPart = partShapeFinder(skin.targets.map(({ name }) => name))
+  const names = skin.targets.map(({ name }) => name)
+  const findPart = partShapeFinder(names, hints)
   const raw = skin.targets.map((target) => pointOffsets(welded, target))
   const centroid = (threshold: number, ...shapes: string[]) =>
     centroidOf(welded, sumDisplacements(raw, shapes.flatMap(findPart), welded.areas.length), threshold)

@@ -7,6 +7,7 @@ import { SCALES } from '../../strokes/document.ts'
 import { checkSkin } from './check-skin.ts'
 import { type DetectedFace, detectFace } from './detect-face.ts'
 import { weldInMillimetres } from './skin-surface.ts'
+import { hintsOf, type TargetHints } from './stand-ins.ts'
 import { moveToFirstTile } from './uv-tiles.ts'
 
 /** A skin that wrinkles can be made for. */
@@ -15,6 +16,8 @@ export interface PreparedSkin {
   skin: Skin
   /** Names of its targets. */
   names: readonly string[]
+  /** What their names tell. */
+  hints: TargetHints
   /** Indices of the targets of that name: of a face in any rig's spelling, or of its stand-ins. */
   find(name: string): number[]
   /** Set if its targets show that it is one. */
@@ -49,6 +52,7 @@ export function prepareSkin(raw: Skin): PreparedSkin {
     )
   const names = skin.targets.map(({ name }) => name)
   const face = detectFace(skin)
+  const hints = face?.hints ?? hintsOf(skin.targets)
   const find = face?.find ?? ((name: string) => [names.indexOf(name)])
   const { surface, offsets, scale } = face ?? weldInMillimetres(skin)
   checkScale(scale)
@@ -64,7 +68,7 @@ export function prepareSkin(raw: Skin): PreparedSkin {
     )
   const isDrawn = isMirrored ? isOnLeft(surface) : () => true
   const locator = new UvLocator(skin, surface, uvGridOf(skin, surface, isDrawn))
-  return { skin, names, find, face, surface, offsets, scale, isMirrored, isDrawn, locator, warnings }
+  return { skin, names, hints, find, face, surface, offsets, scale, isMirrored, isDrawn, locator, warnings }
 }
 
 function percent(fraction: number): string {

@@ -1,74 +1,71 @@
+import { BOTH_SIDES } from '../../../drivers/morph/aliases.ts'
 import { canonicalTargetName, targetFinder } from '../../../drivers/morph/target-names.ts'
+import { hintOf } from '../../shapes/names/hint.ts'
+import type { NameHint } from '../../shapes/names/name-hint.ts'
+import type { SkinTarget } from '../../skin/surface.ts'
 
-/**
- * Stand-ins for shapes that a rig lacks: shapes of a part of the face that move the same skin in the same way, the closest first. They are
- * not the same shape, so they are not in `ALIASES`. VRoid's are `Fcl_BRW_...` for brows, `Fcl_EYE_...` and `Fcl_MTH_...`, most of them
- * for both sides at once.
- */
-const STAND_INS: Readonly<Record<string, readonly string[]>> = {
-  browInnerUp: ['Fcl_BRW_Surprised', 'Fcl_BRW_Sorrow', 'Fcl_BRW_Fun'],
-  browOuterUp: ['Fcl_BRW_Surprised', 'Fcl_BRW_Fun'],
-  browDown: ['Fcl_BRW_Angry'],
-  eyeBlinkLeft: ['blinkLeft'],
-  eyeBlinkRight: ['blinkRight'],
-  eyeSquintLeft: ['Fcl_EYE_Joy_L'],
-  eyeSquintRight: ['Fcl_EYE_Joy_R'],
-  eyeSquint: ['Fcl_EYE_Joy', 'Fcl_EYE_Fun'],
-  cheekSquintLeft: ['Fcl_EYE_Joy_L'],
-  cheekSquintRight: ['Fcl_EYE_Joy_R'],
-  cheekSquint: ['Fcl_EYE_Joy', 'Fcl_EYE_Fun'],
-  eyeWide: ['Fcl_EYE_Spread', 'Fcl_EYE_Surprised'],
-  jawOpen: ['viseme_aa'],
-  mouthFrown: ['Fcl_MTH_Sorrow', 'Fcl_MTH_Angry', 'Fcl_MTH_Down'],
-  mouthFunnel: ['viseme_O'],
-  mouthPucker: ['Fcl_MTH_Small', 'viseme_U'],
-  mouthSmile: ['Fcl_MTH_Fun', 'Fcl_MTH_Joy', 'Fcl_MTH_Up'],
-  mouthStretch: ['Fcl_MTH_Large', 'viseme_I'],
+/** What is known of each target, by its index. */
+export type TargetHints = readonly (NameHint | undefined)[]
+
+/** Maps a shape's name to indices of targets. */
+type Find = (name: string) => number[]
+
+/** Shapes that the lines of a face rely on, without sides. */
+const SHAPES = [
+  'browInnerUp',
+  'browOuterUp',
+  'browDown',
+  'eyeBlink',
+  'eyeSquint',
+  'cheekSquint',
+  'eyeWide',
+  'jawOpen',
+  'mouthFrown',
+  'mouthFunnel',
+  'mouthPucker',
+  'mouthSmile',
+  'mouthStretch',
+]
+
+/** Tells what targets are by their names, or else by those of the expressions that move them. */
+export function hintsOf(targets: readonly Omit<SkinTarget, 'offsets'>[]): TargetHints {
+  return targets.map(
+    ({ name, expression }) => hintOf(name) ?? (expression === undefined ? undefined : hintOf(expression)),
+  )
 }
 
 /**
- * Emotions, which move the whole face, in place of shapes that a rig has neither itself nor in part: VRM's presets and VRoid's
- * `Fcl_ALL_...`, by their canonical names.
- */
-const EMOTIONS: Readonly<Record<string, readonly string[]>> = {
-  browInnerUp: ['surprised', 'sad'],
-  browOuterUp: ['surprised'],
-  browDown: ['angry'],
-  eyeSquint: ['happy', 'relaxed'],
-  cheekSquint: ['happy', 'relaxed'],
-  eyeWide: ['surprised'],
-  mouthFrown: ['sad', 'angry'],
-  mouthSmile: ['happy', 'relaxed'],
-}
-
-/**
- * Finds a face's shapes by ARKit's names, as `targetFinder` does; where the rig lacks one, its stand-ins.
+ * Finds a face's shapes by ARKit's names, as `targetFinder` does, and in the spelling of any rig; where the rig lacks one, its stand-ins:
+ * other shapes of that part of the face, or emotions, which move all of it.
  *
  * @param targets the skin's names.
  * @returns maps a name to indices into `targets`, none where there is no stand-in either.
  */
-export function faceShapeFinder(targets: readonly string[]): (name: string) => number[] {
-  const [find, findPart] = [targetFinder(targets), partShapeFinder(targets)]
-  return (name) => {
-    const part = findPart(name)
-    if (part.length > 0) return part
-    const emotions = EMOTIONS[canonicalTargetName(name).replace(/(Left|Right)$/, '')] ?? []
-    return emotions.map(find).find((indices) => indices.length > 0) ?? []
-  }
+export function faceShapeFinder(targets: readonly string[], hints: TargetHints = targets.map(hintOf)): Find {
+  const findPart = partShapeFinder(targets, hints)
+  const emotions = closest(hints, ({ kind }) => kind === 'emotion')
+  return (name) => firstFound(name, [findPart, emotions])
 }
 
 /** The same without emotions: what these move says nothing about where a part of the face is. */
-export function partShapeFinder(targets: readonly string[]): (name: string) => number[] {
+export function partShapeFinder(targets: readonly string[], hints: TargetHints): Find {
+  const find = exactFinder(targets, hints)
+  const together = ofSides(matching(hints, ({ match }) => match === 'same'))
+  const like = closest(hints, ({ kind, match }) => match === 'like' && kind !== 'emotion')
+  return (name) => firstFound(name, [find, together, like])
+}
+
+/** The same without stand-ins and shapes that are several of ARKit's at once. */
+function exactFinder(targets: readonly string[], hints: TargetHints): Find {
   const find = targetFinder(targets)
-  const firstFound = (names: readonly string[] = []) =>
-    names.map(find).find((indices) => indices.length > 0) ?? []
-  return (name) => {
-    const exact = find(name)
-    if (exact.length > 0) return exact
-    const shape = canonicalTargetName(name)
-    const sided = firstFound(STAND_INS[shape])
-    return sided.length > 0 ? sided : firstFound(STAND_INS[shape.replace(/(Left|Right)$/, '')])
-  }
+  const whole = ofSides((shape) => {
+    const index = hints.findIndex(
+      (hint) => hint?.match === 'same' && hint.shapes.length === 1 && hint.shapes[0] === shape,
+    )
+    return index < 0 ? [] : [index]
+  })
+  const parts = ofSides(matching(hints, ({ match }) => match === 'part'))
+  return (name) => firstFound(name, [find, whole, parts])
 }
 
 /**
@@ -79,8 +76,9 @@ export function partShapeFinder(targets: readonly string[]): (name: string) => n
 export function poseInRigShapes(
   pose: Readonly<Record<string, number>>,
   targets: readonly string[],
+  hints: TargetHints,
 ): Record<string, number> {
-  const [find, findOrStandIn] = [targetFinder(targets), faceShapeFinder(targets)]
+  const [find, findOrStandIn] = [exactFinder(targets, hints), faceShapeFinder(targets, hints)]
   const rewritten: Record<string, number> = {}
   for (const [name, weight] of Object.entries(pose)) {
     const shapes =
@@ -91,10 +89,49 @@ export function poseInRigShapes(
 }
 
 /** Names of the targets that stand in for shapes which the rig lacks. */
-export function standInsOf(targets: readonly string[]): string[] {
-  const [find, findOrStandIn] = [targetFinder(targets), faceShapeFinder(targets)]
-  const missing = [...new Set([...Object.keys(STAND_INS), ...Object.keys(EMOTIONS)])].filter(
-    (shape) => find(shape).length === 0,
+export function standInsOf(targets: readonly string[], hints: TargetHints): string[] {
+  const [find, findOrStandIn] = [exactFinder(targets, hints), faceShapeFinder(targets, hints)]
+  const missing = SHAPES.flatMap(sidesOf).filter((shape) => find(shape).length === 0)
+  const found = [...new Set(missing.flatMap(findOrStandIn))]
+  return found.filter((index) => hints[index]?.match === 'like').map((index) => targets[index])
+}
+
+/** ARKit's names of a shape that has no side in its name. */
+function sidesOf(shape: string): string[] {
+  return BOTH_SIDES.includes(shape) ? [`${shape}Left`, `${shape}Right`] : [shape]
+}
+
+/** A name without a side means the shapes of both sides. */
+function ofSides(find: (shape: string) => number[]): Find {
+  return (name) => [...new Set(sidesOf(canonicalTargetName(name)).flatMap(find))]
+}
+
+function firstFound(name: string, finders: readonly Find[]): number[] {
+  for (const find of finders) {
+    const found = find(name)
+    if (found.length > 0) return found
+  }
+  return []
+}
+
+/** All targets of a kind that have the shape. */
+function matching(hints: TargetHints, isWanted: (hint: NameHint) => boolean): (shape: string) => number[] {
+  return (shape) => ranked(hints, shape, isWanted).map(({ index }) => index)
+}
+
+/** Those of a kind that resemble the shape most: of its side alone before those of both sides. */
+function closest(hints: TargetHints, isWanted: (hint: NameHint) => boolean): Find {
+  return ofSides((shape) => {
+    const all = ranked(hints, shape, isWanted)
+    const sided = all.filter(({ side }) => side !== undefined)
+    const candidates = sided.length > 0 ? sided : all
+    const least = Math.min(...candidates.map(({ rank }) => rank))
+    return candidates.filter(({ rank }) => rank === least).map(({ index }) => index)
+  })
+}
+
+function ranked(hints: TargetHints, shape: string, isWanted: (hint: NameHint) => boolean) {
+  return hints.flatMap((hint, index) =>
+    hint?.shapes.includes(shape) && isWanted(hint) ? [{ index, rank: hint.rank, side: hint.side }] : [],
   )
-  return [...new Set(missing.flatMap(findOrStandIn))].map((index) => targets[index])
 }

@@ -1,0 +1,92 @@
+import { BOTH_SIDES, CENTRAL } from '../../../drivers/morph/aliases.ts'
+import type { NameHint, ShapeKind } from './name-hint.ts'
+import type { RigNames } from './rig-names.ts'
+import { RIGS } from './rigs/index.ts'
+
+type Side = 'Left' | 'Right'
+
+/** How names spell a side. */
+const SPELLINGS: readonly (readonly [Side, readonly string[]])[] = [
+  ['Left', ['left', 'l', '左']],
+  ['Right', ['right', 'r', '右']],
+]
+
+/** Filled at the first look-up. */
+let known: Map<string, NameHint> | undefined
+
+/** Tells what a name means in any rig, whatever its capitals and separators; undefined where no rig has it. */
+export function knownShape(name: string): NameHint | undefined {
+  known ??= allNames()
+  return known.get(keyOf(name))
+}
+
+/** A name without capitals and separators. */
+function keyOf(name: string): string {
+  const key = name.toLowerCase().replace(/[^\p{L}\p{N}]/gu, '')
+  return key || name
+}
+
+function allNames(): Map<string, NameHint> {
+  const found = new Map<string, NameHint>()
+  const rows = [arkit(), ...RIGS].flatMap(rowsOf)
+  // A rig's own name takes precedence over another one to which a side is added.
+  for (const withSide of [false, true]) {
+    for (const [rank, row] of rows.entries()) {
+      for (const [name, side] of withSide ? sidedNames(row.name) : [[row.name, undefined] as const]) {
+        const key = keyOf(name)
+        if (!found.has(key)) found.set(key, hintOfRow(row, side, rank))
+      }
+    }
+  }
+  return found
+}
+
+function arkit(): RigNames {
+  const source = 'https://developer.apple.com/documentation/arkit/arfaceanchor/blendshapelocation'
+  return { source, same: Object.fromEntries([...BOTH_SIDES, ...CENTRAL].map((name) => [name, name])) }
+}
+
+/** A name of a rig. */
+interface Row {
+  name: string
+  kind: ShapeKind
+  match: NameHint['match']
+  /** As in `RigNames`. */
+  shapes: string
+}
+
+function rowsOf({ same, parts, like, visemes, emotions, other = [] }: RigNames): Row[] {
+  const rows = (names: Readonly<Record<string, string>> = {}, kind: ShapeKind, match: NameHint['match']) =>
+    Object.entries(names).map(([name, shapes]): Row => ({ name, kind, match, shapes }))
+  return [
+    ...rows(same, 'expression', 'same'),
+    ...rows(parts, 'expression', 'part'),
+    ...rows(like, 'expression', 'like'),
+    ...rows(visemes, 'viseme', 'like'),
+    ...rows(emotions, 'emotion', 'like'),
+    ...other.map((name): Row => ({ name, kind: 'other', match: 'like', shapes: '' })),
+  ]
+}
+
+function sidedNames(name: string): [name: string, side: Side][] {
+  return SPELLINGS.flatMap(([side, words]) =>
+    words
+      .flatMap((word) =>
+        name.includes('*') ? [name.replace('*', word)] : [`${name}${word}`, `${word}${name}`],
+      )
+      .map((spelled): [string, Side] => [spelled, side]),
+  )
+}
+
+function hintOfRow({ kind, match, shapes }: Row, side: Side | undefined, rank: number): NameHint {
+  const names = shapes.split(' ').filter((shape) => shape !== '')
+  const found = names.flatMap((shape) => {
+    const sides = shape.split('|')
+    if (!BOTH_SIDES.includes(sides[0])) return shape
+    const [left, right] = [sides[0], sides[1] ?? sides[0]]
+    return [...(side === 'Right' ? [] : [`${left}Left`]), ...(side === 'Left' ? [] : [`${right}Right`])]
+  })
+  // One side of a shape that ARKit has for both sides together.
+  const isHalf = match === 'same' && side !== undefined && found.length === 1 && CENTRAL.includes(found[0])
+  return { kind, shapes: found, match: isHalf ? 'part' : match, side, rank }
+}

@@ -1,0 +1,42 @@
+import type { RigNames } from '../rig-names.ts'
+
+/** Oculus' visemes and VRChat's, and VRM's emotions, by the loader's names of them. Other words for emotions follow. */
+export const GENERAL: RigNames = {
+  source: 'https://developers.meta.com/horizon/documentation/unity/audio-ovrlipsync-viseme-reference',
+  same: { blink: 'eyeBlink' },
+  like: { mouthOpen: 'jawOpen', smile: 'mouthSmile', frown: 'mouthFrown' },
+  visemes: {
+    viseme_aa: 'jawOpen',
+    viseme_O: 'mouthFunnel',
+    viseme_U: 'mouthPucker',
+    viseme_I: 'mouthStretch',
+    viseme_sil: '',
+    viseme_PP: '',
+    viseme_FF: '',
+    viseme_TH: '',
+    viseme_DD: '',
+    viseme_kk: '',
+    viseme_CH: '',
+    viseme_SS: '',
+    viseme_nn: '',
+    viseme_RR: '',
+    viseme_E: '',
+  },
+  emotions: {
+    happy: 'eyeSquint cheekSquint mouthSmile',
+    relaxed: 'eyeSquint cheekSquint mouthSmile',
+    surprised: 'browInnerUp browOuterUp eyeWide',
+    sad: 'browInnerUp mouthFrown',
+    angry: 'browDown mouthFrown',
+    happiness: 'eyeSquint cheekSquint mouthSmile',
+    surprise: 'browInnerUp browOuterUp eyeWide',
+    sadness: 'browInnerUp mouthFrown',
+    anger: 'browDown mouthFrown',
+    fear: '',
+    scared: '',
+    disgust: '',
+    disgusted: '',
+    contempt: '',
+  },
+  other: ['neutral', 'lookUp', 'lookDown', 'lookLeft', 'lookRight', 'basis', 'eyesLookUp', 'eyesLookDown'],
+}

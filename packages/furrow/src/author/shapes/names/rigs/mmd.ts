@@ -1,0 +1,42 @@
+import type { RigNames } from '../rig-names.ts'
+
+/** MikuMikuDance: customary names of morphs. A wink without a side closes the left eye. */
+export const MMD: RigNames = {
+  source: 'https://learnmmd.com/http:/learnmmd.com/mmd-facial-expressions-chart/',
+  same: {
+    まばたき: 'eyeBlink',
+    ウィンク2: 'eyeBlinkLeft',
+    ウィンク2右: 'eyeBlinkRight',
+    びっくり: 'eyeWide',
+    怒り: 'browDown',
+    口角上げ: 'mouthSmile',
+    口角下げ: 'mouthFrown',
+    口横広げ: 'mouthStretch',
+    ぺろっ: 'tongueOut',
+    べー: 'tongueOut',
+    頬ふくらみ: 'cheekPuff',
+    ぷくー: 'cheekPuff',
+  },
+  like: {
+    上: 'browInnerUp browOuterUp',
+    眉上: 'browInnerUp browOuterUp',
+    にこり: 'browOuterUp browInnerUp',
+    困る: 'browInnerUp',
+    悲しむ: 'browInnerUp',
+    下: 'browDown',
+    眉下: 'browDown',
+    真面目: 'browDown',
+    笑い: 'eyeBlink eyeSquint cheekSquint',
+    ウィンク: 'eyeBlinkLeft eyeSquintLeft cheekSquintLeft',
+    ウィンク右: 'eyeBlinkRight eyeSquintRight cheekSquintRight',
+    なごみ: 'eyeBlink',
+    じと目: 'eyeSquint',
+    キリッ: 'eyeSquint',
+    にやり: 'mouthSmile',
+    にっこり: 'mouthSmile',
+    '∧': 'mouthFrown',
+    む: 'mouthFrown',
+  },
+  visemes: { あ: 'jawOpen', い: 'mouthStretch', う: 'mouthPucker', え: '', お: 'mouthFunnel', ん: '' },
+  other: ['瞳小', '瞳大', 'はぁと', '星目', '照れ', '涙', '□', '▲', 'ω', 'ω□', 'はぅ', '前髪'],
+}
