@@ -9,7 +9,8 @@ export async function showFace(scene: Object3D, camera: () => Camera | undefined
   while (!face) {
     await new Promise((resolve) => setTimeout(resolve, 50))
     scene.traverse((node) => {
-      if ((node as Mesh).isMesh && wrinklesOf(node)) face = node as Mesh
+      const mesh = node as Mesh
+      if (mesh.isMesh && wrinklesOf(mesh)) face = mesh
     })
   }
   const wrinkles = wrinklesOf(face)!
@@ -24,5 +25,5 @@ export async function showFace(scene: Object3D, camera: () => Camera | undefined
       }
     } else wrinkles.mode = 'off'
   })
-  document.title = `${wrinkles.areas.length} areas`
+  document.title = `${wrinkles.areaNames.length} areas`
 }
