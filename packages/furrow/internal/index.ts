@@ -27,6 +27,7 @@ export { FINE_FURROW_DEFAULTS, type FurrowRegion, type Furrows } from '../src/au
 export { type Metric, surfaceMetric } from '../src/author/metric.ts'
 export type { Green } from '../src/author/normals/bump-to-normal.ts'
 export type { Edges } from '../src/author/normals/slope.ts'
+export { soleExpressions } from '../src/author/shapes/names/sole-expressions.ts'
 export { canvasAgain, canvasArrays, mapSkin, type SkinCanvasArrays } from '../src/author/skin/canvas.ts'
 export type { SkinTexels, TexelVisitor } from '../src/author/skin/skin-texels.ts'
 export { crossOf, type SkinSurface } from '../src/author/skin/surface.ts'
