@@ -1,7 +1,6 @@
 import { Command, type CommanderError } from 'commander'
 import { FurrowError } from 'furrow'
 import { didYouMean } from 'furrow/internal'
-import { forgetFilesRead } from 'furrow-files/node'
 
 /**
  * A command whose errors are thrown as `FurrowError`, those of commander (unknown options, missing or wrong
@@ -12,10 +11,7 @@ import { forgetFilesRead } from 'furrow-files/node'
 export function createCommand(name: string): Command {
   const who = name === 'furrow' ? name : `furrow ${name}`
   const command = new Command(name).configureOutput({ outputError: () => {} })
-  command.hook('preAction', () => {
-    forgetFilesRead()
-    checkValues(command, who)
-  })
+  command.hook('preAction', () => checkValues(command, who))
   return command.exitOverride((error) => {
     // Help and version were printed; commander then exits by itself.
     if (error.exitCode === 0 || error.code === 'commander.help') return

@@ -1,22 +1,22 @@
 import type { Glb, OutputFile } from 'furrow-files'
-import { filesOfFace, wasRead } from 'furrow-files/node'
-import { checkOutputs, checkReplaced, type ReplaceRules } from './outputs.ts'
+import { filesOfFace } from 'furrow-files/node'
+import { checkOutputs, type OutputRules } from './outputs.ts'
 
 /**
- * The files of a face that is written; see `filesOfFace`. With `force` the named output alone may replace an input: files
- * beside a `.gltf` get names of their own then.
+ * The files of a face that is written; see `filesOfFace`.
  *
- * @throws FurrowError where one of them would replace an input, or cannot be written.
+ * @throws FurrowError where one beside a `.gltf` would replace an input, see `checkOutputs`.
  */
 export async function faceFiles(
   glb: Glb,
   path: string,
   who: string,
-  rules: ReplaceRules = {},
+  { inputs = [], force }: OutputRules = {},
 ): Promise<OutputFile[]> {
-  const files = filesOfFace(glb, path, rules.force ? (beside) => !wasRead(beside) : undefined)
+  const files = filesOfFace(glb, path)
+  if (files.length === 1) return files
   const paths = files.map((file) => file.path)
-  if (paths.length > 1) await checkOutputs(paths, who, { extensions: [''] })
-  checkReplaced(paths, who, rules)
+  const references = [...glb.references.values()].flatMap((reference) => reference.path ?? [])
+  await checkOutputs(paths, who, { extensions: [''], inputs: [...inputs, ...references], force })
   return files
 }

@@ -23,14 +23,7 @@ import { Adoption, type WatchDraws } from './adoption.ts'
 import type { AddFace } from './auto-wrinkles.ts'
 import { DeclaredWrinkles } from './declared-wrinkles.ts'
 import { addActivationTracks, dropBrokenChannels, type LoadedFace } from './key-frames.ts'
-import {
-  chooseFaces,
-  facesOf,
-  materialReader,
-  separateOthers,
-  type WrinkledMaterial,
-  wrinkledMaterials,
-} from './read-wrinkle-maps.ts'
+import { type FileFace, facesOf, materialReader, wrinkledFaces } from './read-wrinkle-maps.ts'
 
 /** The `Wrinkles` class of a renderer. */
 type WrinklesClass = new (
@@ -100,7 +93,7 @@ export class WrinkleLoader {
     this.#declared.restore()
     const faces: LoadedFace[] = []
     const addFace: AddFace = (meshes, read) => this.#addFace(meshes, read, gltf)
-    const wrinkled = wrinkledMaterials(gltf, this.#parser)
+    const wrinkled = wrinkledFaces(gltf, this.#parser)
     if (this.#auto && wrinkled.length === 0) {
       const options = { areaSize: this.#options.areaSize, ...this.#auto }
       try {
@@ -110,25 +103,14 @@ export class WrinkleLoader {
         this.#warnings.add(error, 'the file stays plain')
       }
     }
-    for (const own of wrinkled) {
-      const { material } = own
-      const stayPlain = (error: unknown) => {
+    for (const { meshes, material } of wrinkled) {
+      try {
+        const own = await addFace(meshes, await this.#read(material))
+        wrinkles.push(own)
+        faces.push({ material, wrinkles: own })
+      } catch (error) {
         const { name } = this.#parser.json.materials[material]
         this.#warnings.add(error, `material ${JSON.stringify(name ?? material)} stays plain`)
-      }
-      try {
-        const read = await this.#read(material)
-        for (const meshes of separatedFaces(own, read)) {
-          try {
-            const added = await addFace(meshes, read)
-            wrinkles.push(added)
-            faces.push({ material, wrinkles: added })
-          } catch (error) {
-            stayPlain(error)
-          }
-        }
-      } catch (error) {
-        stayPlain(error)
       }
     }
     if (faces.length === 0 || !hasPointers(this.#parser)) return
@@ -141,7 +123,7 @@ export class WrinkleLoader {
   }
 
   async #addFace(
-    meshes: [Mesh, ...Mesh[]],
+    meshes: FileFace['meshes'],
     { set, drivers }: FileWrinkles,
     file: GLTF,
   ): Promise<WrinklesBase> {
@@ -221,14 +203,6 @@ export class WrinkleLoader {
       delete (mesh as Partial<Mesh>).clone
     })
   }
-}
-
-/** The faces of a material; other meshes that have it stay plain. */
-function separatedFaces({ faces }: WrinkledMaterial, read: FileWrinkles): [Mesh, ...Mesh[]][] {
-  const chosen = chooseFaces(faces, read)
-  const others = faces.filter((meshes) => !chosen.includes(meshes)).flat()
-  separateOthers(others, surfaceOf(faces[0][0]))
-  return chosen
 }
 
 function withoutParser(given: unknown): FurrowError {

@@ -1,1 +1,0 @@
-"""Random heads for tests: shapes of many people, without maps."""

@@ -1,0 +1,146 @@
+import type { MirrorFit } from './mirror-plane.ts'
+import type { MovingRegion } from './moving-region.ts'
+import { type MovingSurface, pickPoints, treeOf } from './moving-surface.ts'
+import { dotOf, lengthOf, minus, plus, quantile, type Vector, vectorAt } from './vectors.ts'
+
+/** Two points of skin that lie apart at rest, and that a target brings together. */
+export interface ClosingPair {
+  first: Vector
+  second: Vector
+  middle: Vector
+  /** Distance at rest. */
+  gap: number
+  /** Index of the motion. */
+  motion: number
+}
+
+/** Distances in radii of the moving region. */
+const TOGETHER = 0.04
+const APART = 0.1
+const WEAK = 0.02
+const OFF_MIDDLE = 0.2
+const FROM_MOUTH = 0.65
+const ONE_EYE = 0.3
+/** Distance at rest, in distances when closed. */
+const RATIO = 4
+/** Fraction of the largest displacement from which on a point counts as moved, and of the points that a lid moves at most. */
+const MOVED = 0.25
+const MOST_MOVED = 0.5
+/** Extent of what a target moves, in extents at rest, below which it hides a piece. */
+const SHRUNK = 0.5
+const NEIGHBOURS = 8
+/** Pairs of an eye at least. */
+const LEAST_PAIRS = 8
+
+/** Finds skin that targets close. */
+export function closingPairs(
+  { points, pieces, motions }: MovingSurface,
+  { radius, near }: MovingRegion,
+  { origin, normal: x }: MirrorFit,
+): ClosingPair[] {
+  const pairs: ClosingPair[] = []
+  const side = near.map((i) => (dotOf(minus(vectorAt(points, i), origin), x) > 0 ? 1 : 0))
+  const moved = new Float64Array(points.length)
+  for (const [motion, { offsets, distances, largest }] of motions.entries()) {
+    if (largest < WEAK * radius) continue
+    const movers = near.filter((i) => distances[i] > MOVED * largest)
+    if (movers.length < 6 || movers.length > MOST_MOVED * near.length) continue
+    for (let i = 0; i < moved.length; i++) moved[i] = points[i] + offsets[i]
+    const halves = [0, 1].map((half) =>
+      near.filter((i, k) => side[k] === half && distances[i] > MOVED * largest),
+    )
+    if (halves.some((half) => isShrunk(points, moved, half))) continue
+    const nearby = inBox(near, moved, movers, TOGETHER * radius)
+    const tree = treeOf(moved, nearby, NEIGHBOURS)
+    for (const i of movers) {
+      const { count, indices, squares } = tree.nearest(moved, 3 * i, TOGETHER * radius)
+      for (let k = 0; k < count; k++) {
+        const j = nearby[indices[k]]
+        if (j === i || pieces[i] !== pieces[j]) continue
+        const [first, second] = [vectorAt(points, i), vectorAt(points, j)]
+        const gap = lengthOf(minus(first, second))
+        if (gap > APART * radius && gap > RATIO * Math.sqrt(squares[k]))
+          pairs.push({ first, second, middle: plus(plus([0, 0, 0], first, 0.5), second, 0.5), gap, motion })
+      }
+    }
+  }
+  return pairs
+}
+
+/** Points of a list within the box of others, enlarged. */
+function inBox(list: Uint32Array, points: Float64Array, others: Uint32Array, margin: number): Uint32Array {
+  const low = [Infinity, Infinity, Infinity]
+  const high = [-Infinity, -Infinity, -Infinity]
+  for (const i of others) {
+    for (let k = 0; k < 3; k++) {
+      low[k] = Math.min(low[k], points[3 * i + k] - margin)
+      high[k] = Math.max(high[k], points[3 * i + k] + margin)
+    }
+  }
+  return list.filter((i) =>
+    [0, 1, 2].every((k) => points[3 * i + k] >= low[k] && points[3 * i + k] <= high[k]),
+  )
+}
+
+function isShrunk(points: Float64Array, moved: Float64Array, half: Uint32Array): boolean {
+  return half.length > 3 && extent(pickPoints(moved, half)) < SHRUNK * extent(pickPoints(points, half))
+}
+
+function extent(points: Float64Array): number {
+  let most = 0
+  for (let k = 0; k < 3; k++) {
+    let [low, high] = [Infinity, -Infinity]
+    for (let i = k; i < points.length; i += 3) {
+      low = Math.min(low, points[i])
+      high = Math.max(high, points[i])
+    }
+    most = Math.max(most, high - low)
+  }
+  return most
+}
+
+/**
+ * Finds the eyes: where a target closes lids, away from the middle and the mouth. The right side is folded onto the left.
+ *
+ * @param isAbove tells whether a position may be an eye of the mouth.
+ * @returns the middle of both openings, that on the side of the plane's normal first.
+ */
+export function eyesOf(
+  pairs: readonly ClosingPair[],
+  { radius }: MovingRegion,
+  { origin, normal: x }: MirrorFit,
+  mouth: Vector | undefined,
+  isAbove: (eye: Vector) => boolean,
+): [Vector, Vector] | undefined {
+  const offset = (point: Vector) => dotOf(minus(point, origin), x)
+  const byMotion = new Map<number, Vector[]>()
+  for (const { middle, motion } of pairs) {
+    if (mouth && lengthOf(minus(middle, mouth)) < FROM_MOUTH * radius) continue
+    const list = byMotion.get(motion) ?? []
+    list.push(plus(middle, x, -2 * Math.min(0, offset(middle))))
+    byMotion.set(motion, list)
+  }
+  // Lids close beside the middle only: chins and cheeks fold across it.
+  const groups = [...byMotion.values()]
+    .map((list) => ({ all: list.length, list: list.filter((point) => offset(point) > OFF_MIDDLE * radius) }))
+    .filter(({ all, list }) => list.length >= LEAST_PAIRS && list.length > 0.9 * all)
+    .map(({ list }) => list)
+    .filter((list) => isAbove(meanOf(list)))
+    .sort((a, b) => b.length - a.length)
+  if (groups.length === 0) return undefined
+  const first = meanOf(groups[0])
+  const lids = groups
+    .filter((list) => list.length > 0.3 * groups[0].length)
+    .filter((list) => lengthOf(minus(meanOf(list), first)) < ONE_EYE * radius)
+    .flat()
+  // Lids meet all along the opening: its middle lies between its corners.
+  const offsets = lids.map(offset)
+  const middle = (quantile(offsets, 0.03) + quantile(offsets, 0.97)) / 2
+  const mean = meanOf(lids)
+  const eye = plus(mean, x, middle - offset(mean))
+  return [eye, plus(eye, x, -2 * middle)]
+}
+
+function meanOf(points: readonly Vector[]): Vector {
+  return points.reduce<Vector>((sum, point) => plus(sum, point, 1 / points.length), [0, 0, 0])
+}

@@ -1,0 +1,180 @@
+import { type ClosingPair, closingPairs, eyesOf } from './closing-lids.ts'
+import { type LipSeam, lipSeam } from './lip-seam.ts'
+import { type MirrorFit, mirrorPlane } from './mirror-plane.ts'
+import { type MovingRegion, movingRegion } from './moving-region.ts'
+import type { MovingSurface } from './moving-surface.ts'
+import {
+  across,
+  crossed,
+  dotOf,
+  lengthOf,
+  minus,
+  plus,
+  quantile,
+  unit,
+  type Vector,
+  vectorAt,
+} from './vectors.ts'
+
+/** The face in its own coordinates: eyes at u = -1 and 1, v = 0; the mouth at v = -2. u grows to the person's left. */
+export interface FaceFrame {
+  region: MovingRegion
+  /** Middle of the eyes. */
+  origin: Vector
+  /** To the left, up and forwards. */
+  axes: readonly [Vector, Vector, Vector]
+  /** Coordinates per unit along each axis. */
+  scales: Vector
+  eyes: readonly [left: Vector, right: Vector]
+  mouth: Vector
+  seam: LipSeam | undefined
+  closing: readonly ClosingPair[]
+}
+
+/** Half the width of the mouth, and the height of the eyes above it, in half distances of the eyes, where no lids close or no lips part. */
+const MOUTH_WIDTH = 0.73
+const EYE_HEIGHT = 2.1
+/** The height of the eyes at least. */
+const LEAST_HEIGHT = 0.3
+
+/** Finds the frame of a face by what its targets move, without names or an up axis; undefined where no lids close and no lips part. */
+export function faceFrame(surface: MovingSurface): FaceFrame | undefined {
+  const region = movingRegion(surface)
+  if (!region || region.near.length < 50) return undefined
+  const plane = mirrorPlane(surface, region)
+  const forward = unit(across(facing(surface, region), plane.normal))
+  const seam = lipSeam(surface, region, plane, forward)
+  const closing = closingPairs(surface, region, plane)
+  const up = seam && upFromLips(surface, region, plane, forward, seam.centre)
+  const isAbove = (eye: Vector) => {
+    if (!seam) return true
+    const from = across(minus(eye, seam.centre), plane.normal)
+    const rise = across(from, forward)
+    return Math.abs(dotOf(from, forward)) < lengthOf(rise) && !(up && dotOf(rise, up) < 0)
+  }
+  const eyes =
+    eyesOf(closing, region, plane, seam?.centre, isAbove) ??
+    (seam && up && eyesAbove(region, plane, forward, seam, up))
+  if (!eyes) return undefined
+  const onPlane = (point: Vector) =>
+    plus(point, plane.normal, -dotOf(minus(point, plane.origin), plane.normal))
+  const half = Math.abs(dotOf(minus(eyes[0], eyes[1]), plane.normal)) / 2
+  const origin = onPlane(eyes[0])
+  const mouth = onPlane(seam?.centre ?? belowEyes(region, origin, crossed(forward, plane.normal), half))
+  const y = unit(across(minus(origin, mouth), plane.normal))
+  const z = unit(across(forward, y))
+  const x = crossed(y, z)
+  const height = Math.max(dotOf(minus(origin, mouth), y), LEAST_HEIGHT * half)
+  const isFirstLeft = dotOf(minus(eyes[0], eyes[1]), x) > 0
+  return {
+    region,
+    origin,
+    axes: [x, y, z],
+    scales: [1 / half, 2 / height, 2 / (half + height / 2)],
+    eyes: isFirstLeft ? eyes : [eyes[1], eyes[0]],
+    mouth,
+    seam,
+    closing,
+  }
+}
+
+/** The mean normal of skin that moves: without the cavities, which face inwards. */
+function facing({ points, normals }: MovingSurface, { centre, heat, near }: MovingRegion): Vector {
+  return near.reduce<Vector>(
+    (sum, i) => {
+      const normal = vectorAt(normals, i)
+      const outwards = dotOf(unit(minus(vectorAt(points, i), centre)), normal)
+      return plus(sum, normal, heat[i] * Math.max(0, outwards))
+    },
+    [0, 0, 0],
+  )
+}
+
+/** Most of a face's motion lies below the eyes. */
+function belowEyes({ centre }: MovingRegion, eyes: Vector, up: Vector, half: number): Vector {
+  const sign = dotOf(minus(eyes, centre), up) < 0 ? -1 : 1
+  return plus(eyes, up, -sign * EYE_HEIGHT * half)
+}
+
+/** How many times as much as the upper lip the lower lip moves at least. */
+const LOWER_LIP = 1.1
+
+/** The direction from the lower lip to the upper lip: targets move the lower one more. Undefined where they move both alike. */
+function upFromLips(
+  { points, areas, motions }: MovingSurface,
+  { radius, near }: MovingRegion,
+  { normal }: MirrorFit,
+  forward: Vector,
+  mouth: Vector,
+): Vector | undefined {
+  const up = crossed(forward, normal)
+  const moved = [0, 0]
+  for (const i of near) {
+    const from = minus(vectorAt(points, i), mouth)
+    const rise = dotOf(from, up) / radius
+    const isLip =
+      Math.abs(dotOf(from, normal)) < 0.4 * radius &&
+      dotOf(from, forward) > -0.3 * radius &&
+      Math.abs(rise) < 0.6
+    if (!isLip || Math.abs(rise) < 0.05) continue
+    for (const { distances } of motions) moved[rise > 0 ? 1 : 0] += areas[i] * distances[i]
+  }
+  const [below, above] = moved
+  if (below > LOWER_LIP * above) return up
+  return above > LOWER_LIP * below ? plus([0, 0, 0], up, -1) : undefined
+}
+
+/** Places eyes by the width of the mouth, above it. */
+function eyesAbove(
+  { radius }: MovingRegion,
+  { origin, normal }: MirrorFit,
+  forward: Vector,
+  { centre, points }: LipSeam,
+  up: Vector,
+): [Vector, Vector] {
+  const offset = (point: Vector) => dotOf(minus(point, origin), normal)
+  const lips = points.filter((point) => dotOf(minus(point, centre), forward) > -0.25 * radius)
+  const width = quantile(
+    lips.map((point) => Math.abs(offset(point))),
+    0.98,
+  )
+  const half = width / MOUTH_WIDTH
+  const middle = plus(plus(centre, normal, -offset(centre)), up, EYE_HEIGHT * half)
+  return [plus(middle, normal, half), plus(middle, normal, -half)]
+}
+
+/** Coordinates of points in a frame. */
+export function inFrame({ origin, axes, scales }: FaceFrame, points: Float64Array): Float64Array {
+  return transformed(points, origin, axes, scales)
+}
+
+/** Displacements in a frame. */
+export function directionsInFrame({ axes, scales }: FaceFrame, offsets: Float64Array): Float64Array {
+  return transformed(offsets, [0, 0, 0], axes, scales)
+}
+
+/** A position in a frame. */
+export function positionInFrame({ origin, axes, scales }: FaceFrame, point: Vector): Vector {
+  const from = minus(point, origin)
+  return [
+    dotOf(from, axes[0]) * scales[0],
+    dotOf(from, axes[1]) * scales[1],
+    dotOf(from, axes[2]) * scales[2],
+  ]
+}
+
+function transformed(
+  values: Float64Array,
+  from: Vector,
+  axes: FaceFrame['axes'],
+  scales: Vector,
+): Float64Array {
+  const out = new Float64Array(values.length)
+  for (const [row, axis] of axes.entries()) {
+    const [ax, ay, az] = axis.map((a) => a * scales[row])
+    for (let i = 0; i < values.length; i += 3)
+      out[i + row] =
+        ax * (values[i] - from[0]) + ay * (values[i + 1] - from[1]) + az * (values[i + 2] - from[2])
+  }
+  return out
+}

@@ -1,0 +1,131 @@
+import { KdTree } from '../../math/kd-tree.ts'
+import { pointOffsets, type Skin, weldSurface } from '../skin/surface.ts'
+
+/** Points that are looked at; of denser surfaces every n-th. */
+const MOST_POINTS = 16_000
+/** Largest offset of a usable target, in sizes of the surface. */
+const MAX_OFFSET = 2
+
+/** A surface at rest, and how targets move it. */
+export interface MovingSurface {
+  /** x, y and z of each point. */
+  points: Float64Array
+  /** Unit normals, outwards. */
+  normals: Float64Array
+  areas: Float64Array
+  /** Connected piece of each point. */
+  pieces: Uint32Array
+  motions: Motion[]
+}
+
+/** Displacements by one target. */
+export interface Motion {
+  /** Index of the target. */
+  target: number
+  /** x, y and z by point. */
+  offsets: Float64Array
+  distances: Float64Array
+  largest: number
+}
+
+/** Welds a skin, and leaves out targets that are broken or move nothing. */
+export function movingSurface(skin: Skin): MovingSurface | undefined {
+  const welded = weldSurface(skin)
+  const size = extentOf(welded.points)
+  if (!(size > 0 && size < Infinity)) return undefined
+  const kept = usedPoints(welded.areas)
+  const pick = (values: Float64Array) => pickPoints(values, kept)
+  const allPieces = piecesOf(welded.neighbourStarts, welded.neighbours)
+  const motions: Motion[] = []
+  for (const [target, shape] of skin.targets.entries()) {
+    const offsets = pick(pointOffsets(welded, shape))
+    const distances = lengthsOf(offsets)
+    const largest = distances.reduce((a, b) => Math.max(a, b), 0)
+    if (largest > 1e-5 * size && largest <= MAX_OFFSET * size)
+      motions.push({ target, offsets, distances, largest })
+  }
+  const points = pick(welded.points)
+  const normals = pick(welded.normals)
+  const areas = Float64Array.from(kept, (point) => welded.areas[point])
+  orient(points, normals, areas)
+  return { points, normals, areas, pieces: kept.map((point) => allPieces[point]), motions }
+}
+
+/** Tree over some points. */
+export function treeOf(points: Float64Array, indices: ArrayLike<number>, most = 1): KdTree {
+  return new KdTree(pickPoints(points, indices), 3, most)
+}
+
+/** x, y and z of some points. */
+export function pickPoints(values: Float64Array, indices: ArrayLike<number>): Float64Array {
+  const out = new Float64Array(3 * indices.length)
+  for (let i = 0; i < indices.length; i++)
+    for (let k = 0; k < 3; k++) out[3 * i + k] = values[3 * indices[i] + k]
+  return out
+}
+
+function usedPoints(areas: Float64Array): Uint32Array {
+  const used: number[] = []
+  for (let i = 0; i < areas.length; i++) if (areas[i] > 0) used.push(i)
+  const step = Math.ceil(used.length / MOST_POINTS)
+  return Uint32Array.from(used.filter((_, i) => i % step === 0))
+}
+
+function extentOf(points: Float64Array): number {
+  let extent = 0
+  for (let k = 0; k < 3; k++) {
+    let [low, high] = [Infinity, -Infinity]
+    for (let i = k; i < points.length; i += 3) {
+      if (!Number.isFinite(points[i])) return Number.NaN
+      low = Math.min(low, points[i])
+      high = Math.max(high, points[i])
+    }
+    extent = Math.max(extent, high - low)
+  }
+  return extent
+}
+
+function lengthsOf(vectors: Float64Array): Float64Array {
+  const out = new Float64Array(vectors.length / 3)
+  for (let i = 0; i < out.length; i++) {
+    const [x, y, z] = [vectors[3 * i], vectors[3 * i + 1], vectors[3 * i + 2]]
+    out[i] = Math.sqrt(x * x + y * y + z * z)
+  }
+  return out
+}
+
+/** A file may mirror its mesh, which turns the triangles inside out: normals point away from the middle. */
+function orient(points: Float64Array, normals: Float64Array, areas: Float64Array): void {
+  const middle = [0, 0, 0]
+  let total = 0
+  for (let i = 0; i < areas.length; i++) {
+    for (let k = 0; k < 3; k++) middle[k] += areas[i] * points[3 * i + k]
+    total += areas[i]
+  }
+  let flux = 0
+  for (let i = 0; i < areas.length; i++) {
+    for (let k = 0; k < 3; k++)
+      flux += areas[i] * (points[3 * i + k] - middle[k] / total) * normals[3 * i + k]
+  }
+  if (flux < 0) for (let i = 0; i < normals.length; i++) normals[i] = -normals[i]
+}
+
+/** Connected piece of each point, numbered by its first point. */
+function piecesOf(starts: Uint32Array, neighbours: Uint32Array): Uint32Array {
+  const count = starts.length - 1
+  const pieces = new Uint32Array(count).fill(count)
+  const open: number[] = []
+  for (let first = 0; first < count; first++) {
+    if (pieces[first] < count) continue
+    pieces[first] = first
+    open.push(first)
+    for (let point = open.pop(); point !== undefined; point = open.pop()) {
+      for (let k = starts[point]; k < starts[point + 1]; k++) {
+        if (pieces[neighbours[k]] < count) continue
+        pieces[neighbours[k]] = first
+        open.push(neighbours[k])
+      }
+    }
+  }
+  return pieces
+}

@@ -1,0 +1,97 @@
+import { type FaceFrame, positionInFrame } from './face-frame.ts'
+import { interpolated, quantile, type Vector } from './vectors.ts'
+
+/** Samples along lids and lips. */
+export const ALONG = Array.from({ length: 17 }, (_, i) => -1 + i / 8)
+
+/** The line between the lips. */
+export interface LipLine {
+  halfWidth: number
+  /** Height at `ALONG` times the half width. */
+  heights: number[]
+}
+
+/** The opening of the left eye; the right one mirrors it. */
+export interface EyeOpening {
+  /** u of its middle. */
+  middle: number
+  halfWidth: number
+  /** Heights of the lids at `ALONG` times the half width. */
+  upper: number[]
+  lower: number[]
+}
+
+const COLUMNS = 16
+const REACH = 1.6
+const COLUMN = REACH / COLUMNS
+
+/** Traces the lip line: the foremost parting points of each column from the middle to the corner. */
+export function lipLine(frame: FaceFrame): LipLine {
+  const standard: LipLine = { halfWidth: 0.8, heights: ALONG.map(() => -2) }
+  if (!frame.seam) return standard
+  const points = frame.seam.points
+    .map((point) => positionInFrame(frame, point))
+    .filter(([u, v]) => Math.abs(v + 2) < 0.6 && Math.abs(u) < REACH)
+  const found: { middle: number; end: number; front: number; height: number }[] = []
+  for (let k = 0; k < COLUMNS; k++) {
+    const [start, end] = [k * COLUMN, (k + 1) * COLUMN]
+    const column = points.filter(([u]) => Math.abs(u) >= start - 0.03 && Math.abs(u) < end + 0.03)
+    if (column.length < 2) {
+      if (k > 2) break
+      continue
+    }
+    const front = column.reduce((most, [, , z]) => Math.max(most, z), -Infinity)
+    // Behind the corner lies the cavity of the mouth.
+    if (found.length > 0 && front < found[found.length - 1].front - 0.35) break
+    const outer = column.filter(([, , z]) => z > front - 0.12).map(([, v]) => v)
+    found.push({ middle: start + COLUMN / 2, end, front, height: quantile(outer, 0.5) })
+  }
+  const halfWidth = (found.at(-1)?.end ?? 0) - 0.03
+  if (found.length < 3 || halfWidth < 0.25) return standard
+  const [xs, ys] = [found.map(({ middle }) => middle), found.map(({ height }) => height)]
+  return { halfWidth, heights: ALONG.map((a) => interpolated(Math.abs(a) * halfWidth, xs, ys)) }
+}
+
+/** Half of an opening: round, as wide as the lids meet. */
+export function eyeOpening(frame: FaceFrame): EyeOpening {
+  const lids = frame.closing
+    .map(({ first, second }) => [first, second].map((end) => positionInFrame(frame, end)))
+    .filter((ends) => ends.every(([u, v]) => Math.abs(Math.abs(u) - 1) < 0.75 && Math.abs(v) < 0.9))
+  if (lids.length < 8)
+    return { middle: 1, halfWidth: 0.45, upper: ALONG.map(() => 0.14), lower: ALONG.map(() => -0.14) }
+  const us = lids.map(([a, b]) => (Math.abs(a[0]) + Math.abs(b[0])) / 2)
+  const top = quantile(
+    lids.map(([a, b]) => Math.max(a[1], b[1])),
+    0.8,
+  )
+  const bottom = quantile(
+    lids.map(([a, b]) => Math.min(a[1], b[1])),
+    0.2,
+  )
+  const [low, high] = [quantile(us, 0.03), quantile(us, 0.97)]
+  const [middle, half] = [(top + bottom) / 2, (top - bottom) / 2]
+  const arch = ALONG.map((a) => Math.sqrt(1 - (0.94 * a) ** 2))
+  return {
+    middle: (low + high) / 2,
+    halfWidth: Math.max((high - low) / 2, 0.25),
+    upper: arch.map((a) => middle + half * a),
+    lower: arch.map((a) => middle - half * a),
+  }
+}
+
+/** Pairs of one eye that a lid brings together at least, and of the most of any target. */
+const CLOSED = 9
+const CLOSED_FRACTION = 0.08
+
+/** Tells of each motion whether the lids of the left and right eye meet. */
+export function closedEyes(frame: FaceFrame, motions: number): readonly (readonly [boolean, boolean])[] {
+  const counts = Array.from({ length: motions }, () => [0, 0])
+  for (const { first, second, motion } of frame.closing) {
+    const [a, b] = [first, second].map((end): Vector => positionInFrame(frame, end))
+    const isAtEye = [a, b].every(([u, v]) => Math.abs(Math.abs(u) - 1) < 0.75 && Math.abs(v) < 0.9)
+    if (isAtEye) counts[motion][a[0] + b[0] > 0 ? 0 : 1]++
+  }
+  const most = Math.max(...counts.flat(), 0)
+  const isClosed = (count: number) => count >= CLOSED && count > CLOSED_FRACTION * most
+  return counts.map(([left, right]) => [isClosed(left), isClosed(right)] as const)
+}

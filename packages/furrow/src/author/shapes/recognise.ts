@@ -1,0 +1,150 @@
+import type { Skin } from '../skin/surface.ts'
+import { confidencesOf, SURE, UNSURE } from './confidence.ts'
+import { faceFrame } from './face-frame.ts'
+import { arkitName, isCentral, isShifted, labelOf, mirroredLabel, type ShapeLabel } from './families.ts'
+import { leftFraction } from './field-operations.ts'
+import { matchShapes, scoresOf } from './match.ts'
+import { movingSurface } from './moving-surface.ts'
+import { hintOf } from './names/hint.ts'
+import type { NameHint } from './names/name-hint.ts'
+import { shapeFields } from './shape-fields.ts'
+import { templateHeads } from './template-table.ts'
+import type { TemplateHead } from './templates.ts'
+
+/** What a blendshape is. */
+export interface RecognisedShape {
+  /** Name of the target. */
+  name: string
+  /** ARKit's name; without a side where it moves both. Undefined where it is unknown or no single one of ARKit's shapes. */
+  shape: string | undefined
+  /** 0..1 */
+  confidence: number
+  /** What decided: its motion, its name, or both alike. */
+  by: 'geometry' | 'name' | 'both' | 'none'
+  /** What its name and its motion tell, for finding shapes by name. */
+  hint: NameHint | undefined
+  /** Whether its motion contradicts its name. */
+  isMisnamed: boolean
+}
+
+/** What the motion of a target tells. */
+interface Seen {
+  label: ShapeLabel
+  confidence: number
+  score: number
+  /** Score of any label, by ARKit's name. */
+  scoreOf(name: string): number
+  /** Fraction of the motion on the left. */
+  left: number
+}
+
+/** Likeness by which another label has to be better than that of the name, to overrule it. */
+const OVERRULED = 0.2
+/** Fraction of the motion on one side that overrules a side in the name. */
+const ONE_SIDE = 0.85
+/** Confidence of a shape that has only a name. */
+const BY_NAME = 0.6
+
+/**
+ * Recognises the blendshapes of a face: by what they move, with their names as a hint. Deterministic.
+ *
+ * @param heads templates; those that ship by default.
+ * @returns one entry per target.
+ */
+export function recogniseShapes(
+  skin: Skin,
+  heads: readonly TemplateHead[] = templateHeads(),
+): RecognisedShape[] {
+  const seen = seeShapes(skin, heads)
+  return skin.targets.map(({ name, expression }, target) => {
+    const hint = hintOf(name) ?? (expression === undefined ? undefined : hintOf(expression))
+    return { name, ...decide(hint, seen.get(target)) }
+  })
+}
+
+/** What the motion of each target tells, by its index. */
+function seeShapes(skin: Skin, heads: readonly TemplateHead[]): Map<number, Seen> {
+  const seen = new Map<number, Seen>()
+  const surface = movingSurface(skin)
+  const frame = surface && faceFrame(surface)
+  if (!frame) return seen
+  const fields = shapeFields(surface, frame)
+  const scores = scoresOf(fields, heads)
+  const matches = matchShapes(fields, scores)
+  const indexOf = new Map(scores.labels.map((label, j) => [arkitName(label), j]))
+  const confidences = confidencesOf(fields, matches)
+  for (const [i, { shape, label, score }] of matches.entries()) {
+    const { target, field } = fields.shapes[shape]
+    seen.set(target, {
+      label,
+      score,
+      confidence: confidences[i],
+      scoreOf: (name) => scores.scores[shape][indexOf.get(name) ?? -1] ?? 0,
+      left: leftFraction(field, fields.weights),
+    })
+  }
+  return seen
+}
+
+type Decision = Omit<RecognisedShape, 'name'>
+
+function decide(hint: NameHint | undefined, seen: Seen | undefined): Decision {
+  if (!hint) return seen && seen.confidence >= UNSURE ? byGeometry(seen, false) : unknown(undefined)
+  const named = namedLabel(hint)
+  // Several shapes, or none: visemes, emotions, proportions, corrections.
+  if (!named) return { ...unknown(hint), by: 'name' }
+  const name = arkitName(named)
+  if (!seen) return { shape: name, confidence: BY_NAME, by: 'name', hint, isMisnamed: false }
+  if (arkitName(seen.label) === name)
+    return { shape: name, confidence: Math.max(seen.confidence, 0.9), by: 'both', hint, isMisnamed: false }
+  const isOther = seen.confidence >= SURE && seen.score > seen.scoreOf(name) + OVERRULED
+  if (isOther) return byGeometry(seen, true)
+  const side = seen.left > ONE_SIDE ? 'left' : seen.left < 1 - ONE_SIDE ? 'right' : undefined
+  if (side && named.side !== 'both' && named.side !== side)
+    return byGeometry({ ...seen, label: mirroredLabel(named), confidence: BY_NAME }, true)
+  return { shape: name, confidence: BY_NAME, by: 'name', hint, isMisnamed: false }
+}
+
+function unknown(hint: NameHint | undefined): Decision {
+  return { shape: undefined, confidence: 0, by: 'none', hint, isMisnamed: false }
+}
+
+/** The one shape that a name means; undefined where it is none or several. */
+function namedLabel({ match, shapes, side }: NameHint): ShapeLabel | undefined {
+  if (match === 'like') return undefined
+  if (match === 'part') {
+    const label = shapes.length === 1 ? labelOf(shapes[0]) : undefined
+    return label && side ? { ...label, side: side === 'Left' ? 'left' : 'right' } : label
+  }
+  const labels = shapes.map(labelOf)
+  const [first, second] = labels
+  if (labels.length === 1) return first
+  const isPair = labels.length === 2 && first && second && first.family === second.family
+  return isPair ? { family: first.family, side: 'both' } : undefined
+}
+
+function byGeometry({ label, confidence }: Seen, isMisnamed: boolean): Decision {
+  return {
+    shape: arkitName(label),
+    confidence,
+    by: 'geometry',
+    hint: hintOfLabel(label, confidence),
+    isMisnamed,
+  }
+}
+
+/** The same as a name would tell it. */
+function hintOfLabel(label: ShapeLabel, confidence: number): NameHint {
+  const hint = {
+    kind: 'expression',
+    match: 'same',
+    side: label.side === 'both' ? undefined : label.side === 'left' ? 'Left' : 'Right',
+    rank: Math.round(1000 * (1 - confidence)),
+  } as const
+  const sided = (side: 'left' | 'right') => arkitName({ ...label, side })
+  const isHalf = isCentral(label.family) && label.side !== 'both'
+  if (isHalf) return { ...hint, match: 'part', shapes: [label.family] }
+  if (label.side !== 'both' || isCentral(label.family) || isShifted(label.family))
+    return { ...hint, shapes: [arkitName(label)] }
+  return { ...hint, shapes: [sided('left'), sided('right')] }
+}

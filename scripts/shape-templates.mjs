@@ -1,0 +1,34 @@
+// Derives the table of typical shapes that recognition compares with: `npm run shape-templates`. The builder's faces are in the repository, the
+// scan beside it.
+
+import { existsSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { runnerImport } from 'vite'
+import { Failure, main, ROOT, say } from './lib/run.mjs'
+import { SOURCES } from './lib/sources.mjs'
+
+const TABLE = 'packages/furrow/src/author/shapes/template-data.ts'
+
+await main(async () => {
+  const { module } = await runnerImport(join(ROOT, 'scripts/lib/shape-templates.ts'), {
+    ...SOURCES,
+    environments: { inline: { resolve: { ...SOURCES.ssr.resolve, noExternal: [/^furrow/] } } },
+  })
+  const entries = []
+  for (const [name, faces] of Object.entries(module.TEMPLATE_FACES)) {
+    const missing = faces.find((face) => !existsSync(face))
+    if (missing) throw new Failure(`the table needs ${missing}`)
+    entries.push(`  ${name}:\n    '${await module.templateText(faces)}',\n`)
+  }
+  const text = `/*!
+ * Typical shapes, as \`template-code.ts\` encodes them; written by \`npm run shape-templates\`. \`builder\` is the mean of the faces that ship with
+ * Furrow (CC0 1.0). \`scan\` is derived from ICT-FaceKit, under this licence:
+ *
+ * ${module.SCAN_LICENCE.join('\n * ').replaceAll(/ +$/gm, '')}
+ */
+export const TEMPLATES = {
+${entries.join('')}}
+`
+  writeFileSync(join(ROOT, TABLE), text)
+  say(`${TABLE}: ${text.length} bytes`)
+})

@@ -1,0 +1,147 @@
+import type { Skin } from 'furrow/author'
+import { canonicalTargetName } from 'furrow/internal'
+import { beforeAll, describe, expect, test } from 'vitest'
+import { SURE } from '../../../../packages/furrow/src/author/shapes/confidence.ts'
+import { labelOf } from '../../../../packages/furrow/src/author/shapes/families.ts'
+import { recogniseShapes } from '../../../../packages/furrow/src/author/shapes/recognise.ts'
+import { TEMPLATES } from '../../../../packages/furrow/src/author/shapes/template-data.ts'
+import { templateHeads } from '../../../../packages/furrow/src/author/shapes/template-table.ts'
+import { TEMPLATE_FACES, templateText } from '../../../../scripts/lib/shape-templates.ts'
+import { SCANS } from '../../../bare-faces/bare-faces.ts'
+import { skinAt } from '../auto/faces.ts'
+
+/** Shapes that wrinkles depend on. */
+const MATTER =
+  /^(brow(Down|OuterUp|InnerUp)|eye(Blink|Squint)|cheek(Squint|Puff)|noseSneer|mouth(Smile|Frown|Pucker)|jawOpen)/
+
+const [builder, scan] = templateHeads()
+let human: Skin
+
+beforeAll(async () => {
+  human = await skinAt(TEMPLATE_FACES.builder[1])
+})
+
+/** The names of its targets, as ARKit spells them, replaced by numbers; other shapes, and those that do not move it, are left out. */
+function nameless(skin: Skin): { skin: Skin; truth: string[] } {
+  const moving = skin.targets.filter(
+    ({ name, offsets }) =>
+      labelOf(canonicalTargetName(name)) && Array.from(offsets).some((x) => Math.abs(x) > 1e-5),
+  )
+  return {
+    skin: { ...skin, targets: moving.map(({ offsets }, i) => ({ name: `${i}`, offsets })) },
+    truth: moving.map(({ name }) => canonicalTargetName(name)),
+  }
+}
+
+/** A skin with other coordinates. */
+function transformed(skin: Skin, map: (x: number, y: number, z: number) => number[]): Skin {
+  const all = (values: ArrayLike<number>) => {
+    const out = new Float32Array(values.length)
+    for (let i = 0; i < out.length; i += 3) out.set(map(values[i]!, values[i + 1]!, values[i + 2]!), i)
+    return out
+  }
+  const targets = skin.targets.map((target) => ({ ...target, offsets: all(target.offsets) }))
+  return { ...skin, positions: all(skin.positions), targets }
+}
+
+const swapped = (name: string) => name.replace(/Left|Right/, (side) => (side === 'Left' ? 'Right' : 'Left'))
+
+/** A target made of each vertex. */
+function target(name: string, offset: (i: number) => number[]) {
+  const offsets = new Float32Array(human.positions.length)
+  for (let i = 0; i < offsets.length / 3; i++) offsets.set(offset(i), 3 * i)
+  return { name, offsets }
+}
+
+const at = (values: ArrayLike<number>, i: number) => [0, 1, 2].map((k) => values[3 * i + k]!)
+
+describe('shapes without names', () => {
+  const heads = [
+    ['a face of the builder, by the scan', () => human, scan],
+    ...SCANS.map(({ path }) => ['the scan, by the builder', () => skinAt(path), builder] as const),
+  ] as const
+
+  test.each(heads)('%s', async (_, read, templates) => {
+    const { skin, truth } = nameless(await read())
+    const found = recogniseShapes(skin, [templates!])
+    const right = found.filter(({ shape }, i) => shape === truth[i])
+    expect(right.length).toBeGreaterThanOrEqual(0.93 * truth.length)
+    const matter = truth.flatMap((name, i) => (MATTER.test(name) ? [i] : []))
+    expect(matter.filter((i) => found[i]!.shape === truth[i]).length).toBeGreaterThanOrEqual(
+      0.9 * matter.length,
+    )
+    expect(found.filter(({ shape }, i) => shape !== undefined && shape !== truth[i])).toEqual([])
+  })
+
+  test.each([
+    [
+      'turned and in centimetres',
+      (x: number, y: number, z: number) => [-100 * z, 100 * x, -100 * y],
+      (name: string) => name,
+    ],
+    ['mirrored', (x: number, y: number, z: number) => [-x, y, z], swapped],
+  ])('%s', (_, map, rename) => {
+    const { skin, truth } = nameless(human)
+    const found = recogniseShapes(transformed(skin, map)).map(({ shape }) => shape)
+    expect(found).toEqual(truth.map(rename))
+  })
+
+  test('a mouth that only speaks', () => {
+    const { skin, truth } = nameless(human)
+    const speech = truth.flatMap((name, i) =>
+      /^(jawOpen|mouth(Pucker|Funnel|Close|Stretch))/.test(name) ? [i] : [],
+    )
+    const found = recogniseShapes({ ...skin, targets: speech.map((i) => skin.targets[i]!) })
+    for (const [k, { shape, confidence }] of found.entries())
+      if (confidence > SURE) expect(shape).toBe(truth[speech[k]!])
+    expect(found.map(({ shape }) => shape)).toContain('jawOpen')
+  })
+})
+
+test('names are kept where motion agrees', () => {
+  for (const { name, shape, isMisnamed } of recogniseShapes(human)) {
+    expect([shape, isMisnamed]).toEqual([name, false])
+  }
+})
+
+test('motion overrules names of the wrong side, and of another shape', () => {
+  const wrong: Record<string, string> = { jawOpen: 'browInnerUp', browInnerUp: 'jawOpen' }
+  const targets = human.targets.map(({ name, offsets }) => ({ name: wrong[name] ?? swapped(name), offsets }))
+  const found = recogniseShapes({ ...human, targets })
+  for (const [i, { name }] of human.targets.entries()) {
+    // A mouth that moves to a side is told by the direction alone, and the tongue is another mesh.
+    if (!/^(eye|brow|cheek|nose|mouth(Smile|Frown)|jawOpen)/.test(name)) continue
+    expect([name, found[i]!.shape]).toEqual([name, name])
+  }
+})
+
+test('proportions, hidden pieces, turned heads and corrections are unknown', () => {
+  const { skin } = nameless(human)
+  const { positions } = human
+  const eyes =
+    Math.max(...Array.from({ length: positions.length / 3 }, (_, i) => positions[3 * i + 1]!)) - 0.11
+  const others = [
+    target('wide', (i) => [0.15 * at(positions, i)[0]!, 0, 0]),
+    target('tall', (i) => [0, 0.2 * Math.max(0, at(positions, i)[1]! - eyes), 0]),
+    target('hidden', (i) => at(positions, i).map((x) => -0.93 * x)),
+    target('nod', (i) => [0, -0.2 * at(positions, i)[2]!, 0.2 * (at(positions, i)[1]! - eyes)]),
+    target('fat', (i) => [0.1 * at(positions, i)[0]!, 0, 0.1 * at(positions, i)[2]!]),
+  ]
+  const found = recogniseShapes({ ...skin, targets: [...skin.targets, ...others] }).slice(-others.length)
+  expect(found.map(({ shape }) => shape)).toEqual(others.map(() => undefined))
+})
+
+test('a mesh without a face has no shapes', () => {
+  const hidden = target('hidden', (i) => at(human.positions, i).map((x) => -0.9 * x))
+  expect(recogniseShapes({ ...human, targets: [hidden] }).map(({ by }) => by)).toEqual(['name'])
+  const broken = {
+    ...human,
+    positions: human.positions.length ? new Float32Array(human.positions.length).fill(Number.NaN) : [],
+  }
+  expect(recogniseShapes(broken).every(({ by }) => by === 'name')).toBe(true)
+})
+
+test('the table is that of the faces it names', async () => {
+  expect(await templateText(TEMPLATE_FACES.builder)).toBe(TEMPLATES.builder)
+  for (const { path } of SCANS) expect(await templateText([path])).toBe(TEMPLATES.scan)
+})
