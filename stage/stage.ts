@@ -10,6 +10,8 @@ import {
 import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import {
   ACESFilmicToneMapping,
+  type Material,
+  type Mesh,
   PerspectiveCamera,
   Scene,
   SRGBColorSpace,
@@ -78,6 +80,7 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
       scene.add(face.root)
     },
     addWrinkles(face, { set, drivers }, options) {
+      separateMaterial(face)
       const wrinkles = isWebGL(renderer)
         ? new WebGLWrinkles(face.skin, set, options)
         : new WebGPUWrinkles(face.skin, set, options)
@@ -102,6 +105,19 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
       renderer.dispose()
     },
   }
+}
+
+/** Gives meshes that have the material of the skin, such as eyes, a plain copy of it. */
+function separateMaterial({ root, skin, parts }: Face): void {
+  const { material } = skin
+  if (Array.isArray(material)) return
+  let plain: Material | undefined
+  root.traverse((object) => {
+    const mesh = object as Mesh
+    if (!mesh.isMesh || mesh.material !== material || mesh === skin || parts.includes(mesh)) return
+    plain ??= material.clone()
+    mesh.material = plain
+  })
 }
 
 function backendName(renderer: Renderer): 'WebGL 2' | 'WebGPU' {

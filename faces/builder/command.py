@@ -48,10 +48,10 @@ def run(description: str, folder: Path, jobs: list[Job]) -> int:
                         f"{job.file} would be {len(data)} bytes, at most {job.largest} allowed, "
                         "raise the thresholds in builder/glb.py"
                     )
-                _write(options.out / job.file, data)
+                write(options.out / job.file, data)
                 for name, content in beside.items():
                     (options.out / name).parent.mkdir(parents=True, exist_ok=True)
-                    _write(options.out / name, content.encode() if isinstance(content, str) else content)
+                    write(options.out / name, content.encode() if isinstance(content, str) else content)
     except BadInput as error:
         print(f"build: {error}", file=sys.stderr)
         return 1
@@ -63,7 +63,7 @@ def _advance(bar: tqdm, file: str, step: str) -> None:
     bar.update()
 
 
-def _write(path: Path, data: bytes) -> None:
+def write(path: Path, data: bytes) -> None:
     """Writes to a temporary name, then renames, so that no partial file is ever visible."""
     aside = path.with_name(path.name + ".part")
     aside.write_bytes(data)

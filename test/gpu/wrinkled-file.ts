@@ -103,3 +103,12 @@ function quad(document: Document, x: number, material: FileMaterial) {
 export function faceMeshes(root: Object3D): Mesh[] {
   return root.getObjectByName('face')!.children as Mesh[]
 }
+
+/** For `edit` of `wrinkledFile`: a mesh `eyes` before the face, which has the same material and other blendshapes. */
+// biome-ignore lint/suspicious/noExplicitAny: JSON
+export function addEyes(json: any): void {
+  const [face] = json.meshes
+  json.meshes.push({ ...face, name: 'eyes', extras: { targetNames: ['eyeLookUpLeft'] } })
+  json.nodes.push({ name: 'eyes', mesh: json.meshes.length - 1, translation: [0, 0, -1] })
+  json.scenes[0].nodes.unshift(json.nodes.length - 1)
+}

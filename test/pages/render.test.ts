@@ -1,4 +1,4 @@
-import { mkdtemp, readdir, rm, writeFile } from 'node:fs/promises'
+import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
@@ -59,6 +59,21 @@ describe('furrow render', () => {
 })
 
 describe('furrow render refuses', () => {
+  test('to write over an image of its wrinkles', async () => {
+    const file = join(out, 'map.png')
+    const image = await sharp({ create: { width: 4, height: 4, channels: 3, background: 'gray' } })
+      .png()
+      .toBuffer()
+    await writeFile(file, image)
+    await writeFile(join(out, 'wrinkles.json'), JSON.stringify(setOf('map.png')))
+    const words = ['--wrinkles', join(out, 'wrinkles.json'), '-o', file, ...SMALL]
+    await expectRefusal(
+      await furrow('render', FACE, ...words),
+      /map\.png is the input; name another output$/m,
+    )
+    expect(await readFile(file)).toEqual(image)
+  })
+
   // How the program reports errors; the errors themselves are tested with the other commands.
   test.each<[string, string[], RegExp]>([
     ['a missing face', ['missing.glb'], /cannot read the face missing\.glb/],

@@ -97,7 +97,11 @@ def build_head(wheel: Wheel, mesh: Mesh, shapes: dict[str, float], rest: dict[st
     units = {name: wheel.face_unit(name) for name in ARKIT}
     for name, amount in rest.items():
         base += amount * units[name]
+    return subdivided(mesh, base, units)
 
+
+def subdivided(mesh: Mesh, base: np.ndarray, units: dict[str, np.ndarray]) -> Head:
+    """The head of a figure with the vertices `base`, which `units` displace: ARKit name -> (n, 3)."""
     region, island = regions(mesh)
     chosen = np.flatnonzero((region != "") & (region != "shirt"))
     used, quads = np.unique(mesh.quads[chosen], return_inverse=True)
@@ -149,6 +153,17 @@ def skin_part(head: Head, dense_neck=False) -> tuple[Part, np.ndarray]:
     part = _part(head, "skin", "skin", vertices, head.uv[pairs[kept, 1]], triangles.reshape(-1, 3))
     part.complete = True
     return part, vertices
+
+
+def coarse_skin(head: Head) -> Part:
+    """The skin with the quads it had before subdivision; the vertices lie on the subdivided surface."""
+    quads = head.fine_quads[head.region == "skin"].reshape(-1, 4, 4)[:, :, 0]
+    layout = head.uv_quads.reshape(-1, 4, 4)[:, :, 0]
+    pairs, index = np.unique(np.stack([quads.ravel(), layout.ravel()], 1), axis=0, return_inverse=True)
+    triangles = triangulate(index.reshape(-1, 4), head.positions[pairs[:, 0]])
+    part = _part(head, "skin", "skin", pairs[:, 0], head.uv[pairs[:, 1]], triangles)
+    part.complete = True
+    return part
 
 
 def thin_out(neck: np.ndarray, beside: np.ndarray) -> np.ndarray:

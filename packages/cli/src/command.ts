@@ -1,6 +1,7 @@
 import { Command, type CommanderError } from 'commander'
 import { FurrowError } from 'furrow'
 import { didYouMean } from 'furrow/internal'
+import { forgetFilesRead } from 'furrow-files/node'
 
 /**
  * A command whose errors are thrown as `FurrowError`, those of commander (unknown options, missing or wrong
@@ -11,7 +12,10 @@ import { didYouMean } from 'furrow/internal'
 export function createCommand(name: string): Command {
   const who = name === 'furrow' ? name : `furrow ${name}`
   const command = new Command(name).configureOutput({ outputError: () => {} })
-  command.hook('preAction', () => checkValues(command, who))
+  command.hook('preAction', () => {
+    forgetFilesRead()
+    checkValues(command, who)
+  })
   return command.exitOverride((error) => {
     // Help and version were printed; commander then exits by itself.
     if (error.exitCode === 0 || error.code === 'commander.help') return

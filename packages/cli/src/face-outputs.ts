@@ -1,22 +1,22 @@
 import type { Glb, OutputFile } from 'furrow-files'
-import { filesOfFace } from 'furrow-files/node'
-import { checkOutputs, type OutputRules } from './outputs.ts'
+import { filesOfFace, wasRead } from 'furrow-files/node'
+import { checkOutputs, checkReplaced, type ReplaceRules } from './outputs.ts'
 
 /**
- * The files of a face that is written; see `filesOfFace`.
+ * The files of a face that is written; see `filesOfFace`. With `force` the named output alone may replace an input: files
+ * beside a `.gltf` get names of their own then.
  *
- * @throws FurrowError where one beside a `.gltf` would replace an input, see `checkOutputs`.
+ * @throws FurrowError where one of them would replace an input, or cannot be written.
  */
 export async function faceFiles(
   glb: Glb,
   path: string,
   who: string,
-  { inputs = [], force }: OutputRules = {},
+  rules: ReplaceRules = {},
 ): Promise<OutputFile[]> {
-  const files = filesOfFace(glb, path)
-  if (files.length === 1) return files
+  const files = filesOfFace(glb, path, rules.force ? (beside) => !wasRead(beside) : undefined)
   const paths = files.map((file) => file.path)
-  const references = [...glb.references.values()].flatMap((reference) => reference.path ?? [])
-  await checkOutputs(paths, who, { extensions: [''], inputs: [...inputs, ...references], force })
+  if (paths.length > 1) await checkOutputs(paths, who, { extensions: [''] })
+  checkReplaced(paths, who, rules)
   return files
 }

@@ -1,17 +1,37 @@
-import { existsSync, mkdirSync, renameSync, rmdirSync, rmSync, writeFileSync } from 'node:fs'
+import { randomUUID } from 'node:crypto'
+import {
+  closeSync,
+  existsSync,
+  mkdirSync,
+  openSync,
+  renameSync,
+  rmdirSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs'
 import { dirname, join } from 'node:path'
 import { FurrowError } from 'furrow'
 import { cannotWrite, type OutputFile } from 'furrow-files'
 import { uninterrupted } from './interruption.ts'
-import { isStdout, targetOf } from './outputs.ts'
+import { checkReplaced, isStdout, type ReplaceRules, targetOf } from './outputs.ts'
 
 /**
  * Writes all files or none: everything goes to temporary files beside their targets first, which are then renamed.
  * Creates missing folders. No signal interrupts it. What is for stdout follows when all else is written.
  *
- * @throws FurrowError naming the file that cannot be written.
+ * @param rules by default no output may replace a file that the command has read.
+ * @throws FurrowError naming the file that cannot be written, or would replace an input.
  */
-export async function writeAll(outputs: readonly OutputFile[], who: string): Promise<void> {
+export async function writeAll(
+  outputs: readonly OutputFile[],
+  who: string,
+  rules: ReplaceRules = {},
+): Promise<void> {
+  checkReplaced(
+    outputs.map(({ path }) => path),
+    who,
+    rules,
+  )
   const files: (OutputFile & { target: string })[] = []
   for (const output of outputs) {
     if (!isStdout(output.path)) files.push({ ...output, target: await targetOf(output.path) })
@@ -28,8 +48,14 @@ function writeFiles(files: readonly (OutputFile & { target: string })[], who: st
       current = path
       makeFolder(dirname(target), undo)
       const temporary = temporaryPath(target)
+      // Nothing that others have put there is followed or replaced.
+      const file = openSync(temporary, 'wx')
       undo.push(() => rmSync(temporary, { force: true }))
-      writeFileSync(temporary, bytes)
+      try {
+        writeFileSync(file, bytes)
+      } finally {
+        closeSync(file)
+      }
       return { path, temporary, target }
     })
     for (const { path, temporary, target } of renames) {
@@ -86,9 +112,7 @@ function writeStdout(bytes: Uint8Array, who: string): Promise<void> {
   })
 }
 
-let temporaries = 0
-
 /** Short, since the name of the file itself may be as long as names can be. */
 function temporaryPath(target: string): string {
-  return join(dirname(target), `.furrow-${process.pid}-${++temporaries}.tmp`)
+  return join(dirname(target), `.furrow-${randomUUID()}.tmp`)
 }

@@ -3,7 +3,7 @@ import { access, lstat, readdir, readlink, realpath, stat } from 'node:fs/promis
 import { dirname, join, relative, resolve } from 'node:path'
 import { FurrowError } from 'furrow'
 import { cannotWrite } from 'furrow-files'
-import { fileProblem, ignoreMissing, statOf } from 'furrow-files/node'
+import { fileProblem, ignoreMissing, statOf, wasRead } from 'furrow-files/node'
 
 /** What the files that a command writes may be. */
 export interface OutputRules {
@@ -13,6 +13,15 @@ export interface OutputRules {
   inputs?: readonly string[]
   /** Whether an output may replace an input; to be left out by commands without `--force`. */
   force?: boolean | undefined
+}
+
+/** Which outputs may replace a file that the command has read; none by default. */
+export interface ReplaceRules {
+  /** Outputs that the user named: they may with `force`. To be left out by commands without `--force`. */
+  named?: readonly (string | undefined)[]
+  force?: boolean | undefined
+  /** Outputs that are there to be updated: they may always. */
+  updated?: readonly string[]
 }
 
 /** Names of stdout. It is never opened by name: as root, renaming a file to it would replace the device. */
@@ -56,6 +65,23 @@ export async function checkOutputs(
   const read = await Promise.all(inputs.map((path) => identityOf(path).catch(() => path)))
   const over = outputs.find((_, i) => read.includes(written[i]))
   if (over !== undefined) throw overInput(over, who, force)
+}
+
+/**
+ * Checks that no output replaces a file that the command has read, directly or by reference. All outputs pass this check just before they
+ * are written.
+ *
+ * @throws FurrowError naming the first output that would.
+ */
+export function checkReplaced(
+  paths: readonly string[],
+  who: string,
+  { named = [], force, updated = [] }: ReplaceRules = {},
+): void {
+  const over = paths.find((path) => {
+    return !isStdout(path) && !updated.includes(path) && !(force && named.includes(path)) && wasRead(path)
+  })
+  if (over !== undefined) throw overInput(over, who, named.includes(over) ? force : undefined)
 }
 
 /** The error for an output that would replace an input; `force` as in `OutputRules`. */

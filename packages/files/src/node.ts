@@ -1,6 +1,7 @@
 export { readLow, readSurface, type Tangents } from './bake/read-meshes.ts'
 export { type ReadOptions, resolveInside } from './disk/external-files.ts'
 export { fileProblem, ignoreMissing, statOf } from './disk/file-status.ts'
+export { forgetFilesRead, recordRead, wasRead } from './disk/files-read.ts'
 export { readBytes, readJson } from './disk/read-bytes.ts'
 export { FACE_EXTENSIONS, filesOfFace } from './gltf/face-files.ts'
 export { readDocument } from './gltf/read-document.ts'

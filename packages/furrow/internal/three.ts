@@ -3,7 +3,13 @@
 export { DeclaredWrinkles } from '../src/three/loader/declared-wrinkles.ts'
 export { readImages } from '../src/three/loader/load-wrinkle-set.ts'
 export { canCrease, placementOf, readMeshes } from '../src/three/loader/read-character.ts'
-export { facesOf, materialReader, wrinkledFaces } from '../src/three/loader/read-wrinkle-maps.ts'
+export {
+  chooseFaces,
+  facesOf,
+  materialReader,
+  separateOthers,
+  wrinkledMaterials,
+} from '../src/three/loader/read-wrinkle-maps.ts'
 export { readsNormalMap, surfaceOf } from '../src/three/material/surface.ts'
 export { bindInputs } from '../src/three/sources/bind-inputs.ts'
 export { coordinates, trianglesOf, vectorsOf } from '../src/three/sources/geometry-arrays.ts'

@@ -1,12 +1,13 @@
 import { chooseSkin, type FileWrinkles, MOST_TRIANGLES, skinOf } from 'furrow/internal'
 import {
   canCrease,
+  chooseFaces,
   facesOf,
   materialReader,
   readMeshes,
   readsNormalMap,
   surfaceOf,
-  wrinkledFaces,
+  wrinkledMaterials,
 } from 'furrow/internal/three'
 import { namesOfTarget, type TargetNames } from 'furrow-files'
 import type { Mesh } from 'three'
@@ -35,20 +36,19 @@ export interface SkinCandidate {
 export async function findSkins(gltf: GLTF, onFault: (fault: string) => void): Promise<SkinCandidate[]> {
   const { parser } = gltf
   const read = materialReader(parser, ({ message }) => onFault(`${message}; this driver is left out`))
-  const wrinkled = new Map(wrinkledFaces(gltf, parser).map(({ meshes, material }) => [meshes[0], material]))
-  const skins: SkinCandidate[] = []
-  for (const meshes of facesOf(gltf, parser)) {
-    const material = wrinkled.get(meshes[0])
-    const wrinkles =
-      material === undefined
-        ? null
-        : await read(material).catch(({ message }: Error) => {
-            onFault(`${message}; the face stays plain`)
-            return null
-          })
-    skins.push({ ...describe(meshes, gltf), wrinkles })
+  const wrinkled = new Map<Mesh, FileWrinkles>()
+  for (const { material, faces } of wrinkledMaterials(gltf, parser)) {
+    try {
+      const wrinkles = await read(material)
+      for (const [mesh] of chooseFaces(faces, wrinkles)) wrinkled.set(mesh, wrinkles)
+    } catch (error) {
+      onFault(`${(error as Error).message}; the face stays plain`)
+    }
   }
-  return skins
+  return facesOf(gltf, parser).map((meshes) => ({
+    ...describe(meshes, gltf),
+    wrinkles: wrinkled.get(meshes[0]) ?? null,
+  }))
 }
 
 /**
@@ -97,7 +97,10 @@ function describe(meshes: [Mesh, ...Mesh[]], { parser }: GLTF): Omit<SkinCandida
   const triangles = meshes.reduce((sum, { geometry }) => sum + trianglesOf(geometry), 0)
   const material = parser.associations.get(surface)?.materials
   return {
-    target: material === undefined ? {} : namesOfTarget(parser.json, material),
+    target:
+      material === undefined || index === undefined
+        ? {}
+        : namesOfTarget(parser.json, { mesh: index, material }),
     name: (mesh?.name || name || `mesh ${index}`) + (hasOthers && surface.name ? ` (${surface.name})` : ''),
     meshes,
     triangles,

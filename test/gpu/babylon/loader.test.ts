@@ -10,7 +10,7 @@ import { ExpressionPlayer, FaceScores, registerWrinkleMaps, Wrinkles, wrinklesOf
 import { afterEach, beforeAll, describe, expect, it } from 'vitest'
 import { largestDifference, ROUNDING } from '../difference.ts'
 import { quietConsole } from '../quiet-console.ts'
-import { driver, wrinkledFile } from '../wrinkled-file.ts'
+import { addEyes, driver, wrinkledFile } from '../wrinkled-file.ts'
 import { type BabylonHarness, disposeScene, ENGINES, harnessOn } from './harness.ts'
 
 const PIXELS = 32
@@ -57,6 +57,12 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
     return load(scene, await wrinkledFile(...edits))
   }
   const picture = () => harness.render(scene, PIXELS)
+
+  it('leaves eyes with the material of the skin plain', async () => {
+    const { meshes } = await open(undefined, addEyes)
+    const wrinkled = meshes.filter((mesh) => wrinklesOf(mesh)).map(({ name }) => name)
+    expect(new Set(wrinkled)).toEqual(new Set(['face_primitive0', 'face_primitive1']))
+  })
 
   it('wrinkles as its blendshapes move, on all primitives', async () => {
     const { meshes } = await open()

@@ -9,7 +9,7 @@ import { editGlb } from '../../glb.ts'
 import { largestDifference, ROUNDING } from '../difference.ts'
 import { harnessOn, RENDERERS } from '../harness.ts'
 import { litPicture, loadFile } from '../loaded.ts'
-import { driver, WEIGHTS, wrinkledFile } from '../wrinkled-file.ts'
+import { addEyes, driver, WEIGHTS, wrinkledFile } from '../wrinkled-file.ts'
 
 const SIZE = 16
 
@@ -128,6 +128,15 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     expect(await picture({ scene: copy } as GLTF), 'after dispose of the original').toEqual(moved)
     for (const mesh of cloned) wrinklesOf(mesh)!.dispose()
     expect(cloned.map((mesh) => wrinklesOf(mesh))).toEqual([undefined, undefined])
+  })
+
+  it('leaves eyes with the material of the skin plain', async () => {
+    const gltf = await load(await wrinkledFile(undefined, addEyes))
+    expect(wrinklesOf(gltf)).toHaveLength(1)
+    const [wrinkles] = gltf.userData.wrinkles
+    await picture(gltf)
+    expect(meshesOf(gltf).map((mesh) => wrinklesOf(mesh) === wrinkles)).toEqual([false, false, true, true])
+    expect(meshesOf(gltf).map((mesh) => wrinklesOf(mesh) === undefined)).toEqual([true, true, false, false])
   })
 
   it('wrinkles two faces with one material independently', async () => {

@@ -131,11 +131,13 @@ describe('inputs', () => {
 
   it('may not share an output, nor be one', async () => {
     const entry = (input: string, output: string) => ({ input, output, options: {} })
-    await expect(checkEntries([entry('a', 'x.glb'), entry('b', './x.glb')])).rejects.toThrow(
+    await expect(checkEntries([entry('a', 'x.glb'), entry('b', './x.glb')], 'auto')).rejects.toThrow(
       'a and b have one output',
     )
-    await expect(checkEntries([entry('a', './b'), entry('b', 'y')])).rejects.toThrow('an output is an input')
-    await checkEntries([entry('a', 'x'), entry('b', 'y')])
+    await expect(checkEntries([entry('a', './b'), entry('b', 'y')], 'auto')).rejects.toThrow(
+      'an output is an input',
+    )
+    await checkEntries([entry('a', 'x'), entry('b', 'y')], 'auto')
   })
 
   it('may not do so by links either', async () => {
@@ -145,9 +147,30 @@ describe('inputs', () => {
     symlinkSync(input, join(root, 'linked/a.glb'))
     const entry = (output: string) => ({ input, output, options: {} })
     for (const output of [join(link, 'a.glb'), join(root, 'linked/a.glb')])
-      await expect(checkEntries([entry(output)])).rejects.toThrow('an output is an input')
+      await expect(checkEntries([entry(output)], 'auto')).rejects.toThrow('an output is an input')
     const twice = ['in/new/b.glb', 'link/new/b.glb'].map((path) => entry(join(root, 'linked', path)))
-    await expect(checkEntries(twice)).rejects.toThrow('have one output')
+    await expect(checkEntries(twice, 'auto')).rejects.toThrow('have one output')
+  })
+
+  it('may not have outputs over files that they refer to', async () => {
+    write('parts/face.gltf', '{"buffers": [{"uri": "face.glb"}], "images": [{"uri": "../outside.glb"}]}')
+    for (const name of ['parts/face.glb', 'parts/wrinkles.glb', 'outside.glb', 'other.gltf'])
+      write(name, name)
+    write('parts/wrinkles.json', '{"layers": [{"normal": "../outside.glb"}]}')
+    const at = (name: string) => join(root, name)
+    const [auto, pack] = [at('parts/face.gltf'), at('parts')]
+    const refused = [
+      ['auto', auto, 'parts/face.glb', {}],
+      ['auto', auto, 'outside.glb', {}],
+      ['pack', pack, 'parts/wrinkles.glb', {}],
+      ['pack', pack, 'outside.glb', {}],
+      ['pack', at('d'), 'parts/face.glb', { face: auto }],
+    ] as const
+    for (const [command, input, output, options] of refused) {
+      const entries = [{ input, output: at(output), options }]
+      await expect(checkEntries(entries, command), output).rejects.toThrow('an output is an input')
+    }
+    await checkEntries([{ input: auto, output: at('parts/new.glb'), options: {} }], 'auto')
   })
 
   it('must be addresses where they look like some', async () => {

@@ -153,10 +153,12 @@ describe('an input', () => {
     shop.write('split/b.gltf', json)
     const before = shop.files('split')
     const args = [at('face'), '--face', at('split/b.gltf'), '-o', at('split/a.gltf')]
-    await shop.fails(/a-1\.png is the input; .*--force/, 'pack', ...args)
+    await shop.fails(/a-1\.png is the input; name another output$/, 'pack', ...args)
     expect(shop.files('split')).toEqual(before)
     await shop.run('pack', ...args, '--force')
-    expect(await validatorErrors('split/a.gltf')).toEqual([])
+    for (const name of ['split/a.gltf', 'split/b.gltf']) expect(await validatorErrors(name)).toEqual([])
+    const { 'a.gltf': _, ...shared } = before
+    expect(shop.files('split')).toMatchObject(shared)
   })
 })
 

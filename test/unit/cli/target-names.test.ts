@@ -1,5 +1,10 @@
+import { readFileSync } from 'node:fs'
+import { findSkin } from 'furrow-files'
 import { describe, expect, it } from 'vitest'
-import { namesOfTargets } from '../../../packages/files/src/json/gltf-json.ts'
+import { documentOf } from '../../../packages/files/src/gltf/document.ts'
+import { decodeGlb } from '../../../packages/files/src/gltf/glb-file.ts'
+import { namesOfTargets, targetNamesOf } from '../../../packages/files/src/json/gltf-json.ts'
+import { HUMAN } from './auto-variants.ts'
 
 describe('names of blendshapes', () => {
   it('are those of extras.targetNames', () => {
@@ -20,6 +25,71 @@ describe('names of blendshapes', () => {
       '2',
       '3',
       '4',
+    ])
+  })
+})
+
+describe('names that exporters write elsewhere', () => {
+  const read = (mesh: object) => {
+    const json = { asset: { version: '2.0' }, meshes: [mesh] }
+    return decodeGlb(new TextEncoder().encode(JSON.stringify(json)), 'face.gltf', 'test').json.meshes![0]!
+  }
+  const targets = [{ POSITION: 1 }, { POSITION: 2 }]
+  const names = ['browDownLeft', 'jawOpen']
+
+  it.each([
+    ['extras of a primitive', { targets, extras: { targetNames: names } }],
+    [
+      'targets[].extra',
+      { targets: targets.map((target, i) => ({ ...target, extra: { targetName: names[i] } })) },
+    ],
+    [
+      'targets[].extras',
+      { targets: targets.map((target, i) => ({ ...target, extras: { targetName: names[i] } })) },
+    ],
+  ])('are read from %s', (_, primitive) => {
+    const mesh = read({ primitives: [primitive] })
+    expect(targetNamesOf(mesh)).toEqual(names)
+    expect(mesh.primitives[0]!.targets).toEqual(targets)
+  })
+
+  it('do not replace those of the mesh, and are ignored where some are missing', () => {
+    const extras = { targetNames: ['a', 'b'] }
+    expect(
+      targetNamesOf(read({ extras, primitives: [{ targets, extras: { targetNames: names } }] })),
+    ).toEqual(['a', 'b'])
+    const one = [{ POSITION: 1, extra: { targetName: 'a' } }, { POSITION: 2 }]
+    expect(targetNamesOf(read({ primitives: [{ targets: one }] }))).toEqual(['0', '1'])
+  })
+
+  it.each([
+    [
+      'VRM 0',
+      (mesh: number) => ({
+        VRM: {
+          blendShapeMaster: {
+            blendShapeGroups: [{ name: 'BrowInnerUp', binds: [{ mesh, index: 3, weight: 100 }] }],
+          },
+        },
+      }),
+    ],
+    [
+      'VRM 1.0',
+      (_: number, node: number) => ({
+        VRMC_vrm: {
+          expressions: { custom: { BrowInnerUp: { morphTargetBinds: [{ node, index: 3, weight: 1 }] } } },
+        },
+      }),
+    ],
+  ])('are those of the expressions of %s that move one blendshape', async (_, extensionsOf) => {
+    const glb = decodeGlb(readFileSync(HUMAN), HUMAN, 'test')
+    const mesh = glb.json.meshes!.findIndex(({ name }) => name === 'skin')
+    const node = glb.json.nodes!.findIndex((one) => one.mesh === mesh)
+    delete glb.json.meshes![mesh]!.extras
+    glb.json.extensions = extensionsOf(mesh, node)
+    const { skin } = findSkin(await documentOf(glb, HUMAN, 'test'), HUMAN, 'test', 'skin')
+    expect(skin.targets.flatMap(({ name, expression }) => (expression ? [[name, expression]] : []))).toEqual([
+      ['3', 'BrowInnerUp'],
     ])
   })
 })

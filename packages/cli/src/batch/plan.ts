@@ -7,6 +7,7 @@ import { JOB_COMMANDS, type JobCommandName } from './jobs/job-commands.ts'
 import type { JobOptions } from './jobs/job-options.ts'
 import { machineFailure } from './jobs/run-job.ts'
 import { inLanes } from './lanes.ts'
+import { filesRead } from './places/files.ts'
 import { patiently } from './places/passing.ts'
 import { isRemote, placeOf } from './places/places.ts'
 import { lineId, type ResultLine } from './results.ts'
@@ -42,13 +43,13 @@ export interface PlanSource {
 }
 
 /**
- * Throws FurrowError where two inputs have one output, or an output is an input, by links too: the result would depend on which is first, and
- * inputs would be lost.
+ * Throws FurrowError where two inputs have one output, or an output is a file that the command reads, by links too: the result would depend on
+ * which is first, and inputs would be lost.
  */
-export async function checkEntries(entries: readonly Entry[]): Promise<void> {
+export async function checkEntries(entries: readonly Entry[], command: JobCommandName): Promise<void> {
   const written = entries.filter(({ output }) => output !== undefined)
   if (written.length === 0) return
-  const inputs = new Set(await placeKeys(entries.map(({ input }) => input)))
+  const inputs = new Set(await placeKeys(await filesOfEntries(entries, command)))
   const keys = await placeKeys(written.map(({ output }) => output!))
   const outputs = new Map<string, string>()
   for (const [i, { input, output }] of written.entries()) {
@@ -66,6 +67,22 @@ export async function checkEntries(entries: readonly Entry[]): Promise<void> {
     if (inputs.has(key)) throw fault('an output is an input', 'choose another folder of outputs')
     outputs.set(key, input)
   }
+}
+
+/** All that a command reads: inputs and the faces that options name, with the files that they refer to. */
+async function filesOfEntries(entries: readonly Entry[], command: JobCommandName): Promise<string[]> {
+  const { reads, files } = JOB_COMMANDS[command]
+  const faces = files.flatMap((name) => entries.map(({ options }) => String(options[name] ?? '')))
+  const read = [
+    ...entries.map(({ input }) => ({ path: input, reads })),
+    ...[...new Set(faces)].filter(Boolean).map((path) => ({ path, reads: 'file' as const })),
+  ]
+  const found: string[][] = []
+  await inLanes(read, READ_AT_ONCE, async ({ path, reads }) => {
+    // Where an input cannot be looked at, its job tells.
+    found.push(isRemote(path) ? [path] : await filesRead(path, reads).catch(() => [path]))
+  })
+  return [...new Set(found.flat())]
 }
 
 /** The same text for the same place. */

@@ -8,7 +8,7 @@ import {
   explain,
   needsMesh,
 } from 'furrow/internal'
-import { targetNamesOf } from 'furrow-files'
+import { targetNamesOf, targetOfMaterial } from 'furrow-files'
 import { readWrinkledFile } from 'furrow-files/node'
 import { createCommand } from '../command.ts'
 import { allowOutsideOption, assignmentParser, parseWeight } from '../options.ts'
@@ -52,10 +52,8 @@ Examples:
 
 async function activations(path: string, options: Options): Promise<void> {
   const { glb, material, maps } = await readWrinkledFile(path, WHO, options)
-  const mesh = (glb.json.meshes ?? []).find(({ primitives }) =>
-    primitives.some((primitive) => primitive.material === material),
-  )
-  const targetNames = mesh ? targetNamesOf(mesh) : []
+  const target = targetOfMaterial(glb.json, material, maps.drivers)
+  const targetNames = target ? targetNamesOf(glb.json.meshes![target.mesh]) : []
   const weights = weightsOf(targetNames, { ...expressionTargets(options.expression), ...options.set })
   const explanations = explain(maps.drivers, maps.areas, {
     targetNames,

@@ -161,6 +161,7 @@ async function auto(face: string, options: Options): Promise<void> {
     await checkOutputs([join(report, 'index.html')], WHO, { extensions: ['.html'] })
   }
   if (strokes !== undefined) await checkOutputs([strokes], WHO, { ...rules, extensions: ['.json'] })
+  const replacing = { named: [output, strokes], force: options.force ?? false }
   const total = OWN_STEPS + AUTO_STEPS.length + (report === undefined ? 0 : REPORT_STEPS)
   const { found, wrinkles, cost, bytes, warnings } = await withBar('auto', async (progress) => {
     const steps = new Steps(progress, total)
@@ -186,7 +187,7 @@ async function auto(face: string, options: Options): Promise<void> {
     const packed = await packAuto(wrinkles, ktx2, WHO)
     embedWrinkles(glb, found.material, packed, WHO)
     const cost = costOf(await inspectWrinkles(parseWrinkledFile(glb, found.material, WHO), WHO), ktx2)
-    const files = await faceFiles(glb, output, WHO, rules)
+    const files = await faceFiles(glb, output, WHO, replacing)
     const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0)
     if (strokes !== undefined) files.push({ path: strokes, bytes: jsonFile(strokesOf(wrinkles)) })
     const ofSkin = faceWarnings(glb.json, found.material, found.materialName)
@@ -205,7 +206,7 @@ async function auto(face: string, options: Options): Promise<void> {
       steps.begin('writing')
       if (made.missing) warnings.push(`${WHO}: the report has no pictures of the face (${made.missing})`)
     }
-    await writeAll(files, WHO)
+    await writeAll(files, WHO, replacing)
     return { found, wrinkles, cost, bytes, warnings }
   })
   for (const warning of warnings) warn(warning)

@@ -71,7 +71,7 @@ async function makeNormals(path: string, options: Options): Promise<void> {
   const { width, height } = image
   const bump = { width, height, data: inTexels(image, heightRange(width)) }
   const map = withBar('normals', (progress) => bumpToNormal(bump, { green, edges, bits }, progress))
-  await writeAll([{ path: output, bytes: await encodeNormalMap(map) }], WHO)
+  await writeAll([{ path: output, bytes: await encodeNormalMap(map) }], WHO, { named: [output], force })
   const made = { file: output, width, height, bits, green, edges, steepest: steepestSlope(map, bits) }
   const line = json
     ? JSON.stringify(made)

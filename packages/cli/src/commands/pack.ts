@@ -105,6 +105,7 @@ async function pack(folder: string, options: Options): Promise<void> {
   const areasPerImage = Number(options.share) as AreasPerImage
   const rules = { extensions: FACE_EXTENSIONS, inputs: [face], force: options.force ?? false }
   await checkOutputs([output], WHO, rules)
+  const replacing = { named: [output], force: rules.force }
   const document = await readFolder(folder, whiteIsVisible, WHO)
   if (options.face === undefined) await checkOwnFace(face)
   const glb = await readGlbFile(face, WHO, options)
@@ -117,8 +118,8 @@ async function pack(folder: string, options: Options): Promise<void> {
   const morphNormals = options.morphNormals
     ? await withBar('normals', (progress) => addMorphNormals(glb, face, target.mesh, WHO, progress))
     : 0
-  const files = await faceFiles(glb, output, WHO, rules)
-  await writeAll(files, WHO)
+  const files = await faceFiles(glb, output, WHO, replacing)
+  await writeAll(files, WHO, replacing)
 
   const mesh = glb.json.meshes![target.mesh]
   const material = glb.json.materials![target.material]

@@ -3,7 +3,7 @@ import { FurrowError } from 'furrow'
 import { parseStrokes, type Stroke, type StrokesDocument } from 'furrow/author'
 import { didYouMean, fileNamesOf, isFileName, MAX_IMAGE_SIDE, paintedNames } from 'furrow/internal'
 import { layersOf, withCommandErrors } from 'furrow-files'
-import { openSet, readFaceMesh, readJson } from 'furrow-files/node'
+import { openSet, readFaceMesh, readJson, wasRead } from 'furrow-files/node'
 import { createCommand } from '../command.ts'
 import { writeAll } from '../files.ts'
 import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
@@ -88,12 +88,14 @@ async function drawStrokes(path: string, options: Options): Promise<void> {
   await checkOutputs([output, normal, ...maps, ...(set?.images ?? [])], WHO, { inputs, force })
   if (set) await checkOutputs([set.document], WHO, { inputs, force, extensions: ['.json'] })
   const face = await readFaceMesh(options.face, WHO, options)
+  // The folder is updated, but not where the face has its textures in it.
+  const updated = set ? [set.document, ...set.images.filter((image) => !wasRead(image))] : []
   const drawn = await withCommandErrors(WHO, async () => [
     ...(await drawMaps(document, strokes, face, options)),
     ...(await drawAreas(document, face, areas)),
     ...(set ? await drawInto(set, document, json, face, options) : []),
   ])
-  await writeAll(drawn, WHO)
+  await writeAll(drawn, WHO, { named: [output, normal], force, updated })
   print(
     drawn.map(({ path, note }) => `${path}: ${note}`),
     output,

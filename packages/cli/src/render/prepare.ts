@@ -1,10 +1,10 @@
-import { access } from 'node:fs/promises'
+import { access, stat } from 'node:fs/promises'
 import { dirname, join, parse, resolve } from 'node:path'
 import { fileURLToPath, pathToFileURL } from 'node:url'
 import { EXPRESSIONS, FurrowError, findTargets, parseWrinkleSetDocument } from 'furrow'
 import { didYouMean, parseWrinkleMaps, WRINKLE_MAPS } from 'furrow/internal'
 import { cannotRead, encodeGlb, type GltfJson, targetNamesOf } from 'furrow-files'
-import { type ReadOptions, readGlbFile, readJson, resolveInside } from 'furrow-files/node'
+import { type ReadOptions, readGlbFile, readJson, recordRead, resolveInside } from 'furrow-files/node'
 import { type PageJob, PICTURE_DEFAULTS, PICTURE_SIDE, type PictureRequest } from './picture.ts'
 
 const WHO = 'furrow render'
@@ -109,6 +109,8 @@ async function findWrinkles(
   for (const uri of [...maps, ...areas.map(({ image }) => image)]) {
     const real = await resolveInside(path, uri, WHO, options)
     await checkReadable(real)
+    // The page reads it later.
+    recordRead(await stat(real, { bigint: true }))
     // The page finds it by its URI, as a browser resolves that.
     files.set(fileURLToPath(new URL(uri, pathToFileURL(path))), real)
   }

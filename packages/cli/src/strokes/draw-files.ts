@@ -26,6 +26,7 @@ import {
   type OpenSet,
   readBytes,
   readReferenced,
+  wasRead,
 } from 'furrow-files/node'
 import { withBar } from '../progress.ts'
 
@@ -104,7 +105,9 @@ export async function drawInto(
   const on = { canvas, frame: frameOf(face) }
   const { layers, files } = await drawSet(set, open.layers, document, read, on, WHO)
   files.unshift({ path: WRINKLES_FILE, bytes: jsonFile({ ...open.json, layers }) })
-  if (isNew) files.push({ path: STROKES_FILE, bytes: jsonFile(json as object) })
+  // The document that was read may be there already.
+  if (isNew && !wasRead(join(folder, STROKES_FILE)))
+    files.push({ path: STROKES_FILE, bytes: jsonFile(json as object) })
   const drawn = files.map(({ path, bytes }) => ({
     path: join(folder, path),
     bytes,

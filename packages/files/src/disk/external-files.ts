@@ -11,6 +11,7 @@ import {
   type ReadReference,
   type Reference,
 } from '../base/references.ts'
+import { recordRead } from './files-read.ts'
 
 /** Which files besides the named one a command may read. */
 export interface ReadOptions {
@@ -57,7 +58,9 @@ export function referenceReader(file: string, who: string, options: ReadOptions 
   const known = new Map<string, Reference>()
   let total = 0
   const readAt = async (path: string, uri: string): Promise<Reference> => {
-    total += (await stat(path)).size
+    const found = await stat(path, { bigint: true })
+    recordRead(found)
+    total += Number(found.size)
     checkFileBytes(total, `${file} with the files that it refers to`, who)
     try {
       return { bytes: await readFile(path), path }

@@ -5,6 +5,7 @@ import { HEAD_BYTES } from '../base/file-kind.ts'
 import { checkFileBytes, MAX_FILE_BYTES, MAX_JSON_BYTES } from '../base/file-size.ts'
 import { parseJson } from '../base/json-file.ts'
 import { fileProblem, statOf } from './file-status.ts'
+import { recordRead } from './files-read.ts'
 
 /** What the shell has opened, as in `furrow inspect <(...)`. Other pipes may have no writer, and devices no end. */
 const OPEN_FILE = /^\/(dev\/stdin|(dev|proc\/self)\/fd\/\d+)$/
@@ -34,11 +35,13 @@ export async function readBytes(
   let file: FileHandle | undefined
   try {
     file = await open(path)
-    const stats = await file.stat()
+    const stats = await file.stat({ bigint: true })
     if (!stats.isFile()) return await readPipe(file, name, who, most)
-    checkFileBytes(stats.size, name, who, most)
+    recordRead(stats)
+    const size = Number(stats.size)
+    checkFileBytes(size, name, who, most)
     const head = await file.read(Buffer.alloc(HEAD_BYTES), 0, HEAD_BYTES, 0)
-    checkHead(head.buffer.subarray(0, head.bytesRead), stats.size)
+    checkHead(head.buffer.subarray(0, head.bytesRead), size)
     return await file.readFile()
   } catch (error) {
     throw error instanceof FurrowError ? error : cannotRead(who, name, error)

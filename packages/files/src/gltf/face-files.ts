@@ -20,20 +20,33 @@ const IMAGE_EXTENSIONS: Readonly<Record<string, string>> = {
 /**
  * The files of a face, by the name of the output: `.glb` and `.vrm` are one, `.gltf` has its buffer and its images
  * beside it.
+ *
+ * @param isFree whether a file beside it may have a path; otherwise it gets another number. Any path by default.
  */
-export function filesOfFace(glb: Glb, path: string): OutputFile[] {
-  return path.toLowerCase().endsWith('.gltf') ? splitFile(glb, path) : [{ path, bytes: encodeGlb(glb) }]
+export function filesOfFace(
+  glb: Glb,
+  path: string,
+  isFree: (path: string) => boolean = () => true,
+): OutputFile[] {
+  return path.toLowerCase().endsWith('.gltf')
+    ? splitFile(glb, path, isFree)
+    : [{ path, bytes: encodeGlb(glb) }]
 }
 
-function splitFile(glb: Glb, path: string): OutputFile[] {
+function splitFile(glb: Glb, path: string, isFree: (path: string) => boolean): OutputFile[] {
   const { name } = parse(path)
   const beside = (file: string) => join(dirname(path), file)
+  let count = 0
+  const numbered = (extension: string): string => {
+    const file = `${name}-${++count}.${extension}`
+    return isFree(beside(file)) ? file : numbered(extension)
+  }
   const json = structuredClone(glb.json)
   const files: OutputFile[] = []
   const images = imageViews(json)
   for (const [view, users] of images) {
     const { byteOffset = 0, byteLength } = json.bufferViews![view]
-    const file = `${name}-${files.length + 1}.${IMAGE_EXTENSIONS[users[0].mimeType!]}`
+    const file = numbered(IMAGE_EXTENSIONS[users[0].mimeType!])
     files.push({ path: beside(file), bytes: glb.bin.subarray(byteOffset, byteOffset + byteLength) })
     for (const image of users) {
       delete image.bufferView
@@ -42,8 +55,9 @@ function splitFile(glb: Glb, path: string): OutputFile[] {
   }
   const bin = removeViews(json, glb.bin, images)
   if (bin.length > 0) {
-    Object.assign(json.buffers![0], { uri: encodeURIComponent(`${name}.bin`), byteLength: bin.length })
-    files.push({ path: beside(`${name}.bin`), bytes: bin })
+    const file = isFree(beside(`${name}.bin`)) ? `${name}.bin` : numbered('bin')
+    Object.assign(json.buffers![0], { uri: encodeURIComponent(file), byteLength: bin.length })
+    files.push({ path: beside(file), bytes: bin })
   }
   files.push({ path, bytes: utf8(`${JSON.stringify(json, null, 2)}\n`) })
   return files

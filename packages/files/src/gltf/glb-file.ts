@@ -5,6 +5,7 @@ import type { ReadReference } from '../base/references.ts'
 import { costProblem } from '../checks/document.ts'
 import { shapeProblem } from '../checks/shape.ts'
 import type { GltfJson } from '../json/gltf-json.ts'
+import { hoistTargetNames } from '../json/hoist-target-names.ts'
 import { embedFiles } from './embed-files.ts'
 import type { Glb } from './glb.ts'
 import { NAME_FACE, otherFormat, unusable } from './not-gltf.ts'
@@ -47,6 +48,7 @@ export function decodeGlb(bytes: Uint8Array, path: string, who: string): Glb {
   } catch (error) {
     throw unusable(path, who, `its JSON is malformed (${firstLine(error)})`)
   }
+  hoistTargetNames(json)
   const wrong = shapeProblem(json)
   if (wrong) {
     const isOther = (json as { asset?: unknown } | null)?.asset === undefined

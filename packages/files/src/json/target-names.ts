@@ -1,5 +1,6 @@
-import { LONGEST_NAME } from 'furrow/internal'
-import type { GltfJson, GltfMesh } from './gltf-json.ts'
+import type { WrinkleDriver } from 'furrow'
+import { drivenFaces, LONGEST_NAME } from 'furrow/internal'
+import { type GltfJson, type GltfMesh, targetNamesOf } from './gltf-json.ts'
 
 /** The mesh or material that commands choose when none is named and several exist. */
 export const DEFAULT_NAME = 'skin'
@@ -16,11 +17,34 @@ export interface TargetNames {
   material?: string | undefined
 }
 
-/** Names by which `findTarget` finds a material with wrinkles and the first mesh that has it; an index where no name does. */
-export function namesOfTarget(json: GltfJson, material: number): TargetNames {
-  const mesh = meshesOf(json).find(({ index }) => {
+/**
+ * Indices of a material with wrinkles and of the mesh that its drivers move; see `drivenFaces`.
+ *
+ * @returns undefined where no mesh has the material.
+ */
+export function targetOfMaterial(
+  json: GltfJson,
+  material: number,
+  drivers: readonly WrinkleDriver[],
+): Target | undefined {
+  const meshes = meshesOf(json).filter(({ index }) => {
     return materialsOf(json, index).some(({ target }) => target.material === material)
   })
+  const measure = ({ index }: Candidate) => {
+    const mesh = json.meshes![index]
+    const counts = mesh.primitives.map(({ attributes }) => {
+      const position = json.accessors?.[attributes?.POSITION ?? -1] as { count?: number } | undefined
+      return position?.count ?? 0
+    })
+    return { targets: targetNamesOf(mesh), vertices: Math.max(0, ...counts) }
+  }
+  const [mesh] = drivenFaces(meshes, measure, drivers)
+  return mesh && { mesh: mesh.index, material }
+}
+
+/** Names by which `findTarget` finds a mesh and its material; an index where no name does. */
+export function namesOfTarget(json: GltfJson, { mesh: index, material }: Target): TargetNames {
+  const mesh = meshesOf(json).find((one) => one.index === index)
   if (!mesh) return {}
   return {
     mesh: uniqueName(meshesOf(json), mesh),

@@ -2,6 +2,7 @@ import type { Accessor, Material, Mesh, Node, Primitive } from '@gltf-transform/
 import type { Skin } from 'furrow/author'
 import { joinParts, type SkinPart } from 'furrow/internal'
 import { Matrix4 } from 'three'
+import { expressionsOf } from '../gltf/document.ts'
 import { namesOfTargets } from '../json/gltf-json.ts'
 import { readCoordinates } from './coordinates.ts'
 import { placementOf } from './mesh-nodes.ts'
@@ -11,7 +12,7 @@ export function readSkin(mesh: Mesh, primitives: readonly Primitive[], material:
   const targets = Math.max(0, ...primitives.map((primitive) => primitive.listTargets().length))
   const names = namesOfTargets(mesh.getExtras().targetNames, targets)
   const parts = primitives.map((primitive) => partOf(primitive, material))
-  return joinParts(parts, names, placementOfMesh(mesh))
+  return joinParts(parts, names, placementOfMesh(mesh), expressionsOf(mesh))
 }
 
 function partOf(primitive: Primitive, material: Material): SkinPart {

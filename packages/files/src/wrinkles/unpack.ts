@@ -9,7 +9,7 @@ import { imageOf, isKtx2 } from '../gltf/texture-image.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
 import { paintedArea } from '../images/painted-area.ts'
 import { isOpaque, withoutAlpha } from '../images/pixels.ts'
-import { namesOfTarget } from '../json/target-names.ts'
+import { namesOfTarget, targetOfMaterial } from '../json/target-names.ts'
 import { addressOf, STROKES_FILE, WRINKLES_FILE } from './folder-document.ts'
 import { weightsOf } from './inspect.ts'
 import { MAP_SLOTS } from './map-slots.ts'
@@ -85,9 +85,10 @@ export async function unpackWrinkles(
 
   const { strokes, problem } = strokesIn(file, `${who}: the strokes are left out`)
   if (strokes) outputs.push({ path: STROKES_FILE, bytes: jsonFile(strokes) })
+  const target = targetOfMaterial(file.glb.json, file.material, maps.drivers)
   const document: WrinkleSetDocument = {
     version: 1,
-    ...namesOfTarget(file.glb.json, file.material),
+    ...(target && namesOfTarget(file.glb.json, target)),
     layers,
     areas: areaEntries,
     ...(maps.drivers.length > 0 && { drivers: maps.drivers }),

@@ -4,7 +4,7 @@ import { FurrowError } from 'furrow'
 import { createCommand } from '../../command.ts'
 import { onInterruption } from '../../interruption.ts'
 import { numberParser } from '../../options.ts'
-import { checkFolder } from '../../outputs.ts'
+import { checkFolder, checkReplaced } from '../../outputs.ts'
 import { print } from '../../print.ts'
 import { version } from '../../version.ts'
 import type { Entry } from '../inputs/entry.ts'
@@ -109,7 +109,7 @@ async function batch(
       ? (await listInputs(inputs, reads)).map((one) => ({ ...one, options: passed }))
       : await readManifest(manifest, options.command, passed)
   const all = listed.map((one) => entryOf(one, writes, output))
-  await checkEntries(all)
+  await checkEntries(all, options.command)
   const entries = shard ? all.filter(({ input }) => isInShard(input, shard)) : all
   const results = options.results ?? (output === undefined || isRemote(output) ? DEFAULT_RESULTS : output)
   await checkFolder(results, WHO)
@@ -121,6 +121,8 @@ async function batch(
     page: join(results, `report${part}.html`),
     thumbnails,
   }
+  // A manifest may be in the folder of results.
+  checkReplaced([todo.results, todo.page], WHO)
   const counts =
     redis === undefined ? await runHere(todo, options) : await runBatch(todo, redisEngine(redis, version))
   if (counts.failed > 0) process.exitCode = 1

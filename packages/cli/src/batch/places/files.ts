@@ -1,10 +1,10 @@
 import { createHash, type Hash } from 'node:crypto'
-import { createReadStream } from 'node:fs'
+import { createReadStream, type Dirent } from 'node:fs'
 import { readdir } from 'node:fs/promises'
-import { join, relative, sep } from 'node:path'
+import { basename, join, relative, sep } from 'node:path'
 import { pipeline } from 'node:stream/promises'
 import { FurrowError } from 'furrow'
-import { cannotRead, dataOf, MAX_JSON_BYTES, parseJson } from 'furrow-files'
+import { cannotRead, dataOf, MAX_JSON_BYTES, parseJson, WRINKLES_FILE } from 'furrow-files'
 import { fileProblem, readBytes, resolveInside, statOf } from 'furrow-files/node'
 import { writeAll } from '../../files.ts'
 import type { Place } from './place.ts'
@@ -28,7 +28,8 @@ export const files: Place = {
     throw changed(path)
   },
   read: (path) => readBytes(path, WHO),
-  put: (path, bytes) => writeAll([{ path, bytes }], WHO),
+  // A batch checks all its outputs before it begins.
+  put: (path, bytes) => writeAll([{ path, bytes }], WHO, { updated: [path] }),
   async sizeOf(path) {
     return (await statOf(path))?.size
   },
@@ -61,32 +62,51 @@ async function addFace(hash: Hash, path: string): Promise<void> {
   }
 }
 
-/** What is wanted of a file that may hold anything. */
-interface Gltf {
-  buffers?: { uri?: unknown }[]
-  images?: { uri?: unknown }[]
+/** The addresses in a `.gltf` that are no data. What is not glTF has none: the command refuses it. */
+async function urisOf(path: string): Promise<string[]> {
+  const { buffers, images } = Object(await readAnyJson(path))
+  const uris: unknown[] = [buffers, images].flat().map((one) => Object(one).uri)
+  return uris.filter((uri): uri is string => typeof uri === 'string' && !dataOf(uri))
 }
 
-async function urisOf(path: string): Promise<string[]> {
+async function readAnyJson(path: string): Promise<unknown> {
   try {
-    const { buffers = [], images = [] } = parseJson(
-      await readBytes(path, WHO, '', { most: MAX_JSON_BYTES }),
-      path,
-      WHO,
-    ) as Gltf
-    const uris = [...buffers, ...images].map((one) => one?.uri)
-    return uris.filter((uri): uri is string => typeof uri === 'string' && !dataOf(uri))
+    return parseJson(await readBytes(path, WHO, '', { most: MAX_JSON_BYTES }), path, WHO)
   } catch {
-    // What is not glTF is refused by the command.
-    return []
+    return undefined
   }
 }
 
+/** All texts in a value. */
+function textsIn(value: unknown): string[] {
+  if (typeof value === 'string') return [value]
+  return typeof value === 'object' && value !== null ? Object.values(value).flatMap(textsIn) : []
+}
+
+/**
+ * Paths of all files that a command may read for an input of this machine: the input, or all files in it, and those that they
+ * refer to, also elsewhere.
+ */
+export async function filesRead(path: string, reads: 'file' | 'folder'): Promise<string[]> {
+  const own = reads === 'file' ? [path] : (await entriesOf(path)).filter(isFileOrLink).map(pathIn)
+  const lists = own.map(async (file) => {
+    const isGltf = file.toLowerCase().endsWith('.gltf')
+    if (!isGltf && basename(file) !== WRINKLES_FILE) return [file]
+    const uris = isGltf ? await urisOf(file) : textsIn(await readAnyJson(file))
+    const found = uris.map((uri) => resolveInside(file, uri, WHO, { allowOutside: true }).catch(() => []))
+    return [file, ...(await Promise.all(found)).flat()]
+  })
+  return (await Promise.all(lists)).flat()
+}
+
+const entriesOf = (folder: string) => readdir(folder, { recursive: true, withFileTypes: true })
+
+const pathIn = ({ parentPath, name }: Dirent) => join(parentPath, name)
+
+const isFileOrLink = (entry: Dirent) => entry.isFile() || entry.isSymbolicLink()
+
 async function addFolder(hash: Hash, folder: string): Promise<void> {
-  const entries = await readdir(folder, { recursive: true, withFileTypes: true })
-  const paths = entries
-    .filter((entry) => entry.isFile())
-    .map(({ parentPath, name }) => join(parentPath, name))
+  const paths = (await entriesOf(folder)).filter((entry) => entry.isFile()).map(pathIn)
   for (const path of paths.sort()) {
     hash.update(`\0${relative(folder, path).split(sep).join('/')}\0`)
     await addFile(hash, path)

@@ -3,11 +3,13 @@ import type { GLTFLoader } from '@babylonjs/loaders/glTF/2.0/glTFLoader.js'
 import type { IGLTFLoaderExtension } from '@babylonjs/loaders/glTF/2.0/glTFLoaderExtension.js'
 import type { INode, IScene } from '@babylonjs/loaders/glTF/2.0/glTFLoaderInterfaces.js'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
+import { drivenFaces, type FaceMeasure } from '../../runtime/file/driven-faces.ts'
 import type { GltfSource } from '../../runtime/file/gltf-source.ts'
 import { notFetched } from '../../runtime/file/image-faults.ts'
 import { extensionOf, type FileWrinkles, wrinkleReader } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
 import type { LoaderOptions, WrinklesOptions } from '../options.ts'
+import { targetNames } from '../sources/morph.ts'
 import { WrinkledMesh } from '../wrinkled-mesh.ts'
 
 /** A face of a file: meshes of one node that have one material with the extension. */
@@ -51,12 +53,23 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
       this.#warnings.add(fault, 'the other drivers work'),
     )
     const first = new Map<FileWrinkles['set'], WrinkledMesh>()
-    for (const { meshes, material } of faces) {
-      try {
-        this.#add(meshes, await read(material), first)
-      } catch (error) {
+    for (const material of new Set(faces.map(({ material }) => material))) {
+      const own = faces.filter((face) => face.material === material)
+      const stayPlain = (error: unknown) => {
         const name = this.#loader.gltf.materials?.[material].name ?? material
         this.#warnings.add(error, `material ${JSON.stringify(name)} stays plain`)
+      }
+      try {
+        const wrinkles = await read(material)
+        for (const { meshes } of drivenFaces(own, measureOf, wrinkles.drivers)) {
+          try {
+            this.#add(meshes, wrinkles, first)
+          } catch (error) {
+            stayPlain(error)
+          }
+        }
+      } catch (error) {
+        stayPlain(error)
       }
     }
   }
@@ -75,6 +88,13 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
       throw error
     }
     if (!first.has(set)) first.set(set, own)
+  }
+}
+
+function measureOf({ meshes }: FileFace): FaceMeasure {
+  return {
+    targets: targetNames(meshes[0].morphTargetManager),
+    vertices: meshes.reduce((sum, mesh) => sum + mesh.getTotalVertices(), 0),
   }
 }
 

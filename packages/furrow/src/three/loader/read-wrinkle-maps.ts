@@ -1,5 +1,6 @@
-import type { Mesh, Object3D } from 'three'
+import type { Material, Mesh, Object3D } from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
+import { drivenFaces } from '../../runtime/file/driven-faces.ts'
 import type { GltfSource } from '../../runtime/file/gltf-source.ts'
 import {
   extensionOf,
@@ -7,17 +8,10 @@ import {
   type OnFault,
   wrinkleReader,
 } from '../../runtime/file/read-wrinkles.ts'
-import { surfaceOf } from '../material/surface.ts'
+import { surfaceOf, withSurface } from '../material/surface.ts'
 import type { RaisedLayer } from '../relief/raised-layer.ts'
+import { targetNames } from '../sources/morph.ts'
 import { readImageBytes } from './image-bytes.ts'
-
-/** A face of a file: meshes that have one material with the extension. */
-export interface FileFace {
-  /** The primitives of a glTF mesh. The first one drives. */
-  meshes: [Mesh, ...Mesh[]]
-  /** Index of the material in the file. */
-  material: number
-}
 
 /** The wrinkles of one face in a file. */
 export interface LoadedWrinkles extends FileWrinkles {
@@ -33,16 +27,16 @@ type Parser = GLTF['parser']
  *
  * @param gltf what the loader returned.
  * @param parser the loader's, `gltf.parser` by default.
- * @returns one entry for each face that has the extension.
+ * @returns one entry for each face that has the extension: of several meshes with its material, for those that its drivers move.
  * @throws FurrowError when the extension is malformed or an image cannot be read.
  */
 export async function readWrinkleMaps(gltf: GLTF, parser: Parser = gltf.parser): Promise<LoadedWrinkles[]> {
-  const readMaterial = materialReader(parser)
+  const read = materialReader(parser)
   const found: LoadedWrinkles[] = []
-  for (const { meshes, material } of wrinkledFaces(gltf, parser)) {
-    const read = await readMaterial(material)
-    await Promise.all(read.set.layers.map(decodeHeight))
-    found.push({ meshes, ...read })
+  for (const { material, faces } of wrinkledMaterials(gltf, parser)) {
+    const wrinkles = await read(material)
+    await Promise.all(wrinkles.set.layers.map(decodeHeight))
+    for (const meshes of chooseFaces(faces, wrinkles)) found.push({ meshes, ...wrinkles })
   }
   return found
 }
@@ -53,14 +47,45 @@ async function decodeHeight(layer: RaisedLayer): Promise<void> {
   delete layer.readHeight
 }
 
-/** The faces whose materials have the extension, malformed or not. */
-export function wrinkledFaces(gltf: GLTF, parser: Parser): FileFace[] {
-  return facesOf(gltf, parser).flatMap((meshes) => {
+/** A material with wrinkles and the meshes that have it. */
+export interface WrinkledMaterial {
+  /** Its index in the file. */
+  material: number
+  /** See `facesOf`. */
+  faces: [Mesh, ...Mesh[]][]
+}
+
+/** The materials with the extension, malformed or not. */
+export function wrinkledMaterials(gltf: GLTF, parser: Parser): WrinkledMaterial[] {
+  const found = new Map<number, WrinkledMaterial>()
+  for (const meshes of facesOf(gltf, parser)) {
     // The loader clones materials; the clones are of the same material in the file.
     const material = parser.associations.get(surfaceOf(meshes[0]))?.materials
-    if (material === undefined || extensionOf(material, parser) === undefined) return []
-    return { meshes, material }
+    if (material === undefined || extensionOf(material, parser) === undefined) continue
+    const known = found.get(material) ?? { material, faces: [] }
+    known.faces.push(meshes)
+    found.set(material, known)
+  }
+  return [...found.values()]
+}
+
+/** Those of some meshes with one material that its drivers move; see `drivenFaces`. */
+export function chooseFaces(
+  faces: readonly [Mesh, ...Mesh[]][],
+  { drivers }: Pick<FileWrinkles, 'drivers'>,
+): [Mesh, ...Mesh[]][] {
+  const measure = (meshes: readonly Mesh[]) => ({
+    targets: targetNames(meshes[0]),
+    vertices: meshes.reduce((sum, { geometry }) => sum + (geometry.attributes.position?.count ?? 0), 0),
   })
+  return drivenFaces(faces, measure, drivers)
+}
+
+/** Gives meshes that are no face a copy of the material, which stays plain. */
+export function separateOthers(others: readonly Mesh[], surface: Material): void {
+  if (others.length === 0) return
+  const plain = surface.clone()
+  for (const mesh of others) mesh.material = withSurface(mesh, surface, plain)
 }
 
 /** `wrinkleReader` of a file that `GLTFLoader` loads. */

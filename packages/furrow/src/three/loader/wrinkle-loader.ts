@@ -23,7 +23,14 @@ import { Adoption, type WatchDraws } from './adoption.ts'
 import type { AddFace } from './auto-wrinkles.ts'
 import { DeclaredWrinkles } from './declared-wrinkles.ts'
 import { addActivationTracks, dropBrokenChannels, type LoadedFace } from './key-frames.ts'
-import { type FileFace, facesOf, materialReader, wrinkledFaces } from './read-wrinkle-maps.ts'
+import {
+  chooseFaces,
+  facesOf,
+  materialReader,
+  separateOthers,
+  type WrinkledMaterial,
+  wrinkledMaterials,
+} from './read-wrinkle-maps.ts'
 
 /** The `Wrinkles` class of a renderer. */
 type WrinklesClass = new (
@@ -93,7 +100,7 @@ export class WrinkleLoader {
     this.#declared.restore()
     const faces: LoadedFace[] = []
     const addFace: AddFace = (meshes, read) => this.#addFace(meshes, read, gltf)
-    const wrinkled = wrinkledFaces(gltf, this.#parser)
+    const wrinkled = wrinkledMaterials(gltf, this.#parser)
     if (this.#auto && wrinkled.length === 0) {
       const options = { areaSize: this.#options.areaSize, ...this.#auto }
       try {
@@ -103,14 +110,25 @@ export class WrinkleLoader {
         this.#warnings.add(error, 'the file stays plain')
       }
     }
-    for (const { meshes, material } of wrinkled) {
-      try {
-        const own = await addFace(meshes, await this.#read(material))
-        wrinkles.push(own)
-        faces.push({ material, wrinkles: own })
-      } catch (error) {
+    for (const own of wrinkled) {
+      const { material } = own
+      const stayPlain = (error: unknown) => {
         const { name } = this.#parser.json.materials[material]
         this.#warnings.add(error, `material ${JSON.stringify(name ?? material)} stays plain`)
+      }
+      try {
+        const read = await this.#read(material)
+        for (const meshes of separatedFaces(own, read)) {
+          try {
+            const added = await addFace(meshes, read)
+            wrinkles.push(added)
+            faces.push({ material, wrinkles: added })
+          } catch (error) {
+            stayPlain(error)
+          }
+        }
+      } catch (error) {
+        stayPlain(error)
       }
     }
     if (faces.length === 0 || !hasPointers(this.#parser)) return
@@ -123,7 +141,7 @@ export class WrinkleLoader {
   }
 
   async #addFace(
-    meshes: FileFace['meshes'],
+    meshes: [Mesh, ...Mesh[]],
     { set, drivers }: FileWrinkles,
     file: GLTF,
   ): Promise<WrinklesBase> {
@@ -203,6 +221,14 @@ export class WrinkleLoader {
       delete (mesh as Partial<Mesh>).clone
     })
   }
+}
+
+/** The faces of a material; other meshes that have it stay plain. */
+function separatedFaces({ faces }: WrinkledMaterial, read: FileWrinkles): [Mesh, ...Mesh[]][] {
+  const chosen = chooseFaces(faces, read)
+  const others = faces.filter((meshes) => !chosen.includes(meshes)).flat()
+  separateOthers(others, surfaceOf(faces[0][0]))
+  return chosen
 }
 
 function withoutParser(given: unknown): FurrowError {

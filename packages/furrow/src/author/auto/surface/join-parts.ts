@@ -22,11 +22,13 @@ const NO_VERTEX = 2 ** 31
  *
  * @param names of the targets.
  * @param placement 4 x 4 matrix from mesh to world space, column by column; the identity by default.
+ * @param expressions names of a VRM's expressions that move one target alone, by its index.
  */
 export function joinParts(
   parts: readonly SkinPart[],
   names: readonly string[],
   placement?: ArrayLike<number>,
+  expressions?: ReadonlyMap<number, string>,
 ): Skin {
   const used = parts.map(usedVertices)
   const total = used.reduce((sum, { vertices }) => sum + vertices.length, 0)
@@ -50,7 +52,11 @@ export function joinParts(
     transform(positions, placement, 1)
     for (const offset of offsets) transform(offset, placement, 0)
   }
-  return { positions, uvs, indices, targets: names.map((name, k) => ({ name, offsets: offsets[k] })) }
+  const targets = names.map((name, k) => {
+    const expression = expressions?.get(k)
+    return { name, ...(expression !== undefined && { expression }), offsets: offsets[k] }
+  })
+  return { positions, uvs, indices, targets }
 }
 
 /** The vertices that triangles use, ascending, and each triangle's corners as indices into them. Plain loops: there may be millions. */

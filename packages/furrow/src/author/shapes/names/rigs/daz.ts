@@ -2,7 +2,7 @@ import type { RigNames } from '../rig-names.ts'
 
 /** Daz: Genesis 8.1 and 9 have ARKit's names after `facs_bs_`, `facs_ctrl_` or `facs_jnt_`, and Genesis 3 and 8 names after `eCTRL`. */
 export const DAZ: RigNames = {
-  source: 'https://github.com/daz3d/DazToUnreal',
+  source: 'https://github.com/daz3d/DazBridgeUtils',
   same: {
     BrowsDown: 'browDown',
     BrowsInnerUp: 'browInnerUp',

@@ -2,7 +2,7 @@ import type { RigNames } from '../rig-names.ts'
 
 /** Meta's Movement SDK: `BROW_LOWERER_L`, and the same names in capitals and small letters of `OVRFaceExpressions`. */
 export const META: RigNames = {
-  source: 'https://developers.meta.com/horizon/documentation/unity/move-ref-blendshapes',
+  source: 'https://docs.vrcft.io/docs/tutorial-avatars/tutorial-avatars-extras/compatibility/meta-movement',
   same: {
     BROW_LOWERER: 'browDown',
     INNER_BROW_RAISER: 'browInnerUp',

@@ -2,7 +2,7 @@ import type { RigNames } from '../rig-names.ts'
 
 /** MikuMikuDance: customary names of morphs. A wink without a side closes the left eye. */
 export const MMD: RigNames = {
-  source: 'https://learnmmd.com/http:/learnmmd.com/mmd-facial-expressions-chart/',
+  source: 'https://pingpongfrog.com/archives/2959',
   same: {
     まばたき: 'eyeBlink',
     ウィンク2: 'eyeBlinkLeft',

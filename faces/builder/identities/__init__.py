@@ -1,0 +1,1 @@
+"""Random heads for tests: shapes of many people, without maps."""

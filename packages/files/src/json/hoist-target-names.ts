@@ -1,0 +1,35 @@
+const isObject = (value: unknown): value is Record<string, unknown> =>
+  typeof value === 'object' && value !== null && !Array.isArray(value)
+const listOf = (value: unknown): unknown[] => (Array.isArray(value) ? value : [])
+
+/**
+ * Moves names of blendshapes to `extras.targetNames` of their mesh, where glTF's readers look for them. Some exporters write them to
+ * `extras.targetNames` of primitives, or to `targets[].extra.targetName`, which glTF forbids.
+ *
+ * @param json of a file, in which anything may be malformed; it is changed.
+ */
+export function hoistTargetNames(json: unknown): void {
+  for (const mesh of listOf(isObject(json) ? json.meshes : undefined)) {
+    if (!isObject(mesh)) continue
+    const found = listOf(mesh.primitives).filter(isObject).flatMap(takeNames)
+    if (found.length === 0 || (isObject(mesh.extras) && Array.isArray(mesh.extras.targetNames))) continue
+    mesh.extras = { ...(isObject(mesh.extras) && mesh.extras), targetNames: found[0] }
+  }
+}
+
+/** The names that a primitive has; nothing where some of its blendshapes have none. */
+function takeNames({ targets, extras }: Record<string, unknown>): string[][] {
+  const all = listOf(targets).filter(isObject)
+  const own = all.map((target) => {
+    const name = [target.extra, target.extras].filter(isObject).map(({ targetName }) => targetName)[0]
+    // Not an attribute, as everything else in a target is.
+    if (isObject(target.extra)) delete target.extra
+    if (isObject(target.extras)) delete target.extras
+    return name
+  })
+  const candidates = [isObject(extras) ? listOf(extras.targetNames) : [], own]
+  return candidates.filter(
+    (names): names is string[] =>
+      names.length === all.length && names.length > 0 && names.every((name) => typeof name === 'string'),
+  )
+}
