@@ -1,14 +1,17 @@
 // `furrow batch --redis` and `furrow worker` with a real Redis, while workers, Redis and the batch itself are killed.
 
 import { type ChildProcess, spawn } from 'node:child_process'
-import { readdirSync, readFileSync } from 'node:fs'
+import { readdirSync, readFileSync, statSync } from 'node:fs'
 import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises'
 import { createServer } from 'node:net'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { setTimeout as sleep } from 'node:timers/promises'
-import { afterEach, beforeEach, expect, it } from 'vitest'
+import { Queue, Worker } from 'bullmq'
+import { afterEach, beforeEach, expect, it, vi } from 'vitest'
+import { queueName } from '../../packages/cli/src/batch/queue/redis.ts'
 import type { ResultLine } from '../../packages/cli/src/batch/results.ts'
+import { version } from '../../packages/cli/src/version.ts'
 import { runFurrow, startFurrow } from '../pages/run-furrow.ts'
 import { isWhole, makeFaces } from './faces.ts'
 
@@ -130,4 +133,46 @@ it('a worker that is asked to end does first what it has begun', async () => {
   expect(await ended).toBe(0)
   expectAllThere()
   expect(results().every(({ attempts }) => attempts === 1)).toBe(true)
+})
+
+it.each([null, {}, 'text', { status: 'done', warnings: 5 }])(
+  'what a worker reports as %j fails its jobs, and the batch ends',
+  async (value) => {
+    const worker = new Worker(queueName(version), async () => value, { connection: { port } })
+    const { code, stdout, stderr } = await runFurrow(folder, {}, ...WORDS, '--redis', url())
+    await worker.close()
+    expect([code, stderr]).toEqual([1, ''])
+    expect(JSON.parse(stdout)).toMatchObject({ inputs: COUNT, failed: COUNT })
+    for (const { reason } of results())
+      expect(reason).toMatch(/^its result in Redis cannot be used \(a worker: /)
+  },
+)
+
+it.each([null, { command: 'auto' }, { command: 'none', input: 5 }])(
+  'a job that is %j does not end a worker',
+  async (data) => {
+    const worker = startWorker()
+    const ended = vi.fn()
+    worker.once('close', ended)
+    const queue = new Queue(queueName(version), { connection: { port } })
+    await queue.add('auto', data)
+    const { code } = await runFurrow(folder, {}, ...WORDS, '--redis', url())
+    await queue.close()
+    expect(code).toBe(0)
+    expect(ended).not.toHaveBeenCalled()
+    expectAllThere()
+  },
+)
+
+it('a worker that is killed leaves no files behind', async () => {
+  const tmp = join(folder, 'tmp')
+  await mkdir(tmp)
+  const worker = keep(startFurrow(folder, { TMPDIR: tmp }, 'worker', '--redis', url(), '--jobs', '1'))
+  const batch = keep(startFurrow(folder, {}, ...WORDS, '--redis', url()))
+  await untilDone(1)
+  const [own] = readdirSync(tmp)
+  expect(statSync(join(tmp, own)).mode & 0o777).toBe(0o700)
+  await end(worker)
+  await end(batch)
+  await expect.poll(() => readdirSync(tmp)).toEqual([])
 })

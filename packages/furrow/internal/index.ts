@@ -56,6 +56,7 @@ export { BLOOD_ABSORPTION, BLOOD_AT_REST, MAX_BLOOD_AMPLITUDE } from '../src/cor
 export type { Bounds } from '../src/core/bounds.ts'
 export { CHANNEL, channelOf } from '../src/core/channels.ts'
 export { resampleGray } from '../src/core/image.ts'
+export { JsonReader } from '../src/core/json.ts'
 export {
   DEFAULT_AREA_SIZE,
   LONGEST_NAME,

@@ -16,6 +16,7 @@ import { readManifest } from '../../../packages/cli/src/batch/inputs/manifest.ts
 import { isInShard, parseShard } from '../../../packages/cli/src/batch/inputs/shard.ts'
 import { type Job, keyOf } from '../../../packages/cli/src/batch/jobs/job.ts'
 import { parseJobOptions, wordsOf } from '../../../packages/cli/src/batch/jobs/job-options.ts'
+import { parseJob } from '../../../packages/cli/src/batch/jobs/records.ts'
 import { runJob } from '../../../packages/cli/src/batch/jobs/run-job.ts'
 import { inLanes } from '../../../packages/cli/src/batch/lanes.ts'
 import { performTasks } from '../../../packages/cli/src/batch/perform.ts'
@@ -385,6 +386,62 @@ describe('a plan', () => {
     for (const kind of ['memory', 'time', 'crash', 'machine'] as const) {
       expect((await failed(kind)).tasks).toHaveLength(1)
     }
+  })
+})
+
+describe('results that were read back', () => {
+  const good = line('a.glb')
+
+  it.each<[unknown, string]>([
+    [null, 'a result must be an object'],
+    [5, 'a result must be an object'],
+    [{ ...good, input: 5 }, 'input must be text'],
+    [{ ...good, status: 'maybe' }, 'status is unknown'],
+    [{ ...good, warnings: 5 }, 'warnings must be an array'],
+    [{ ...good, warnings: [{}] }, 'warnings[0] must be text'],
+    [{ ...good, seconds: '1' }, 'seconds must be a number'],
+    [{ ...good, bytes: -1 }, 'bytes is out of range'],
+    [{ ...good, result: [] }, 'result must be an object'],
+    [{ ...good, status: 'failed' }, 'reason must be text'],
+  ])('and are %j are ignored, with one line for all', (wrong, problem) => {
+    const lines = [good, wrong, line('b.glb'), wrong]
+    const path = write('bad.jsonl', `${lines.map((each) => JSON.stringify(each)).join('\n')}\n{"cut`)
+    const warned = vi.spyOn(console, 'error').mockImplementation(() => {})
+    expect([...readResults(path).values()]).toEqual([good, line('b.glb')])
+    expect(warned.mock.calls).toHaveLength(1)
+    expect(warned.mock.calls[0][0]).toContain(
+      `furrow batch: ${path} has 2 lines that cannot be used; the first is line 2`,
+    )
+    expect(warned.mock.calls[0][0]).toContain(problem)
+    warned.mockRestore()
+  })
+
+  it('keep no field that is unknown, and any text', () => {
+    const known = line('f\u00e4ce \u{1f600}.glb'.repeat(5000))
+    const path = write('more.jsonl', JSON.stringify({ ...known, place: '../../etc', __proto__: null }))
+    expect([...readResults(path).values()]).toEqual([known])
+  })
+})
+
+describe('a job in a queue', () => {
+  const job: Job = { key: 'k', command: 'auto', input: 'a', identity: 'i', output: 'a.glb', options: {} }
+
+  it('is read as it was put', () => {
+    const options = parseJobOptions('auto', ['--age', '40', '--furrows', '--regions', 'neck', 'chin'])
+    expect(parseJob(JSON.parse(JSON.stringify({ ...job, options })), 'test')).toEqual({ ...job, options })
+  })
+
+  it.each<[unknown, string]>([
+    [null, 'a job must be an object'],
+    [{ ...job, command: 'worker' }, 'command is unknown'],
+    [{ ...job, input: undefined }, 'input must be text'],
+    [{ ...job, output: '/home/me/.bashrc' }, 'output is not one of its command'],
+    [{ ...job, command: 'validate' }, 'output is not one of its command'],
+    [{ ...job, options: { report: '/home/me' } }, "unknown option '--report'"],
+    [{ ...job, options: { strokes: 'x.json' } }, "unknown option '--strokes'"],
+    [{ ...job, options: 5 }, '"options" is no object'],
+  ])('that is %j is refused', (wrong, problem) => {
+    expect(() => parseJob(wrong, 'test')).toThrow(problem)
   })
 })
 

@@ -2,7 +2,8 @@ import { createCommand } from '../../command.ts'
 import { print } from '../../print.ts'
 import { version } from '../../version.ts'
 import type { Job, Outcome } from '../jobs/job.ts'
-import { runJob } from '../jobs/run-job.ts'
+import { parseJob } from '../jobs/records.ts'
+import { machineFailure, runJob, type Workshop } from '../jobs/run-job.ts'
 import { LIMIT_OPTIONS, type LimitOptions, limitsOf } from '../limits.ts'
 import { ProcessPool } from '../processes/process-pool.ts'
 import { bullmq, connectRedis, queueName } from '../queue/redis.ts'
@@ -48,9 +49,9 @@ async function work({ redis: url, ...options }: Options): Promise<void> {
     scratch.remove()
   })
   // The jobs themselves run in other processes: this one has nothing to do but to renew their locks.
-  const worker = new Worker<Job, Outcome>(
+  const worker = new Worker<unknown, Outcome>(
     queueName(version),
-    ({ data }) => runJob(data, { pool, limits, scratch: scratch.path }),
+    ({ data }) => perform(data, { pool, limits, scratch: scratch.path }),
     {
       connection,
       concurrency: lanes,
@@ -59,7 +60,8 @@ async function work({ redis: url, ...options }: Options): Promise<void> {
   )
   worker.on('error', () => {})
   worker.on('completed', ({ data }, { status, reason, seconds }) => {
-    print(`${data.input}: ${status === 'done' ? `done, ${seconds} s` : reason}`)
+    const { input = 'a job' } = Object(data)
+    print(`${input}: ${status === 'done' ? `done, ${seconds} s` : reason}`)
   })
   print(`${WHO}: ready for ${lanes} jobs at a time`)
   await signalled()
@@ -67,6 +69,17 @@ async function work({ redis: url, ...options }: Options): Promise<void> {
   await worker.close()
   connection.disconnect()
   process.exit()
+}
+
+/** Does a job of the queue. Whoever can write to Redis may have put anything there. */
+async function perform(data: unknown, workshop: Workshop): Promise<Outcome> {
+  let job: Job
+  try {
+    job = parseJob(data, WHO)
+  } catch (error) {
+    return { ...machineFailure(error), kind: 'file', seconds: 0, attempts: 0 }
+  }
+  return runJob(job, workshop)
 }
 
 /** Waits for the first signal that asks for the end; the second one ends the process. */

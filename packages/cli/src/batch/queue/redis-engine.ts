@@ -1,7 +1,9 @@
 import { createHash } from 'node:crypto'
 import { setTimeout as sleep } from 'node:timers/promises'
 import type { Queue, Job as QueuedJob } from 'bullmq'
+import { firstLine } from 'furrow-files'
 import type { Job, Outcome } from '../jobs/job.ts'
+import { parseOutcome } from '../jobs/records.ts'
 import type { Engine } from '../perform.ts'
 import { patiently } from '../places/passing.ts'
 import { placeOf } from '../places/places.ts'
@@ -35,7 +37,10 @@ export function redisEngine(url: string, version: string): Engine {
       lost = true
     })
     const queue = new Queue(queueName(version), { connection })
-    const events = new QueueEvents(queueName(version), { connection })
+    // From the newest event on: by default those between connecting and the first read would be missed.
+    const [newest] = await connection.xrevrange(queue.keys.events, '+', '-', 'COUNT', 1)
+    const lastEventId = newest?.[0] ?? '0-0'
+    const events = new QueueEvents(queueName(version), { connection, lastEventId })
     // The connection's own listener has told it.
     queue.on('error', () => {})
     events.on('error', () => {})
@@ -50,7 +55,7 @@ export function redisEngine(url: string, version: string): Engine {
       await onOutcome(job, outcome).catch((error) => failures.push(error))
     }
     const lookUp = async (id: string) => {
-      const found: QueuedJob | undefined = waiting.has(id) ? await queue.getJob(id) : undefined
+      const found = waiting.has(id) ? await jobAt(queue, id) : undefined
       const outcome = found && (await outcomeOf(found))
       if (outcome) await settle(id, outcome)
     }
@@ -91,7 +96,7 @@ async function enqueue(
     const chunk = jobs.slice(at, at + CHUNK)
     const missing = await Promise.all(
       chunk.map(async ([id, job]) => {
-        const found: QueuedJob | undefined = await queue.getJob(id)
+        const found = await jobAt(queue, id)
         if (!found) return true
         const outcome = await outcomeOf(found)
         if (!outcome) return false
@@ -114,11 +119,32 @@ async function enqueue(
 /** What came of a job; undefined where it has not ended. */
 async function outcomeOf(job: QueuedJob): Promise<Outcome | undefined> {
   const state = await job.getState()
-  if (state === 'completed') return job.returnvalue
+  if (state === 'completed') return reported(job)
   if (state !== 'failed') return undefined
   // Workers report failures as outcomes: this one was with several that ended.
   const reason = `its workers ended before it (${job.failedReason})`
   return { status: 'failed', kind: 'crash', reason, warnings: [], seconds: 0, attempts: job.attemptsStarted }
+}
+
+/** What a worker reported: whoever can write to Redis may have put anything there. */
+function reported({ returnvalue, attemptsStarted }: QueuedJob): Outcome {
+  try {
+    return parseOutcome(returnvalue, 'a worker')
+  } catch (error) {
+    const reason = `its result in Redis cannot be used (${firstLine(error)})`
+    return { status: 'failed', kind: 'crash', reason, warnings: [], seconds: 0, attempts: attemptsStarted }
+  }
+}
+
+/** A job of the queue, if it is there. One whose data is no JSON is removed, to be added again. */
+async function jobAt(queue: Queue, id: string): Promise<QueuedJob | undefined> {
+  try {
+    return await queue.getJob(id)
+  } catch (error) {
+    if (!(error instanceof SyntaxError)) throw error
+    await queue.remove(id)
+    return undefined
+  }
 }
 
 async function stillCounts({ output }: Job, { status, kind, bytes }: Outcome): Promise<boolean> {
