@@ -1,4 +1,4 @@
-import { chooseSkin, type FileWrinkles, MOST_TRIANGLES, skinOf } from 'furrow/internal'
+import { chooseSkin, describeDriverFaults, type FileWrinkles, MOST_TRIANGLES, skinOf } from 'furrow/internal'
 import {
   canCrease,
   chooseFaces,
@@ -35,7 +35,7 @@ export interface SkinCandidate {
  */
 export async function findSkins(gltf: GLTF, onFault: (fault: string) => void): Promise<SkinCandidate[]> {
   const { parser } = gltf
-  const read = materialReader(parser, ({ message }) => onFault(`${message}; this driver is left out`))
+  const read = materialReader(parser, (faults) => onFault(describeDriverFaults(faults)))
   const wrinkled = new Map<Mesh, FileWrinkles>()
   for (const { material, faces } of wrinkledMaterials(gltf, parser)) {
     try {

@@ -1,44 +1,141 @@
 import { wrinklesOf } from 'furrow/three'
-import { AmbientLight, type BufferGeometry, Mesh, type MeshStandardMaterial, Scene } from 'three'
+import { type BufferGeometry, DirectionalLight, Mesh, type MeshStandardMaterial, Scene } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { clone } from 'three/addons/utils/SkeletonUtils.js'
 import { describe, expect, it } from 'vitest'
 import { alive } from '../alive.ts'
 import { createHarness, type Harness, squareCamera } from '../harness.ts'
 import { wrinkledFile } from '../wrinkled-file.ts'
 
-const LOADS = 40
+const LOADS = 20
+const SIZE = 8
+
+type Face = Mesh<BufferGeometry, MeshStandardMaterial>
+
+/** A file whose layer has heights: a red channel of its textures. */
+const fileWithHeights = () =>
+  wrinkledFile(({ layers: [layer] }) =>
+    Object.assign(layer, { heightTexture: { index: 2, amplitude: 0.05 } }),
+  )
+
+/** A camera that sees some millimetres, so that a relief of any size is fine enough. */
+function close() {
+  const camera = squareCamera()
+  camera.zoom = 200
+  camera.updateProjectionMatrix()
+  return camera
+}
 
 describe.each(['webgl', 'webgpu'] as const)('files that come and go, %s', (name) => {
-  it(`leave nothing behind in ${LOADS} loads and disposes`, async () => {
+  it.each([
+    ['with wrinkles.dispose()', wrinkledFile, { disposes: true }],
+    ['with geometry and material alone', wrinkledFile, {}],
+    ['with geometry and material alone, of clones too', wrinkledFile, { clones: 2 }],
+    ['with geometry and material alone, and relief', fileWithHeights, { relief: true }],
+    [
+      'with geometry and material alone, and relief of clones too',
+      fileWithHeights,
+      { relief: true, clones: 1 },
+    ],
+  ] as const)(`leave nothing behind in ${LOADS} loads and disposes %s`, async (_, makeFile, options) => {
     const harness = await createHarness(name)
-    const file = await wrinkledFile()
+    const file = await makeFile()
     const made: WeakRef<object>[] = []
     const counts = () => ({ memory: { ...harness.renderer.info.memory }, programs: harness.programs() })
-    for (let i = 0; i < 2; i++) made.push(...(await loadAndDispose(harness, file)))
+    for (let i = 0; i < 2; i++) made.push(...(await loadAndDispose(harness, file, options)))
     const first = counts()
-    for (let i = 2; i < LOADS; i++) made.push(...(await loadAndDispose(harness, file)))
+    for (let i = 2; i < LOADS; i++) made.push(...(await loadAndDispose(harness, file, options)))
     expect(counts()).toEqual(first)
     // Those of a few files are still held on WebGPU, however many were loaded.
     expect(await alive(made)).toBeLessThan(made.length / 4)
     harness.dispose()
   })
+
+  it.each([
+    ['default', {}],
+    ['composed', { mode: 'composed' }],
+    ['paper', { mode: 'paper' }],
+  ] as const)('show their wrinkles again when drawn after a disposal, %s', async (_, options) => {
+    const harness = await createHarness(name)
+    const { scene, meshes } = await load(harness, await wrinkledFile(), options)
+    const draw = () => harness.renderBytes(scene, squareCamera(), SIZE)
+    await draw()
+    const before = await draw()
+    for (const mesh of meshes) disposeOf(mesh)
+    await draw()
+    expect(await draw()).toEqual(before)
+    for (const { morphTargetInfluences } of meshes) morphTargetInfluences!.fill(0)
+    expect(await draw()).not.toEqual(before)
+    harness.dispose()
+  })
+
+  it('keep what a clone still shows', async () => {
+    const harness = await createHarness(name)
+    const { gltf, scene, meshes } = await load(harness, await wrinkledFile())
+    const copy = clone(gltf.scene)
+    scene.add(copy)
+    const draw = () => harness.renderBytes(scene, squareCamera(), SIZE)
+    gltf.scene.visible = false
+    for (let i = 0; i < 3; i++) await draw()
+    const before = await draw()
+    for (const mesh of meshes) disposeOf(mesh)
+    expect(await draw()).toEqual(before)
+    harness.dispose()
+  })
 })
 
-/** Loads a face, shows its wrinkles, and disposes of all that it has. */
-async function loadAndDispose(harness: Harness, file: Uint8Array<ArrayBuffer>): Promise<WeakRef<object>[]> {
-  const loader = new GLTFLoader().register((parser) => new harness.Plugin(parser))
-  const gltf = await loader.parseAsync(file.slice().buffer, '')
-  const meshes: Mesh<BufferGeometry, MeshStandardMaterial>[] = []
-  gltf.scene.traverse((object) => object instanceof Mesh && meshes.push(object))
-  for (const { morphTargetInfluences } of meshes) morphTargetInfluences!.fill(1)
-  await harness.renderBytes(new Scene().add(gltf.scene, new AmbientLight()), squareCamera(), 8)
-  const [face] = wrinklesOf(gltf)
-  expect(face.getActivation('a')).toBe(1)
-  face.dispose()
-  for (const { geometry, material } of meshes) {
-    geometry.dispose()
-    material.normalMap!.dispose()
-    material.dispose()
+interface LoadOptions {
+  /** Whether the wrinkles are disposed of too. */
+  disposes?: boolean
+  relief?: boolean
+  clones?: number
+}
+
+/** Loads a face, shows its wrinkles, and disposes of all that a page knows. */
+async function loadAndDispose(
+  harness: Harness,
+  file: Uint8Array<ArrayBuffer>,
+  { disposes = false, relief = false, clones = 0 }: LoadOptions,
+): Promise<WeakRef<object>[]> {
+  const { gltf, scene, meshes } = await load(harness, file)
+  for (let i = 0; i < clones; i++) scene.add(clone(gltf.scene))
+  const camera = relief ? close() : squareCamera()
+  const draw = () => harness.renderBytes(scene, camera, SIZE)
+  for (let i = 0; i < 3; i++) await draw()
+  const faces = new Set(facesIn(scene).map((mesh) => wrinklesOf(mesh)!))
+  // Each of a clone's two meshes is a face.
+  expect(faces.size).toBe(1 + 2 * clones)
+  for (const face of faces) {
+    expect(face.getActivation('a')).toBe(1)
+    if (!relief) continue
+    face.relief = 'on'
+    await face.reliefReady()
   }
-  return [face, ...meshes].map((object) => new WeakRef<object>(object))
+  await draw()
+  for (const face of faces) if (disposes) face.dispose()
+  const drawn = facesIn(scene)
+  for (const mesh of new Set([...meshes, ...drawn])) disposeOf(mesh)
+  return [...faces, ...drawn].map((object) => new WeakRef<object>(object))
+}
+
+async function load(harness: Harness, file: Uint8Array<ArrayBuffer>, options: object = {}) {
+  const loader = new GLTFLoader().register((parser) => new harness.Plugin(parser, options))
+  const gltf = await loader.parseAsync(file.slice().buffer, '')
+  const scene = new Scene().add(gltf.scene, new DirectionalLight())
+  const meshes = facesIn(scene)
+  for (const { morphTargetInfluences } of meshes) morphTargetInfluences!.fill(1)
+  return { gltf, scene, meshes }
+}
+
+/** Meshes that the file or a clone brought, without those of relief. */
+function facesIn(scene: Scene): Face[] {
+  const meshes: Face[] = []
+  scene.traverse((object) => object instanceof Mesh && wrinklesOf(object) && meshes.push(object))
+  return meshes
+}
+
+function disposeOf({ geometry, material }: Face): void {
+  geometry.dispose()
+  material.normalMap?.dispose()
+  material.dispose()
 }

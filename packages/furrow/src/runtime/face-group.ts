@@ -35,6 +35,7 @@ export abstract class FaceGroup<Engine = unknown> {
   #runtime: DriverRuntime<Engine> | null = null
   #expressions: readonly Expression[] = []
   readonly #disposers: (() => void)[] = []
+  readonly #releasers: (() => void)[] = []
 
   /**
    * @param count number of faces.
@@ -139,7 +140,9 @@ export abstract class FaceGroup<Engine = unknown> {
    */
   driveBy(plan: DriverPlan, bindInputs: BindInputs<Engine>, isLate: boolean): void {
     const runtime = new DriverRuntime(plan, bindInputs, this.inputs, this.faces.length, this.mesh.name)
+    const { length } = this.#releasers
     if (!isLate) runtime.bind()
+    for (const release of this.#releasers.splice(0, length)) release()
     this.#runtime = runtime
     this.#expressions = expressionsOf(plan.drivers)
   }
@@ -166,9 +169,20 @@ export abstract class FaceGroup<Engine = unknown> {
     this.#disposers.push(dispose)
   }
 
-  /** Calls the functions registered by `onDispose`, and drops the drivers. */
+  /** Registers a function that frees GPU objects of a driver's inputs. Inputs that are read afterwards make them again. */
+  onRelease(release: () => void): void {
+    this.#releasers.push(release)
+  }
+
+  /** Calls the functions registered by `onRelease`. */
+  release(): void {
+    for (const release of this.#releasers) release()
+  }
+
+  /** Calls the functions registered by `onRelease` and `onDispose`, and drops the drivers. */
   dispose(): void {
     this.#isDisposed = true
+    this.release()
     for (const dispose of this.#disposers.splice(0)) dispose()
     this.#runtime = null
   }

@@ -100,6 +100,11 @@ export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
     own.hook = scene.onBeforeRender
   }
 
+  /** Draws an atlas in frames again that was released. */
+  restore(atlas: InfluenceAtlas): void {
+    if (!this.targets.includes(atlas)) this.targets.push(atlas)
+  }
+
   /** Frees an atlas if no face uses it any more. */
   release(atlas: InfluenceAtlas): void {
     if (!atlas.cells.isEmpty) return

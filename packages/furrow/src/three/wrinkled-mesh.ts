@@ -20,9 +20,10 @@ import { PatchedMaterial } from './material/patched-material.ts'
 import type { RendererParts } from './material/renderer-parts.ts'
 import {
   createShaderInputs,
-  disposeShaderInputs,
   exchangeAreas,
   locateCells,
+  releaseShaderInputs,
+  retainShaderInputs,
   type ShaderInputs,
 } from './material/shader-inputs.ts'
 import { createTextures } from './material/wrinkle-textures.ts'
@@ -56,9 +57,11 @@ export class WrinkledMesh extends FaceGroup<AnyRenderer> implements FrameMember<
   readonly options: Required<WrinklesOptions>
   readonly #renderer: RendererParts
   readonly #frame: RendererFrame
-  readonly #entry: FrameEntry<AnyRenderer>
+  #entry: FrameEntry<AnyRenderer>
   readonly #atlas: InfluenceAtlas
-  readonly #cells: readonly Cell[]
+  #cells: readonly Cell[]
+  /** Whether the page has disposed of the material, and drawn no mesh since. */
+  #isSuspended = false
   #appearance: Appearance | null = null
   #inputOptions: InputOptions = {}
 
@@ -94,8 +97,13 @@ export class WrinkledMesh extends FaceGroup<AnyRenderer> implements FrameMember<
     this.#cells = this.#atlas.add(this.faces)
     this.#entry = this.#frame.add(this)
     this.shaderInputs = createShaderInputs(textures, areas, this.#atlas, instancesOf(mesh) !== null)
-    this.material = new PatchedMaterial(this.meshes, material, this.shaderInputs, renderer, (by) =>
-      this.#frame.compileLater(this.#atlas, by),
+    this.material = new PatchedMaterial(
+      this.meshes,
+      material,
+      this.shaderInputs,
+      renderer,
+      (by) => this.#frame.compileLater(this.#atlas, by),
+      () => this.#suspend(),
     )
     this.place = placeOf(mesh)
     this.relief = new LazyRelief(this, renderer.loadRelief)
@@ -129,13 +137,17 @@ export class WrinkledMesh extends FaceGroup<AnyRenderer> implements FrameMember<
     if (renderer !== null && typeof renderer?.render !== 'function') {
       throw wrongArgument('Wrinkles.update', 'a renderer', renderer, 'one of three.js, or null')
     }
-    if (renderer) checkRenderer(renderer, this.#renderer.entry, 'Wrinkles')
+    if (renderer) {
+      checkRenderer(renderer, this.#renderer.entry, 'Wrinkles')
+      this.#resume()
+    }
     this.#frame.update(this.#entry, renderer)
   }
 
   /** @throws FurrowError when no area has that name. */
   createInfluenceMaterial(area?: string | readonly string[]): Material {
     this.checkInUse('createInfluenceMaterial')
+    this.#resume()
     if (area === undefined) return this.material.influenceMaterial()
     const names = [area].flat()
     for (const name of names) this.getActivation(name)
@@ -188,6 +200,7 @@ export class WrinkledMesh extends FaceGroup<AnyRenderer> implements FrameMember<
 
   /** Exchanges the list of areas. */
   replaceAreas(areas: Area<ArraySlice>[], who: string): void {
+    this.#resume()
     const { textures } = this.shaderInputs
     checkAreas(areas, textures.layers, who)
     const array = createAreaArray(areas, textures.layers, this.options.areaSize, who)
@@ -223,6 +236,11 @@ export class WrinkledMesh extends FaceGroup<AnyRenderer> implements FrameMember<
       if (this.mode !== 'off') this.mode = 'off'
       return false
     }
+    if (this.#isSuspended) {
+      // After this frame: a new cell may take a larger atlas, and the frame reads the old one.
+      queueMicrotask(() => this.#resume())
+      return false
+    }
     this.material.settle(renderer)
     if (!isOverridden) this.shaderInputs.fade.value = this.#fadeOf(mesh, camera, renderer)
     this.#frame.begin(this.#entry, renderer)
@@ -256,11 +274,37 @@ export class WrinkledMesh extends FaceGroup<AnyRenderer> implements FrameMember<
     if (this.isDisposed) return
     this.relief.dispose()
     super.dispose()
-    this.#frame.remove(this.#entry)
     this.material.dispose()
+    if (!this.#isSuspended) this.#leave()
+  }
+
+  /** Frees everything on the GPU until a mesh is drawn again. */
+  #suspend(): void {
+    if (this.#isSuspended) return
+    this.#isSuspended = true
+    this.relief.suspend()
+    this.material.suspend()
+    this.#leave()
+    this.release()
+  }
+
+  /** Takes part in frames again. Not to be called during a frame. */
+  #resume(): void {
+    if (this.isDisposed || !this.#isSuspended) return
+    this.#isSuspended = false
+    this.#frame.restore(this.#atlas)
+    this.#cells = this.#atlas.add(this.faces)
+    this.#entry = this.#frame.add(this)
+    retainShaderInputs(this.shaderInputs)
+    this.material.resume()
+  }
+
+  /** Leaves the frames, and frees everything that no other face uses. */
+  #leave(): void {
+    this.#frame.remove(this.#entry)
     this.#atlas.remove(this.#cells)
     this.#frame.release(this.#atlas)
-    disposeShaderInputs(this.shaderInputs)
+    releaseShaderInputs(this.shaderInputs)
   }
 
   /** 1 = not faded, 0 = the mesh is too small on screen to show wrinkles, or they have not appeared yet. */

@@ -49,8 +49,8 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
   async #addAll(): Promise<void> {
     const faces = facesOf(this.#loader)
     if (faces.length === 0) return
-    const read = wrinkleReader(fileOf(this.#loader, this.#transcoderPath), (fault) =>
-      this.#warnings.add(fault, 'the other drivers work'),
+    const read = wrinkleReader(fileOf(this.#loader, this.#transcoderPath), (faults) =>
+      this.#warnings.addDrivers(faults),
     )
     const first = new Map<FileWrinkles['set'], WrinkledMesh>()
     for (const material of new Set(faces.map(({ material }) => material))) {

@@ -19,8 +19,8 @@ export interface FileWrinkles {
   drivers: WrinkleDriver[]
 }
 
-/** Called for each malformed driver, which is then left out; without it, the fault is thrown. */
-export type OnFault = (fault: FurrowError) => void
+/** Called once per material with the faults of its malformed drivers, which are left out. Without it, the first is thrown. */
+export type OnFaults = (faults: readonly FurrowError[]) => void
 
 /**
  * Reads the wrinkles of materials, each material once. Layers with heights get `readHeight`, see `RaisedLayer`.
@@ -29,7 +29,7 @@ export type OnFault = (fault: FurrowError) => void
  */
 export function wrinkleReader(
   file: GltfSource,
-  onFault?: OnFault,
+  onFaults?: OnFaults,
 ): (material: number) => Promise<FileWrinkles> {
   const known = new Map<number, Promise<FileWrinkles>>()
   const decoded = new DecodedBytes()
@@ -37,7 +37,10 @@ export function wrinkleReader(
     try {
       const { textures } = file.json
       const count = Array.isArray(textures) ? textures.length : 0
+      const faults: FurrowError[] = []
+      const onFault = onFaults && ((fault: FurrowError) => faults.push(fault))
       const maps = parseWrinkleMaps(extensionOf(material, file), count, WRINKLE_MAPS, onFault)
+      if (faults.length > 0) onFaults?.(faults)
       checkDeclared(file.json, WRINKLE_MAPS)
       return { set: await readSet(maps, () => new MapSource(file, decoded)), drivers: maps.drivers }
     } catch (error) {

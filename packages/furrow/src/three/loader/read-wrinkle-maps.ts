@@ -5,7 +5,7 @@ import type { GltfSource } from '../../runtime/file/gltf-source.ts'
 import {
   extensionOf,
   type FileWrinkles,
-  type OnFault,
+  type OnFaults,
   wrinkleReader,
 } from '../../runtime/file/read-wrinkles.ts'
 import { surfaceOf, withSurface } from '../material/surface.ts'
@@ -91,9 +91,9 @@ export function separateOthers(others: readonly Mesh[], surface: Material): void
 /** `wrinkleReader` of a file that `GLTFLoader` loads. */
 export function materialReader(
   parser: Parser,
-  onFault?: OnFault,
+  onFaults?: OnFaults,
 ): (material: number) => Promise<FileWrinkles> {
-  return wrinkleReader(fileOf(parser), onFault)
+  return wrinkleReader(fileOf(parser), onFaults)
 }
 
 /** Few files have KTX 2 images: the code for these is fetched when one appears. */

@@ -80,7 +80,7 @@ export class WrinkleLoader {
     this.#parser = parser
     this.#parts = parts
     this.#declared = new DeclaredWrinkles(parser)
-    this.#read = materialReader(parser, (fault) => this.#warnings.add(fault, 'the other drivers work'))
+    this.#read = materialReader(parser, (faults) => this.#warnings.addDrivers(faults))
   }
 
   /** Begins to read the wrinkles while the rest is loaded. Called by the loader before it loads anything. */

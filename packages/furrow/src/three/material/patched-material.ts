@@ -35,16 +35,26 @@ export class PatchedMaterial {
   #isRefused = false
   /** What makes it show the mode; null while it is plain. */
   #shown: ShownMode | null = null
+  /** Whether it stays plain in every mode. */
+  #isSuspended = false
+  /** Whether the material's own event of disposal is this object's doing. */
+  #isRenewing = false
   readonly #onCompile: ModeHost['onCompile']
+  readonly #onDisposed: () => void
 
-  /** @param meshes of the face: a list that may grow, see `follow`. */
+  /**
+   * @param meshes of the face: a list that may grow, see `follow`.
+   * @param onDisposed called when the page disposes of the material.
+   */
   constructor(
     meshes: readonly Mesh[],
     material: WrinkleMaterial,
     inputs: ShaderInputs,
     renderer: RendererParts,
     onCompile: ModeHost['onCompile'],
+    onDisposed: () => void,
   ) {
+    this.#onDisposed = () => this.#isRenewing || onDisposed()
     this.#onCompile = onCompile
     this.#meshes = meshes
     this.#material = material
@@ -54,6 +64,7 @@ export class PatchedMaterial {
     // three.js writes the name into a line of the shader, which another line end, or a backslash before its own, would break.
     material.name &&= material.name.replace(/[\r\n\\]/g, ' ')
     patchedMaterials.add(material)
+    material.addEventListener('dispose', this.#onDisposed)
   }
 
   /** Phase 5 of a frame, in modes that take activations then. */
@@ -142,8 +153,22 @@ export class PatchedMaterial {
     return material
   }
 
+  /** Makes the material plain until `resume`, and frees everything that its mode needs. */
+  suspend(): void {
+    this.#isSuspended = true
+    this.#apply(this.mode)
+    this.#flat.dispose()
+  }
+
+  /** Shows the mode again. */
+  resume(): void {
+    this.#isSuspended = false
+    this.show(this.mode)
+  }
+
   /** Restores the material. */
   dispose(): void {
+    this.#material.removeEventListener('dispose', this.#onDisposed)
     this.show('off')
     this.#flat.dispose()
     patchedMaterials.delete(this.#material)
@@ -168,7 +193,9 @@ export class PatchedMaterial {
   #apply(mode: WrinkleMode): void {
     this.#unpatch()
     this.#patch(mode)
+    this.#isRenewing = true
     this.#renderer.renew(this.#material)
+    this.#isRenewing = false
     this.mode = mode
   }
 
@@ -178,7 +205,7 @@ export class PatchedMaterial {
   }
 
   #patch(mode: WrinkleMode): void {
-    if (mode === 'off') return
+    if (mode === 'off' || this.#isSuspended) return
     const material = this.#material
     material.normalMap ??= this.#flat
     const refuse = () => {

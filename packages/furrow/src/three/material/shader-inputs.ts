@@ -48,8 +48,7 @@ export function createShaderInputs(
   isInstanced: boolean,
 ): ShaderInputs {
   const { cells, target } = atlas
-  for (const texture of [areas.texture, ...listTextures(textures)]) retain(texture)
-  return {
+  const inputs: ShaderInputs = {
     textures,
     areas,
     areaTexture: { value: areas.texture },
@@ -66,6 +65,13 @@ export function createShaderInputs(
     bloodAmplitude: textures.bloodAmplitude,
     paper: null,
   }
+  retainShaderInputs(inputs)
+  return inputs
+}
+
+/** Counts a face as a user of the textures. */
+export function retainShaderInputs({ textures, areas }: ShaderInputs): void {
+  for (const texture of [areas.texture, ...listTextures(textures)]) retain(texture)
 }
 
 /** Takes other areas. */
@@ -76,8 +82,8 @@ export function exchangeAreas(inputs: ShaderInputs, areas: AreaArray): void {
   inputs.areaTexture.value = areas.texture
 }
 
-/** Frees the textures that no other face uses. */
-export function disposeShaderInputs({ textures, areas, paper }: ShaderInputs): void {
+/** Frees the textures that no other face uses. Textures that are drawn afterwards are uploaded again. */
+export function releaseShaderInputs({ textures, areas, paper }: ShaderInputs): void {
   for (const texture of [areas.texture, ...listTextures(textures)]) release(texture)
   paper?.texture.dispose()
   paper?.table.texture.dispose()

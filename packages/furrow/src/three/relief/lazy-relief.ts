@@ -52,6 +52,11 @@ export class LazyRelief {
     this.#control?.prepare(renderer, camera, mesh)
   }
 
+  /** Frees the relief. A later frame makes it again. */
+  suspend(): void {
+    this.#control?.suspend()
+  }
+
   dispose(): void {
     this.#control?.dispose()
   }

@@ -95,6 +95,12 @@ export class ReliefControl {
     if (!this.isShown || this.#isOutdated) this.#begin()
   }
 
+  /** Frees the relief. A later frame makes it again. Not to be called during a frame. */
+  suspend(): void {
+    this.#drop()
+    this.#geometries = []
+  }
+
   dispose(): void {
     this.#isDisposed = true
     this.#relief?.dispose()
@@ -184,12 +190,15 @@ export class ReliefControl {
   #end(): void {
     this.#isPossible = false
     queueMicrotask(() => {
-      if (this.#isDisposed) return
-      this.#show(false)
-      if (this.#relief) this.#face.material.setRelief(null)
-      this.#relief?.dispose()
-      this.#relief = null
+      if (!this.#isDisposed) this.#drop()
     })
+  }
+
+  #drop(): void {
+    this.#show(false)
+    if (this.#relief) this.#face.material.setRelief(null)
+    this.#relief?.dispose()
+    this.#relief = null
   }
 
   #exchange(made: Relief): void {

@@ -14,8 +14,9 @@ import { trianglesOf } from './geometry-arrays.ts'
 
 export { indexIn, type MeasuredArea, type TensionSurface } from '../../runtime/sampled-tension.ts'
 
-/** Parts of a face that tension needs. */
-export type DrivenFace = Pick<FaceGroup, 'getArea' | 'onDispose'> & { readonly mesh: Mesh }
+/** Parts of a face that tension needs. GPU objects need `onRelease`. */
+export type DrivenFace = Pick<FaceGroup, 'getArea'> &
+  Partial<Pick<FaceGroup, 'onRelease'>> & { readonly mesh: Mesh }
 
 /** Measures tension as a renderer can. */
 export type BindTension = (

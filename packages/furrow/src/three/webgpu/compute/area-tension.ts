@@ -30,7 +30,7 @@ export class AreaTension {
   #work: Work | null = null
   #renderer: WebGPURenderer | null = null
   #isReading = false
-  #isDisposed = false
+  #isReleased = false
   #hasFailed = false
 
   /** @param surface the mesh at rest; areas that cover none of it measure 0. */
@@ -42,6 +42,7 @@ export class AreaTension {
 
   /** Starts measuring the mesh in its current pose, unless a measurement is pending or nothing has changed. Never waits or throws. */
   update(renderer: WebGPURenderer): void {
+    this.#isReleased = false
     if (renderer !== this.#renderer) this.#restart(renderer)
     if (this.#isReading || this.#hasFailed || this.#lists.corners.length === 0) return
     this.#work ??= createWork(this.#mesh, this.#lists)
@@ -55,7 +56,7 @@ export class AreaTension {
       .catch((error) => this.#fail(renderer, error))
       .finally(() => {
         this.#isReading = false
-        if (this.#isDisposed) this.#free()
+        if (this.#isReleased) this.#free()
       })
   }
 
@@ -64,9 +65,10 @@ export class AreaTension {
     for (let i = 0; i < indices.length; i++) out[i] = this.values[indices[i]]
   }
 
-  /** Frees the buffers, once no read is pending. */
-  dispose(): void {
-    this.#isDisposed = true
+  /** Frees the buffers, once no read is pending. The next update makes them again. */
+  release(): void {
+    this.#isReleased = true
+    this.#renderer = null
     if (!this.#isReading) this.#free()
   }
 
@@ -84,7 +86,7 @@ export class AreaTension {
 
   /** Gives up until another renderer draws the mesh; the processor measures instead. */
   #fail(renderer: WebGPURenderer, error: unknown): void {
-    if (renderer !== this.#renderer || this.#isDisposed) return
+    if (renderer !== this.#renderer) return
     this.isReady = false
     this.#hasFailed = true
     console.warn(

@@ -11,7 +11,7 @@ export const bindComputedTension: BindTension = (face, inputs) => {
   const sampled = sampledTension(face.mesh, surface, inputs)
   if (inputs.length === 0) return sampled
   const tension = new AreaTension(face.mesh, surface)
-  face.onDispose(() => tension.dispose())
+  face.onRelease?.(() => tension.release())
   const indices = inputs.map(
     (input) => 2 * indexIn(surface.measured, input) + (input.measure === 'stretch' ? 1 : 0),
   )
