@@ -13,7 +13,7 @@ import {
   MeshToonMaterial,
   Scene,
 } from 'three'
-import { describe, expect, it } from 'vitest'
+import { describe, expect, it, vi } from 'vitest'
 import { layer, randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
@@ -99,6 +99,35 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
     wrinkles.mode = mode
     expect(await show('area1')).toBe(pictures[1])
     expect(await show('area0')).toBe(pictures[0])
+  })
+
+  it('warns once when the page has replaced it, and can be moved to its successor', async () => {
+    const { mesh, wrinkles } = wrinkled(new MeshStandardMaterial())
+    wrinkles.setActivation('area1', 1)
+    const shown = await picture(mesh)
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const [own, other] = [mesh.material, new MeshStandardMaterial({ name: 'next' })]
+    // A pass that exchanges materials in every frame.
+    for (let i = 0; i < 40; i++) {
+      mesh.material = other
+      await picture(mesh)
+      mesh.material = own
+      await picture(mesh)
+    }
+    // A page that looks at the influence.
+    mesh.material = wrinkles.createInfluenceMaterial()
+    for (let i = 0; i < 40; i++) await picture(mesh)
+    expect(warn).not.toHaveBeenCalled()
+    mesh.material = other
+    for (let i = 0; i < 40; i++) await picture(mesh)
+    expect(warn.mock.calls).toEqual([[expect.stringMatching(/another material .*"next"; .*new Wrinkles\(/)]])
+    const moved = new harness.Wrinkles(mesh, wrinkles)
+    wrinkles.dispose()
+    moved.setActivation('area1', 1)
+    expect(await picture(mesh)).toBe(shown)
+    expect(warn).toHaveBeenCalledTimes(1)
+    warn.mockRestore()
+    moved.dispose()
   })
 
   it('keeps normalScale', async () => {

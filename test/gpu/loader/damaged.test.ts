@@ -172,6 +172,14 @@ describe.each(RENDERERS)('a damaged file on %s', (name) => {
     expect(face.getActivation('a')).toBe(1)
   })
 
+  it('warns once of all drivers that are broken', async () => {
+    const broken = Array.from({ length: 300 }, () => ({ area: 'b' }))
+    await load(await wrinkledFile((json) => json.drivers.push(...broken)))
+    expect(written.warn.mock.calls).toEqual([
+      [expect.stringMatching(/drivers\[1\]\.type .* \(299 more are malformed; the other drivers work\)$/)],
+    ])
+  })
+
   it('loses only its drivers where they are not a list', async () => {
     const gltf = await load(await spoiled((maps) => (maps.drivers = { 0: 'morph' })))
     expect(written.warn.mock.calls).toEqual([[expect.stringMatching(/drivers must be an array/)]])

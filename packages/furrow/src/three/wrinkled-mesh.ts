@@ -26,6 +26,7 @@ import {
   retainShaderInputs,
   type ShaderInputs,
 } from './material/shader-inputs.ts'
+import { watchReplacement } from './material/watch-replacement.ts'
 import { createTextures } from './material/wrinkle-textures.ts'
 import { callBeforeRender, isPrepared } from './mesh/before-render.ts'
 import { checkIsMesh, checkMesh } from './mesh/check-mesh.ts'
@@ -161,8 +162,12 @@ export class WrinkledMesh extends FaceGroup<AnyRenderer> implements FrameMember<
     this.meshes.push(mesh)
     this.material.follow(mesh)
     if (mesh === this.mesh) exposeAreas(mesh, this)
+    const checkReplacement = watchReplacement(mesh, this.material)
     this.onDispose(
-      callBeforeRender(mesh, (renderer, camera, scene) => this.prepareIn(scene, renderer, camera, mesh)),
+      callBeforeRender(mesh, (renderer, camera, scene) => {
+        checkReplacement()
+        this.prepareIn(scene, renderer, camera, mesh)
+      }),
     )
   }
 
@@ -237,6 +242,7 @@ export class WrinkledMesh extends FaceGroup<AnyRenderer> implements FrameMember<
       return false
     }
     if (this.#isSuspended) {
+      if (!this.material.isOn(mesh)) return false
       // After this frame: a new cell may take a larger atlas, and the frame reads the old one.
       queueMicrotask(() => this.#resume())
       return false

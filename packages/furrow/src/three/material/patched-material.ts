@@ -29,6 +29,8 @@ export class PatchedMaterial {
   /** Makes the material draw relief too; null while there is none. */
   #patchRelief: ((material: Material) => () => void) | null = null
   #undoRelief: (() => void) | undefined
+  /** Materials that show influence. */
+  readonly #influenceMaterials = new WeakSet<Material>()
   /** How many materials show the current influence, which needs the map in any mode. */
   views = 0
   /** Whether the shader turned out to be one that cannot be patched. */
@@ -146,6 +148,7 @@ export class PatchedMaterial {
     const wrinkled = { normalMap: this.#material.normalMap ?? this.#flat }
     const view = { wrinkled, inputs: this.#inputs, instances: instancesOf(this.#mesh), weights }
     const material = createInfluenceMaterial(view, this.#renderer)
+    this.#influenceMaterials.add(material)
     if (!weights) {
       this.views++
       material.addEventListener('dispose', () => this.views--)
@@ -174,6 +177,12 @@ export class PatchedMaterial {
     patchedMaterials.delete(this.#material)
     // Renderers cache uniforms with the material; wrinkles added later need their own.
     this.#material.dispose()
+  }
+
+  /** Whether a mesh has the material, or one that shows its influence. */
+  isOn({ material }: Mesh): boolean {
+    if (Array.isArray(material)) return material.includes(this.#material)
+    return material === this.#material || this.#influenceMaterials.has(material)
   }
 
   /** The user's own. */

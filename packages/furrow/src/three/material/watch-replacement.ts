@@ -1,0 +1,31 @@
+import type { Mesh } from 'three'
+import { sentence } from '../../core/error.ts'
+import type { PatchedMaterial } from './patched-material.ts'
+
+/** Draws in a row with another material. Fewer are a pass that exchanges materials in every frame, such as selective bloom. */
+const MOST_DRAWS = 30
+
+/**
+ * Watches which material a mesh is drawn with, and warns once when the page has replaced the one that shows the wrinkles.
+ *
+ * @returns the function to call before each draw.
+ */
+export function watchReplacement(mesh: Mesh, patched: PatchedMaterial): () => void {
+  let draws = 0
+  return () => {
+    if (draws > MOST_DRAWS) return
+    draws = patched.mode === 'off' || patched.isOn(mesh) ? 0 : draws + 1
+    if (draws > MOST_DRAWS) warn(mesh)
+  }
+}
+
+function warn({ name, material }: Mesh): void {
+  console.warn(
+    sentence({
+      who: 'Wrinkles',
+      what: `mesh "${name}" has another material than the one that shows its wrinkles`,
+      value: [material].flat()[0]?.name,
+      remedy: 'move them with new Wrinkles(mesh, wrinkles), then call wrinkles.dispose()',
+    }),
+  )
+}
