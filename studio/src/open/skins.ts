@@ -67,7 +67,7 @@ export function indexOfSkin(skins: readonly SkinCandidate[]): number {
   if (movable.length > 1) {
     const candidates = movable.map(({ meshes }) => {
       const data = readMeshes(meshes)
-      return { skin: skinOf(data), isLit: data.isLit }
+      return { skin: skinOf(data), isLit: data.isLit, label: data.label }
     })
     return skins.indexOf(movable[chooseSkin(candidates)!.index])
   }

@@ -39,8 +39,62 @@ describe('the skin that is taken', () => {
   })
 })
 
-/** Gives a mesh all shapes of the skin, or one; each moves it by a millimetre. */
-function lendShapes(document: Document, name: string, only?: string): void {
+describe('the skin of a face whose shapes have names that nobody knows', () => {
+  const unnamed = async () => {
+    const document = await plainFace()
+    for (const mesh of document.getRoot().listMeshes()) {
+      const names = mesh.getExtras().targetNames as string[] | undefined
+      if (names) mesh.setExtras({ targetNames: names.map((_, i) => `shape ${i}`) })
+    }
+    return document
+  }
+  const find = (document: Document) => {
+    const { meshName, reason } = findSkin(document, 'face.glb', 'test')
+    return [meshName, reason.replace(/^\d+% of what /, '')]
+  }
+
+  test('is not clothes that body sliders move most', async () => {
+    const document = await unnamed()
+    for (const name of ['Fat', 'male', 'female']) lendShapes(document, 'shirt', name, 0.1)
+    expect(find(document)).toEqual(['skin', 'the blendshapes move'])
+  })
+
+  test('is where the skeleton has its head, whatever moves more', async () => {
+    const document = await unnamed()
+    lendShapes(document, 'shirt', 'shape 99', 0.1)
+    skinTo(document, 'skin', 'mixamorig:Head')
+    skinTo(document, 'shirt', 'mixamorig:Hips')
+    expect(find(document)).toEqual(['skin', 'the blendshapes of the head move'])
+  })
+
+  test('is not what the names of meshes and materials tell to be clothes', async () => {
+    const document = await unnamed()
+    lendShapes(document, 'shirt', 'shape 99', 0.012)
+    expect(find(document)).toEqual(['skin', 'the blendshapes move'])
+  })
+})
+
+/** Lets a joint of that name move a mesh. */
+function skinTo(document: Document, name: string, joint: string): void {
+  const mesh = meshOf(document, name)
+  const node = document
+    .getRoot()
+    .listNodes()
+    .find((one) => one.getMesh() === mesh)!
+  const bone = document.createNode(joint)
+  node.setSkin(document.createSkin().addJoint(bone))
+  for (const primitive of mesh.listPrimitives()) {
+    const count = primitive.getAttribute('POSITION')!.getCount()
+    const weights = Float32Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 ? 1 : 0))
+    const accessor = (array: Float32Array<ArrayBuffer> | Uint8Array<ArrayBuffer>) =>
+      document.createAccessor().setType('VEC4').setArray(array)
+    primitive.setAttribute('JOINTS_0', accessor(new Uint8Array(4 * count)))
+    primitive.setAttribute('WEIGHTS_0', accessor(weights))
+  }
+}
+
+/** Gives a mesh all shapes of the skin, or one; each moves it by a millimetre, or more. */
+function lendShapes(document: Document, name: string, only?: string, distance = 0.0005): void {
   const mesh = meshOf(document, name)
   const names = only ? [only] : targetNamesOf(skinOf(document))
   const [primitive] = mesh.listPrimitives()
@@ -53,7 +107,7 @@ function lendShapes(document: Document, name: string, only?: string): void {
   const moved = document
     .createAccessor()
     .setType('VEC3')
-    .setArray(new Float32Array(3 * count).fill(0.0005))
+    .setArray(new Float32Array(3 * count).fill(distance))
   for (const shape of names)
     primitive!.addTarget(document.createPrimitiveTarget(shape).setAttribute('POSITION', moved))
   mesh.setExtras({ targetNames: names })

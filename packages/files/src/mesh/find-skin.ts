@@ -1,7 +1,7 @@
 import type { Document, Mesh } from '@gltf-transform/core'
 import { FurrowError } from 'furrow'
 import type { Skin } from 'furrow/author'
-import { chooseSkin, didYouMean } from 'furrow/internal'
+import { chooseSkin, didYouMean, type SkinChoice } from 'furrow/internal'
 import { trianglesOf } from './mesh-nodes.ts'
 import { readSkin } from './read-skin.ts'
 
@@ -22,8 +22,7 @@ export interface FoundSkin {
 }
 
 /**
- * Chooses the skin of a file: of all meshes and materials the one whose surface brows, lids and mouth move most. Where
- * no blendshape has such a name, the one that all blendshapes together move most.
+ * Chooses the skin of a file among all meshes and materials; see `chooseSkin`.
  *
  * @param meshName only this mesh, or the mesh of a node of this name; all by default.
  * @param isLit tells whether a material, by its index, can show wrinkles: such a one is preferred where it moves at least half as much.
@@ -68,16 +67,21 @@ export function bestSkin(
   const meshes = document.getRoot().listMeshes()
   const wanted = meshes.flatMap((mesh, index) => (isNamed(mesh, meshName) ? [{ mesh, index }] : []))
   const candidates = wanted.flatMap(({ mesh, index }) => candidatesOf(document, mesh, index))
-  const choice = chooseSkin(candidates.map(({ skin, material }) => ({ skin, isLit: isLit(material) })))
+  const choice = chooseSkin(
+    candidates.map(({ skin, material, meshName, materialName }) => ({
+      skin,
+      isLit: isLit(material),
+      label: `${meshName} ${materialName}`,
+    })),
+  )
   if (!choice) return undefined
-  const { index, fraction, isFace } = choice
-  return { ...candidates[index], fraction, reason: reasonOf(isFace, fraction, candidates.length) }
+  const { index, fraction } = choice
+  return { ...candidates[index], fraction, reason: reasonOf(choice, candidates.length) }
 }
 
-function reasonOf(isFace: boolean, fraction: number, count: number): string {
+function reasonOf({ fraction, movers }: SkinChoice, count: number): string {
   if (count === 1) return 'the only one with texture coordinates and a material'
   if (!(fraction > 0)) return 'the first one: no blendshape moves any'
-  const movers = isFace ? 'brows, lids and mouth' : 'the blendshapes'
   return `${Math.round(100 * fraction)}% of what ${movers} move`
 }
 

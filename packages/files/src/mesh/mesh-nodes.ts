@@ -6,6 +6,11 @@ export function nameOf(node: Node): string {
   return node.getMesh()!.getName() || node.getName()
 }
 
+/** The first node of a mesh. */
+export function nodeOf(mesh: Mesh): Node | undefined {
+  return mesh.listParents().find((parent) => parent.propertyType === 'Node') as Node | undefined
+}
+
 /** The primitives of a mesh that are triangles with texture coordinates. */
 export function trianglesOf(mesh: Mesh): Primitive[] {
   return mesh.listPrimitives().filter((primitive) => {

@@ -1,21 +1,23 @@
-import type { Accessor, Material, Mesh, Node, Primitive } from '@gltf-transform/core'
+import type { Accessor, Material, Mesh, Primitive } from '@gltf-transform/core'
 import type { Skin } from 'furrow/author'
 import { joinParts, type SkinPart } from 'furrow/internal'
 import { Matrix4 } from 'three'
 import { expressionsOf } from '../gltf/document.ts'
 import { namesOfTargets } from '../json/gltf-json.ts'
 import { readCoordinates } from './coordinates.ts'
-import { placementOf } from './mesh-nodes.ts'
+import { type HeadReader, headReader } from './head-weights.ts'
+import { nodeOf, placementOf } from './mesh-nodes.ts'
 
 /** Reads some primitives of a mesh as one skin in metres, in world space as its first node or skeleton places it. */
 export function readSkin(mesh: Mesh, primitives: readonly Primitive[], material: Material): Skin {
   const targets = Math.max(0, ...primitives.map((primitive) => primitive.listTargets().length))
   const names = namesOfTargets(mesh.getExtras().targetNames, targets)
-  const parts = primitives.map((primitive) => partOf(primitive, material))
+  const head = headReader(mesh)
+  const parts = primitives.map((primitive) => partOf(primitive, material, head))
   return joinParts(parts, names, placementOfMesh(mesh), expressionsOf(mesh))
 }
 
-function partOf(primitive: Primitive, material: Material): SkinPart {
+function partOf(primitive: Primitive, material: Material, head: HeadReader | undefined): SkinPart {
   const positions = primitive.getAttribute('POSITION')!
   const index = primitive.getIndices()
   const targets = primitive.listTargets()
@@ -25,6 +27,7 @@ function partOf(primitive: Primitive, material: Material): SkinPart {
     indices: indicesOf(index, count),
     readPositions: (vertices, out) => copyInto(out, positions, vertices),
     readUvs: (vertices, out) => readCoordinates(primitive, material, vertices, out),
+    readHeadWeights: head && ((vertices, out) => head(primitive, vertices, out)),
     readOffsets(k, vertices, out) {
       const moved = targets[k]?.getAttribute('POSITION')
       if (moved) copyInto(out, moved, vertices)
@@ -34,7 +37,7 @@ function partOf(primitive: Primitive, material: Material): SkinPart {
 
 /** Undefined where it is the identity. */
 function placementOfMesh(mesh: Mesh): number[] | undefined {
-  const node = mesh.listParents().find((parent) => parent.propertyType === 'Node') as Node | undefined
+  const node = nodeOf(mesh)
   const placement = new Matrix4()
   if (node) placement.fromArray(placementOf(node))
   return placement.equals(new Matrix4()) ? undefined : placement.toArray()

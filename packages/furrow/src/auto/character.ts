@@ -26,10 +26,22 @@ export interface PartData {
   targets: readonly VectorData[]
   /** Whether targets are added to the positions, or replace them. */
   isRelative: boolean
+  /** How it follows the head: by its skeleton, or as a whole; absent where it does not. */
+  head?: HeadData | 'whole' | undefined
+}
+
+/** How vertices follow a skeleton: up to four joints each. */
+export interface HeadData {
+  joints: VectorData
+  weights: VectorData
+  /** Whether each joint of the skeleton belongs to the head. */
+  isHead: readonly boolean[]
 }
 
 /** A mesh, or the part of one with one material. */
 export interface MeshData {
+  /** Names of the mesh and its material. */
+  label: string
   parts: readonly PartData[]
   /** Of the targets. */
   names: readonly string[]
@@ -48,7 +60,7 @@ export function skinOf({ parts, names, placement }: MeshData): Skin {
   return joinParts(parts.map(partOf), names, placement)
 }
 
-function partOf({ count, indices, positions, uvs, uvMatrix, targets, isRelative }: PartData): SkinPart {
+function partOf({ count, indices, positions, uvs, uvMatrix, targets, isRelative, head }: PartData): SkinPart {
   return {
     count,
     indices: indices ?? Uint32Array.from({ length: count }, (_, i) => i),
@@ -57,6 +69,7 @@ function partOf({ count, indices, positions, uvs, uvMatrix, targets, isRelative 
       read(uvs, 2, vertices, out)
       if (uvMatrix) transformUvs(out, uvMatrix)
     },
+    readHeadWeights: head && ((vertices, out) => readHeadWeights(head, vertices, out)),
     readOffsets(k, vertices, out) {
       if (!targets[k]) return
       read(targets[k], 3, vertices, out)
@@ -66,6 +79,20 @@ function partOf({ count, indices, positions, uvs, uvMatrix, targets, isRelative 
       for (let i = 0; i < out.length; i++) out[i] -= rest[i]
     },
   }
+}
+
+function readHeadWeights(head: HeadData | 'whole', vertices: Uint32Array, out: Float32Array): void {
+  if (head === 'whole') {
+    out.fill(1)
+    return
+  }
+  const { joints, weights, isHead } = head
+  const [own, shares] = [joints, weights].map((data) => {
+    const values = new Float32Array(4 * vertices.length)
+    read(data, 4, vertices, values)
+    return values
+  })
+  for (let i = 0; i < own.length; i++) if (isHead[own[i]]) out[i >> 2] += shares[i]
 }
 
 function read(data: VectorData, size: number, vertices: Uint32Array, out: Float32Array): void {

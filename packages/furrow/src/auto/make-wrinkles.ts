@@ -42,8 +42,8 @@ export async function makeCharacterWrinkles(
   made: (wrinkles: CharacterWrinkles) => void,
 ): Promise<void> {
   const candidates = character.map((mesh) => {
-    const { isLit, frame } = mesh
-    return { skin: skinOf(mesh), isLit, frame }
+    const { isLit, frame, label } = mesh
+    return { skin: skinOf(mesh), isLit, frame, label }
   })
   const key = await keyOf({ options, candidates })
   const known = await recall<CharacterWrinkles>(version, key)

@@ -11,6 +11,8 @@ export interface Skin {
   /** Three vertices per triangle. */
   indices: ArrayLike<number>
   targets: readonly SkinTarget[]
+  /** How much each vertex follows the joint of the head, 0..1; absent where the character has none. */
+  headWeights?: ArrayLike<number> | undefined
 }
 
 /** A blendshape. */

@@ -154,8 +154,9 @@ function headVertices({ mesh, used }: DrawnMesh): number[] {
   })
 }
 
-function isOfHead(bone: Bone): boolean {
-  for (let object: Object3D | null = bone; object; object = object.parent) {
+/** Whether a joint is the head or hangs on it. */
+export function isOfHead(joint: Object3D): boolean {
+  for (let object: Object3D | null = joint; object; object = object.parent) {
     if ((object as Partial<Bone>).isBone && /head/i.test(object.name)) return true
   }
   return false

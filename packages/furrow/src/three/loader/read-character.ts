@@ -8,6 +8,7 @@ import {
   type Texture,
 } from 'three'
 import type { MeshData, PartData, VectorData } from '../../auto/character.ts'
+import { isOfHead } from '../camera/head-region.ts'
 import { readsNormalMap, surfaceOf } from '../material/surface.ts'
 
 /** Whether a mesh, at rest, has all that automatic wrinkles are made from. */
@@ -23,7 +24,8 @@ export function readMeshes(meshes: readonly [Mesh, ...Mesh[]]): MeshData {
   const [mesh] = meshes
   const map = (surfaceOf(mesh) as { normalMap?: Texture | null }).normalMap
   return {
-    parts: meshes.map(({ geometry }) => partOf(geometry, map)),
+    label: `${mesh.name} ${surfaceOf(mesh).name}`,
+    parts: meshes.map((own) => ({ ...partOf(own.geometry, map), head: headOf(own as SkinnedMesh) })),
     names: targetNames(mesh),
     placement: placementOf(mesh).toArray(),
     isLit: readsNormalMap(surfaceOf(mesh)),
@@ -45,6 +47,14 @@ function partOf(
     targets: (morphAttributes.position ?? []).map(vectors),
     isRelative: morphTargetsRelative,
   }
+}
+
+function headOf({ skeleton, geometry, parent }: SkinnedMesh): PartData['head'] {
+  if (!skeleton) return parent && isOfHead(parent) ? 'whole' : undefined
+  const { skinIndex, skinWeight } = geometry.attributes
+  const isHead = skeleton.bones.map(isOfHead)
+  if (!isHead.includes(true) || !skinIndex || !skinWeight) return undefined
+  return { joints: vectors(skinIndex), weights: vectors(skinWeight), isHead }
 }
 
 function vectors(attribute: BufferAttribute | InterleavedBufferAttribute): VectorData {

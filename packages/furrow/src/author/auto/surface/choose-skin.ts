@@ -1,4 +1,5 @@
 import { length3 } from '../../../math/vector.ts'
+import type { ShapeKind } from '../../shapes/names/name-hint.ts'
 import { crossOf, type Skin } from '../../skin/surface.ts'
 import { faceShapeFinder, hintsOf } from './stand-ins.ts'
 
@@ -7,16 +8,18 @@ export interface SkinCandidate {
   skin: Skin
   /** Whether its material can show wrinkles: such a one is preferred where it moves at least half as much. */
   isLit: boolean
+  /** Names of its mesh and material, which may tell that it is no skin. */
+  label: string
 }
 
 /** The skin that was chosen. */
 export interface SkinChoice {
   /** Index of the candidate. */
   index: number
-  /** Of what the blendshapes move, 0..1; NaN where they move nothing. */
+  /** Fraction of what `movers` move, 0..1; NaN where they move nothing. */
   fraction: number
-  /** Whether brows, lids and mouth were looked at; all blendshapes otherwise. */
-  isFace: boolean
+  /** What the choice was made by, for people. */
+  movers: string
 }
 
 /** Blendshapes of a face that move its skin, not only eyes or teeth. */
@@ -30,20 +33,51 @@ const SKIN_SHAPES = [
   'mouthSmileRight',
 ]
 
+/** Kinds of blendshapes that tell nothing of where a face is. */
+const NO_EXPRESSIONS: readonly (ShapeKind | undefined)[] = ['body', 'corrective', 'hidden', 'other']
+
+/** Words in names of meshes and materials that are no skin. */
+const NO_SKIN =
+  /cloth|outfit|pants|trousers?|jeans|shorts|skirt|dress|shirt|\btops?\b|bottom|jacket|coat|shoe|boot|sock|glove|hat\b|glasses|hair|brow|lash|eye|iris|pupil|teeth|tooth|tongue|gum/i
+/** Factor for these. */
+const DOUBT = 0.25
+
 /**
- * Chooses the skin of a character: the candidate whose surface brows, lids and mouth move most. Where no blendshape has such a name, the
- * one that all blendshapes together move most.
+ * Chooses the skin of a character: the candidate whose surface brows, lids and mouth move most. Where no blendshape has such a name, the one
+ * that blendshapes move most where it follows the head; without a head, the one that all blendshapes move most. Body sliders and the like count
+ * only where nothing else moves anything.
  *
  * @returns undefined where there are no candidates.
  */
 export function chooseSkin(candidates: readonly SkinCandidate[]): SkinChoice | undefined {
   if (candidates.length === 0) return undefined
-  const byFace = candidates.map(({ skin }) => movedSurface(skin, faceTargets(skin)))
-  const isFace = byFace.some((moved) => moved > 0)
-  const moved = isFace ? byFace : candidates.map(({ skin }) => movedSurface(skin, [...skin.targets.keys()]))
+  const hasHead = candidates.some(({ skin }) => Array.prototype.some.call(skin.headWeights ?? [], isHead))
+  const ways: [movers: string, measure: (candidate: SkinCandidate) => number][] = [
+    ['brows, lids and mouth', ({ skin }) => movedSurface(skin, faceTargets(skin))],
+    [
+      'the blendshapes of the head',
+      ({ skin, label }) =>
+        hasHead ? doubt(label) * movedSurface(skin, expressions(skin), skin.headWeights ?? []) : 0,
+    ],
+    ['the blendshapes', ({ skin, label }) => doubt(label) * movedSurface(skin, expressions(skin))],
+    ['all blendshapes', ({ skin }) => movedSurface(skin, [...skin.targets.keys()])],
+  ]
+  let [moved, movers]: [number[], string] = [[], '']
+  for (const [name, measure] of ways) {
+    ;[moved, movers] = [candidates.map(measure), name]
+    if (moved.some((value) => value > 0)) break
+  }
   const preferred = moved.map((value, i) => (candidates[i].isLit ? 2 * value : value))
   const index = preferred.indexOf(Math.max(...preferred))
-  return { index, fraction: moved[index] / moved.reduce((a, b) => a + b, 0), isFace }
+  return { index, fraction: moved[index] / moved.reduce((a, b) => a + b, 0), movers }
+}
+
+function isHead(weight: number): boolean {
+  return weight > 0.5
+}
+
+function doubt(label: string): number {
+  return NO_SKIN.test(label) ? DOUBT : 1
 }
 
 /** Indices of the targets that move brows, lids and mouth. */
@@ -53,14 +87,29 @@ function faceTargets({ targets }: Skin): number[] {
   return [...new Set(SKIN_SHAPES.flatMap(find))]
 }
 
-/** The area of each triangle times how far the chosen targets move it, summed. */
-function movedSurface({ positions, indices, targets }: Skin, chosen: readonly number[]): number {
+/** Indices of the targets that may be expressions. */
+function expressions({ targets }: Skin): number[] {
+  const hints = hintsOf(targets)
+  return [...targets.keys()].filter((target) => !NO_EXPRESSIONS.includes(hints[target]?.kind))
+}
+
+/**
+ * The area of each triangle times how far the chosen targets move it, summed.
+ *
+ * @param weights factors of the vertices, all 1 by default; 0 of those that are missing.
+ */
+function movedSurface(
+  { positions, indices, targets }: Skin,
+  chosen: readonly number[],
+  weights?: ArrayLike<number>,
+): number {
   const distances = new Float64Array(positions.length / 3)
   for (const { offsets } of chosen.map((index) => targets[index])) {
     for (let i = 0; i < distances.length; i++) {
       distances[i] += length3(offsets[3 * i], offsets[3 * i + 1], offsets[3 * i + 2])
     }
   }
+  if (weights) for (let i = 0; i < distances.length; i++) distances[i] *= weights[i] ?? 0
   const normal = new Float64Array(3)
   let sum = 0
   for (let t = 0; t + 2 < indices.length; t += 3) {

@@ -12,6 +12,8 @@ export interface SkinPart {
   readUvs(vertices: Uint32Array, out: Float32Array): void
   /** Writes x, y and z that the target with this index adds to some vertices; nothing where it does not move the part. */
   readOffsets(target: number, vertices: Uint32Array, out: Float32Array): void
+  /** Writes how much some vertices follow the joint of the head, 0..1; absent where the character has none. */
+  readHeadWeights?: ((vertices: Uint32Array, out: Float32Array) => void) | undefined
 }
 
 /** The index of a corner whose vertex does not exist; the skin is refused for it later. */
@@ -35,6 +37,7 @@ export function joinParts(
   const positions = new Float32Array(3 * total)
   const uvs = new Float32Array(2 * total)
   const offsets = names.map(() => new Float32Array(3 * total))
+  const headWeights = parts.some((part) => part.readHeadWeights) ? new Float32Array(total) : undefined
   const indices = new Uint32Array(used.reduce((sum, { corners }) => sum + corners.length, 0))
   let [first, corner] = [0, 0]
   for (const [i, part] of parts.entries()) {
@@ -42,6 +45,7 @@ export function joinParts(
     const end = first + vertices.length
     part.readPositions(vertices, positions.subarray(3 * first, 3 * end))
     part.readUvs(vertices, uvs.subarray(2 * first, 2 * end))
+    if (headWeights) part.readHeadWeights?.(vertices, headWeights.subarray(first, end))
     for (const [k, offset] of offsets.entries()) {
       part.readOffsets(k, vertices, offset.subarray(3 * first, 3 * end))
     }
@@ -56,7 +60,7 @@ export function joinParts(
     const expression = expressions?.get(k)
     return { name, ...(expression !== undefined && { expression }), offsets: offsets[k] }
   })
-  return { positions, uvs, indices, targets }
+  return { positions, uvs, indices, targets, ...(headWeights && { headWeights }) }
 }
 
 /** The vertices that triangles use, ascending, and each triangle's corners as indices into them. Plain loops: there may be millions. */

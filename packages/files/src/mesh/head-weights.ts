@@ -1,0 +1,38 @@
+import type { Mesh, Node, Primitive } from '@gltf-transform/core'
+import { nodeOf } from './mesh-nodes.ts'
+
+/** Writes how much some vertices of a primitive follow the joint of the head, 0..1. */
+export type HeadReader = (primitive: Primitive, vertices: Uint32Array, out: Float32Array) => void
+
+/**
+ * How a mesh follows the head of its character: by its skeleton, or by hanging on it.
+ *
+ * @returns undefined where the mesh has no skeleton and hangs on no head.
+ */
+export function headReader(mesh: Mesh): HeadReader | undefined {
+  const node = nodeOf(mesh)
+  if (!node) return undefined
+  const skin = node.getSkin()
+  if (!skin) return isOfHead(node) ? (_, _vertices, out) => void out.fill(1) : undefined
+  const isHead = skin.listJoints().map(isOfHead)
+  if (!isHead.includes(true)) return undefined
+  return (primitive, vertices, out) => {
+    const [joints, weights] = [primitive.getAttribute('JOINTS_0'), primitive.getAttribute('WEIGHTS_0')]
+    if (!joints || !weights) return
+    const [joint, weight]: number[][] = [[], []]
+    for (let i = 0; i < vertices.length; i++) {
+      joints.getElement(vertices[i], joint)
+      weights.getElement(vertices[i], weight)
+      out[i] = joint.reduce((sum, index, k) => sum + (isHead[index] ? weight[k] : 0), 0)
+    }
+  }
+}
+
+/** Whether a node is the head or hangs on it. */
+function isOfHead(node: Node): boolean {
+  for (let above: Node | null = node; above; above = above.getParentNode()) {
+    // A mesh may be called so without being a joint.
+    if (!above.getMesh() && /head|頭/i.test(above.getName())) return true
+  }
+  return false
+}
