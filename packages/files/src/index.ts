@@ -25,6 +25,7 @@ export { namesOfTarget, type TargetNames, targetOfMaterial } from './json/target
 export { checkBasisSize } from './ktx2/basis.ts'
 export { COMPRESSIONS, type Compression, type NamedArray } from './ktx2/image-array.ts'
 export { readArray, writeArray } from './ktx2/ktx2.ts'
+export { addNormals } from './mesh/add-normals.ts'
 export { checkTriangles } from './mesh/check-triangles.ts'
 export { type FoundSkin, findSkin } from './mesh/find-skin.ts'
 export { nameOf, trianglesOf } from './mesh/mesh-nodes.ts'

@@ -134,6 +134,7 @@ export { DeformedNormals, morphNormalDeltas, type RestMesh } from '../src/math/d
 export { splineKnots } from '../src/math/spline.ts'
 export { principalStretches, restInverse } from '../src/math/stretch.ts'
 export { dot } from '../src/math/vector.ts'
+export { weldVertices } from '../src/math/weld.ts'
 export { Activations } from '../src/runtime/activations.ts'
 export { ExpressionMix } from '../src/runtime/expression-mix.ts'
 export { drivenFaces } from '../src/runtime/file/driven-faces.ts'

@@ -4,6 +4,7 @@ import { FurrowError } from 'furrow'
 import { AUTO_DEFAULTS, AUTO_REGIONS, type AutoRegion, autoWrinkles } from 'furrow/author'
 import { AUTO_STEPS, strokesOf, WRINKLE_MAPS } from 'furrow/internal'
 import {
+  addNormals,
   checkBasisSize,
   checkTriangles,
   costOf,
@@ -39,6 +40,9 @@ const SIZES = ['512', '1024', '2048', '4096'] as const
 /** Steps besides those of `autoWrinkles`: reading, encoding, writing; with a report also its maps and pictures. */
 const OWN_STEPS = 3
 const REPORT_STEPS = 2
+
+const WITHOUT_NORMALS =
+  'the mesh has no normals: smooth ones are added, without which it would show no wrinkles'
 
 /** Layers that compressed wrinkles have at most by default: with 1024 x 1024 texels they take 2 MB. */
 const KTX2_LAYERS = 2
@@ -168,14 +172,11 @@ async function auto(face: string, options: Options): Promise<void> {
     steps.begin('reading')
     const glb = await readGlbFile(face, WHO, options)
     checkTriangles(glb, WHO, mesh)
-    const found = findSkin(
-      await documentOf(glb, face, WHO),
-      face,
-      WHO,
-      mesh,
-      (i) => shadingOf(glb.json, i) !== 'unlit',
-    )
+    const document = await documentOf(glb, face, WHO)
+    const found = findSkin(document, face, WHO, mesh, (i) => shadingOf(glb.json, i) !== 'unlit')
     removeOldWrinkles(glb, found, options.replace ?? false)
+    const ofSkin = addNormals(glb, document, found.mesh) > 0 ? [WITHOUT_NORMALS] : []
+    ofSkin.push(...faceWarnings(glb.json, found, found.materialName, WHO))
     const frame = found.hasTangents ? 'orthonormal' : 'derivative'
     const wrinkles = withCommandErrors(WHO, () =>
       autoWrinkles(found.skin, { ...settings, frame }, (done, count, step) => {
@@ -190,7 +191,6 @@ async function auto(face: string, options: Options): Promise<void> {
     const files = await faceFiles(glb, output, WHO, replacing)
     const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0)
     if (strokes !== undefined) files.push({ path: strokes, bytes: jsonFile(strokesOf(wrinkles)) })
-    const ofSkin = faceWarnings(glb.json, found.material, found.materialName)
     const warnings = [...wrinkles.warnings, ...ofSkin].map((text) => `${WHO}: ${text}`)
     if (report !== undefined) {
       const listed = {

@@ -18,7 +18,7 @@ export interface TargetNames {
 }
 
 /**
- * Indices of a material with wrinkles and of the mesh that its drivers move; see `drivenFaces`.
+ * Indices of a material with wrinkles and of the mesh that its drivers move most; see `drivenFaces`.
  *
  * @returns undefined where no mesh has the material.
  */
@@ -27,19 +27,28 @@ export function targetOfMaterial(
   material: number,
   drivers: readonly WrinkleDriver[],
 ): Target | undefined {
-  const meshes = meshesOf(json).filter(({ index }) => {
-    return materialsOf(json, index).some(({ target }) => target.material === material)
-  })
-  const measure = ({ index }: Candidate) => {
-    const mesh = json.meshes![index]
+  const usable = meshesOf(json).map(({ index }) => index)
+  const mesh = facesOfMaterial(json, material, drivers).find((index) => usable.includes(index))
+  return mesh === undefined ? undefined : { mesh, material }
+}
+
+/** Indices of the meshes that wrinkle with a material; see `drivenFaces`. */
+export function facesOfMaterial(
+  json: GltfJson,
+  material: number,
+  drivers: readonly WrinkleDriver[],
+): number[] {
+  const meshes = [...(json.meshes ?? []).entries()].filter(([, { primitives }]) =>
+    primitives.some((primitive) => primitive.material === material),
+  )
+  const measure = ([, mesh]: [number, GltfMesh]) => {
     const counts = mesh.primitives.map(({ attributes }) => {
       const position = json.accessors?.[attributes?.POSITION ?? -1] as { count?: number } | undefined
       return position?.count ?? 0
     })
     return { targets: targetNamesOf(mesh), vertices: Math.max(0, ...counts) }
   }
-  const [mesh] = drivenFaces(meshes, measure, drivers)
-  return mesh && { mesh: mesh.index, material }
+  return drivenFaces(meshes, measure, drivers).map(([index]) => index)
 }
 
 /** Names by which `findTarget` finds a mesh and its material; an index where no name does. */

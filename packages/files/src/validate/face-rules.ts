@@ -1,5 +1,7 @@
+import { FurrowError } from 'furrow'
 import type { GltfJson, GltfMesh } from '../json/gltf-json.ts'
 import { shadingOf } from '../json/shading.ts'
+import type { Target } from '../json/target-names.ts'
 import { errorFinding, type Finding, warningFinding } from './finding.ts'
 
 type Primitive = GltfMesh['primitives'][number]
@@ -26,30 +28,49 @@ export function isDrawn(json: GltfJson, material: number): boolean {
   return drawnPrimitives(json, material).length > 0
 }
 
-/** Checks that everything drawn with a material can wrinkle, as loaders do. */
-export function checkFaces(json: GltfJson, material: number): Finding[] {
+/**
+ * Checks that the faces of a material can wrinkle, as loaders do.
+ *
+ * @param faces indices of their meshes; other meshes may have the material too.
+ */
+export function checkFaces(json: GltfJson, material: number, faces: readonly number[]): Finding[] {
   const shading = SHADING_FINDINGS[shadingOf(json, material)]
-  return [...missingAttributes(json, material), ...(shading ? [shading] : [])]
+  return [...missingAttributes(json, material, faces), ...(shading ? [shading] : [])]
 }
 
-/** The same, in words for a user whose material gets wrinkles. */
-export function faceWarnings(json: GltfJson, material: number, name: string): string[] {
-  return checkFaces(json, material).map(({ severity, message }) => {
-    return `the material "${name}"${severity === 'error' ? ' shows no wrinkles' : ''}: ${message}`
-  })
+/**
+ * The same for one mesh with a material that gets wrinkles.
+ *
+ * @returns a sentence for each warning.
+ * @throws FurrowError where no loader would show them.
+ */
+export function faceWarnings(
+  json: GltfJson,
+  { mesh, material }: Target,
+  name: string,
+  who: string,
+): string[] {
+  const findings = checkFaces(json, material, [mesh])
+  const fault = findings.find(({ severity }) => severity === 'error')
+  if (fault) {
+    const [what, remedy] = fault.message.split('; ')
+    throw new FurrowError({ who, what: `the material "${name}" can show no wrinkles: ${what}`, remedy })
+  }
+  return findings.map(({ message }) => `the material "${name}": ${message}`)
 }
 
 /** What meshes with a material lack to wrinkle. */
-function missingAttributes(json: GltfJson, material: number): Finding[] {
-  const primitives = drawnPrimitives(json, material)
+function missingAttributes(json: GltfJson, material: number, faces: readonly number[]): Finding[] {
+  const primitives = drawnPrimitives(json, material, faces)
   return ATTRIBUTES.flatMap(([name, remedy]) => {
     if (primitives.every(({ attributes = {} }) => attributes[name] !== undefined)) return []
     return [errorFinding('ATTRIBUTE', `a mesh with this material has no ${name}; ${remedy}`)]
   })
 }
 
-function drawnPrimitives(json: GltfJson, material: number): Primitive[] {
+function drawnPrimitives(json: GltfJson, material: number, faces?: readonly number[]): Primitive[] {
   return meshesInScenes(json).flatMap((index) => {
+    if (faces && !faces.includes(index)) return []
     const primitives = json.meshes?.[index]?.primitives ?? []
     return primitives.filter((primitive) => {
       return primitive.material === material && (primitive.mode ?? TRIANGLES) >= TRIANGLES

@@ -5,6 +5,7 @@ import type { Glb } from '../gltf/glb.ts'
 import { ktx2HeaderOf } from '../gltf/texture-image.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
 import { jointNamesOf, targetNamesOf } from '../json/gltf-json.ts'
+import { facesOfMaterial } from '../json/target-names.ts'
 import { findDriverFaults } from '../wrinkles/driver-faults.ts'
 import { type Inspection, inspectWrinkles } from '../wrinkles/inspect.ts'
 import { strokesIn } from '../wrinkles/strokes.ts'
@@ -50,9 +51,11 @@ async function checkMaterial(glb: Glb, material: number): Promise<Finding[]> {
 
 async function findingsOf(glb: Glb, material: number): Promise<Finding[]> {
   const json = glb.json.materials![material].extensions![WRINKLE_MAPS]
-  const faces = checkFaces(glb.json, material)
+  const all = [...(glb.json.meshes ?? []).keys()]
+  let faces = checkFaces(glb.json, material, all)
   try {
     const maps = parseWrinkleMaps(json, glb.json.textures?.length ?? 0)
+    faces = checkFaces(glb.json, material, facesOfMaterial(glb.json, material, maps.drivers))
     const shapes = await readShapes(glb, maps)
     const problems = mapProblems(
       maps,
