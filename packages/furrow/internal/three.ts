@@ -2,7 +2,7 @@
 
 export { DeclaredWrinkles } from '../src/three/loader/declared-wrinkles.ts'
 export { readImages } from '../src/three/loader/load-wrinkle-set.ts'
-export { canCrease, placementOf, readMeshes } from '../src/three/loader/read-character.ts'
+export { canCrease, placementOf, readMeshes, readQuantised } from '../src/three/loader/read-character.ts'
 export {
   chooseFaces,
   facesOf,

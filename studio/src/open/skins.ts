@@ -5,6 +5,7 @@ import {
   facesOf,
   materialReader,
   readMeshes,
+  readQuantised,
   readsNormalMap,
   surfaceOf,
   wrinkledMaterials,
@@ -45,10 +46,11 @@ export async function findSkins(gltf: GLTF, onFault: (fault: string) => void): P
       onFault(`${(error as Error).message}; the face stays plain`)
     }
   }
-  return facesOf(gltf, parser).map((meshes) => ({
-    ...describe(meshes, gltf),
-    wrinkles: wrinkled.get(meshes[0]) ?? null,
-  }))
+  return facesOf(gltf, parser).map((meshes) => {
+    const wrinkles = wrinkled.get(meshes[0]) ?? null
+    if (!wrinkles) readQuantised(meshes)
+    return { ...describe(meshes, gltf), wrinkles }
+  })
 }
 
 /**

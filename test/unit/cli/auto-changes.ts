@@ -1,5 +1,5 @@
 import type { Document, Mesh, Node, Primitive } from '@gltf-transform/core'
-import { KHRTextureTransform } from '@gltf-transform/extensions'
+import { KHRMeshQuantization, KHRTextureTransform } from '@gltf-transform/extensions'
 import { meshopt, quantize, sparse } from '@gltf-transform/functions'
 import { MeshoptEncoder } from 'meshoptimizer/encoder'
 import { Matrix3, Vector2 } from 'three'
@@ -20,6 +20,7 @@ export const FORMATS = {
   'placed by its node': placeByNode,
   'placed by a skeleton': placeBySkeleton,
   'with a KHR_texture_transform': transformCoordinates,
+  'without a normal map, with coordinates that only the base colour dequantises': quantiseCoordinates,
 } as const satisfies Record<string, (document: Document) => unknown>
 
 /** The skin of the shipped face. */
@@ -92,6 +93,20 @@ export function transformCoordinates(document: Document): void {
   mapAttribute(mesh.listPrimitives(), 'TEXCOORD_0', ([u, v]) =>
     new Vector2(u!, v!).applyMatrix3(back).toArray(),
   )
+}
+
+/** Texture coordinates as gltfpack writes them: 12 bits, which the transform of each map scales. The skin has no normal map. */
+export function quantiseCoordinates(document: Document): void {
+  const [primitive] = skinOf(document).listPrimitives()
+  const material = primitive!.getMaterial()!.setNormalTexture(null)
+  const uv = primitive!.getAttribute('TEXCOORD_0')!
+  const values = Uint16Array.from(uv.getArray() as Float32Array, (value) => Math.round(value * 4095))
+  primitive!.setAttribute('TEXCOORD_0', document.createAccessor().setType('VEC2').setArray(values))
+  document.createExtension(KHRMeshQuantization).setRequired(true)
+  const transform = document.createExtension(KHRTextureTransform).createTransform()
+  material
+    .getBaseColorTextureInfo()!
+    .setExtension(KHRTextureTransform.EXTENSION_NAME, transform.setScale([1 / 4095, 1 / 4095]))
 }
 
 /** Every other triangle in a primitive of its own. */

@@ -1,10 +1,11 @@
-import type { Material, Primitive } from '@gltf-transform/core'
+import type { Material, Primitive, TextureInfo } from '@gltf-transform/core'
 import { KHRTextureTransform, type Transform } from '@gltf-transform/extensions'
 import { Matrix3, Vector2 } from 'three'
 
 /**
  * Reads the texture coordinates that renderers use for wrinkles: those of the material's normal map, with its
- * KHR_texture_transform; TEXCOORD_0 where it has no normal map.
+ * KHR_texture_transform; TEXCOORD_0 where it has no normal map. Without one, quantised coordinates are read as the base colour's are, if that has
+ * a transform: packing adds a normal map with the same.
  *
  * @param vertices indices of the vertices to read.
  * @param out u and v of each of them.
@@ -15,7 +16,7 @@ export function readCoordinates(
   vertices: Uint32Array,
   out: Float32Array,
 ): void {
-  const info = material.getNormalTextureInfo()
+  const info = material.getNormalTextureInfo() ?? quantisedInfo(primitive, material)
   const transform = info?.getExtension<Transform>(KHRTextureTransform.EXTENSION_NAME)
   const channel = transform?.getTexCoord() ?? info?.getTexCoord() ?? 0
   const accessor = primitive.getAttribute(`TEXCOORD_${channel}`) ?? primitive.getAttribute('TEXCOORD_0')!
@@ -27,6 +28,16 @@ export function readCoordinates(
     if (matrix) uv.applyMatrix3(matrix)
     uv.toArray(out, 2 * i)
   }
+}
+
+/** As `quantisedCoordinates` finds it in the JSON. */
+function quantisedInfo(primitive: Primitive, material: Material): TextureInfo | null {
+  const info = material.getBaseColorTextureInfo()
+  const transform = info?.getExtension<Transform>(KHRTextureTransform.EXTENSION_NAME)
+  if (!transform) return null
+  const channel = transform.getTexCoord() ?? info!.getTexCoord()
+  const array = primitive.getAttribute(`TEXCOORD_${channel}`)?.getArray()
+  return array && !(array instanceof Float32Array) ? info : null
 }
 
 /** Scaled, rotated clockwise, then translated (KHR_texture_transform); `Matrix3.setUvTransform` scales last. */

@@ -4,6 +4,7 @@ import { BufferViewWriter } from '../gltf/buffer-view-writer.ts'
 import type { Glb } from '../gltf/glb.ts'
 import type { GltfJson } from '../json/gltf-json.ts'
 import type { StoredStrokes } from '../wrinkles/strokes.ts'
+import { FLAT_NORMAL, quantisedCoordinates } from './flat-normal.ts'
 
 /** An encoded image to embed in a file. */
 export interface FileImage {
@@ -73,11 +74,17 @@ export function usesKtx2({ textures = [] }: GltfJson): boolean {
 export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedWrinkles, who: string): void {
   const { json } = glb
   const material = json.materials![materialIndex]
+  const textures = new TextureWriter(glb)
+  const quantised = quantisedCoordinates(json, materialIndex)
+  if (quantised) {
+    const image = { name: 'flat normal', mimeType: 'image/png', bytes: FLAT_NORMAL }
+    const sampler = json.textures?.[quantised.index]?.sampler
+    material.normalTexture = { ...quantised, ...textures.add(image, sampler) }
+  }
   const normal = material.normalTexture
   // Wrinkles use the texture coordinates of the skin's normal map. It is written down for tools that prune unused ones.
   const texCoord = normal?.texCoord ? { texCoord: normal.texCoord } : {}
   const skinSampler = json.textures?.[normal?.index ?? -1]?.sampler
-  const textures = new TextureWriter(glb)
   const textureInfo = (image: FileImage | undefined, more: object = {}) =>
     image && { ...textures.add(image, skinSampler), ...texCoord, ...more }
 

@@ -11,7 +11,7 @@ import { Appearance } from '../appearance.ts'
 import { surfaceOf } from '../material/surface.ts'
 import { mapTexture } from '../material/textures.ts'
 import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
-import { canCrease, readMeshes } from './read-character.ts'
+import { canCrease, readMeshes, readQuantised } from './read-character.ts'
 
 type Meshes = [Mesh, ...Mesh[]]
 
@@ -76,6 +76,7 @@ async function makeAutoWrinkles(
   const skins = groupBySkin(faces.filter((meshes) => meshes.every(canCrease)))
   if (skins.length === 0) throw withoutBlendshapes()
   // Now, since a page may move the scene and its bones at once.
+  for (const [first] of skins) readQuantised(first!)
   const character = skins.map(([first]) => readMeshes(first!))
   const inUse = new SkinsInUse(skins, options.signal)
   const run = async () => {

@@ -10,10 +10,27 @@ import {
 import type { MeshData, PartData, VectorData } from '../../auto/character.ts'
 import { isOfHead } from '../camera/head-region.ts'
 import { readsNormalMap, surfaceOf } from '../material/surface.ts'
+import { flatNormalTexture } from '../material/textures.ts'
 
 /** Whether a mesh, at rest, has all that automatic wrinkles are made from. */
 export function canCrease({ geometry: { attributes, morphAttributes } }: Mesh): boolean {
   return Boolean(attributes.position && attributes.uv && morphAttributes.position?.length)
+}
+
+/**
+ * Gives a material without a normal map a flat one with the transform of its colours, where only that tells how quantised texture coordinates are to
+ * be read (KHR_mesh_quantization): wrinkles use the coordinates of the normal map.
+ */
+export function readQuantised(meshes: readonly [Mesh, ...Mesh[]]): void {
+  const surface = surfaceOf(meshes[0])
+  const { normalMap, map } = surface as { normalMap?: Texture | null; map?: Texture | null }
+  if (!readsNormalMap(surface) || normalMap || !map) return
+  const isMoved = map.rotation !== 0 || [map.offset, map.repeat].some(({ x, y }, i) => x !== i || y !== i)
+  const areQuantised = meshes.every(({ geometry: { attributes } }) => {
+    const uv = attributes[map.channel ? `uv${map.channel}` : 'uv']
+    return uv && !(vectors(uv).array instanceof Float32Array)
+  })
+  if (isMoved && areQuantised) surface.normalMap = flatNormalTexture(map)
 }
 
 /**
