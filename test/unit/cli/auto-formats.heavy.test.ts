@@ -45,6 +45,7 @@ const TOLERANCES: Partial<Record<keyof typeof FORMATS, Tolerance>> = {
   'placed by its node': ROUNDED,
   'placed by a skeleton': ROUNDED,
   'with a KHR_texture_transform': ROUNDED,
+  'without a normal map, with coordinates that only the base colour dequantises': QUANTISED,
 }
 
 /** Each is the same face: the wrinkles must be the same too. */
