@@ -35,7 +35,7 @@ export { type UvGrid, UvLocator } from '../src/author/skin/uv-locator.ts'
 export { barycentricsAt, positionAt, walk } from '../src/author/skin/walk.ts'
 export type { GroupShape, PolygonShape } from '../src/author/strokes/area-definitions.ts'
 export type { LocatedSkin } from '../src/author/strokes/curve.ts'
-export { type AreaShape, type CurveKind, STROKE_DEFAULTS } from '../src/author/strokes/document.ts'
+export { type AreaShape, type CurveKind, SCALES, STROKE_DEFAULTS } from '../src/author/strokes/document.ts'
 export {
   nearestOnStroke,
   type StrokeCurve,
@@ -59,6 +59,7 @@ export { resampleGray } from '../src/core/image.ts'
 export { JsonReader } from '../src/core/json.ts'
 export {
   DEFAULT_AREA_SIZE,
+  LARGEST,
   LONGEST_NAME,
   MAX_AREAS,
   MAX_IMAGE_BYTES,

@@ -8,7 +8,7 @@ export interface DroppedFile {
 }
 
 /** Most files that are listed, so that the page does not hang on a dropped home folder. */
-const MOST_FILES = 5000
+export const MOST_FILES = 5000
 /** Folders inside each other beyond which nothing is listed. */
 const MOST_DEPTH = 32
 
@@ -60,7 +60,7 @@ class Listing {
 
   add(path: string, file: File): void {
     if (path.split('/').some(isHidden)) return
-    if (this.list.length === MOST_FILES) throw tooMany()
+    if (this.list.length === MOST_FILES) throw tooManyFiles('what is dropped at once')
     this.list.push({ path, file })
   }
 }
@@ -110,11 +110,12 @@ function notReadable(name: string, { message }: Error): FurrowError {
   })
 }
 
-function tooMany(): FurrowError {
+/** The error for a folder or an archive with too many files. */
+export function tooManyFiles(name: string): FurrowError {
   return new FurrowError({
     code: 'out-of-range',
     who: 'Studio',
-    what: 'too many files',
+    what: `too many files in ${name}`,
     limit: `${MOST_FILES.toLocaleString('en')} files`,
     remedy: 'drop the folder of the avatar alone',
   })

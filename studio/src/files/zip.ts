@@ -1,7 +1,8 @@
-import { type UnzipFileInfo, unzip, Zip, ZipDeflate, ZipPassThrough } from 'fflate'
+import { Zip, ZipDeflate, ZipPassThrough } from 'fflate'
 import { FurrowError } from 'furrow'
-import { bytesOf } from './dropped-files.ts'
+import { bytesOf, MOST_FILES, tooManyFiles } from './dropped-files.ts'
 import type { AvatarFile, FolderFile } from './folder-files.ts'
+import { unpackEntry, type ZipEntry, zipEntries } from './read-zip.ts'
 
 /** Most bytes that the files of an archive may have when they are unpacked. */
 const MOST_BYTES = 2 ** 30
@@ -29,33 +30,33 @@ export async function zipFolder(files: readonly FolderFile[], name: string): Pro
 /**
  * The files of a .zip, with their paths; a folder that all of them are in is left out of these.
  *
- * @throws FurrowError when it is damaged, or too large.
+ * @throws FurrowError when it is damaged or too large, has too many files, or one with more bytes than it says.
  */
 export async function unzipFolder(file: Blob, name: string): Promise<AvatarFile[]> {
   if (file.size > MOST_BYTES) throw tooLarge(name)
   const bytes = await bytesOf(file, name)
-  let total = 0
-  const filter = ({ name: path, originalSize }: UnzipFileInfo) => {
-    if (path.endsWith('/') || isLeftBehind(path)) return false
-    total += originalSize
-    if (total > MOST_BYTES) throw tooLarge(name)
-    return true
+  const files = new Map<string, Blob>()
+  try {
+    for (const entry of entriesOf(bytes, name)) files.set(entry.path, await unpackEntry(bytes, entry))
+  } catch (error) {
+    throw error instanceof FurrowError ? error : damaged(name, error as Error)
   }
-  const files = await new Promise<Record<string, Uint8Array>>((resolve, reject) => {
-    try {
-      unzip(bytes, { filter }, (error, unpacked) => (error ? reject(error) : resolve(unpacked)))
-    } catch (error) {
-      reject(error)
-    }
-  }).catch((error) => {
-    throw error instanceof FurrowError ? error : damaged(name, error)
-  })
-  const paths = Object.keys(files)
-  const root = rootOf(paths)
-  return paths.map((path) => ({
-    path: path.slice(root.length),
-    file: new Blob([files[path] as Uint8Array<ArrayBuffer>]),
-  }))
+  const root = rootOf([...files.keys()])
+  return [...files].map(([path, file]) => ({ path: path.slice(root.length), file }))
+}
+
+/** The entries to unpack. Throws FurrowError where there are too many, or they say that they are too large together. */
+function entriesOf(bytes: Uint8Array, name: string): ZipEntry[] {
+  const entries: ZipEntry[] = []
+  let total = 0
+  for (const entry of zipEntries(bytes)) {
+    if (entry.path.endsWith('/') || isLeftBehind(entry.path)) continue
+    total += entry.length
+    if (total > MOST_BYTES) throw tooLarge(name)
+    if (entries.length === MOST_FILES) throw tooManyFiles(name)
+    entries.push(entry)
+  }
+  return entries
 }
 
 /** The folder that all files are in, with its `/`; empty where there is none. */
@@ -80,7 +81,9 @@ function tooLarge(name: string): FurrowError {
 }
 
 function damaged(name: string, cause: Error): FurrowError {
-  const what = `cannot read ${name} (${cause.message})`
+  // Numbers in it lead out of it.
+  const problem = cause instanceof RangeError ? 'it is cut off or damaged' : cause.message
+  const what = `cannot read ${name} (${problem})`
   return new FurrowError(
     { code: 'unreadable', who: 'Studio', what, remedy: 'save or download it again' },
     { cause },

@@ -84,11 +84,9 @@ export async function writeFolder(
 async function filesOfStudio(folder: FileSystemDirectoryHandle): Promise<string[]> {
   try {
     const file = await (await folder.getFileHandle(STUDIO_FILE)).getFile()
-    const { files } = parseStudioFile(JSON.parse(await file.text()))
+    const { files = [] } = parseStudioFile(JSON.parse(await file.text())).studio
     // Only images: a file that someone wrote cannot make the studio delete others.
-    const isImage = (path: unknown) =>
-      typeof path === 'string' && /^(layers|areas|under)\/.*\.\w+$/.test(path)
-    return Array.isArray(files) ? files.filter(isImage) : []
+    return files.filter((path) => /^(layers|areas|under)\/.*\.\w+$/.test(path))
   } catch {
     return []
   }

@@ -16,7 +16,13 @@ import { named } from '../document/names.ts'
 import { bytesOf } from '../files/dropped-files.ts'
 import { Folder } from '../files/folder.ts'
 import type { AvatarFile } from '../files/folder-files.ts'
-import { FACE_FOLDER, parseStudioFile, STUDIO_FILE, type StudioFile } from './studio-file.ts'
+import {
+  FACE_FOLDER,
+  parseStudioFile,
+  type ReadStudioFile,
+  STUDIO_FILE,
+  type StudioFile,
+} from './studio-file.ts'
 
 const WHO = 'Studio'
 
@@ -33,6 +39,8 @@ export interface ReadFolder {
   document: StudioDocument
   /** The avatar's files, the first of which is the face; none where there is no face. */
   face: AvatarFile[]
+  /** What was left out, a sentence each. */
+  notes: string[]
 }
 
 /**
@@ -48,7 +56,7 @@ export async function readFolder(
   decode: DecodeGray,
 ): Promise<ReadFolder> {
   const folder = new Folder(files, name)
-  const studio = parseStudioFile(await folder.json(STUDIO_FILE))
+  const { studio, note } = await readStudioFile(folder)
   const set = setOf(await folder.json(WRINKLES_FILE), folder)
   const strokes = await strokesOf(folder, set)
   const { areaSize = DEFAULT_AREA_SIZE } = set
@@ -72,7 +80,16 @@ export async function readFolder(
     drivers: set.drivers ?? [],
     ...(studio.auto && { auto: studio.auto }),
   }
-  return { document, face: faceOf(files, studio) }
+  return { document, face: faceOf(files, studio), notes: note === undefined ? [] : [note] }
+}
+
+/** A `studio.json` that is no JSON is left out too. */
+async function readStudioFile(folder: Folder): Promise<ReadStudioFile> {
+  try {
+    return parseStudioFile(await folder.json(STUDIO_FILE))
+  } catch (error) {
+    return { studio: { version: 1 }, note: (error as Error).message }
+  }
 }
 
 function setOf(json: unknown, { paths, name }: Folder): WrinkleSetDocument {

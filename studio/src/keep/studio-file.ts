@@ -1,4 +1,13 @@
-import type { AutoSettings, MapName, StudioDocument } from '../document/document.ts'
+import { AUTO_REGIONS } from 'furrow/author'
+import { JsonReader, LARGEST, MAX_IMAGE_SIDE, SCALES } from 'furrow/internal'
+import {
+  AUTO_AGES,
+  AUTO_STRENGTHS,
+  type AutoSettings,
+  MAP_NAMES,
+  type MapName,
+  type StudioDocument,
+} from '../document/document.ts'
 
 /**
  * `studio.json`: what the studio knows of a folder beyond what `furrow pack` reads, which ignores it. A folder made by hand has none, and
@@ -53,8 +62,130 @@ export function automaticParts({ layers, areas, strokes }: StudioDocument) {
   }
 }
 
-/** `studio.json` of a folder; what it should not be counts as absent, as the document is whole without it. */
-export function parseStudioFile(json: unknown): StudioFile {
-  const isUsable = typeof json === 'object' && json !== null && (json as StudioFile).version === 1
-  return isUsable ? (json as StudioFile) : { version: 1 }
+/** A `studio.json` that was read. */
+export interface ReadStudioFile {
+  studio: StudioFile
+  /** What is wrong with it, in one line. */
+  note?: string
+}
+
+/** Most characters of a path or an address. */
+const LONGEST_PATH = 2048
+const MOST_FILES = 5000
+/** More than a document can have of areas or layers. */
+const MOST_NAMES = 4096
+const MOST_STROKES = 1_000_000
+
+/** Reads `studio.json`. A field that is wrong counts as absent, as the document is whole without it. */
+export function parseStudioFile(json: unknown): ReadStudioFile {
+  const faults: string[] = []
+  const right = <T>(read: () => T): T | undefined => {
+    try {
+      return read()
+    } catch (error) {
+      faults.push((error as Error).message)
+      return undefined
+    }
+  }
+  const reader = new JsonReader(STUDIO_FILE)
+  const fields =
+    json === undefined
+      ? {}
+      : (right(() => {
+          const object = reader.object(json, 'the document')
+          reader.integer(object.version, 'version', 1, 1)
+          return object
+        }) ?? {})
+  const studio: StudioFile = { version: 1 }
+  for (const [name, parse] of Object.entries(FIELDS)) {
+    const value = fields[name]
+    const parsed = value === undefined ? undefined : right(() => parse(reader, value, name))
+    if (parsed !== undefined) Object.assign(studio, { [name]: parsed })
+  }
+  if (faults.length === 0) return { studio }
+  const others = faults.length > 1 ? ` (and ${faults.length - 1} more)` : ''
+  return { studio, note: `Opened without a part of ${STUDIO_FILE}: ${faults[0]}${others}` }
+}
+
+type ParseField<T> = (reader: JsonReader, value: unknown, path: string) => T
+
+/** The schema: each field by its name. */
+const FIELDS: { [Name in Exclude<keyof StudioFile, 'version'>]-?: ParseField<StudioFile[Name]> } = {
+  scale: (reader, value, path) => reader.number(value, path, ...SCALES, 'mm per unit'),
+  mapSize: (reader, value, path) => reader.integer(value, path, 16, MAX_IMAGE_SIDE),
+  auto: parseAuto,
+  automaticAreas: (reader, value, path) =>
+    listOf(reader, value, path, MOST_NAMES, (item, at) => reader.name(item, at)),
+  automaticStrokes: (reader, value, path) =>
+    listOf(reader, value, path, MOST_STROKES, (item, at) => reader.integer(item, at, 0, MOST_STROKES)),
+  automaticBlood: (reader, value, path) =>
+    listOf(reader, value, path, MOST_NAMES, (item, at) => reader.name(item, at)),
+  layers: (reader, value, path) =>
+    Object.fromEntries(
+      Object.entries(reader.object(value, path)).map(([name, layer]) => [
+        name,
+        parseLayer(reader, layer, `${path}.${name}`),
+      ]),
+    ),
+  face: (reader, value, path) => {
+    const face = reader.object(value, path)
+    const text = (name: keyof FaceFile) => reader.text(face[name], `${path}.${name}`, LONGEST_PATH)
+    return { path: text('path'), name: text('name') }
+  },
+  files: (reader, value, path) =>
+    listOf(reader, value, path, MOST_FILES, (item, at) => reader.text(item, at, LONGEST_PATH)),
+}
+
+function listOf<T>(
+  reader: JsonReader,
+  value: unknown,
+  path: string,
+  most: number,
+  parse: (item: unknown, path: string) => T,
+): T[] {
+  return reader.array(value, path, 0, most).map((item, i) => parse(item, `${path}[${i}]`))
+}
+
+function parseAuto(reader: JsonReader, value: unknown, path: string): AutoSettings {
+  const { age, strength, size, seed, seeds, regions } = reader.object(value, path)
+  const seedAt = (value: unknown, path: string) => reader.integer(value, path, 0, 2 ** 31 - 1)
+  const parseSeeds = (value: unknown, path: string) =>
+    Object.fromEntries(
+      Object.entries(reader.object(value, path, AUTO_REGIONS)).map(([region, seed]) => [
+        region,
+        seedAt(seed, `${path}.${region}`),
+      ]),
+    )
+  return {
+    ...(age !== undefined && { age: reader.number(age, `${path}.age`, ...AUTO_AGES, 'years') }),
+    strength: reader.number(strength, `${path}.strength`, ...AUTO_STRENGTHS, ''),
+    size: reader.integer(size, `${path}.size`, 16, MAX_IMAGE_SIDE),
+    seed: seedAt(seed, `${path}.seed`),
+    ...(seeds !== undefined && { seeds: parseSeeds(seeds, `${path}.seeds`) }),
+    ...(regions !== undefined && {
+      regions: listOf(reader, regions, `${path}.regions`, AUTO_REGIONS.length, (region, at) =>
+        reader.choice(region, at, AUTO_REGIONS),
+      ),
+    }),
+  }
+}
+
+function parseLayer(reader: JsonReader, value: unknown, path: string): DrawnLayer {
+  const { drawn, under, heightAmplitude } = reader.object(value, path)
+  const parseUnder = (value: unknown, path: string) =>
+    Object.fromEntries(
+      Object.entries(reader.object(value, path, MAP_NAMES)).map(([map, address]) => [
+        map,
+        reader.text(address, `${path}.${map}`, LONGEST_PATH),
+      ]),
+    )
+  return {
+    drawn: listOf(reader, drawn, `${path}.drawn`, MAP_NAMES.length, (map, at) =>
+      reader.choice(map, at, MAP_NAMES),
+    ),
+    ...(under !== undefined && { under: parseUnder(under, `${path}.under`) }),
+    ...(heightAmplitude !== undefined && {
+      heightAmplitude: reader.number(heightAmplitude, `${path}.heightAmplitude`, 0, LARGEST, 'metres'),
+    }),
+  }
 }

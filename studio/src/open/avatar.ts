@@ -67,9 +67,12 @@ async function openProject(
   shown: OpenedAvatar | undefined,
 ): Promise<OpenedAvatar> {
   const { readProjectInWorker } = await import('../export/in-worker.ts')
-  const { document, face } = await readProjectInWorker(folder)
+  const read = await readProjectInWorker(folder)
+  const { document, face } = read
   const files = face.map(({ path, file }) => ({ path, file: new File([file], path) }))
-  const avatar = files.length > 0 ? await openAvatar(files[0], { files, notes }) : shown
+  const all = [...notes, ...read.notes]
+  const avatar =
+    files.length > 0 ? await openAvatar(files[0], { files, notes: all }) : shown && { ...shown, notes: all }
   if (!avatar) throw withoutAvatar(folder.name)
   return { ...avatar, document, skin: skinOfDocument(avatar, document) }
 }

@@ -1,4 +1,5 @@
-import type { AreaConvention } from 'furrow'
+import { type AreaConvention, FurrowError } from 'furrow'
+import { MAX_AREAS } from 'furrow/internal'
 import { readArea } from '../area-file.ts'
 import type { Messages } from '../messages.ts'
 import type { ShownFace } from '../viewer/shown-face.ts'
@@ -16,19 +17,25 @@ export class FaceAreas {
     this.#messages = messages
   }
 
+  /** Adds the images that can be areas. One message tells of all others. */
   async add(files: readonly File[], convention: AreaConvention): Promise<void> {
-    for (const file of files) {
-      await this.#messages.attempt(async () => {
-        const area = await readArea(file, convention)
-        if (this.#editor.hasDocument) return this.#editor.add(area)
-        this.#face.change((viewer) => {
-          viewer.addArea(area)
-          // Fully active, so that the new area is visible at once.
-          viewer.wrinkles?.setActivation(area.name, 1)
-          this.#messages.note(`Added area ${area.name}`)
-        })
-      })
-    }
+    if (files.length > MAX_AREAS) return this.#messages.error(tooManyImages(files.length))
+    const faults: unknown[] = []
+    for (const file of files) await this.#addOne(file, convention).catch((error) => faults.push(error))
+    if (faults.length === 0) return
+    const count = `${faults.length} of ${files.length} images were not added; the first: `
+    this.#messages.error(faults.length === 1 ? faults[0] : `${count}${(faults[0] as Error).message}`)
+  }
+
+  async #addOne(file: File, convention: AreaConvention): Promise<void> {
+    const area = await readArea(file, convention)
+    if (this.#editor.hasDocument) return this.#editor.add(area)
+    this.#face.change((viewer) => {
+      viewer.addArea(area)
+      // Fully active, so that the new area is visible at once.
+      viewer.wrinkles?.setActivation(area.name, 1)
+      this.#messages.note(`Added area ${area.name}`)
+    })
   }
 
   remove(name: string): void {
@@ -39,4 +46,15 @@ export class FaceAreas {
       this.#messages.note(`Removed area ${name}`)
     })
   }
+}
+
+function tooManyImages(count: number): FurrowError {
+  return new FurrowError({
+    code: 'out-of-range',
+    who: 'Studio',
+    what: 'too many images to add as areas',
+    value: count,
+    limit: `${MAX_AREAS}`,
+    remedy: 'drop those of this face',
+  })
 }

@@ -1,5 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
+import { zipSync } from 'fflate'
 import { resampleGray } from 'furrow/internal'
 import { decodeGray } from 'furrow-files'
 import { encodePng } from 'furrow-files/node'
@@ -18,6 +19,10 @@ import { Workshop } from '../cli/workshop.ts'
 import { sampleDocument } from './sample-document.ts'
 
 const shop = new Workshop()
+
+/** What Python's zipfile writes where all numbers are in the fields of zip64. */
+const ZIP_64 =
+  'UEsDBC0AAAAAAAAAIQDZqbWP//////////8IABQAeC9hLmpzb24BABAAHAAAAAAAAAAcAAAAAAAAAHsiYSI6IFsxLCAxLCAxLCAxLCAxLCAxLCAxXX1QSwMELQAAAAAAAAAhAIamEDb//////////wcAFAB4L2IudHh0AQAQAAUAAAAAAAAABQAAAAAAAABoZWxsb1BLAQItAy0AAAAAAAAAIQDZqbWP//////////8IABQAAAAAAAAAAACAAQAAAAB4L2EuanNvbgEAEAAcAAAAAAAAABwAAAAAAAAAUEsBAi0DLQAAAAAAAAAhAIamEDb//////////wcAHAAAAAAAAAAAAIAB/////3gvYi50eHQBABgABQAAAAAAAAAFAAAAAAAAAFYAAAAAAAAAUEsGBiwAAAAAAAAALQAtAAAAAAAAAAAAAgAAAAAAAAACAAAAAAAAAJsAAAAAAAAAlAAAAAAAAABQSwYHAAAAAC8BAAAAAAAAAQAAAFBLBQYAAAAAAgACAJsAAACUAAAAAAA='
 
 async function imageOf(side: number, value: number) {
   const create = { width: side, height: side, channels: 3, background: { r: value, g: 128, b: 255 } } as const
@@ -115,7 +120,11 @@ describe('the folder of a project', () => {
     }
     const files = folderFiles({ document: bare, drawn: new Map() }, [])
     expect(files.map(({ path }) => path)).toEqual(['layers/down/normal.png', 'wrinkles.json', 'studio.json'])
-    expect(await readFolder(asRead(files), 'Face', decodeGray)).toEqual({ document: bare, face: [] })
+    expect(await readFolder(asRead(files), 'Face', decodeGray)).toEqual({
+      document: bare,
+      face: [],
+      notes: [],
+    })
   })
 
   it('has a face with files beside it as they were', async () => {
@@ -226,8 +235,52 @@ describe('a folder made by hand', () => {
 
   it('with a studio.json that is none opens as without it', async () => {
     await shop.makeFolder('odd')
-    shop.json('odd/studio.json', { version: 7, layers: 3 })
-    expect((await readFolder(onDisk('odd'), 'odd', decodeGray)).document.layers.length).toBe(2)
+    const without = await readFolder(onDisk('odd'), 'odd', decodeGray)
+    for (const text of ['{ "version": 7, "layers": 3 }', '5', 'null', '{ "version": 1', '[]']) {
+      shop.write('odd/studio.json', text)
+      const { notes, ...read } = await readFolder(onDisk('odd'), 'odd', decodeGray)
+      expect({ ...read, notes: [] }).toEqual(without)
+      expect(notes, text).toEqual([expect.stringContaining('studio.json')])
+    }
+  })
+
+  it.each<[object, string]>([
+    [{ auto: 5 }, 'auto must be an object'],
+    [{ auto: {} }, 'auto.strength must be a number'],
+    [{ auto: { strength: 1, size: 1024, seed: 1, age: 'old' } }, 'auto.age must be a number'],
+    [{ auto: { strength: 1, size: 1024, seed: 1, regions: 'chin' } }, 'auto.regions must be an array'],
+    [{ auto: { strength: 1, size: 1024, seed: 1, regions: ['tail'] } }, 'auto.regions[0] is unknown'],
+    [{ mapSize: -1 }, 'mapSize is out of range'],
+    [{ mapSize: '64' }, 'mapSize must be a number'],
+    [{ scale: null }, 'scale must be a number'],
+    [{ automaticAreas: 5 }, 'automaticAreas must be an array'],
+    [{ automaticStrokes: ['1'] }, 'automaticStrokes[0] must be a number'],
+    [{ automaticBlood: {} }, 'automaticBlood must be an array'],
+    [{ layers: { expression: { drawn: 5 } } }, 'layers.expression.drawn must be an array'],
+    [{ layers: { expression: { drawn: ['paint'] } } }, 'layers.expression.drawn[0] is unknown'],
+    [{ layers: { age: { drawn: [], under: { normal: 5 } } } }, 'layers.age.under.normal must be text'],
+    [{ face: 'face.glb' }, 'face must be an object'],
+    [{ face: { path: 5 } }, 'face.path must be text'],
+    [{ files: [5] }, 'files[0] must be text'],
+  ])('opens without what is wrong in a studio.json of %j, and one line says so', async (wrong, problem) => {
+    await shop.makeFolder('wrong')
+    // Comparing all weights takes a second.
+    const read = async (json: object) => {
+      shop.json('wrong/studio.json', json)
+      const { document, face, notes } = await readFolder(onDisk('wrong'), 'wrong', decodeGray)
+      return { document: { ...document, areas: document.areas.length }, face, notes }
+    }
+    const note = expect.stringContaining(`Opened without a part of studio.json: studio.json: ${problem}`)
+    expect(await read({ version: 1, ...wrong })).toEqual({ ...(await read({ version: 1 })), notes: [note] })
+  })
+
+  it('keeps what is right beside what is wrong', async () => {
+    await shop.makeFolder('partly')
+    const auto = { age: 60, strength: 1, size: 1024, seed: 3, seeds: { chin: 4 }, regions: ['chin'] }
+    shop.json('partly/studio.json', { version: 1, auto, mapSize: 5, files: 5 })
+    const { document, notes } = await readFolder(onDisk('partly'), 'partly', decodeGray)
+    expect(document.auto).toEqual(auto)
+    expect(notes).toEqual([expect.stringMatching(/mapSize is out of range.* \(and 1 more\)$/)])
   })
 })
 
@@ -258,6 +311,65 @@ describe('a .zip', () => {
     ['is empty', new Blob([])],
   ])('that %s is one clear message', async (_, zip) => {
     await expect(unzipFolder(zip, 'a.zip')).rejects.toThrow('Studio: cannot read a.zip')
+  })
+
+  it.each([
+    ['fewer', 10],
+    ['more', 2 ** 22],
+    ['far more', 0xfffffff0],
+  ])('whose entry says that it has %s bytes than it has is one message, soon', async (_, claimed) => {
+    const content = new Uint8Array(2 ** 24)
+    const zip = new Uint8Array(await (await zipFolder([{ path: 'a.json', content }], 'x')).arrayBuffer())
+    const view = new DataView(zip.buffer)
+    // The size in the list of entries, which ends 22 bytes before the end.
+    const list = view.getUint32(zip.length - 6, true)
+    expect(view.getUint32(list + 24, true)).toBe(content.length)
+    view.setUint32(list + 24, claimed, true)
+    const start = performance.now()
+    const failure = await unzipFolder(new Blob([zip]), 'a.zip').catch((error) => error)
+    expect(failure.message).toMatch(
+      /^Studio: (cannot read a\.zip \(x\/a\.json has more bytes than it says\)|a\.zip is too large)/,
+    )
+    expect(performance.now() - start).toBeLessThan(1000)
+  })
+
+  it('whose entries are too large together is not unpacked', async () => {
+    const content = new Uint8Array(1000)
+    const files = Array.from({ length: 3 }, (_, i) => ({ path: `${i}.json`, content }))
+    const zip = new Uint8Array(await (await zipFolder(files, 'x')).arrayBuffer())
+    const view = new DataView(zip.buffer)
+    let at = view.getUint32(zip.length - 6, true)
+    for (let i = 0; i < 3; i++) {
+      view.setUint32(at + 24, 2 ** 29, true)
+      at += 46 + [28, 30, 32].reduce((sum, field) => sum + view.getUint16(at + field, true), 0)
+    }
+    await expect(unzipFolder(new Blob([zip]), 'a.zip')).rejects.toThrow('Studio: a.zip is too large')
+  })
+
+  it('of thousands of files is one message', async () => {
+    const many = Array.from({ length: 5001 }, (_, i) => ({ path: `${i}.png`, content: new Uint8Array(1) }))
+    const zip = await zipFolder(many, 'x')
+    await expect(unzipFolder(zip, 'a.zip')).rejects.toThrow(
+      /^Studio: too many files in a\.zip, allowed: 5,000/,
+    )
+  })
+
+  it('that another program wrote is read, by zip64 too', async () => {
+    const wide = Buffer.from(ZIP_64, 'base64')
+    const files = await unzipFolder(new Blob([wide]), 'wide.zip')
+    expect(files.map(({ path, file }) => [path, file.size])).toEqual([
+      ['a.json', 28],
+      ['b.txt', 5],
+    ])
+    const zip = zipSync({
+      'x/a.json': [new TextEncoder().encode('{}'), { level: 9 }],
+      'x/é.txt': [new Uint8Array(3), { level: 0 }],
+    })
+    const read = await unzipFolder(new Blob([zip as Uint8Array<ArrayBuffer>]), 'a.zip')
+    expect(read.map(({ path, file }) => [path, file.size])).toEqual([
+      ['a.json', 2],
+      ['é.txt', 3],
+    ])
   })
 
   it('that is cut off or damaged ends in files or in one message', async () => {

@@ -136,7 +136,8 @@ describe('the files of a drop', () => {
 
   it('are 5,000 at most, and no folder is followed without end', async () => {
     const many = Array.from({ length: 5001 }, (_, i) => file(`${i}.png`))
-    const expected = 'Studio: too many files, allowed: 5,000 files; drop the folder of the avatar alone'
+    const expected =
+      'Studio: too many files in what is dropped at once, allowed: 5,000 files; drop the folder of the avatar alone'
     await expect(filesOfTransfer(transferOf([folder('home', many)]))).rejects.toThrow(expected)
     const endless = folder('endless', []) as FileSystemDirectoryEntry & { children: unknown[] }
     endless.children.push(endless, file('a.png'))

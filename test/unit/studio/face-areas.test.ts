@@ -1,0 +1,24 @@
+import { describe, expect, it, vi } from 'vitest'
+import type { Messages } from '../../../studio/src/messages.ts'
+import type { AreaEditor } from '../../../studio/src/session/area-editor.ts'
+import { FaceAreas } from '../../../studio/src/session/face-areas.ts'
+import type { ShownFace } from '../../../studio/src/viewer/shown-face.ts'
+
+async function added(count: number) {
+  const error = vi.fn()
+  const messages = { error: (fault: unknown) => error(String(fault)), note: () => {} } as unknown as Messages
+  const editor = { hasDocument: true, add: () => {} } as unknown as AreaEditor
+  const files = Array.from({ length: count }, (_, i) => new File(['text'], `${i}.png`))
+  await new FaceAreas({} as ShownFace, editor, messages).add(files, 'paper')
+  return error.mock.calls.flat()
+}
+
+describe('images that cannot be areas', () => {
+  it.each([
+    [1, /^FurrowError: 0\.png: not a readable image/],
+    [256, /^256 of 256 images were not added; the first: 0\.png: not a readable image/],
+    [60_000, /^FurrowError: Studio: too many images to add as areas, got 60000, allowed: 256/],
+  ])('are one message where there are %i', async (count, message) => {
+    expect(await added(count)).toEqual([expect.stringMatching(message)])
+  })
+})
