@@ -29,8 +29,6 @@ const SHAPES: Record<string, { x: number; y: number; across: number; up: number 
   mouthSmileLeft: { x: 0.026, y: -0.045, across: 0.008, up: 0.01 },
   mouthSmileRight: { x: -0.026, y: -0.045, across: -0.008, up: 0.01 },
 }
-/** A skin of which `auto` finds no face, and lays lines by strain alone. */
-const ONE_EYED = Object.keys(SHAPES).filter((name) => name !== 'eyeBlinkRight')
 /** How far a blendshape reaches, in metres. */
 const SHAPE_RADIUS = 0.02
 const LAYERS = ['age', 'expression']
@@ -187,26 +185,29 @@ async function makeFaces(): Promise<[name: string, bytes: Uint8Array][]> {
       'draco3d.encoder': await draco3d.createEncoderModule(),
       'draco3d.decoder': await draco3d.createDecoderModule(),
     })
-  const all = Object.keys(SHAPES)
-  const kinds: [name: string, shapes: string[], transforms: Transform[]][] = [
-    ['plain', ONE_EYED, []],
-    ['skinned', all, [skin]],
-    ['sparse', all, [sparse({ ratio: 1 })]],
-    ['quantised', all, [skin, quantize()]],
-    ['meshopt', all, [skin, meshopt({ encoder: MeshoptEncoder })]],
-    ['draco', ONE_EYED, [draco()]],
+  const kinds: [name: string, isFace: boolean, transforms: Transform[]][] = [
+    ['plain', false, []],
+    ['skinned', true, [skin]],
+    ['sparse', true, [sparse({ ratio: 1 })]],
+    ['quantised', true, [skin, quantize()]],
+    ['meshopt', true, [skin, meshopt({ encoder: MeshoptEncoder })]],
+    ['draco', false, [draco()]],
   ]
   const faces: [string, Uint8Array][] = []
-  for (const [name, shapes, transforms] of kinds) {
-    const document = await faceDocument(shapes)
+  for (const [name, isFace, transforms] of kinds) {
+    const document = await faceDocument(isFace)
     await document.transform(...transforms)
     faces.push([name, await io.writeBinary(document)])
   }
   return faces
 }
 
-/** Half a cylinder named `skin`, with a nose and blendshapes that compress parts of it; and a second mesh beside it. */
-async function faceDocument(shapes: readonly string[]): Promise<Document> {
+/**
+ * Half a cylinder named `skin`, with a nose and blendshapes that compress parts of it; and a second mesh beside it.
+ *
+ * @param isFace false names the blendshapes as no face does: `auto` then lays lines by strain alone.
+ */
+async function faceDocument(isFace: boolean): Promise<Document> {
   const document = new Document().setLogger(new Logger(Logger.Verbosity.SILENT))
   const accessor = accessorsOf(document)
   const [positions, uvs, indices]: number[][] = [[], [], []]
@@ -235,9 +236,12 @@ async function faceDocument(shapes: readonly string[]): Promise<Document> {
     .setAttribute('TEXCOORD_0', accessor('VEC2', Float32Array.from(uvs!)))
     .setIndices(accessor('SCALAR', Uint16Array.from(indices!)))
     .setMaterial(material)
-  const mesh = document.createMesh('skin').addPrimitive(primitive).setExtras({ targetNames: shapes })
-  for (const name of shapes) {
-    const { x, y, across, up } = SHAPES[name]!
+  const shapes = Object.entries(SHAPES).map(
+    ([name, shape], i) => [isFace ? name : `fold ${i}`, shape] as const,
+  )
+  const targetNames = shapes.map(([name]) => name)
+  const mesh = document.createMesh('skin').addPrimitive(primitive).setExtras({ targetNames })
+  for (const [name, { x, y, across, up }] of shapes) {
     const offsets = new Float32Array(positions!.length)
     for (let i = 0; i < offsets.length; i += 3) {
       const distance = Math.hypot(positions![i]! - x, positions![i + 1]! - y)

@@ -216,7 +216,7 @@ export class Workspace {
     const options = { ...settings, size, areaSize: this.#areaSize, layers }
     const wrinkles = await this.automatic.make(this.#source, options)
     if (!wrinkles) return null
-    if (wrinkles.areas.length === 0) throw withoutAreas()
+    if (wrinkles.emptyReason !== undefined) throw withoutAreas(wrinkles.emptyReason)
     return wrinkles
   }
 
@@ -274,10 +274,10 @@ function isSameWork(a: OpenedAvatar, b: OpenedAvatar): boolean {
   )
 }
 
-function withoutAreas(): FurrowError {
+function withoutAreas(reason: string): FurrowError {
   return new FurrowError({
     who: 'Studio',
-    what: 'no wrinkles can be made: no blendshape compresses the skin enough to crease it',
+    what: `no wrinkles can be made: ${reason}`,
     remedy: 'paint areas and draw strokes by hand, or choose another skin',
   })
 }

@@ -183,7 +183,7 @@ async function auto(face: string, options: Options): Promise<void> {
         if (done < count) steps.at(step, done % 1)
       }),
     )
-    if (wrinkles.areas.length === 0) throw noWrinkles(found.meshName)
+    if (wrinkles.emptyReason !== undefined) throw noWrinkles(wrinkles.emptyReason, found.meshName)
     steps.begin('encoding')
     const packed = await packAuto(wrinkles, ktx2, WHO)
     embedWrinkles(glb, found.material, packed, WHO)
@@ -260,10 +260,10 @@ function withoutFurrowLayer(): FurrowError {
   })
 }
 
-function noWrinkles(mesh: string): FurrowError {
+function noWrinkles(what: string, mesh: string): FurrowError {
   return new FurrowError({
     who: WHO,
-    what: 'no blendshape compresses the skin enough to crease it',
+    what,
     value: mesh,
     remedy: 'name another mesh with --mesh, or draw the wrinkles with furrow strokes',
   })

@@ -51,7 +51,7 @@ export async function makeCharacterWrinkles(
   const { index } = chooseSkin(candidates)!
   const { skin, frame } = candidates[index]
   const wrinkles = autoWrinkles(skin, { frame, ...options }, progress)
-  if (wrinkles.areas.length === 0) throw withoutAreas()
+  if (wrinkles.emptyReason !== undefined) throw withoutAreas(wrinkles.emptyReason)
   const result = { mesh: index, ...packed(wrinkles) }
   await keep(version, key, result, () => made(result))
 }
@@ -72,10 +72,10 @@ function packed(wrinkles: AutoWrinkles): Omit<CharacterWrinkles, 'mesh'> {
   }
 }
 
-function withoutAreas(): FurrowError {
+function withoutAreas(reason: string): FurrowError {
   return new FurrowError({
     who: 'WrinkleLoaderPlugin',
-    what: 'no wrinkles can be made: no blendshape compresses the skin enough to crease it',
+    what: `no wrinkles can be made: ${reason}`,
     remedy: 'draw them with `npx furrow strokes`, or load the file without the option auto',
   })
 }

@@ -60,6 +60,8 @@ export interface AutoWrinkles {
   expressions: ExpressionDriver[]
   /** One sentence each. */
   warnings: string[]
+  /** Why there are no areas, as part of a sentence; undefined where there are some. */
+  emptyReason: string | undefined
 }
 
 /**
@@ -116,7 +118,7 @@ export function autoWrinkles(
   const drawn = drawMaps(prepared, fitted.regions, layerOf, settings, begin('maps'))
   const { layers, weights } = drawn ?? { layers: [], weights: [] }
   const blood = drawn
-    ? drawBlood(prepared, { ...drawn, regions: fitted.regions, layerOf }, settings)
+    ? drawBlood(prepared, { ...drawn, regions: fitted.regions, layerOf }, settings.strength)
     : { amplitude: 0, maps: [], areas: [] }
   const furrows =
     drawn && face && planned?.net ? drawNet({ ...prepared, face }, planned.net, drawn, settings) : undefined
@@ -153,6 +155,7 @@ export function autoWrinkles(
       ...fitted.warnings,
       ...(settings.furrows && !face ? ['fine furrows are of faces alone, and none is drawn'] : []),
     ],
+    emptyReason: fitted.regions.length > 0 ? undefined : emptyReasonOf(prepared.isUnknownHead),
   }
 }
 
@@ -164,6 +167,12 @@ export function strokesOf({
 }: Pick<AutoWrinkles, 'layers' | 'scale'> & Partial<Pick<AutoWrinkles, 'furrows'>>): StrokesDocument {
   const strokes = layers.flatMap(({ name, strokes }) => strokes.map((stroke) => ({ layer: name, ...stroke })))
   return { version: 1, scale, size: layers[0].heights.width, strokes, ...(net && { furrows: net.furrows }) }
+}
+
+function emptyReasonOf(isUnknownHead: boolean): string {
+  return isUnknownHead
+    ? 'the head has no blendshapes that show where its eyes and mouth are, as blinks and smiles do, so nothing tells where it folds'
+    : 'no blendshape compresses the skin enough to crease it'
 }
 
 /** One line about a head on which landmarks fail. */

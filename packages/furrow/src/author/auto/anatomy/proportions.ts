@@ -17,7 +17,7 @@ interface Measure {
 }
 
 /**
- * What regions rely on. An adult's eye is about 31 mm wide, and the nose stands out by about 20 mm (Farkas 1994, Anthropometry of the Head and
+ * Measures that regions rely on. An adult's eye is about 31 mm wide, and the nose stands out by about 20 mm (Farkas 1994, Anthropometry of the Head and
  * Face); the ranges are much wider, so that they exclude stylised heads alone.
  */
 const MEASURES: readonly Measure[] = [

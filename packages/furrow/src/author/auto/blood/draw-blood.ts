@@ -7,7 +7,6 @@ import type { SkinTexels } from '../../skin/skin-texels.ts'
 import type { HeightMap } from '../../strokes/height.ts'
 import { LineGrid } from '../../strokes/line-grid.ts'
 import { BLOOD_AMPLITUDE, bloodByte, valleyBlood } from '../../valley-blood.ts'
-import type { AutoRegion } from '../anatomy/region-names.ts'
 import type { CreasedRegion } from '../lines/crease.ts'
 import { visibility } from '../raster/visibility.ts'
 import type { DetectedFace } from '../surface/detect-face.ts'
@@ -53,17 +52,19 @@ export interface BloodSource {
  * Draws the blood of each layer: valleys are a little deeper in tone, and flushes of a face are on areas of their own, since blood is slower
  * than lines. Each of these is on the layer with the fewest lines where it is, and gives way to them.
  *
- * @param settings the strength multiplies the amplitude; a flush is drawn where one of its regions is wanted.
+ * @param strength multiplies the amplitude.
  */
 export function drawBlood(
   { face, names, isMirrored }: Pick<PreparedSkin, 'face' | 'names' | 'isMirrored'>,
   source: BloodSource,
-  { strength, regions }: { strength: number; regions: readonly AutoRegion[] },
+  strength: number,
 ): AutoBlood {
   const maps = source.layers.map(({ heights }) => valleyBlood(heights))
   const flushes = face ? flushesOf(face.landmarks, isMirrored) : []
-  const wanted = flushes.filter((flush) => flush.regions.some((region) => regions.includes(region)))
-  const areas = face ? drawFlushes(face, wanted, names, source, maps) : []
+  // Blood without lines is a blot.
+  const creased = new Set(source.regions.map(({ region }) => region.name))
+  const shown = flushes.filter((flush) => flush.areas.some((area) => creased.has(area)))
+  const areas = face ? drawFlushes(face, shown, names, source, maps) : []
   const amplitude = clamp(Math.round(1000 * BLOOD_AMPLITUDE * strength) / 1000, 0, MAX_BLOOD_AMPLITUDE)
   return { amplitude, maps, areas }
 }

@@ -1,5 +1,4 @@
 import { SIDES, type SkinRegion } from '../anatomy/region.ts'
-import type { AutoRegion } from '../anatomy/region-names.ts'
 import { type ChartPoint, unroll } from '../surface/head-chart.ts'
 import type { Landmarks } from '../surface/landmarks.ts'
 
@@ -7,8 +6,8 @@ import type { Landmarks } from '../surface/landmarks.ts'
 export interface Flush {
   /** Name of its area. */
   name: string
-  /** It is drawn where one of these is wanted. */
-  regions: readonly AutoRegion[]
+  /** It is drawn where one of these areas has lines. */
+  areas: readonly string[]
   /** An ellipse on the chart of the head, in millimetres: full in the middle, fading out to its edge. */
   centre: ChartPoint
   radii: ChartPoint
@@ -57,7 +56,7 @@ export function flushesOf(landmarks: Landmarks, isMirrored: boolean): Flush[] {
   return [
     {
       name: 'flushBrows',
-      regions: ['glabella', 'noseRoot'],
+      areas: ['', ...ENDS].map((end) => `glabella${end}`),
       centre: [0, brow + 4],
       radii: [21, 19],
       amount: 1,
@@ -67,7 +66,7 @@ export function flushesOf(landmarks: Landmarks, isMirrored: boolean): Flush[] {
     ...sides.flatMap(({ side, name, ends }): Flush[] => [
       {
         name: `flushNose${name}`,
-        regions: ['nose'],
+        areas: [`nose${name}`],
         centre: [side * (wing + 2), base + 5],
         radii: [11, 16],
         amount: 1,
@@ -76,7 +75,7 @@ export function flushesOf(landmarks: Landmarks, isMirrored: boolean): Flush[] {
       },
       {
         name: `flushCheek${name}`,
-        regions: ['nasolabial'],
+        areas: [`nasolabial${name}`],
         centre: [side * (eye + 4), cheek],
         radii: [25, 19],
         amount: 0.5,
@@ -86,7 +85,7 @@ export function flushesOf(landmarks: Landmarks, isMirrored: boolean): Flush[] {
     ]),
     {
       name: 'paleLips',
-      regions: ['upperLip', 'lowerLip'],
+      areas: ['upperLip', 'lowerLip'],
       centre: [0, mouth],
       radii: [corner * 1.05, 12],
       amount: -0.7,

@@ -39,7 +39,6 @@ export function fitDrivers(
   for (const { region } of merged.filter((one) => !regions.includes(one)))
     missing.push({ name: region.name, reason: `more than ${maxAreas} areas would be needed` })
   const warnings: string[] = []
-  if (regions.length === 0) warnings.push('no blendshape pushes the skin together enough to crease it')
   const standIns = face ? standInsOf(names, hints) : []
   if (standIns.length > 0) warnings.push(`${standIns.join(', ')} stand in for ARKit's shapes`)
   return { regions, missing: isMirrored ? withoutSides(missing) : missing, warnings }

@@ -6,7 +6,7 @@ import { type CompressedPatch, findPatches } from './patches.ts'
 export interface StrainedSkin {
   /** Of a face: its anatomical regions, each with the strain of its expression. */
   regions: readonly StrainedRegion[]
-  /** Of any other skin: the patches that its targets compress. */
+  /** Of skin that is no head: the patches that its targets compress. */
   patches: readonly CompressedPatch[]
 }
 
@@ -27,7 +27,10 @@ export function measureStrain(
   { ageFraction, maxAreas, ...settings }: StrainSettings,
   report: (fraction: number) => void = () => {},
 ): StrainedSkin {
-  return prepared.face
-    ? { regions: strainFaceRegions(prepared.face, ageFraction, settings, report), patches: [] }
-    : { regions: [], patches: findPatches(prepared, maxAreas, report) }
+  const { face, isUnknownHead } = prepared
+  return {
+    regions: face ? strainFaceRegions(face, ageFraction, settings, report) : [],
+    // Speech compresses cheeks too, and these do not fold: without anatomy a head gets no lines.
+    patches: face || isUnknownHead ? [] : findPatches(prepared, maxAreas, report),
+  }
 }

@@ -6,6 +6,7 @@ import { UvLocator, uvGridOf } from '../../skin/uv-locator.ts'
 import { SCALES } from '../../strokes/document.ts'
 import { checkSkin } from './check-skin.ts'
 import { type DetectedFace, detectFace } from './detect-face.ts'
+import { isHead } from './head-signs.ts'
 import { weldInMillimetres } from './skin-surface.ts'
 import { hintsOf, type TargetHints } from './stand-ins.ts'
 import { moveToFirstTile } from './uv-tiles.ts'
@@ -22,6 +23,8 @@ export interface PreparedSkin {
   find(name: string): number[]
   /** Set if its targets show that it is one. */
   face: DetectedFace | undefined
+  /** Whether it is a head on which no face was detected: nothing tells where it folds. */
+  isUnknownHead: boolean
   /** In millimetres, of a face in its frame. */
   surface: SkinSurface
   /** Offsets of each target by point, in millimetres. */
@@ -62,13 +65,28 @@ export function prepareSkin(raw: Skin): PreparedSkin {
     warnings.push('left and right use the same texels: both sides crease together, driven half by each side')
   else if (isOverlapped(overlap))
     warnings.push(`${percent(overlap.fraction)} of the texture is used twice: wrinkles show in both places`)
-  if (!face)
+  const isUnknownHead = !face && isHead(surface, offsets, hints)
+  if (!face && !isUnknownHead)
     warnings.push(
       'no face was found by what the blendshapes move: wrinkles are placed by strain alone, cautiously',
     )
   const isDrawn = isMirrored ? isOnLeft(surface) : () => true
   const locator = new UvLocator(skin, surface, uvGridOf(skin, surface, isDrawn))
-  return { skin, names, hints, find, face, surface, offsets, scale, isMirrored, isDrawn, locator, warnings }
+  return {
+    skin,
+    names,
+    hints,
+    find,
+    face,
+    isUnknownHead,
+    surface,
+    offsets,
+    scale,
+    isMirrored,
+    isDrawn,
+    locator,
+    warnings,
+  }
 }
 
 function percent(fraction: number): string {
