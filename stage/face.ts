@@ -1,3 +1,4 @@
+import { surfaceOf } from 'furrow/internal/three'
 import { type LoadedWrinkles, readWrinkleMaps } from 'furrow/three'
 import type { Mesh, Object3D } from 'three'
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js'
@@ -45,7 +46,7 @@ export async function loadFace(url: string, skin?: string, loader = new GLTFLoad
     (mesh) =>
       mesh !== found &&
       mesh.parent === found.parent &&
-      mesh.material === found.material &&
+      surfaceOf(mesh) === surfaceOf(found) &&
       indexOf(mesh) === indexOf(found),
   )
   const wrinkles = loaded.find(({ meshes }) => meshes.includes(found)) ?? null

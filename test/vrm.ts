@@ -3,6 +3,7 @@
 import { editGlb } from './glb.ts'
 
 type Edit = Parameters<typeof editGlb>[1]
+type Json = Parameters<Edit>[0]
 
 /** Shaders of VRM 0: the file's own material, or one that three-vrm makes from properties of Unity's. */
 export type Vrm0Shader = 'VRM_USE_GLTFSHADER' | 'VRM/MToon' | 'VRM/UnlitTexture'
@@ -32,12 +33,24 @@ export function asVrm1(file: Uint8Array, change: Edit = () => {}): Uint8Array<Ar
 }
 
 /** Gives all materials of a VRM 1.0 MToon, as a change of `asVrm1`. */
-export function addMToon(json: Parameters<Edit>[0], hasOutline = false): void {
+export function addMToon(json: Json, hasOutline = false): void {
   const mtoon = { specVersion: '1.0', shadeColorFactor: [0.7, 0.4, 0.4], ...(hasOutline && OUTLINE) }
-  for (const material of json.materials) {
-    material.extensions = { ...material.extensions, VRMC_materials_mtoon: mtoon }
-  }
+  reduceToToon(json, { VRMC_materials_mtoon: mtoon })
   json.extensionsUsed.push('VRMC_materials_mtoon')
+}
+
+/** Gives all materials an extension, and removes what MToon does not draw: its shader does not compile with tangents. */
+function reduceToToon(json: Json, extension: object): void {
+  for (const material of json.materials) {
+    const { FURROW_wrinkle_maps } = material.extensions ?? {}
+    material.extensions = { ...(FURROW_wrinkle_maps && { FURROW_wrinkle_maps }), ...extension }
+    delete material.occlusionTexture
+    delete material.pbrMetallicRoughness?.metallicRoughnessTexture
+  }
+  for (const { attributes } of json.meshes.flatMap(({ primitives }: Json) => primitives)) {
+    delete attributes.TANGENT
+    delete attributes.COLOR_0
+  }
 }
 
 /**
@@ -65,11 +78,7 @@ export function asVrm0(
         materialProperties: json.materials.map((material: Material) => propertiesOf(material, shader)),
       },
     }
-    if (!isOwn) {
-      for (const material of json.materials) {
-        material.extensions = { ...material.extensions, KHR_materials_unlit: {} }
-      }
-    }
+    if (!isOwn) reduceToToon(json, { KHR_materials_unlit: {} })
     change(json)
   })
 }
@@ -104,7 +113,7 @@ function propertiesOf({ name, pbrMetallicRoughness, normalTexture }: Material, s
 }
 
 /** Adds nodes to a file's first scene and returns the index of the first. */
-function addNodes(json: Parameters<Edit>[0], names: readonly string[]): number {
+function addNodes(json: Json, names: readonly string[]): number {
   const first = json.nodes.length
   json.nodes.push(...names.map((name) => ({ name })))
   json.scenes[0].nodes.push(...names.map((_, i) => first + i))

@@ -3,15 +3,13 @@
 import { EXPRESSIONS, type Expression, findTargets } from 'furrow'
 import { ExpressionPlayer, type LoadedWrinkles, loadWrinkleSet } from 'furrow/three'
 import type { Mesh, Object3D } from 'three'
-import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js'
-import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
-import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import type { WebGPURenderer } from 'three/webgpu'
-import { type Face, loadFace } from '../../../../stage/face.ts'
+import type { Face } from '../../../../stage/face.ts'
 import { isWebGL } from '../../../../stage/light.ts'
 import { createStage, type Renderer, type Stage, type Wrinkles } from '../../../../stage/stage.ts'
 import type { ViewName } from '../../../../stage/views.ts'
 import type { PageJob, PageReport, VIEW_NAMES } from '../render/picture.ts'
+import { loadAvatar } from './load-avatar.ts'
 import { readPicture } from './read-canvas.ts'
 
 // Node cannot import the stage and has its own list of views: it must be the same.
@@ -76,7 +74,7 @@ async function open(job: PageJob): Promise<Scene> {
   if (job.renderer === 'webgpu' && stage.backend !== 'WebGPU') {
     throw new Error('this browser has no WebGPU: use --renderer webgl')
   }
-  const face = await loadFace(job.face, job.mesh, loaderFor(stage.renderer))
+  const face = await loadAvatar(job.face, job.mesh, stage.renderer)
   const file = job.wrinkles ? await loadDocument(job.wrinkles) : face.wrinkles
   const loaded = file && { ...file, drivers: file.drivers.filter(({ type }) => type !== 'time') }
   stage.show(face)
@@ -92,13 +90,6 @@ async function open(job: PageJob): Promise<Scene> {
 async function loadDocument(url: string): Promise<Pick<LoadedWrinkles, 'set' | 'drivers'>> {
   const { drivers, ...set } = await loadWrinkleSet(url)
   return { set, drivers: (drivers ?? []) as LoadedWrinkles['drivers'] }
-}
-
-/** A loader for meshes in Draco and textures in KTX 2. */
-function loaderFor(renderer: Renderer): GLTFLoader {
-  return new GLTFLoader()
-    .setDRACOLoader(new DRACOLoader())
-    .setKTX2Loader(new KTX2Loader().detectSupport(renderer))
 }
 
 /** Shows an expression and activations on a face with wrinkles. */

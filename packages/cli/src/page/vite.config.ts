@@ -1,5 +1,6 @@
 import { fileURLToPath } from 'node:url'
 import { defineConfig } from 'vite'
+import { mtoonNodes } from '../../../../scripts/lib/mtoon-nodes.mjs'
 import { SOURCES } from '../../../../scripts/lib/sources.mjs'
 
 /** Bundles the page that draws into dist/, so that the installed command needs no bundler. */
@@ -8,6 +9,7 @@ export default defineConfig({
   base: './',
   logLevel: 'warn',
   resolve: SOURCES.resolve,
+  plugins: [mtoonNodes()],
   build: {
     outDir: '../../dist/page',
     emptyOutDir: true,
