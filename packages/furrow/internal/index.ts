@@ -111,8 +111,10 @@ export {
   type Situation,
 } from '../src/drivers/explain.ts'
 export { expressionsOf } from '../src/drivers/expression/expression.ts'
+export { faceExpressions } from '../src/drivers/expression/face-expressions.ts'
 export { canonicalTargetName, targetFinder } from '../src/drivers/morph/target-names.ts'
 export { VrmWeights } from '../src/drivers/morph/vrm.ts'
+export { vrmExpressions } from '../src/drivers/morph/vrm-binds.ts'
 export { parseWrinkleMaps, type WrinkleMaps } from '../src/drivers/parse.ts'
 export {
   type DriverPlan,

@@ -1,5 +1,5 @@
 import type { VRM } from '@pixiv/three-vrm'
-import { FurrowError } from 'furrow'
+import { type Expression, FurrowError } from 'furrow'
 import type { AnimationClip, Object3D, SkinnedMesh } from 'three'
 import type { Face } from '../../../stage/face.ts'
 import type { StudioDocument } from '../document/document.ts'
@@ -31,6 +31,8 @@ export interface OpenedAvatar {
   readonly skin: number
   readonly animations: readonly AnimationClip[]
   readonly vrm: VRM | null
+  /** The expressions of a VRM, by the blendshapes that they move. */
+  readonly expressions: readonly Expression[]
   /** What the user should know of it, a sentence each. */
   readonly notes: readonly string[]
 }
@@ -89,13 +91,14 @@ export async function openAvatar(
 ): Promise<OpenedAvatar> {
   const name = face.path.split('/').at(-1)!
   const file = await readFaceFile(face, files)
-  const { gltf, skins, vrm, notes } = await loadGltf(file, name)
+  const { gltf, skins, vrm, expressions, notes } = await loadGltf(file, name)
   const avatar = {
     name: name.replace(/\.[^.]+$/, ''),
     files: [face, ...new Set(file.references.values())] as const,
     root: gltf.scene,
     animations: gltf.animations,
     vrm,
+    expressions,
   }
   if (!skins.some(({ triangles }) => triangles > 0)) throw nothingToShow(name)
   const skin = indexOfSkin(skins)

@@ -1,5 +1,6 @@
 import type { VRM } from '@pixiv/three-vrm'
-import { FurrowError } from 'furrow'
+import { type Expression, FurrowError } from 'furrow'
+import { vrmExpressions } from 'furrow/internal'
 import { DeclaredWrinkles } from 'furrow/internal/three'
 import { firstLine } from 'furrow-files'
 import { LoadingManager, WebGLRenderer } from 'three'
@@ -12,6 +13,8 @@ export interface LoadedGltf {
   gltf: GLTF
   skins: SkinCandidate[]
   vrm: VRM | null
+  /** The expressions of a VRM, by the blendshapes that they move. */
+  expressions: Expression[]
   /** What the user should know of it, a sentence each. */
   notes: string[]
 }
@@ -61,7 +64,7 @@ async function load(face: FaceFile, isVrm: boolean): Promise<LoadedGltf> {
     if (loaded) vrm?.VRMUtils.rotateVRM0(loaded)
     const notes: string[] = []
     const skins = await findSkins(gltf, (fault) => notes.push(fault))
-    return { gltf, skins, vrm: loaded, notes }
+    return { gltf, skins, vrm: loaded, expressions: vrmExpressions(gltf.parser.json), notes }
   } finally {
     for (const url of urls.values()) URL.revokeObjectURL(url)
     for (const decoder of decoders) decoder.dispose()

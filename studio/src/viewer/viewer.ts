@@ -53,7 +53,7 @@ export class Viewer {
     const face = faceOf(avatar)
     this.#face = face
     this.#plain = cloned(face.skin.material)
-    this.#expressions = new FaceExpressions(avatar.root)
+    this.#expressions = new FaceExpressions(avatar.root, avatar.expressions)
     stage.show(face)
     this.#muscles = new MuscleTargets([face.skin, ...face.parts])
     this.#wear(face.wrinkles)

@@ -1,7 +1,7 @@
 import type { Mesh } from 'three'
 import { describe, expect, it } from 'vitest'
 import { disposeAvatar, faceOf, openAvatar } from '../../../studio/src/open/avatar.ts'
-import { asVrm0, type Vrm0Shader } from '../../vrm.ts'
+import { asVrm0, asVrm1, type Vrm0Shader } from '../../vrm.ts'
 import { quietConsole } from '../quiet-console.ts'
 import { vrmFile } from '../vrm-file.ts'
 import { wrinkledFile } from '../wrinkled-file.ts'
@@ -123,6 +123,30 @@ describe('an opened VRM', () => {
       expect(avatar.vrm?.meta.metaVersion).toBe('0')
       expect(avatar.notes).toEqual([])
       expect(faceOf(avatar).wrinkles?.set.areas.map(({ name }) => name)).toEqual(['a', 'b', 'c', 'd'])
+    },
+  )
+
+  it.each(['VRM 0', 'VRM 1.0'])(
+    'has the expressions of its file as a %s, by the blendshapes',
+    async (version) => {
+      const bytes = await wrinkledFile()
+      const avatar = await openAvatar(
+        droppedAs(
+          'avatar.vrm',
+          version === 'VRM 0'
+            ? asVrm0(bytes, 'VRM/MToon', ({ extensions: { VRM } }) => {
+                const binds = [{ mesh: 0, index: 0, weight: 50 }]
+                const still = { name: 'Neutral', presetName: 'neutral', binds: [] }
+                VRM.blendShapeMaster.blendShapeGroups = [still, { name: 'Joy', presetName: 'joy', binds }]
+              })
+            : asVrm1(bytes, ({ nodes, extensions: { VRMC_vrm } }) => {
+                const node = nodes.findIndex(({ mesh }: { mesh?: number }) => mesh === 0)
+                const morphTargetBinds = [{ node, index: 0, weight: 0.5 }]
+                VRMC_vrm.expressions = { preset: { neutral: {}, happy: { morphTargetBinds } } }
+              }),
+        ),
+      )
+      expect(avatar.expressions).toEqual([{ name: 'happy', targets: { browInnerUp: 0.5 }, activations: {} }])
     },
   )
 

@@ -1,5 +1,5 @@
 import { type VRM, VRMLoaderPlugin, VRMUtils } from '@pixiv/three-vrm'
-import { WrinkleLoaderPlugin, wrinklesOf, wrinklesReady } from 'furrow/three'
+import { ExpressionPlayer, WrinkleLoaderPlugin, wrinklesOf, wrinklesReady } from 'furrow/three'
 import { type Object3D, Scene } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { clone as cloneSkinned } from 'three/addons/utils/SkeletonUtils.js'
@@ -93,6 +93,21 @@ describe.each([
     combine(gltf)
     expect(await responses(gltf)).toEqual(close(EXPECTED))
     expect(warn.mock.calls.filter(([text]) => /wrinkle/i.test(text))).toEqual([])
+  })
+
+  it('is played by the expressions of the file, by their blendshapes, in a copy too', async () => {
+    const { scene } = await load()
+    for (const root of [scene, cloneSkinned(scene)]) {
+      const [mesh] = faceMeshes(root)
+      const player = new ExpressionPlayer(root, wrinklesOf(mesh))
+      expect(player.expressionNames).toEqual(['neutral', ...Object.keys(EXPRESSIONS)])
+      for (const [name, weights] of Object.entries(EXPRESSIONS)) {
+        player.play(name, 0)
+        expect(mesh.morphTargetInfluences).toEqual(weights.map((weight) => expect.closeTo(weight, 6)))
+      }
+      player.play('disgusted', 0)
+      expect(mesh.morphTargetInfluences).toEqual([0, 0, 0])
+    }
   })
 
   it.each([

@@ -46,6 +46,16 @@ it('measures the time if it is not given', () => {
   now.mockRestore()
 })
 
+it('lists the expressions that the face can show, and plays others without effect', () => {
+  const mesh = blendMesh('Fcl_ALL_Angry', 'viseme_aa')
+  const player = new ExpressionPlayer(mesh, undefined)
+  expect(player.expressionNames).toEqual(['neutral', 'angry'])
+  player.play('disgusted', 0)
+  expect(mesh.morphTargetInfluences).toEqual([0, 0])
+  player.play('angry', 0)
+  expect(mesh.morphTargetInfluences).toEqual([1, 0])
+})
+
 it('moves a face without wrinkles', () => {
   const mesh = blendMesh('jawOpen')
   const player = new ExpressionPlayer(mesh, undefined, EXPRESSIONS)

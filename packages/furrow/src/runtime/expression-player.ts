@@ -1,5 +1,6 @@
 import { sentence } from '../core/error.ts'
-import type { Expression } from '../drivers/expression/expression.ts'
+import { type Expression, expressionsOf } from '../drivers/expression/expression.ts'
+import { faceExpressions, firstOfEachName } from '../drivers/expression/face-expressions.ts'
 import { EXPRESSIONS } from '../drivers/expression/presets.ts'
 import { checkWrinkles } from './check-wrinkles.ts'
 import { type Easing, type ExpressionChoice, ExpressionMix } from './expression-mix.ts'
@@ -8,6 +9,8 @@ import type { WrinkleFaces } from './wrinkle-faces.ts'
 
 /** `ExpressionPlayer`, independent of the engine. */
 export class ExpressionPlayerBase {
+  /** Names of the expressions that the face can show, for buttons. The initial one comes first. */
+  readonly expressionNames: readonly string[]
   readonly #mix: ExpressionMix
   #last = 0
   readonly #wrinkles: WrinkleFaces | undefined
@@ -16,18 +19,23 @@ export class ExpressionPlayerBase {
   /**
    * @param wrinkles of the face; undefined for a face without.
    * @param bind finds blendshapes on the meshes of the face.
-   * @param expressions the first is the initial one; by default those of the file, or `EXPRESSIONS` if it has none.
+   * @param expressions the first is the initial one; by default those that the face can show.
    */
   constructor(wrinkles: WrinkleFaces | undefined, bind: BindTargets, expressions?: readonly Expression[]) {
     if (wrinkles !== undefined) checkWrinkles(wrinkles, 'ExpressionPlayer', 'the wrinkles of the face')
-    const own = wrinkles?.expressions.length ? wrinkles.expressions : EXPRESSIONS
-    this.#mix = new ExpressionMix(expressions ?? own)
+    const authored = wrinkles ? expressionsOf(wrinkles.drivers) : []
+    const shown = expressions ?? expressionsOfFace(authored, wrinkles, bind)
+    // A page may play `happy` on any avatar: one that lacks the shapes stays as it is.
+    const others = authored.length > 0 ? authored : EXPRESSIONS
+    this.#mix = new ExpressionMix(expressions ?? firstOfEachName([...shown, ...others]))
+    this.expressionNames = shown.map(({ name }) => name)
     this.#wrinkles = wrinkles
     this.#bindings = bind(this.#mix.targetNames)
     const bound = new Set(this.#bindings.map(({ name }) => this.#mix.targetNames[name]))
+    const named = (what: 'targets' | 'activations') => new Set(shown.flatMap((one) => Object.keys(one[what])))
     warnOfMissing([
-      ...this.#mix.targetNames.filter((name) => !bound.has(name)),
-      ...this.#mix.areaNames.filter((name) => wrinkles && !wrinkles.hasArea(name)),
+      ...[...named('targets')].filter((name) => !bound.has(name)),
+      ...[...named('activations')].filter((name) => wrinkles && !wrinkles.hasArea(name)),
     ])
   }
 
@@ -89,6 +97,19 @@ export class ExpressionPlayerBase {
     // A player may outlive the wrinkles, and still moves the blendshapes.
     if (this.#wrinkles?.isDisposed === false) this.#wrinkles.setActivations(areaNames, activations)
   }
+}
+
+function expressionsOfFace(
+  authored: readonly Expression[],
+  wrinkles: WrinkleFaces | undefined,
+  bind: BindTargets,
+): Expression[] {
+  return faceExpressions({
+    authored,
+    vrm: wrinkles?.expressions.slice(authored.length) ?? [],
+    targetsAmong: (names) => new Set(bind(names).map(({ name }) => names[name]!)),
+    hasArea: (name) => wrinkles?.hasArea(name) ?? false,
+  })
 }
 
 function warnOfMissing(names: string[]): void {

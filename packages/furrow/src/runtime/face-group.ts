@@ -34,6 +34,8 @@ export abstract class FaceGroup<Engine = unknown> {
   #isDisposed = false
   #runtime: DriverRuntime<Engine> | null = null
   #expressions: readonly Expression[] = []
+  /** The expressions of a VRM, by the blendshapes that they move. */
+  protected vrmExpressions: readonly Expression[] = []
   readonly #disposers: (() => void)[] = []
   readonly #releasers: (() => void)[] = []
 
@@ -125,7 +127,7 @@ export abstract class FaceGroup<Engine = unknown> {
   }
 
   get expressions(): readonly Expression[] {
-    return this.#expressions
+    return [...this.#expressions, ...this.vrmExpressions]
   }
 
   get plan(): DriverPlan | undefined {

@@ -137,7 +137,7 @@ export abstract class WrinkleFaces {
     return groupOf(this).drivers
   }
 
-  /** Preset expressions among the drivers. */
+  /** Expressions of the file: those among the drivers, then those of a VRM. */
   get expressions(): readonly Expression[] {
     return groupOf(this).expressions
   }

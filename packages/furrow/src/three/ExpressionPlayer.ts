@@ -12,8 +12,8 @@ export class ExpressionPlayer extends ExpressionPlayerBase {
   /**
    * @param face the root of the meshes that move: head, eyes, teeth, lashes.
    * @param wrinkles of the face; undefined for a face without, which then only moves.
-   * @param expressions the first is the initial one; by default those of the file, or `EXPRESSIONS` if it has none. Names that no mesh
-   *   or area has are left out with one warning.
+   * @param expressions the first is the initial one; by default those of the file and its VRM, and of `EXPRESSIONS` those for which it
+   *   has shapes: see `expressionNames`. Names that no mesh or area has are left out with one warning.
    * @throws FurrowError when no mesh under `face` has morph targets.
    */
   constructor(face: Object3D, wrinkles: WrinklesBase | undefined, expressions?: readonly Expression[]) {

@@ -196,6 +196,7 @@ export class WrinkledMesh extends FaceGroup<AnyRenderer> implements FrameMember<
     const all = { ...this.#inputOptions, ...options }
     this.driveBy(plan, (inputs) => bindInputs(this, inputs, this.#renderer.bindTension, all), isLate)
     this.#inputOptions = all
+    this.vrmExpressions = all.vrmExpressions ?? []
   }
 
   /** Lets the wrinkles appear in the next frames. */
@@ -324,8 +325,8 @@ export class WrinkledMesh extends FaceGroup<AnyRenderer> implements FrameMember<
   /** Takes the drivers of a set or of another mesh. A copy may get its skeleton later, and does not show the expressions of a VRM. */
   #driveAs(source: WrinkleSet<ArraySlice> | WrinkledMesh): void {
     if (source instanceof WrinkledMesh) {
-      const { targetsOf } = source.#inputOptions
-      if (source.plan) this.drive(source.plan, { targetsOf }, true)
+      const { targetsOf, vrmExpressions } = source.#inputOptions
+      if (source.plan) this.drive(source.plan, { targetsOf, vrmExpressions }, true)
       return
     }
     const { drivers } = source as { drivers?: readonly WrinkleDriver[] }

@@ -1,18 +1,24 @@
-import { EXPRESSIONS, type Expression } from 'furrow'
-import { expressionsOf } from 'furrow/internal'
+import type { Expression } from 'furrow'
+import { expressionsOf, faceExpressions, targetFinder } from 'furrow/internal'
 import type { FaceDrivers } from './face-drivers.ts'
 
 /**
- * The expressions of a file, or else the presets. The first one names every blendshape, and every area that another one names or nothing
+ * The expressions that a face can show: those of its file and its VRM, or presets for which it has shapes. The first one names every blendshape, and every area that another one names or nothing
  * drives, so that each expression sets all of them.
  */
 export function completeExpressions(
   drivers: FaceDrivers,
+  vrm: readonly Expression[],
   targetNames: readonly string[],
   areaNames: readonly string[],
 ): Expression[] {
-  const own = expressionsOf(drivers.list)
-  const [first, ...others] = own.length > 0 ? own : EXPRESSIONS
+  const find = targetFinder(targetNames)
+  const [first, ...others] = faceExpressions({
+    authored: expressionsOf(drivers.list),
+    vrm,
+    targetsAmong: (names) => new Set(names.filter((name) => find(name).length > 0)),
+    hasArea: (name) => areaNames.includes(name),
+  })
   const named = new Set(others.flatMap(({ activations }) => Object.keys(activations)))
   const driven = new Set(drivers.areaNames)
   const zeros = (names: readonly string[]) => Object.fromEntries(names.map((name) => [name, 0]))

@@ -8,14 +8,17 @@ import type { FaceDrivers } from './face-drivers.ts'
 /** The expressions of the face that is shown, and the transition to one of them. */
 export class FaceExpressions {
   readonly #root: Object3D
+  readonly #vrm: readonly Expression[]
   /** Null for a face without blendshapes. */
   #player: ExpressionPlayer | null = null
   #list: readonly Expression[] = []
   /** Seconds of the transition. */
   #remaining = 0
 
-  constructor(root: Object3D) {
+  /** @param vrm the expressions of a VRM. */
+  constructor(root: Object3D, vrm: readonly Expression[]) {
     this.#root = root
+    this.#vrm = vrm
   }
 
   /** Takes those of other drivers, blendshapes or areas. A transition that is under way is not continued. */
@@ -25,7 +28,7 @@ export class FaceExpressions {
     targetNames: readonly string[],
     areaNames: readonly string[],
   ): void {
-    this.#list = completeExpressions(drivers, targetNames, areaNames)
+    this.#list = completeExpressions(drivers, this.#vrm, targetNames, areaNames)
     this.#player =
       targetNames.length === 0 ? null : new ExpressionPlayer(this.#root, wrinkles ?? undefined, this.#list)
   }

@@ -2,6 +2,7 @@ import { FurrowError } from '../../core/error.ts'
 import type { GrayImage } from '../../core/types.ts'
 import type { AgeDriver } from '../../drivers/age/definition.ts'
 import type { ExpressionDriver } from '../../drivers/expression/definition.ts'
+import { canMove } from '../../drivers/expression/face-expressions.ts'
 import { EXPRESSIONS } from '../../drivers/expression/presets.ts'
 import type { MorphDriver } from '../../drivers/morph/definition.ts'
 import { targetFinder } from '../../drivers/morph/target-names.ts'
@@ -203,7 +204,7 @@ function regionsWithoutFace(regions: readonly string[]): FurrowError {
   })
 }
 
-/** `EXPRESSIONS` with the targets that a face has, without the activations of areas that other faces have. */
+/** Those of `EXPRESSIONS` that a face can show, with its targets, without the activations of areas that other faces have. */
 function presetsOf({ names, hints, find }: DetectedFace): ExpressionDriver[] {
   const loaderFinds = targetFinder(names)
   const ownNames = (shape: string) => {
@@ -213,7 +214,9 @@ function presetsOf({ names, hints, find }: DetectedFace): ExpressionDriver[] {
     const own = found.filter((target) => hints[target]?.match !== 'like')
     return own.length > 0 ? own.map((target) => names[target]) : [shape]
   }
-  return EXPRESSIONS.map(({ name, targets }) => {
+  const [neutral, ...others] = EXPRESSIONS
+  const possible = others.filter((expression) => canMove(expression, (shape) => find(shape).length > 0))
+  return [neutral, ...possible].map(({ name, targets }) => {
     const weights = new Map<string, number>()
     for (const [shape, weight] of Object.entries(targets))
       for (const own of ownNames(shape)) weights.set(own, Math.max(weight, weights.get(own) ?? 0))

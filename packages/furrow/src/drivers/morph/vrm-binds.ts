@@ -1,4 +1,6 @@
 import { isObject } from '../../core/argument.ts'
+import type { Expression } from '../expression/expression.ts'
+import { canonicalTargetName, targetFinder } from './target-names.ts'
 
 /** A blendshape that an expression moves, by its index in the file. */
 export interface ExpressionBind {
@@ -44,6 +46,43 @@ export function expressionBinds(json: unknown, mesh: number): Map<string, Expres
     add(PRESETS.get(group.presetName) ?? group.name, own, 100)
   }
   return found
+}
+
+/**
+ * The expressions of a VRM that move blendshapes, in the order of the file.
+ *
+ * @param json of the file, in which anything may be malformed: that moves nothing.
+ */
+export function vrmExpressions(json: unknown): Expression[] {
+  const found = new Map<string, Record<string, number>>()
+  for (const [i, mesh] of listOf(fieldsOf(json).meshes).entries()) {
+    const names = writtenNames(mesh)
+    const find = targetFinder(names)
+    for (const [expression, binds] of expressionBinds(json, i)) {
+      const targets = found.get(expression) ?? {}
+      found.set(expression, targets)
+      for (const { index, weight } of binds) {
+        const name = names[index]
+        if (name === undefined) continue
+        const canonical = canonicalTargetName(name)
+        const isPlain = find(canonical).join() === String(index)
+        targets[isPlain ? canonical : name] = Math.min(1, Math.max(0, weight))
+      }
+    }
+  }
+  return [...found].flatMap(([name, targets]) =>
+    Object.values(targets).some((weight) => weight > 0) ? [{ name, targets, activations: {} }] : [],
+  )
+}
+
+/** Names of a mesh's blendshapes, as three.js's loader gives them: their indices where the file has none. */
+export function writtenNames(mesh: unknown): string[] {
+  const { primitives, extras } = fieldsOf(mesh)
+  const { targets } = listOf(primitives)[0] ?? {}
+  const count = Array.isArray(targets) ? targets.length : 0
+  const names = fieldsOf(extras).targetNames
+  const isNamed = Array.isArray(names) && names.length === count
+  return Array.from({ length: count }, (_, i) => String(isNamed ? names[i] : i))
 }
 
 /** Presets of VRM 0, and the expressions of VRM 1.0 that three-vrm makes of them (`VRMExpressionLoaderPlugin.v0v1PresetNameMap`). */

@@ -5,6 +5,7 @@ import { isObject } from '../../core/argument.ts'
 import { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
+import { vrmExpressions } from '../../drivers/morph/vrm-binds.ts'
 import type { FileWrinkles } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
 import { nextTask } from '../../runtime/next-task.ts'
@@ -170,6 +171,7 @@ export class WrinkleLoader {
     const { json, associations } = this.#parser
     const index = associations.get(mesh)?.meshes
     return {
+      vrmExpressions: vrmExpressions(json),
       // Set by the plugins of three-vrm.
       expressions: () => userData.vrmExpressionManager ?? userData.vrm?.expressionManager,
       ...(index !== undefined && { targetsOf: combinableTargets(json, index) }),

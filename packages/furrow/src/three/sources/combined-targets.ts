@@ -1,6 +1,6 @@
 import type { Mesh } from 'three'
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
-import { expressionBinds } from '../../drivers/morph/vrm-binds.ts'
+import { expressionBinds, writtenNames } from '../../drivers/morph/vrm-binds.ts'
 import { type ReadWeights, targetNames, weightReader } from './morph.ts'
 import type { MeshTargets } from './target.ts'
 
@@ -61,12 +61,4 @@ interface Link {
   from: number
   to: number
   weight: number
-}
-
-/** What GLTFLoader names the blendshapes of a mesh: their indices where the file does not. */
-function writtenNames({ primitives, extras }: GLTFParser['json']): string[] {
-  const count: number = primitives[0].targets?.length ?? 0
-  const names = extras?.targetNames
-  const isNamed = Array.isArray(names) && names.length === count
-  return Array.from({ length: count }, (_, i) => String(isNamed ? names[i] : i))
 }

@@ -1,5 +1,6 @@
 import type { Mesh } from 'three'
 import type { InputOf } from '../../drivers/activation.ts'
+import type { Expression } from '../../drivers/expression/expression.ts'
 import { type VrmExpressions, VrmWeights } from '../../drivers/morph/vrm.ts'
 import { targetSource } from '../../drivers/sources.ts'
 import type { InputReader } from '../../runtime/driver-runtime.ts'
@@ -15,6 +16,8 @@ export interface MeshTargets {
 export interface InputOptions {
   /** Returns a VRM's expressions, which may not exist before the first frame. */
   expressions?: () => VrmExpressions | undefined
+  /** The expressions of its file, by the blendshapes that they move. */
+  vrmExpressions?: readonly Expression[]
   /** Blendshapes of a mesh; by default those that it has. */
   targetsOf?: (mesh: Mesh) => MeshTargets
 }
