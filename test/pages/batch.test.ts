@@ -1,14 +1,16 @@
 // The built `furrow batch`, with its processes.
 
 import { readdirSync, readFileSync, statSync } from 'node:fs'
-import { cp, mkdir, mkdtemp, rm, symlink, writeFile } from 'node:fs/promises'
+import { cp, mkdir, mkdtemp, readFile, rm, symlink, writeFile } from 'node:fs/promises'
 import { createServer } from 'node:http'
 import type { AddressInfo } from 'node:net'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { setTimeout as sleep } from 'node:timers/promises'
 import { pathToFileURL } from 'node:url'
+import { decodeGlb } from 'furrow-files'
 import type { Browser, Page } from 'playwright-core'
+import sharp from 'sharp'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { batchPage } from '../../packages/cli/src/batch/report/page.ts'
 import type { ResultLine } from '../../packages/cli/src/batch/results.ts'
@@ -251,6 +253,27 @@ it('validate and inspect tell what they find in the results', async () => {
   }
   expect(linesOf(folder, 'validate/results.jsonl')[0].result).toMatchObject({ errors: 0 })
   expect(linesOf(folder, 'inspect/results.jsonl')[0].result).toMatchObject({ wrinkles: false })
+})
+
+it('ordinary inputs, however many, cause no warning of Node', async () => {
+  const folder = await inputs('quiet', 30)
+  const bin = Buffer.from(await readFile(join(folder, 'in/0.glb')))
+  const { json, bin: data } = decodeGlb(bin, '0.glb', 'test')
+  json.images = Array.from({ length: 30 }, (_, i) => ({ uri: `${i}.png` }))
+  json.buffers![0].uri = 'face.bin'
+  const png = await sharp({ create: { width: 2, height: 2, channels: 3, background: 'gray' } })
+    .png()
+    .toBuffer()
+  for (const { uri } of json.images) await writeFile(join(folder, 'in', uri!), png)
+  await writeFile(join(folder, 'in/face.bin'), data)
+  await writeFile(join(folder, 'in/face.gltf'), JSON.stringify(json))
+  const env = { NODE_OPTIONS: '--trace-warnings --pending-deprecation' }
+  const words = ['in/*.{glb,gltf}', '--command', 'inspect', '--results', 'found', '--thumbnails', '0']
+  const { code, stderr } = await runFurrow(folder, env, 'batch', ...words)
+  expect([code, stderr]).toEqual([0, ''])
+  expect(linesOf(folder, 'found/results.jsonl')).toHaveLength(31)
+  const sheet = ['in/face.gltf', '--sheet', 'sheet.png']
+  expect((await runFurrow(folder, env, 'inspect', ...sheet)).stderr).toBe('')
 })
 
 it('thumbnails show the face before and after', async () => {

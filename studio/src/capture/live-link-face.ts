@@ -1,4 +1,5 @@
 import { FurrowError } from 'furrow'
+import { fillGaps } from './fill-gaps.ts'
 import { linesOf } from './lines-of.ts'
 import { parseTimecode, secondsSinceFirst, type Timecode } from './timecode.ts'
 
@@ -21,7 +22,8 @@ const ROTATION = /^(Head|LeftEye|RightEye)(Yaw|Pitch|Roll)$/i
 /**
  * Reads what the iOS app Live Link Face exports: a row of names (`Timecode,BlendShapeCount,EyeBlinkLeft, ...,HeadYaw, ...`), then a row of
  * numbers per frame. Columns may be missing and in any order; numbers may have a decimal comma where it does not separate columns. A frame
- * that is not later than the one before it is left out, and so is a last row that is cut off.
+ * that is not later than the one before it is left out, and so is a last row that is cut off. A blank cell, and a timecode that is a whole
+ * number, is skipped: its value lies between those before and after it.
  *
  * Rejects with a FurrowError when it is no such file, or a number in it cannot be used.
  */
@@ -52,8 +54,9 @@ class Table {
   readonly #names: readonly string[]
   /** Index of the column of timecodes; -1 where there is none. */
   readonly #timecode: number
+  /** A value is NaN where its cell is blank. */
   readonly #columns: readonly { name: string; index: number; values: number[] }[]
-  readonly #timecodes: Timecode[] = []
+  readonly #timecodes: (Timecode | null)[] = []
   #rows = 0
   /** The last row where cells are missing from it. */
   #short: number | null = null
@@ -85,7 +88,9 @@ class Table {
       return
     }
     this.#timecodes.push(this.#timecodeOf(cells))
-    for (const { name, index, values } of this.#columns) values.push(this.#weightOf(cells[index], name))
+    for (const { name, index, values } of this.#columns) {
+      values.push(this.#weightOf(cells[index], name) ?? Number.NaN)
+    }
   }
 
   finish(): Capture {
@@ -95,10 +100,11 @@ class Table {
       if (i === 0 || moment > moments[kept.at(-1)!]) kept.push(i)
     }
     if (kept.length < 2) throw unusable(this.#file, 'it has no motion', kept.length, '2 frames or more')
-    const weights = this.#columns.map(({ name, values }): [string, Float32Array] => [
-      name,
-      Float32Array.from(kept, (i) => values[i]),
-    ])
+    const weights = this.#columns.flatMap(({ name, values }): [string, Float32Array][] => {
+      if (values.every(Number.isNaN)) return []
+      const filled = fillGaps(values, 0)
+      return [[name, Float32Array.from(kept, (i) => filled[i])]]
+    })
     return {
       name: this.#file.name.replace(/\.[^.]+$/, ''),
       times: Float32Array.from(kept, (i) => moments[i]),
@@ -106,19 +112,22 @@ class Table {
     }
   }
 
-  /** Without timecodes, frames are as far apart as the app takes them. */
-  #timecodeOf(cells: readonly string[]): Timecode {
+  /** Without timecodes, frames are as far apart as the app takes them. Null for a cell that is blank or a whole number. */
+  #timecodeOf(cells: readonly string[]): Timecode | null {
     if (this.#timecode < 0)
       return { seconds: Math.floor((this.#rows - 1) / 60), frames: (this.#rows - 1) % 60 }
     const text = cells[this.#timecode]
+    if (/^\d*$/.test(text)) return null
     const timecode = parseTimecode(text)
     if (!timecode) throw this.#wrong(this.#rows, 'its timecode', text, 'HH:MM:SS:FF')
     return timecode
   }
 
-  #weightOf(cell: string, name: string): number {
+  /** Null for a cell that is blank. */
+  #weightOf(cell: string, name: string): number | null {
+    if (cell === '') return null
     const text = this.#separator === ',' ? cell : cell.replace(',', '.')
-    const value = text === '' ? Number.NaN : Number(text)
+    const value = Number(text)
     if (!Number.isFinite(value)) throw this.#wrong(this.#rows, name, cell, 'a number')
     return Math.min(Math.max(value, 0), 1)
   }

@@ -1,3 +1,5 @@
+import { fillGaps } from './fill-gaps.ts'
+
 /** Frames per second that cameras count in; the last is what the app counts in unless it is told otherwise. */
 const RATES = [24, 25, 30, 48, 50, 60] as const
 /** Seconds of a day, after which timecodes begin anew. */
@@ -19,15 +21,23 @@ export function parseTimecode(text: string): Timecode | null {
   return { seconds: 3600 * hours + 60 * minutes + seconds, frames }
 }
 
-/** The moments in seconds since the first one, also over midnight. Frames are as many in a second as the largest frame asks for. */
-export function secondsSinceFirst(timecodes: readonly Timecode[]): number[] {
-  const rate = rateOf(timecodes)
-  const moments = timecodes.map(({ seconds, frames }) => seconds + frames / rate)
-  let days = 0
-  return moments.map((moment, i) => {
-    if (i > 0 && moments[i - 1] - moment > DAY / 2) days++
-    return moment + DAY * days - moments[0]
+/**
+ * The moments in seconds since the first one, also over midnight. Frames are as many in a second as the largest frame asks for. A moment that is
+ * unknown lies between those before and after it.
+ */
+export function secondsSinceFirst(timecodes: readonly (Timecode | null)[]): number[] {
+  const known = timecodes.filter((timecode) => timecode !== null)
+  const rate = known.length > 0 ? rateOf(known) : RATES.at(-1)!
+  let [days, last] = [0, 0]
+  const moments = timecodes.map((timecode) => {
+    if (!timecode) return Number.NaN
+    const moment = timecode.seconds + timecode.frames / rate
+    if (last - moment > DAY / 2) days++
+    last = moment
+    return moment + DAY * days
   })
+  const filled = fillGaps(moments, 1 / rate)
+  return filled.map((moment) => moment - filled[0])
 }
 
 function rateOf(timecodes: readonly Timecode[]): number {

@@ -94,6 +94,21 @@ describe('what a path holds', () => {
     expect(new Set([without, first, await files.identify(gltf, 'file')]).size).toBe(3)
   })
 
+  it.each([1, 30])('of %i files is read without a warning of Node', async (count) => {
+    const warned = vi.fn()
+    process.on('warning', warned)
+    const images = Array.from({ length: count }, (_, i) => ({
+      uri: write(`many/${i}.png`, `${i}`) && `${i}.png`,
+    }))
+    const gltf = write('many/face.gltf', JSON.stringify({ images }))
+    await files.identify(gltf, 'file')
+    await files.identify(join(root, 'many'), 'folder')
+    // Warnings come in the next turn.
+    await new Promise((done) => setTimeout(done))
+    process.off('warning', warned)
+    expect(warned).not.toHaveBeenCalled()
+  })
+
   it('is all in a folder, by names too', async () => {
     write('d/x.png', '1')
     const first = await files.identify(join(root, 'd'), 'folder')

@@ -132,11 +132,18 @@ async function askPage(
   server: LocalServer,
   job: PageJob,
 ): Promise<PageReport | { error: string }> {
+  let onCrash = () => {}
   const crashed = new Promise<{ error: string }>((resolve) => {
-    page.once('crash', () => resolve({ error: 'the browser ran out of memory or crashed' }))
+    onCrash = () => resolve({ error: 'the browser ran out of memory or crashed' })
   })
-  if (page.url() !== server.page) await open(page, server)
-  return Promise.race([crashed, page.evaluate((job) => window.drawPicture(job), job)])
+  page.once('crash', onCrash)
+  try {
+    if (page.url() !== server.page) await open(page, server)
+    return await Promise.race([crashed, page.evaluate((job) => window.drawPicture(job), job)])
+  } finally {
+    // One page draws many pictures.
+    page.off('crash', onCrash)
+  }
 }
 
 async function open(page: Page, server: LocalServer): Promise<void> {

@@ -95,6 +95,37 @@ describe('a take of Live Link Face', () => {
   })
 })
 
+describe('a cell that is skipped', () => {
+  const take = (...rows: string[]) => readLiveLinkFace(file(`Timecode,JawOpen,JawLeft\n${rows.join('\n')}\n`))
+
+  it('of a weight lies between its neighbours, or is the nearest', async () => {
+    const { weights } = await take(
+      '1:0:0:0,,',
+      '1:0:0:1,0.2,',
+      '1:0:0:2,,',
+      '1:0:0:3, ,',
+      '1:0:0:4,0.8,',
+      '1:0:0:5,,',
+    )
+    expect([...weights.get('JawOpen')!].map((value) => Number(value.toFixed(3)))).toEqual([
+      0.2, 0.2, 0.4, 0.6, 0.8, 0.8,
+    ])
+    // A column without any weight moves nothing.
+    expect([...weights.keys()]).toEqual(['JawOpen'])
+  })
+
+  it.each([
+    ['in the middle', ['1:0:0:0', '', '1:0:0:2']],
+    ['at the beginning', ['', '1:0:0:1', '1:0:0:2']],
+    ['at the end', ['1:0:0:0', '1:0:0:1', '17']],
+    ['everywhere', ['0', '1', '2']],
+    ['over midnight', ['23:59:59:59', '', '0:0:0:1']],
+  ])('of a timecode lies between its neighbours: %s', async (_, timecodes) => {
+    const { times } = await take(...timecodes.map((timecode) => `${timecode},0.5,0`))
+    expect([...times].map((time) => Math.round(60 * time))).toEqual([0, 1, 2])
+  })
+})
+
 describe('what cannot be played is told in one line', () => {
   const header = `${HEADER.join(',')}\n`
   it.each([
@@ -106,7 +137,6 @@ describe('what cannot be played is told in one line', () => {
     ['no blendshapes', 'Timecode,HeadYaw\n10:00:00:00,1\n', 'it has no blendshapes'],
     ['no number', textOf([HEADER, row('10:00:00:00', Number.NaN)]), 'frame 1, EyeBlinkLeft, got "NaN"'],
     ['an infinite one', textOf([HEADER, row('1:0:0:0'), row('1:0:0:1', 0, Infinity)]), 'frame 2, JawOpen'],
-    ['an empty cell', `Timecode,JawOpen\n10:00:00:00,\n`, 'frame 1, JawOpen, got ""'],
     ['another time', `Timecode,JawOpen\n0.25,1\n`, 'frame 1, its timecode, got "0.25", allowed: HH:MM:SS:FF'],
     ['a torn row', textOf([HEADER, ['10:00:00:00', '9'], row('10:00:00:01')]), 'frame 1, cells are missing'],
   ])('%s', async (_, content, problem) => {

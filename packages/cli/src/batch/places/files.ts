@@ -2,7 +2,6 @@ import { createHash, type Hash } from 'node:crypto'
 import { createReadStream, type Dirent } from 'node:fs'
 import { readdir } from 'node:fs/promises'
 import { basename, join, relative, sep } from 'node:path'
-import { pipeline } from 'node:stream/promises'
 import { FurrowError } from 'furrow'
 import { cannotRead, dataOf, MAX_JSON_BYTES, parseJson, WRINKLES_FILE } from 'furrow-files'
 import { fileProblem, readBytes, resolveInside, statOf } from 'furrow-files/node'
@@ -46,7 +45,8 @@ export function changed(address: string): FurrowError {
 }
 
 async function addFile(hash: Hash, path: string): Promise<void> {
-  await pipeline(createReadStream(path), hash, { end: false })
+  // Each pipeline would leave its listeners on the hash.
+  for await (const chunk of createReadStream(path)) hash.update(chunk)
 }
 
 /** A `.gltf` with the files of its folder that it refers to. The command tells of those that are missing, or elsewhere. */
