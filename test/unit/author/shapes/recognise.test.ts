@@ -63,7 +63,7 @@ describe('shapes without names', () => {
 
   test.each(heads)('%s', async (_, read, templates) => {
     const { skin, truth } = nameless(await read())
-    const found = recogniseShapes(skin, [templates!])
+    const found = recogniseShapes(skin, [templates!]).shapes
     const right = found.filter(({ shape }, i) => shape === truth[i])
     expect(right.length).toBeGreaterThanOrEqual(0.93 * truth.length)
     const matter = truth.flatMap((name, i) => (MATTER.test(name) ? [i] : []))
@@ -82,7 +82,7 @@ describe('shapes without names', () => {
     ['mirrored', (x: number, y: number, z: number) => [-x, y, z], swapped],
   ])('%s', (_, map, rename) => {
     const { skin, truth } = nameless(human)
-    const found = recogniseShapes(transformed(skin, map)).map(({ shape }) => shape)
+    const found = recogniseShapes(transformed(skin, map)).shapes.map(({ shape }) => shape)
     expect(found).toEqual(truth.map(rename))
   })
 
@@ -91,7 +91,7 @@ describe('shapes without names', () => {
     const speech = truth.flatMap((name, i) =>
       /^(jawOpen|mouth(Pucker|Funnel|Close|Stretch))/.test(name) ? [i] : [],
     )
-    const found = recogniseShapes({ ...skin, targets: speech.map((i) => skin.targets[i]!) })
+    const found = recogniseShapes({ ...skin, targets: speech.map((i) => skin.targets[i]!) }).shapes
     for (const [k, { shape, confidence }] of found.entries())
       if (confidence > SURE) expect(shape).toBe(truth[speech[k]!])
     expect(found.map(({ shape }) => shape)).toContain('jawOpen')
@@ -99,7 +99,7 @@ describe('shapes without names', () => {
 })
 
 test('names are kept where motion agrees', () => {
-  for (const { name, shape, isMisnamed } of recogniseShapes(human)) {
+  for (const { name, shape, isMisnamed } of recogniseShapes(human).shapes) {
     expect([shape, isMisnamed]).toEqual([name, false])
   }
 })
@@ -107,7 +107,7 @@ test('names are kept where motion agrees', () => {
 test('motion overrules names of the wrong side, and of another shape', () => {
   const wrong: Record<string, string> = { jawOpen: 'browInnerUp', browInnerUp: 'jawOpen' }
   const targets = human.targets.map(({ name, offsets }) => ({ name: wrong[name] ?? swapped(name), offsets }))
-  const found = recogniseShapes({ ...human, targets })
+  const found = recogniseShapes({ ...human, targets }).shapes
   for (const [i, { name }] of human.targets.entries()) {
     // A mouth that moves to a side is told by the direction alone, and the tongue is another mesh.
     if (!/^(eye|brow|cheek|nose|mouth(Smile|Frown)|jawOpen)/.test(name)) continue
@@ -127,18 +127,20 @@ test('proportions, hidden pieces, turned heads and corrections are unknown', () 
     target('nod', (i) => [0, -0.2 * at(positions, i)[2]!, 0.2 * (at(positions, i)[1]! - eyes)]),
     target('fat', (i) => [0.1 * at(positions, i)[0]!, 0, 0.1 * at(positions, i)[2]!]),
   ]
-  const found = recogniseShapes({ ...skin, targets: [...skin.targets, ...others] }).slice(-others.length)
+  const found = recogniseShapes({ ...skin, targets: [...skin.targets, ...others] }).shapes.slice(
+    -others.length,
+  )
   expect(found.map(({ shape }) => shape)).toEqual(others.map(() => undefined))
 })
 
 test('a mesh without a face has no shapes', () => {
   const hidden = target('hidden', (i) => at(human.positions, i).map((x) => -0.9 * x))
-  expect(recogniseShapes({ ...human, targets: [hidden] }).map(({ by }) => by)).toEqual(['name'])
+  expect(recogniseShapes({ ...human, targets: [hidden] }).shapes.map(({ by }) => by)).toEqual(['name'])
   const broken = {
     ...human,
     positions: human.positions.length ? new Float32Array(human.positions.length).fill(Number.NaN) : [],
   }
-  expect(recogniseShapes(broken).every(({ by }) => by === 'name')).toBe(true)
+  expect(recogniseShapes(broken).shapes.every(({ by }) => by === 'name')).toBe(true)
 })
 
 test('the table is that of the faces it names', async () => {

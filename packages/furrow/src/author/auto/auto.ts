@@ -209,7 +209,9 @@ function presetsOf({ names, hints, find }: DetectedFace): ExpressionDriver[] {
   const loaderFinds = targetFinder(names)
   const ownNames = (shape: string) => {
     const found = find(shape)
-    if (found.length === 0 || loaderFinds(shape).length > 0) return found.slice(0, 1).map(() => shape)
+    const loaded = loaderFinds(shape)
+    const isSame = loaded.length > 0 && loaded.every((target) => found.includes(target))
+    if (found.length === 0 || isSame) return found.slice(0, 1).map(() => shape)
     // The loader knows this rig's names as they are and no others.
     const own = found.filter((target) => hints[target]?.match !== 'like')
     return own.length > 0 ? own.map((target) => names[target]) : [shape]

@@ -1,6 +1,6 @@
 import type { MirrorFit } from './mirror-plane.ts'
 import type { MovingRegion } from './moving-region.ts'
-import { type MovingSurface, pickPoints, treeOf } from './moving-surface.ts'
+import { distanceBetween, type MovingSurface, pickPoints, treeOf } from './moving-surface.ts'
 import { dotOf, lengthOf, minus, plus, quantile, type Vector, vectorAt } from './vectors.ts'
 
 /** Two points of skin that lie apart at rest, and that a target brings together. */
@@ -17,7 +17,7 @@ export interface ClosingPair {
 /** Distances in radii of the moving region. */
 const TOGETHER = 0.04
 const APART = 0.1
-const WEAK = 0.02
+const WEAK = 0.03
 const OFF_MIDDLE = 0.2
 const FROM_MOUTH = 0.65
 const ONE_EYE = 0.3
@@ -57,10 +57,10 @@ export function closingPairs(
       for (let k = 0; k < count; k++) {
         const j = nearby[indices[k]]
         if (j === i || pieces[i] !== pieces[j]) continue
+        const gap = distanceBetween(points, i, j)
+        if (!(gap > APART * radius && gap > RATIO * Math.sqrt(squares[k]))) continue
         const [first, second] = [vectorAt(points, i), vectorAt(points, j)]
-        const gap = lengthOf(minus(first, second))
-        if (gap > APART * radius && gap > RATIO * Math.sqrt(squares[k]))
-          pairs.push({ first, second, middle: plus(plus([0, 0, 0], first, 0.5), second, 0.5), gap, motion })
+        pairs.push({ first, second, middle: plus(plus([0, 0, 0], first, 0.5), second, 0.5), gap, motion })
       }
     }
   }

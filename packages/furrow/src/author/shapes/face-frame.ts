@@ -26,6 +26,8 @@ export interface FaceFrame {
   /** Coordinates per unit along each axis. */
   scales: Vector
   eyes: readonly [left: Vector, right: Vector]
+  /** Whether lids close at the eyes; otherwise they are placed by the mouth. */
+  hasLids: boolean
   mouth: Vector
   seam: LipSeam | undefined
   closing: readonly ClosingPair[]
@@ -52,9 +54,8 @@ export function faceFrame(surface: MovingSurface): FaceFrame | undefined {
     const rise = across(from, forward)
     return Math.abs(dotOf(from, forward)) < lengthOf(rise) && !(up && dotOf(rise, up) < 0)
   }
-  const eyes =
-    eyesOf(closing, region, plane, seam?.centre, isAbove) ??
-    (seam && up && eyesAbove(region, plane, forward, seam, up))
+  const lids = eyesOf(closing, region, plane, seam?.centre, isAbove)
+  const eyes = lids ?? (seam && up && eyesAbove(region, plane, forward, seam, up))
   if (!eyes) return undefined
   const onPlane = (point: Vector) =>
     plus(point, plane.normal, -dotOf(minus(point, plane.origin), plane.normal))
@@ -71,6 +72,7 @@ export function faceFrame(surface: MovingSurface): FaceFrame | undefined {
     origin,
     axes: [x, y, z],
     scales: [1 / half, 2 / height, 2 / (half + height / 2)],
+    hasLids: lids !== undefined,
     eyes: isFirstLeft ? eyes : [eyes[1], eyes[0]],
     mouth,
     seam,

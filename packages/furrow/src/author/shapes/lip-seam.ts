@@ -1,6 +1,6 @@
 import type { MirrorFit } from './mirror-plane.ts'
 import type { MovingRegion } from './moving-region.ts'
-import { type MovingSurface, treeOf } from './moving-surface.ts'
+import { distanceBetween, type MovingSurface, treeOf } from './moving-surface.ts'
 import { dotOf, minus, plus, quantile, type Vector, vectorAt } from './vectors.ts'
 
 /** Where lips part. */
@@ -29,17 +29,23 @@ export function lipSeam(
   forward: Vector,
 ): LipSeam | undefined {
   const front = near.filter((i) => dotOf(minus(vectorAt(points, i), centre), forward) > -BEHIND * radius)
+  // Of two points that part, one moves half as far at least.
+  const isMoving = Uint8Array.from(front, (i) =>
+    motions.some(({ distances }) => distances[i] > (PARTED / 2) * radius) ? 1 : 0,
+  )
   const tree = treeOf(points, front)
   const found: Vector[] = []
   for (const [a, i] of front.entries()) {
+    if (!isMoving[a]) continue
     tree.within(points, 3 * i, PAIR * radius, (b) => {
-      if (b <= a) return
+      if (b === a || (isMoving[b] && b < a)) return
       const j = front[b]
       if (pieces[i] !== pieces[j] || dot3(normals, i, normals, j) >= FACING) return
-      const gap = distance(points, i, j)
+      const gap = distanceBetween(points, i, j)
       const least = Math.max(PARTED * radius, STRETCH * gap)
       const isParted = motions.some(
-        ({ distances, offsets }) => distances[i] + distances[j] > least && distance(offsets, i, j) > least,
+        ({ distances, offsets }) =>
+          distances[i] + distances[j] > least && distanceBetween(offsets, i, j) > least,
       )
       if (isParted) found.push(plus(plus([0, 0, 0], vectorAt(points, i), 0.5), vectorAt(points, j), 0.5))
     })
@@ -60,9 +66,4 @@ export function lipSeam(
 
 function dot3(a: Float64Array, i: number, b: Float64Array, j: number): number {
   return a[3 * i] * b[3 * j] + a[3 * i + 1] * b[3 * j + 1] + a[3 * i + 2] * b[3 * j + 2]
-}
-
-function distance(values: Float64Array, i: number, j: number): number {
-  const [x, y, z] = [0, 1, 2].map((k) => values[3 * i + k] - values[3 * j + k])
-  return Math.sqrt(x * x + y * y + z * z)
 }

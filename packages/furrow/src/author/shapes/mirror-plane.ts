@@ -17,8 +17,10 @@ const COARSE_SAMPLES = 120
 const SURFACE = 16_000
 /** Directions that are tried, and how many of the best are refined. */
 const DIRECTIONS = 150
-const REFINED = 6
+const REFINED = 3
 const ITERATIONS = 20
+/** Cosine between directions that count as different. */
+const APART = 0.97
 /** Distance, in radii, that counts at most: one half may have what the other lacks. */
 const MOST = 0.15
 
@@ -33,7 +35,11 @@ export function mirrorPlane({ points }: MovingSurface, { centre, radius, near }:
   const ranked = directions(DIRECTIONS)
     .map(start)
     .sort((a, b) => a.error - b.error)
-  const refined = ranked
+  // Neighbouring directions lead to the same plane.
+  const distinct = ranked.filter((plane, i) =>
+    ranked.slice(0, i).every((better) => Math.abs(dotOf(plane.normal, better.normal)) < APART),
+  )
+  const refined = distinct
     .slice(0, REFINED)
     .map((plane) => refine(points, samples, surface, tree, radius, plane))
   return refined.reduce((best, plane) => (plane.error < best.error ? plane : best))
@@ -90,7 +96,7 @@ function refine(
     const next = bestPlane(pairs, plane.normal)
     const moved = lengthOf(plus(next.normal, plane.normal, -1))
     plane = next
-    if (moved < 1e-6) break
+    if (moved < 1e-5) break
   }
   return measure(points, samples, tree, radius, plane)
 }

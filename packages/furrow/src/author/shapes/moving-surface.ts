@@ -64,6 +64,14 @@ export function pickPoints(values: Float64Array, indices: ArrayLike<number>): Fl
   return out
 }
 
+/** Distance between two points. */
+export function distanceBetween(points: Float64Array, i: number, j: number): number {
+  const x = points[3 * i] - points[3 * j]
+  const y = points[3 * i + 1] - points[3 * j + 1]
+  const z = points[3 * i + 2] - points[3 * j + 2]
+  return Math.sqrt(x * x + y * y + z * z)
+}
+
 function usedPoints(areas: Float64Array): Uint32Array {
   const used: number[] = []
   for (let i = 0; i < areas.length; i++) if (areas[i] > 0) used.push(i)

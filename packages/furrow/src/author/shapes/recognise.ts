@@ -10,6 +10,7 @@ import type { NameHint } from './names/name-hint.ts'
 import { shapeFields } from './shape-fields.ts'
 import { templateHeads } from './template-table.ts'
 import type { TemplateHead } from './templates.ts'
+import type { Vector } from './vectors.ts'
 
 /** What a blendshape is. */
 export interface RecognisedShape {
@@ -45,29 +46,40 @@ const ONE_SIDE = 0.85
 /** Confidence of a shape that has only a name. */
 const BY_NAME = 0.6
 
+/** The blendshapes of a face, and where its eyes are. */
+export interface RecognisedFace {
+  /** One entry per target. */
+  shapes: RecognisedShape[]
+  /** Middle of the left and right eye; undefined where no lids close. */
+  eyes: readonly [left: Vector, right: Vector] | undefined
+}
+
 /**
  * Recognises the blendshapes of a face: by what they move, with their names as a hint. Deterministic.
  *
  * @param heads templates; those that ship by default.
- * @returns one entry per target.
  */
 export function recogniseShapes(
   skin: Skin,
   heads: readonly TemplateHead[] = templateHeads(),
-): RecognisedShape[] {
-  const seen = seeShapes(skin, heads)
-  return skin.targets.map(({ name, expression }, target) => {
+): RecognisedFace {
+  const { seen, eyes } = seeShapes(skin, heads)
+  const shapes = skin.targets.map(({ name, expression }, target) => {
     const hint = hintOf(name) ?? (expression === undefined ? undefined : hintOf(expression))
     return { name, ...decide(hint, seen.get(target)) }
   })
+  return { shapes, eyes }
 }
 
 /** What the motion of each target tells, by its index. */
-function seeShapes(skin: Skin, heads: readonly TemplateHead[]): Map<number, Seen> {
+function seeShapes(
+  skin: Skin,
+  heads: readonly TemplateHead[],
+): { seen: Map<number, Seen>; eyes: RecognisedFace['eyes'] } {
   const seen = new Map<number, Seen>()
   const surface = movingSurface(skin)
   const frame = surface && faceFrame(surface)
-  if (!frame) return seen
+  if (!frame) return { seen, eyes: undefined }
   const fields = shapeFields(surface, frame)
   const scores = scoresOf(fields, heads)
   const matches = matchShapes(fields, scores)
@@ -83,7 +95,7 @@ function seeShapes(skin: Skin, heads: readonly TemplateHead[]): Map<number, Seen
       left: leftFraction(field, fields.weights),
     })
   }
-  return seen
+  return { seen, eyes: frame.hasLids ? frame.eyes : undefined }
 }
 
 type Decision = Omit<RecognisedShape, 'name'>

@@ -186,7 +186,9 @@ function extremes(
   { region }: FaceFrame,
 ): Pick<ShapeField, 'strength' | 'outside'> {
   const length = (i: number) => Math.sqrt(moved[3 * i] ** 2 + moved[3 * i + 1] ** 2 + moved[3 * i + 2] ** 2)
-  const lengths = Float64Array.from(region.near, length).sort()
+  const lengths = Float64Array.from({ length: Math.ceil(region.near.length / 4) }, (_, n) =>
+    length(region.near[4 * n]),
+  ).sort()
   let [beyond, total] = [0, 0]
   for (let i = 0; i < areas.length; i++) {
     const motion = areas[i] * length(i)

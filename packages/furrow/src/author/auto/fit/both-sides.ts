@@ -10,7 +10,7 @@ const MIDDLE = 5
 /** For a texture that both sides share: the areas of the left side, which show on both, each driven by the targets of both. */
 export function mergeSides(
   fitted: readonly FittedRegion[],
-  prepared: Pick<PreparedSkin, 'names' | 'hints' | 'find'>,
+  prepared: Pick<PreparedSkin, 'names' | 'known' | 'hints' | 'find'>,
 ): FittedRegion[] {
   return fitted
     .filter(({ region }) => !region.name.endsWith('Right'))
@@ -34,12 +34,13 @@ export function withoutSides(missing: readonly MissingRegion[]): MissingRegion[]
 /** Each target and its counterpart on the other side, at half the weight. */
 function targetsOfBothSides(
   { targets }: MorphDriver,
-  { names, hints, find }: Pick<PreparedSkin, 'names' | 'hints' | 'find'>,
+  { names, known, hints, find }: Pick<PreparedSkin, 'names' | 'known' | 'hints' | 'find'>,
 ): MorphDriver['targets'] {
   const weights = new Map<string, number>()
   const add = (name: string, weight: number) => weights.set(name, (weights.get(name) ?? 0) + weight)
   for (const { name, weight = 1 } of targets) {
-    const shape = shapeNameOf(name, hints[names.indexOf(name)])
+    const target = names.indexOf(name)
+    const shape = shapeNameOf(known[target], hints[target])
     const opposite = shape.replace(/(Left|Right)$/, (side) => (side === 'Left' ? 'Right' : 'Left'))
     const [other] = opposite === shape ? [] : find(opposite)
     if (other === undefined) add(name, weight)

@@ -49,7 +49,13 @@ const TAUT = /^(jaw|tongue|eyeLook|eyeWide|cheekPuff|mouth(Left|Right|Close|Roll
  * @returns a string where no target compresses the skin: the reason.
  */
 export function fitDriver(
-  { surface, offsets, names, hints }: Pick<PreparedSkin, 'surface' | 'offsets' | 'names' | 'hints'>,
+  {
+    surface,
+    offsets,
+    names,
+    known,
+    hints,
+  }: Pick<PreparedSkin, 'surface' | 'offsets' | 'names' | 'known' | 'hints'>,
   creased: CreasedRegion,
   cause: Pose,
 ): FittedRegion | string {
@@ -64,17 +70,17 @@ export function fitDriver(
   const gauge = makeGauge(surface, region, folds)
   if (!gauge) return 'the mesh has no skin beside its lines'
   const rest = vectorsAcross(gauge, surface.points)
-  const bounds = names.map((name, i) => boundsOf(name, shapeNameOf(name, hints[i]), region))
+  const bounds = known.map((name, i) => boundsOf(name, shapeNameOf(name, hints[i]), region))
   const one = { vectors: new Float64Array(rest.length), weight: 1 }
   const compressions = offsets.map((offset) => {
     vectorsAcross(gauge, offset, one.vectors)
     return measureCompression(gauge, rest, [one])
   })
   /** Of the few targets that poses have. */
-  const known = new Map<number, Float64Array>()
+  const measured = new Map<number, Float64Array>()
   const vectorsOf = (target: number) => {
-    const vectors = known.get(target) ?? vectorsAcross(gauge, offsets[target])
-    known.set(target, vectors)
+    const vectors = measured.get(target) ?? vectorsAcross(gauge, offsets[target])
+    measured.set(target, vectors)
     return vectors
   }
   const measure = (pose: Pose) => {

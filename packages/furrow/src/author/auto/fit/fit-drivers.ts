@@ -25,7 +25,7 @@ export function fitDrivers(
   maxAreas: number,
   report: (fraction: number) => void,
 ): FittedSkin {
-  const { face, names, hints, find, isMirrored } = prepared
+  const { face, known, hints, find, isMirrored } = prepared
   const fitted: FittedRegion[] = []
   const missing: MissingRegion[] = []
   for (const [i, region] of creased.entries()) {
@@ -39,7 +39,7 @@ export function fitDrivers(
   for (const { region } of merged.filter((one) => !regions.includes(one)))
     missing.push({ name: region.name, reason: `more than ${maxAreas} areas would be needed` })
   const warnings: string[] = []
-  const standIns = face ? standInsOf(names, hints) : []
+  const standIns = face ? standInsOf(known, hints) : []
   if (standIns.length > 0) warnings.push(`${standIns.join(', ')} stand in for ARKit's shapes`)
   return { regions, missing: isMirrored ? withoutSides(missing) : missing, warnings }
 }

@@ -47,8 +47,8 @@ export function strainFaceRegions(
     rngOf: (name: string) => new Rng(seeds[regionOf(name)] ?? seed, name),
   }
   const regions = faceRegions(context, wanted).map((inArkit) => {
-    const cause = poseInRigShapes(inArkit.cause, face.names, face.hints)
-    const expression = poseInRigShapes(inArkit.expression ?? inArkit.cause, face.names, face.hints)
+    const cause = poseInRigShapes(inArkit.cause, face.known, face.hints)
+    const expression = poseInRigShapes(inArkit.expression ?? inArkit.cause, face.known, face.hints)
     const region: FaceRegion = { ...inArkit, cause, shapes: Object.keys(inArkit.cause) }
     return { region, expression, key: JSON.stringify(expression) }
   })

@@ -1,7 +1,8 @@
 import { length3 } from '../../../math/vector.ts'
 import type { ShapeKind } from '../../shapes/names/name-hint.ts'
 import { crossOf, type Skin } from '../../skin/surface.ts'
-import { faceShapeFinder, hintsOf } from './stand-ins.ts'
+import { knownTargets } from './known-targets.ts'
+import { faceShapeFinder, hintsOf, type TargetHints } from './stand-ins.ts'
 
 /** A mesh, or the part of one with one material, that may be the skin. */
 export interface SkinCandidate {
@@ -21,6 +22,9 @@ export interface SkinChoice {
   /** What the choice was made by, for people. */
   movers: string
 }
+
+/** Fraction of the most moved surface below which a candidate is no face. */
+const NEGLIGIBLE = 0.02
 
 /** Blendshapes of a face that move its skin, not only eyes or teeth. */
 const SKIN_SHAPES = [
@@ -43,24 +47,29 @@ const NO_SKIN =
 const DOUBT = 0.25
 
 /**
- * Chooses the skin of a character: the candidate whose surface brows, lids and mouth move most. Where no blendshape has such a name, the one
- * that blendshapes move most where it follows the head; without a head, the one that all blendshapes move most. Body sliders and the like count
- * only where nothing else moves anything.
+ * Chooses the skin of a character: the candidate whose surface brows, lids and mouth move most, by the names of blendshapes or else by their
+ * motion. Without these, the one that blendshapes move most where it follows the head; without a head, the one that all blendshapes move most.
+ * Body sliders and the like count only where nothing else moves anything.
  *
  * @returns undefined where there are no candidates.
  */
 export function chooseSkin(candidates: readonly SkinCandidate[]): SkinChoice | undefined {
   if (candidates.length === 0) return undefined
   const hasHead = candidates.some(({ skin }) => Array.prototype.some.call(skin.headWeights ?? [], isHead))
+  const largest = () => Math.max(...candidates.map(({ skin }) => movedByAll(skin)))
   const ways: [movers: string, measure: (candidate: SkinCandidate) => number][] = [
-    ['brows, lids and mouth', ({ skin }) => movedSurface(skin, faceTargets(skin))],
+    [
+      'brows, lids and mouth',
+      ({ skin }) => movedSurface(skin, faceTargets(namesOf(skin), hintsOf(skin.targets))),
+    ],
+    ['brows, lids and mouth', ({ skin }) => movedFace(skin, largest())],
     [
       'the blendshapes of the head',
       ({ skin, label }) =>
         hasHead ? doubt(label) * movedSurface(skin, expressions(skin), skin.headWeights ?? []) : 0,
     ],
     ['the blendshapes', ({ skin, label }) => doubt(label) * movedSurface(skin, expressions(skin))],
-    ['all blendshapes', ({ skin }) => movedSurface(skin, [...skin.targets.keys()])],
+    ['all blendshapes', ({ skin }) => movedByAll(skin)],
   ]
   let [moved, movers]: [number[], string] = [[], '']
   for (const [name, measure] of ways) {
@@ -80,10 +89,24 @@ function doubt(label: string): number {
   return NO_SKIN.test(label) ? DOUBT : 1
 }
 
+function movedByAll(skin: Skin): number {
+  return movedSurface(skin, [...skin.targets.keys()])
+}
+
+/** Surface that brows, lids and mouth move, by their motion. */
+function movedFace(skin: Skin, largest: number): number {
+  if (!(movedByAll(skin) > NEGLIGIBLE * largest)) return 0
+  const { known, hints } = knownTargets(skin)
+  return movedSurface(skin, faceTargets(known, hints))
+}
+
+function namesOf({ targets }: Skin): string[] {
+  return targets.map(({ name }) => name)
+}
+
 /** Indices of the targets that move brows, lids and mouth. */
-function faceTargets({ targets }: Skin): number[] {
-  const names = targets.map(({ name }) => name)
-  const find = faceShapeFinder(names, hintsOf(targets))
+function faceTargets(names: readonly string[], hints: TargetHints): number[] {
+  const find = faceShapeFinder(names, hints)
   return [...new Set(SKIN_SHAPES.flatMap(find))]
 }
 

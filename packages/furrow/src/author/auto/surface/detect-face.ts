@@ -1,6 +1,7 @@
 import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from '../../skin/surface.ts'
 import type { MirrorPlane } from '../../strokes/edit/mirror.ts'
 import { HeadChart } from './head-chart.ts'
+import { type KnownTargets, knownTargets } from './known-targets.ts'
 import { centroidOf, findLandmarks, type Landmarks } from './landmarks.ts'
 import { faceShapeFinder, hintsOf, partShapeFinder, type TargetHints } from './stand-ins.ts'
 
@@ -17,7 +18,9 @@ export interface DetectedFace {
   offsets: readonly Float64Array[]
   /** Names of the targets. */
   names: readonly string[]
-  /** What their names tell. */
+  /** The same without names that the motion contradicts. */
+  known: readonly string[]
+  /** What motion and names tell of each target. */
   hints: TargetHints
   /** Indices of the targets of that name, in any rig's spelling, or of its stand-ins. */
   find(name: string): number[]
@@ -38,11 +41,12 @@ const BROWS_ABOVE = 10
  */
 export function detectFace(skin: Skin): DetectedFace | undefined {
   const names = skin.targets.map(({ name }) => name)
-  const hints = hintsOf(skin.targets)
-  const placed = placeFace(skin, hints)
+  const targets = knownTargets(skin)
+  const { known, hints } = targets
+  const placed = placeFace(skin, targets)
   if (!placed) return undefined
   const { surface, offsets, scale } = placed
-  const [find, findPart] = [faceShapeFinder(names, hints), partShapeFinder(names, hints)]
+  const [find, findPart] = [faceShapeFinder(known, hints), partShapeFinder(known, hints)]
   const browsMoveAsOne = `${find('browInnerUp')}` === `${find('browOuterUpLeft')}`
   const count = surface.areas.length
   const landmarks = findLandmarks(surface, browsMoveAsOne, (...shapes) => {
@@ -51,7 +55,17 @@ export function detectFace(skin: Skin): DetectedFace | undefined {
     return inHalf(surface, shapes[0], sumDisplacements(offsets, shapes.flatMap(find), count))
   })
   return (
-    landmarks && { surface, chart: new HeadChart(surface), landmarks, scale, offsets, names, hints, find }
+    landmarks && {
+      surface,
+      chart: new HeadChart(surface),
+      landmarks,
+      scale,
+      offsets,
+      names,
+      known,
+      hints,
+      find,
+    }
   )
 }
 
@@ -61,7 +75,7 @@ export function detectFace(skin: Skin): DetectedFace | undefined {
  * @returns undefined where they do not show the eyes and the mouth.
  */
 export function middleOf(skin: Skin): MirrorPlane | undefined {
-  return placeFace(skin)?.middle
+  return placedFace(skin)?.middle
 }
 
 /** A skin in the frame of its face. */
@@ -71,19 +85,26 @@ interface PlacedFace extends Pick<DetectedFace, 'surface' | 'offsets' | 'scale'>
 }
 
 /**
- * Moves a skin into the frame of its face, which the eyes and the mouth span.
+ * Moves a skin into the frame of its face: by the names of its targets, or by their motion where the names do not show it.
  *
- * @returns undefined where its targets do not show them.
+ * @returns undefined where neither shows eyes and mouth.
  */
-export function placeFace(skin: Skin, hints = hintsOf(skin.targets)): PlacedFace | undefined {
+export function placedFace(skin: Skin): PlacedFace | undefined {
+  const byName = { known: skin.targets.map(({ name }) => name), hints: hintsOf(skin.targets) }
+  return placeFace(skin, byName) ?? placeFace(skin, knownTargets(skin))
+}
+
+/** Moves a skin into the frame of its face, which the eyes and the mouth span. */
+function placeFace(skin: Skin, { known, hints, eyes }: KnownTargets): PlacedFace | undefined {
   const welded = weldSurface(skin)
-  const names = skin.targets.map(({ name }) => name)
-  const findPart = partShapeFinder(names, hints)
+  const findPart = partShapeFinder(known, hints)
   const raw = skin.targets.map((target) => pointOffsets(welded, target))
   const centroid = (threshold: number, ...shapes: string[]) =>
     centroidOf(welded, sumDisplacements(raw, shapes.flatMap(findPart), welded.areas.length), threshold)
-  const leftEye = centroid(0.3, 'eyeBlinkLeft')
-  const rightEye = centroid(0.3, 'eyeBlinkRight')
+  // A target that closes both eyes tells neither.
+  const isBoth = `${findPart('eyeBlinkLeft')}` === `${findPart('eyeBlinkRight')}`
+  const leftEye = isBoth ? eyes?.[0] : centroid(0.3, 'eyeBlinkLeft')
+  const rightEye = isBoth ? eyes?.[1] : centroid(0.3, 'eyeBlinkRight')
   const mouth =
     centroid(0.5, 'mouthSmileLeft', 'mouthSmileRight', 'mouthStretch', 'mouthFrown') ??
     centroid(0.5, 'jawOpen')
@@ -98,7 +119,7 @@ export function placeFace(skin: Skin, hints = hintsOf(skin.targets)): PlacedFace
 }
 
 /** Transforms coordinates into the frame of the face: the midpoint between the eyes becomes the origin, in millimetres. */
-function faceFrame(leftEye: number[], rightEye: number[], mouth: number[]) {
+function faceFrame(leftEye: readonly number[], rightEye: readonly number[], mouth: readonly number[]) {
   const origin = leftEye.map((value, k) => (value + rightEye[k]) / 2)
   const across = leftEye.map((value, k) => value - rightEye[k])
   const distance = Math.hypot(...across)

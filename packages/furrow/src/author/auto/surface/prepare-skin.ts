@@ -17,7 +17,9 @@ export interface PreparedSkin {
   skin: Skin
   /** Names of its targets. */
   names: readonly string[]
-  /** What their names tell. */
+  /** The same without names that the motion contradicts. */
+  known: readonly string[]
+  /** What motion and names tell of each target. */
   hints: TargetHints
   /** Indices of the targets of that name: of a face in any rig's spelling, or of its stand-ins. */
   find(name: string): number[]
@@ -55,7 +57,7 @@ export function prepareSkin(raw: Skin): PreparedSkin {
     )
   const names = skin.targets.map(({ name }) => name)
   const face = detectFace(skin)
-  const hints = face?.hints ?? hintsOf(skin.targets)
+  const { known, hints } = face ?? { known: names, hints: hintsOf(skin.targets) }
   const find = face?.find ?? ((name: string) => [names.indexOf(name)])
   const { surface, offsets, scale } = face ?? weldInMillimetres(skin)
   checkScale(scale)
@@ -75,6 +77,7 @@ export function prepareSkin(raw: Skin): PreparedSkin {
   return {
     skin,
     names,
+    known,
     hints,
     find,
     face,

@@ -1,5 +1,5 @@
 import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from '../../skin/surface.ts'
-import { type DetectedFace, placeFace } from './detect-face.ts'
+import { type DetectedFace, placedFace } from './detect-face.ts'
 
 /**
  * A skin as one welded surface in millimetres, as `autoWrinkles` measures it.
@@ -8,7 +8,7 @@ import { type DetectedFace, placeFace } from './detect-face.ts'
  *   frame of its positions. With the millimetres per unit of the skin.
  */
 export function skinSurface(skin: Skin): { surface: SkinSurface; scale: number } {
-  const { surface, scale } = placeFace(skin) ?? weldInMillimetres(skin)
+  const { surface, scale } = placedFace(skin) ?? weldInMillimetres(skin)
   return { surface, scale }
 }
 

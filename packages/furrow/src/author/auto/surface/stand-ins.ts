@@ -59,10 +59,12 @@ export function partShapeFinder(targets: readonly string[], hints: TargetHints):
 function exactFinder(targets: readonly string[], hints: TargetHints): Find {
   const find = targetFinder(targets)
   const whole = ofSides((shape) => {
-    const index = hints.findIndex(
-      (hint) => hint?.match === 'same' && hint.shapes.length === 1 && hint.shapes[0] === shape,
-    )
-    return index < 0 ? [] : [index]
+    const same = ranked(hints, shape, ({ match, shapes }) => match === 'same' && shapes.length === 1)
+    const least = Math.min(...same.map(({ rank }) => rank))
+    return same
+      .filter(({ rank }) => rank === least)
+      .slice(0, 1)
+      .map(({ index }) => index)
   })
   const parts = ofSides(matching(hints, ({ match }) => match === 'part'))
   return (name) => firstFound(name, [find, whole, parts])

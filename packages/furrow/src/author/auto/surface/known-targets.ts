@@ -1,0 +1,23 @@
+import { recogniseShapes } from '../../shapes/recognise.ts'
+import type { Skin } from '../../skin/surface.ts'
+import type { TargetHints } from './stand-ins.ts'
+
+/** What is known of a skin's targets. */
+export interface KnownTargets {
+  /** Their names; one that means nothing in place of a name that the motion contradicts. */
+  known: readonly string[]
+  /** What motion and names tell. */
+  hints: TargetHints
+  /** Middle of the left and right eye, in the coordinates of the skin, where lids close. */
+  eyes?: readonly [left: readonly number[], right: readonly number[]] | undefined
+}
+
+/** Tells what the targets of a skin are: by their motion, with their names as a hint. */
+export function knownTargets(skin: Skin): KnownTargets {
+  const { shapes, eyes } = recogniseShapes(skin)
+  return {
+    known: shapes.map(({ name, isMisnamed }, i) => (isMisnamed ? `#${i}` : name)),
+    hints: shapes.map(({ hint }) => hint),
+    eyes,
+  }
+}

@@ -1,0 +1,59 @@
+import { EXPRESSIONS, findTargets } from 'furrow'
+import { type AutoWrinkles, autoWrinkles, type Skin } from 'furrow/author'
+import { describe, expect, test } from 'vitest'
+import { FACES, skinAt } from '../auto/faces.ts'
+
+const make = (skin: Skin) => autoWrinkles(skin, { size: 128, areaSize: 64 })
+
+/** The same blendshapes by other names. */
+function renamed(skin: Skin, rename: (name: string, index: number) => string): Skin {
+  return { ...skin, targets: skin.targets.map((target, i) => ({ ...target, name: rename(target.name, i) })) }
+}
+
+const OPPOSITE: Readonly<Record<string, string>> = { Left: 'Right', Right: 'Left', _L: '_R', _R: '_L' }
+
+const NAMES = [
+  ['none', (_: string, i: number) => `shape ${i}`],
+  ['sides swapped', (name: string) => name.replace(/(Left|Right|_L|_R)$/, (side) => OPPOSITE[side]!)],
+] as const
+
+/** The size of what two areas have in common over that of either. */
+function overlap(a: ArrayLike<number>, b: ArrayLike<number>): number {
+  let [both, either] = [0, 0]
+  for (let i = 0; i < a.length; i++) {
+    both += Math.min(a[i]!, b[i]!)
+    either += Math.max(a[i]!, b[i]!)
+  }
+  return both / either
+}
+
+const namesOf = ({ areas }: AutoWrinkles) => areas.map(({ name }) => name).sort()
+
+describe.each(FACES)('the areas of %s do not depend on the names of its shapes', (_, path) => {
+  test.each(NAMES)('%s', async (_, rename) => {
+    const skin = await skinAt(path)
+    const other = renamed(skin, rename)
+    const [reference, made] = [make(skin), make(other)]
+    expect(namesOf(made)).toEqual(namesOf(reference))
+    const overlaps = made.areas.map(({ name, weights }) =>
+      overlap(weights.data, reference.areas.find((area) => area.name === name)!.weights.data),
+    )
+    expect(overlaps.reduce((a, b) => a + b, 0) / overlaps.length).toBeGreaterThan(0.9)
+    // A loader finds by name what drivers and expressions read, and it is the same motion.
+    const targetsOf = (targets: readonly { name: string }[], { targets: all }: Skin) =>
+      targets.flatMap(({ name }) =>
+        findTargets(
+          name,
+          all.map(({ name }) => name),
+        ),
+      )
+    for (const [i, { driver }] of made.areas.entries())
+      expect(targetsOf(driver.targets, other).sort()).toEqual(
+        targetsOf(reference.areas[i]!.driver.targets, skin).sort(),
+      )
+    for (const { name } of EXPRESSIONS) {
+      const [a, b] = [reference, made].map(({ expressions }) => expressions.find((one) => one.name === name)!)
+      expect(targetsOf(b!.targets, other).sort()).toEqual(targetsOf(a!.targets, skin).sort())
+    }
+  })
+})
