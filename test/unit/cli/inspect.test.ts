@@ -2,9 +2,10 @@ import { readFileSync } from 'node:fs'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { areaSizes, mapSizes } from '../../../packages/files/src/wrinkles/sizes.ts'
+import { BARE_FACES } from '../../bare-faces/bare-faces.ts'
 import { ramp } from '../../drivers.ts'
 import { editGlb, jsonOf } from '../../glb.ts'
-import { Workshop } from './workshop.ts'
+import { faceBytes, Workshop } from './workshop.ts'
 
 const shop = new Workshop()
 const face = shop.path('wrinkled.glb')
@@ -115,4 +116,26 @@ describe('furrow inspect', () => {
 
   it('refuses a material without wrinkles', () =>
     shop.fails('has no wrinkles', 'inspect', shop.path('face/face.glb'), '--material', 'skin'))
+})
+
+describe('the blendshapes of a face without wrinkles', () => {
+  it('are listed with their shape, by motion and by name', async () => {
+    const [face] = BARE_FACES
+    await shop.run('inspect', face!.path)
+    expect(shop.printed).toMatch(/\njawOpen +jawOpen +\d\.\d\d +motion and name\n/)
+    shop.printed = ''
+    await shop.run('inspect', face!.path, '--json')
+    const { shapes } = JSON.parse(shop.printed) as { shapes: { blendshape: string; shape: string }[] }
+    for (const { blendshape, shape } of shapes.filter(({ blendshape }) =>
+      /(Smile|Blink)_L$/.test(blendshape),
+    ))
+      expect(shape).toBe(blendshape.replace('_L', 'Left'))
+    expect(shapes.length).toBeGreaterThan(50)
+  })
+
+  it('have no more than their name on a mesh that is no face', async () => {
+    await shop.run('inspect', shop.write('plain.glb', await faceBytes()), '--json')
+    const { shapes } = JSON.parse(shop.printed) as { shapes: { by: string }[] }
+    expect(shapes.map(({ by }) => by)).not.toContain('geometry')
+  })
 })

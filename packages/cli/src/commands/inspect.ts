@@ -46,7 +46,8 @@ export const inspectCommand = createCommand('inspect')
   .addHelpText(
     'after',
     `
-Of a face without wrinkles it shows the meshes, and whether furrow auto can make some.
+Of a face without wrinkles it shows the meshes, which of ARKit's shapes the blendshapes
+of the skin are, and whether furrow auto can make some. Motion decides, names are a hint.
 On the GPU, maps have mipmaps; areas have one channel and no mipmaps. 1 kB is 1024 bytes.
 
 Examples:
@@ -84,7 +85,7 @@ async function inspectFace(path: string, glb: Glb, { sheet, json }: Options): Pr
   print(json || sheet === undefined ? lines : [...lines, `${sheet}: the skin and its UV layout`], sheet)
 }
 
-function describePlain(path: string, { meshes, skin, next }: PlainInspection): string[] {
+function describePlain(path: string, { meshes, skin, shapes, next }: PlainInspection): string[] {
   return [
     `${path}: no wrinkles`,
     '',
@@ -101,9 +102,23 @@ function describePlain(path: string, { meshes, skin, next }: PlainInspection): s
           ]),
         )),
     '',
+    ...(shapes.length === 0 ? [] : [...shapeTable(shapes), '']),
     ...(skin ? [`the skin is mesh "${skin.mesh}", material "${skin.material}" (${skin.reason})`] : []),
     next,
   ]
+}
+
+/** What the blendshapes of the skin are. */
+function shapeTable(shapes: PlainInspection['shapes']): string[] {
+  return table(
+    ['blendshape', 'shape', 'confidence', 'by'],
+    shapes.map(({ blendshape, shape, kind, confidence, by }) => [
+      blendshape,
+      shape ?? kind ?? 'unknown',
+      shape ? confidence.toFixed(2) : '',
+      by === 'both' ? 'motion and name' : by === 'geometry' ? 'motion' : by === 'name' ? 'name' : '',
+    ]),
+  )
 }
 
 function shortened(names: readonly string[]): string {

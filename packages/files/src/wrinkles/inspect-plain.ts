@@ -1,4 +1,5 @@
 import type { Document } from '@gltf-transform/core'
+import { recogniseShapes } from 'furrow/internal'
 import type { Glb } from '../gltf/glb.ts'
 import { targetNamesOf } from '../json/gltf-json.ts'
 import { bestSkin, type FoundSkin } from '../mesh/find-skin.ts'
@@ -12,12 +13,27 @@ export interface MeshReport {
   blendshapes: string[]
 }
 
+/** What a blendshape of the skin is, by its motion and its name. */
+export interface ShapeReport {
+  blendshape: string
+  /** ARKit's name; null where it is unknown, or no single one of ARKit's shapes. */
+  shape: string | null
+  /** What its name tells of a blendshape that is no single shape, such as `viseme`. */
+  kind?: string
+  /** 0..1 */
+  confidence: number
+  /** What decided. */
+  by: 'geometry' | 'name' | 'both' | 'none'
+}
+
 /** What a face without wrinkles has, and which wrinkles it could get. */
 export interface PlainInspection {
   fileBytes: number
   meshes: MeshReport[]
   /** The mesh that `furrow auto` chooses; absent where none can wrinkle. */
   skin?: { mesh: string; material: string; reason: string }
+  /** The blendshapes of the skin; none without one. */
+  shapes: ShapeReport[]
   /** Whether `furrow auto` has blendshapes to make wrinkles from. */
   auto: boolean
   /** What to do next. */
@@ -43,10 +59,21 @@ export function inspectPlain(
     ...(skin && {
       skin: { mesh: skin.meshName, material: skin.materialName, reason: skin.reason },
     }),
+    shapes: skin ? shapesOf(skin) : [],
     auto,
     next: nextStep(path, skin, auto),
   }
   return { report, ...(skin && { skin }) }
+}
+
+function shapesOf({ skin }: FoundSkin): ShapeReport[] {
+  return recogniseShapes(skin).shapes.map(({ name, shape, confidence, by, hint }) => ({
+    blendshape: name,
+    shape: shape ?? null,
+    ...(shape === undefined && hint && { kind: hint.kind }),
+    confidence: Math.round(100 * confidence) / 100,
+    by,
+  }))
 }
 
 function nextStep(path: string, skin: FoundSkin | undefined, auto: boolean): string {
