@@ -63,6 +63,8 @@ describe('pictures of furrow render', () => {
     await writeFile(plain, editGlb(await readFile(FACE), removeWrinkles))
     const slow = join(folder, 'slow.glb')
     await writeFile(slow, editGlb(await readFile(images), delay))
+    const aged = join(folder, 'aged.glb')
+    await writeFile(aged, editGlb(await readFile(images), age))
     const text = await writeGltf(slow)
     const set = await writeSet()
     const wide = { input: images, mode: 'off', view: 'front' } as const
@@ -73,6 +75,9 @@ describe('pictures of furrow render', () => {
       'webgl small': { ...wide, width: 1056, height: 48 },
       'webgl angry': { ...wide, ...ANGRY, width: 96, height: 96 },
       'webgl driven': { input: images, ...RAISED },
+      'webgl aged': { input: aged, ...FLAT },
+      'webgl aged neutral': { input: aged, ...FLAT, expression: 'neutral' },
+      'webgl aged off': { input: aged, ...FLAT, mode: 'off' },
       'webgl again': { input: images, ...SURPRISED },
       'webgl KTX 2 arrays and Draco': { input: compressed, ...SURPRISED },
       'webgl bare': { input: bare, ...HAPPY },
@@ -133,6 +138,13 @@ describe('pictures of furrow render', () => {
   test('shows where delays end', () => {
     expect(opaque('webgl delayed')).toEqual(opaque('webgl driven'))
     expect(largestDifference(opaque('webgl driven'), opaque('webgl off'), FOREHEAD)).toBeGreaterThan(20)
+  })
+
+  test('shows the age of a face in an expression too, as at rest', () => {
+    expect(opaque('webgl aged neutral')).toEqual(opaque('webgl aged'))
+    expect(
+      largestDifference(opaque('webgl aged neutral'), opaque('webgl aged off'), FOREHEAD),
+    ).toBeGreaterThan(20)
   })
 
   test('draws a .gltf and the files beside it like the .glb', () => {
@@ -234,6 +246,17 @@ function strip(json: { materials: { extensions?: { FURROW_wrinkle_maps?: Wrinkle
     delete wrinkled.drivers
     wrinkled.areas = wrinkled.areas.filter(({ name }) => !name.startsWith('underEye'))
   }
+}
+
+/** Makes the forehead of a face old at rest. */
+function age(json: { materials: { extensions?: { FURROW_wrinkle_maps?: WrinkleMapsJson } }[] }): void {
+  const curve = [
+    [20, 0],
+    [70, 1],
+  ]
+  for (const { extensions } of json.materials)
+    for (const area of ['foreheadLeft', 'foreheadRight'])
+      extensions?.FURROW_wrinkle_maps?.drivers?.push({ type: 'age', area, curve, initial: 70 })
 }
 
 /** Lets all areas take a minute to crease. */

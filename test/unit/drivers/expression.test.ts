@@ -63,6 +63,28 @@ describe('ExpressionMix', () => {
     expect(() => mix.play({ a: 1.5 })).toThrow('weight of "a" out of range, got 1.5, allowed: 0 to 1')
   })
 
+  it('leaves areas that an expression does not name at rest, and adds to that', () => {
+    const mix = new ExpressionMix(
+      [
+        { name: 'neutral', targets: {}, activations: { chin: 0 } },
+        { name: 'a', targets: {}, activations: { scar: 0.3, nose: 1 } },
+        { name: 'b', targets: {}, activations: { scar: 1 } },
+      ],
+      (area) => (area === 'scar' ? 0.75 : 0),
+    )
+    const scar = mix.areaNames.indexOf('scar')
+    const after = (...choice: Parameters<typeof mix.play>) => {
+      mix.play(...choice)
+      return mix.activations[scar]!
+    }
+    expect(mix.activations[scar]).toBe(0.75)
+    expect(after('a')).toBeCloseTo(0.3, 6)
+    expect(after('neutral')).toBe(0.75)
+    expect(after({ b: 0.5 })).toBeCloseTo(0.875, 6)
+    expect(after({ a: 1, b: 1 })).toBeCloseTo(0.55, 6)
+    expect(after({})).toBe(0.75)
+  })
+
   it.each<[Easing, number, number]>([
     ['linear', 0.25, 0.75],
     ['easeIn', 0.0625, 0.5625],

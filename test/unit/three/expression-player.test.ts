@@ -1,8 +1,8 @@
 import type { Expression } from 'furrow'
-import { ExpressionPlayer } from 'furrow/three'
+import { ExpressionPlayer, Wrinkles } from 'furrow/three'
 import { expect, it, vi } from 'vitest'
 import { blendMesh } from '../../blend-mesh.ts'
-import { face } from './refused.ts'
+import { face, set } from './refused.ts'
 
 const EXPRESSIONS: Expression[] = [
   { name: 'neutral', targets: {}, activations: {} },
@@ -61,4 +61,16 @@ it('moves a face without wrinkles', () => {
   const player = new ExpressionPlayer(mesh, undefined, EXPRESSIONS)
   player.play('shout', 0)
   expect(mesh.morphTargetInfluences).toEqual([1])
+})
+
+it('brings areas that an expression does not name back to rest', () => {
+  const mesh = blendMesh('jawOpen')
+  const { areas, layers } = set()
+  const scarred = areas.map((area, i) => (i === 0 ? { ...area, activation: 0.75 } : area))
+  const wrinkles = new Wrinkles(mesh, { layers, areas: scarred })
+  const player = new ExpressionPlayer(mesh, wrinkles, EXPRESSIONS)
+  player.play('shout', 0)
+  expect(wrinkles.getActivation('area0')).toBe(1)
+  player.play('neutral', 0)
+  expect(wrinkles.getActivation('area0')).toBe(0.75)
 })

@@ -50,13 +50,14 @@ async function draw(job: PageJob): Promise<PageReport> {
   const { stage, face, loaded, initialWeights } = scene
   for (const [mesh, weights] of initialWeights) mesh.morphTargetInfluences = [...weights]
   shown?.dispose()
-  const named = EXPRESSIONS.find(({ name }) => name === job.expression)
+  const isNamed = ({ name }: Expression) => name === job.expression
+  const preset = EXPRESSIONS.find(isNamed)
   if (loaded) {
     shown = stage.addWrinkles(face, loaded, { mode: job.mode, relief: job.relief })
     if (job.relief !== 'off') await shown.reliefReady()
-    express(face.root, shown, loaded, named, job)
+    express(face.root, shown, shown.expressions.find(isNamed) ?? preset, job)
   } else {
-    setTargets(face.root, named?.targets ?? {})
+    setTargets(face.root, preset?.targets ?? {})
   }
   setTargets(face.root, job.targets)
   stage.camera.aspect = width / height
@@ -92,22 +93,25 @@ async function loadDocument(url: string): Promise<Pick<LoadedWrinkles, 'set' | '
   return { set, drivers: (drivers ?? []) as LoadedWrinkles['drivers'] }
 }
 
-/** Shows an expression and activations on a face with wrinkles. */
+/**
+ * Shows an expression and activations on a face with wrinkles. The file's drivers run, as they do in a page and in the studio, unless
+ * activations are given: these replace them.
+ */
 function express(
   root: Object3D,
   wrinkles: Wrinkles,
-  { drivers }: Pick<LoadedWrinkles, 'drivers'>,
   named: Expression | undefined,
   { activations }: PageJob,
 ): void {
-  const isComplete = named && Object.keys(named.activations).every((area) => wrinkles.hasArea(area))
-  const fits = isComplete || (named && drivers.length === 0)
-  // Activations that are given, or those of an expression for these areas, replace the file's drivers; with
-  // blendshapes alone the drivers run.
-  wrinkles.driven = !fits && Object.keys(activations).length === 0
-  const played = wrinkles.driven && named ? { ...named, activations: {} } : named
-  // The player warns of whatever its expressions need and the face lacks, so it gets only this one.
-  if (played) new ExpressionPlayer(root, wrinkles, [played]).play(played.name, 0)
+  wrinkles.driven = Object.keys(activations).length === 0
+  if (named) {
+    // The player warns of areas that the face lacks. Drivers take their place: presets name the areas of the shipped faces.
+    const own = Object.entries(named.activations).filter(
+      ([area]) => wrinkles.drivers.length === 0 || wrinkles.hasArea(area),
+    )
+    const played = { ...named, activations: Object.fromEntries(own) }
+    new ExpressionPlayer(root, wrinkles, [played]).play(named.name, 0)
+  }
   for (const [area, activation] of Object.entries(activations)) wrinkles.setActivation(area, activation)
 }
 

@@ -39,6 +39,8 @@ export class ExpressionMix {
   readonly activations: Float32Array
 
   readonly #expressions: ReadonlyMap<string, Pose>
+  /** The face without any expression. */
+  readonly #rest: Pose
   readonly #from: Pose
   readonly #to: Pose
   /** Null for linear: then no number is passed, and none is boxed. */
@@ -49,9 +51,10 @@ export class ExpressionMix {
 
   /**
    * @param expressions at least one; the first is where the mix starts.
+   * @param restOf the activation of an area in expressions that do not name it; 0 by default.
    * @throws FurrowError when there is none, or one is malformed.
    */
-  constructor(expressions: readonly Expression[]) {
+  constructor(expressions: readonly Expression[], restOf: (area: string) => number = () => 0) {
     for (const expression of Array.isArray(expressions) ? expressions : [expressions])
       checkExpression(expression)
     if (expressions.length === 0) {
@@ -65,12 +68,16 @@ export class ExpressionMix {
     }
     this.targetNames = union(expressions.map((expression) => expression.targets))
     this.areaNames = union(expressions.map((expression) => expression.activations))
+    this.#rest = {
+      targets: new Float32Array(this.targetNames.length),
+      activations: Float32Array.from(this.areaNames, restOf),
+    }
     this.#expressions = new Map(
       expressions.map(({ name, targets, activations }) => [
         name,
         {
           targets: Float32Array.from(this.targetNames, (target) => targets[target] ?? 0),
-          activations: Float32Array.from(this.areaNames, (area) => activations[area] ?? 0),
+          activations: Float32Array.from(this.areaNames, (area) => activations[area] ?? restOf(area)),
         },
       ]),
     )
@@ -87,8 +94,8 @@ export class ExpressionMix {
   }
 
   /**
-   * Starts a transition from the current values to an expression, or to several at once: `{ happy: 0.6, surprised: 0.4 }`. Their
-   * values are added by target and by area, and clamped to 1.
+   * Starts a transition from the current values to an expression, or to several at once: `{ happy: 0.6, surprised: 0.4 }`. What each adds to
+   * the face at rest is summed by target and by area, and clamped to 0..1.
    *
    * @param choice names and weights.
    * @param seconds duration; 0 by default, which takes effect at once.
@@ -116,11 +123,14 @@ export class ExpressionMix {
     }
     for (const values of ['targets', 'activations'] as const) {
       this.#from[values].set(this[values])
-      this.#to[values].fill(0)
+      const rest = this.#rest[values]
+      this.#to[values].set(rest)
       for (const [name, weight] of Object.entries(weights)) {
         const own = this.#expressions.get(name)![values]
         const sum = this.#to[values]
-        for (let i = 0; i < sum.length; i++) sum[i] = Math.min(1, sum[i] + weight * own[i])
+        for (let i = 0; i < sum.length; i++) {
+          sum[i] = Math.min(1, Math.max(0, sum[i] + weight * (own[i] - rest[i])))
+        }
       }
     }
     this.#easing = easing === 'linear' ? null : ease

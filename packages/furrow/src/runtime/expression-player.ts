@@ -27,7 +27,8 @@ export class ExpressionPlayerBase {
     const shown = expressions ?? expressionsOfFace(authored, wrinkles, bind)
     // A page may play `happy` on any avatar: one that lacks the shapes stays as it is.
     const others = authored.length > 0 ? authored : EXPRESSIONS
-    this.#mix = new ExpressionMix(expressions ?? firstOfEachName([...shown, ...others]))
+    const restOf = (area: string) => wrinkles?.getArea(area)?.activation ?? 0
+    this.#mix = new ExpressionMix(expressions ?? firstOfEachName([...shown, ...others]), restOf)
     this.expressionNames = shown.map(({ name }) => name)
     this.#wrinkles = wrinkles
     this.#bindings = bind(this.#mix.targetNames)

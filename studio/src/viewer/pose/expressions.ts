@@ -3,14 +3,17 @@ import { expressionsOf, faceExpressions, targetFinder } from 'furrow/internal'
 import type { FaceDrivers } from './face-drivers.ts'
 
 /**
- * The expressions that a face can show: those of its file and its VRM, or presets for which it has shapes. The first one names every blendshape, and every area that another one names or nothing
- * drives, so that each expression sets all of them.
+ * The expressions that a face can show: those of its file and its VRM, or presets for which it has shapes. The first one names every
+ * blendshape, and every area that another one names or nothing drives, so that each expression sets all of them.
+ *
+ * @param restOf the resting activation of an area.
  */
 export function completeExpressions(
   drivers: FaceDrivers,
   vrm: readonly Expression[],
   targetNames: readonly string[],
   areaNames: readonly string[],
+  restOf: (area: string) => number,
 ): Expression[] {
   const find = targetFinder(targetNames)
   const [first, ...others] = faceExpressions({
@@ -21,8 +24,8 @@ export function completeExpressions(
   })
   const named = new Set(others.flatMap(({ activations }) => Object.keys(activations)))
   const driven = new Set(drivers.areaNames)
-  const zeros = (names: readonly string[]) => Object.fromEntries(names.map((name) => [name, 0]))
   const set = areaNames.filter((name) => named.has(name) || !driven.has(name))
-  const targets = { ...zeros(targetNames), ...first.targets }
-  return [{ name: first.name, targets, activations: { ...zeros(set), ...first.activations } }, ...others]
+  const targets = { ...Object.fromEntries(targetNames.map((name) => [name, 0])), ...first.targets }
+  const resting = Object.fromEntries(set.map((name) => [name, restOf(name)]))
+  return [{ name: first.name, targets, activations: { ...resting, ...first.activations } }, ...others]
 }

@@ -28,7 +28,8 @@ export class FaceExpressions {
     targetNames: readonly string[],
     areaNames: readonly string[],
   ): void {
-    this.#list = completeExpressions(drivers, this.#vrm, targetNames, areaNames)
+    const restOf = (area: string) => wrinkles?.getArea(area)?.activation ?? 0
+    this.#list = completeExpressions(drivers, this.#vrm, targetNames, areaNames, restOf)
     this.#player =
       targetNames.length === 0 ? null : new ExpressionPlayer(this.#root, wrinkles ?? undefined, this.#list)
   }

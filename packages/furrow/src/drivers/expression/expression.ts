@@ -7,7 +7,7 @@ export interface Expression {
   name: string
   /** Blendshape weights, 0..1, by name in any spelling that `findTargets` knows; others are 0. */
   targets: Readonly<Record<string, number>>
-  /** Activations by area, 0..1; others are 0. */
+  /** Activations by area, 0..1; others are at rest. */
   activations: Readonly<Record<string, number>>
 }
 
