@@ -49,7 +49,7 @@ export async function writeAvatars(folder: string): Promise<void> {
 
   const turned = await plainHuman()
   turnScene(turned, 180)
-  write('turned.vrm', asVrm0(await io.writeBinary(turned)))
+  write('turned.vrm', asVrm0(await io.writeBinary(turned), undefined, addYawn))
 
   const { json, resources } = await io.writeJSON(await plainHuman(), { basename: 'avatar' })
   for (const image of json.images ?? []) {
@@ -63,6 +63,18 @@ export async function writeAvatars(folder: string): Promise<void> {
   write('wrinkles/layers/up/normal.png', await ripples())
   const black = { create: { width: 32, height: 32, channels: 3, background: '#000' } } as const
   write('wrinkles/areas/everywhere.png', await sharp(black).png().toBuffer())
+}
+
+/** Adds an expression of the avatar's own to a VRM 0. */
+const addYawn: Parameters<typeof asVrm0>[2] = ({ meshes, extensions: { VRM } }) => {
+  const targets: (string[] | undefined)[] = meshes.map(({ extras }: MeshJson) => extras?.targetNames)
+  const mesh = targets.findIndex((names) => names?.includes('jawOpen'))
+  const binds = [{ mesh, index: targets[mesh]!.indexOf('jawOpen'), weight: 75 }]
+  VRM.blendShapeMaster.blendShapeGroups.push({ name: 'Yawn', presetName: 'unknown', binds })
+}
+
+interface MeshJson {
+  extras?: { targetNames?: string[] }
 }
 
 /** A normal map of level lines. */

@@ -37,11 +37,13 @@ test.each([
   expect(await meanPngDifference(human, await shootStage(page))).toBeLessThan(1)
 })
 
-test('a dropped avatar without wrinkles moves by expressions', async () => {
+test('a dropped avatar without wrinkles moves by expressions, its own too', async () => {
   await page.getByRole('button', { name: 'Surprised' }).click()
   await page.getByLabel('Filter blendshapes').fill('jawOpen')
   await expectValue(slider(page, 'jawOpen'), 0.25)
   expect(await meanPngDifference(human, await shootStage(page))).toBeGreaterThan(0.2)
+  await page.getByRole('button', { name: 'Yawn' }).click()
+  await expectValue(slider(page, 'jawOpen'), 0.75)
   await page.getByRole('button', { name: 'Neutral' }).click()
 })
 
