@@ -36,7 +36,7 @@ export function vrm0Avatar(): Promise<Uint8Array> {
           meshAnnotations: [{ mesh: 0, firstPersonFlag: 'Auto' }],
         },
         blendShapeMaster: {
-          blendShapeGroups: [{ name: 'Joy', presetName: 'joy', ...bound, materialValues: [color] }],
+          blendShapeGroups: [{ name: 'Bend', presetName: 'unknown', ...bound, materialValues: [color] }],
         },
         secondaryAnimation: {
           boneGroups: [{ comment: 'hair', center: -1, bones: [bone('hair')], colliderGroups: [1, 0] }],
@@ -104,8 +104,8 @@ export function vrm1Avatar(): Promise<Uint8Array> {
         },
         firstPerson: { meshAnnotations: [{ node: 0, type: 'auto' }] },
         expressions: {
-          preset: {
-            happy: {
+          custom: {
+            bend: {
               morphTargetBinds: [{ node: 0, index: 0, weight: 1 }],
               materialColorBinds: [{ material: 0, type: 'color', targetValue: [1, 0.5, 0.5, 1] }],
               textureTransformBinds: [{ material: 0, scale: [1, 1], offset: [0.1, 0] }],

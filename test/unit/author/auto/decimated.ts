@@ -1,16 +1,14 @@
 import type { Document } from '@gltf-transform/core'
-import { simplify, weld } from '@gltf-transform/functions'
 import type { Skin } from 'furrow/author'
 import { findSkin } from 'furrow-files'
 import { readDocument } from 'furrow-files/node'
-import { MeshoptSimplifier } from 'meshoptimizer/simplifier'
+import { decimate } from '../../../heads.ts'
 
 /** Halvings of the range of ratios. */
 const STEPS = 8
 
 /** The skin of a face whose mesh was reduced to about that many vertices. */
 export async function decimatedSkin(path: string, vertices: number): Promise<Skin> {
-  await MeshoptSimplifier.ready
   let [low, high] = [0, 1]
   let nearest: Skin | undefined
   const distance = (skin: Skin) => Math.abs(skin.positions.length / 3 - vertices)
@@ -26,6 +24,6 @@ export async function decimatedSkin(path: string, vertices: number): Promise<Ski
 
 async function skinWith(path: string, ratio: number): Promise<Skin> {
   const document: Document = await readDocument(path, 'test')
-  await document.transform(weld(), simplify({ simplifier: MeshoptSimplifier, ratio, error: 1 }))
+  await decimate(document, ratio)
   return findSkin(document, path, 'test').skin
 }

@@ -1,0 +1,74 @@
+import type { Document, Mesh, Node } from '@gltf-transform/core'
+import { simplify, weld } from '@gltf-transform/functions'
+import { MeshoptSimplifier } from 'meshoptimizer/simplifier'
+
+/** Meshes of a document that have blendshapes, with their names. */
+function blendMeshes(document: Document): { mesh: Mesh; names: string[] }[] {
+  return document
+    .getRoot()
+    .listMeshes()
+    .flatMap((mesh) => {
+      const names = mesh.getExtras().targetNames as string[] | undefined
+      return names ? [{ mesh, names }] : []
+    })
+}
+
+/** Renames blendshapes; those of the same name on several meshes keep a common one. */
+export function renameTargets(document: Document, rename: (name: string, index: number) => string): void {
+  const all = [...new Set(blendMeshes(document).flatMap(({ names }) => names))]
+  for (const { mesh, names } of blendMeshes(document)) {
+    const targetNames = names.map((name) => rename(name, all.indexOf(name)))
+    mesh.setExtras({ ...mesh.getExtras(), targetNames })
+    for (const primitive of mesh.listPrimitives())
+      for (const [i, target] of primitive.listTargets().entries()) target.setName(targetNames[i]!)
+  }
+}
+
+/** Names that tell nothing: `target_0`, `target_1`. */
+export function removeNames(document: Document): void {
+  renameTargets(document, (_, index) => `target_${index}`)
+}
+
+/** Names that tell the wrong side: the file has left and right swapped. */
+export function swapSides(document: Document): void {
+  renameTargets(document, (name) =>
+    name.replace(/(Left|Right)$/, (side) => (side === 'Left' ? 'Right' : 'Left')),
+  )
+}
+
+/** Removes blendshapes. */
+export function keepTargets(document: Document, isKept: (name: string) => boolean): void {
+  for (const { mesh, names } of blendMeshes(document)) {
+    const kept = names.filter(isKept)
+    for (const primitive of mesh.listPrimitives()) {
+      const targets = primitive.listTargets()
+      for (const [i, name] of names.entries()) if (!isKept(name)) primitive.removeTarget(targets[i]!)
+    }
+    mesh.setWeights(kept.map(() => 0)).setExtras({ ...mesh.getExtras(), targetNames: kept })
+  }
+}
+
+/** Puts everything below one node, which is mirrored, turned or scaled. */
+export function placeScene(
+  document: Document,
+  { scale, rotation }: { scale?: [number, number, number]; rotation?: [number, number, number, number] },
+): Node {
+  const scene = document.getRoot().listScenes()[0]!
+  const node = document.createNode('placed')
+  for (const child of scene.listChildren()) node.addChild(child)
+  scene.addChild(node)
+  if (scale) node.setScale(scale)
+  if (rotation) node.setRotation(rotation)
+  return node
+}
+
+/** Removes meshes by their names, such as the eyes. */
+export function removeMeshes(document: Document, names: RegExp): void {
+  for (const mesh of document.getRoot().listMeshes()) if (names.test(mesh.getName())) mesh.dispose()
+}
+
+/** Reduces all meshes to about a fraction of their vertices, with their blendshapes. */
+export async function decimate(document: Document, ratio: number): Promise<void> {
+  await MeshoptSimplifier.ready
+  await document.transform(weld(), simplify({ simplifier: MeshoptSimplifier, ratio, error: 1 }))
+}

@@ -1,0 +1,81 @@
+import { readFile } from 'node:fs/promises'
+import { type Document, Logger, NodeIO } from '@gltf-transform/core'
+import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
+import { beforeAll, beforeEach, expect, test } from 'vitest'
+import {
+  decimate,
+  keepTargets,
+  placeScene,
+  removeMeshes,
+  removeNames,
+  renameTargets,
+  swapSides,
+} from '../heads.ts'
+
+const io = new NodeIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS)
+let bytes: Uint8Array
+let document: Document
+
+beforeAll(async () => {
+  bytes = await readFile(new URL('../../faces/human.glb', import.meta.url))
+})
+
+beforeEach(async () => {
+  document = await io.readBinary(bytes)
+})
+
+const meshes = () => document.getRoot().listMeshes()
+const namesOf = (mesh: string) =>
+  meshes()
+    .find((one) => one.getName() === mesh)!
+    .getExtras().targetNames as string[]
+const skinOf = () =>
+  meshes()
+    .find((one) => one.getName() === 'skin')!
+    .listPrimitives()[0]!
+
+test('a shape has one name on all meshes, and the names survive a round trip', async () => {
+  const [skin, eye] = [namesOf('skin'), namesOf('eye-left')]
+  removeNames(document)
+  document = await io.readBinary(await io.writeBinary(document))
+  expect(namesOf('skin')).toEqual(skin.map((_, i) => `target_${i}`))
+  expect(namesOf('eye-left')).toEqual(eye.map((name) => `target_${skin.indexOf(name)}`))
+})
+
+test('sides are swapped, and what has none stays', () => {
+  const before = namesOf('skin')
+  swapSides(document)
+  expect(namesOf('skin')[before.indexOf('eyeBlinkLeft')]).toBe('eyeBlinkRight')
+  expect(namesOf('skin')[before.indexOf('jawOpen')]).toBe('jawOpen')
+})
+
+test('shapes are removed with their displacements', () => {
+  const names = namesOf('skin')
+  const smile = skinOf().listTargets()[names.indexOf('mouthSmileLeft')]
+  keepTargets(document, (name) => name.startsWith('mouthSmile'))
+  expect(namesOf('skin')).toEqual(['mouthSmileLeft', 'mouthSmileRight'])
+  expect(skinOf().listTargets()).toHaveLength(2)
+  expect(skinOf().listTargets()[0]).toBe(smile)
+})
+
+test('all meshes are below the node that is mirrored', () => {
+  const node = placeScene(document, { scale: [-1, 1, 1] })
+  const [scene] = document.getRoot().listScenes()
+  expect(scene!.listChildren()).toEqual([node])
+  expect(node.listChildren()).toHaveLength(meshes().length)
+  expect(node.getWorldMatrix()[0]).toBe(-1)
+})
+
+test('eyes are removed, and fewer vertices keep all shapes', async () => {
+  removeMeshes(document, /^eye-/)
+  expect(meshes().map((mesh) => mesh.getName())).not.toContain('eye-left')
+  const [before, shapes] = [skinOf().getAttribute('POSITION')!.getCount(), skinOf().listTargets().length]
+  await decimate(document, 0.3)
+  expect(skinOf().getAttribute('POSITION')!.getCount()).toBeLessThan(0.6 * before)
+  expect(skinOf().listTargets()).toHaveLength(shapes)
+})
+
+test('names are given by a rule', () => {
+  renameTargets(document, (name) => `CTRL_${name}`)
+  expect(namesOf('skin')[0]).toMatch(/^CTRL_eye/)
+})
