@@ -7,6 +7,7 @@ import { LoadingManager, WebGLRenderer } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import type { FaceFile } from './face-file.ts'
 import { findSkins, type SkinCandidate } from './skins.ts'
+import { hoistNames } from './target-names.ts'
 
 /** A face as three.js has loaded it. */
 export interface LoadedGltf {
@@ -53,7 +54,9 @@ async function load(face: FaceFile, isVrm: boolean): Promise<LoadedGltf> {
     urls.set(url, address)
     return address
   })
-  const loader = new GLTFLoader(manager).register((parser) => new DeclaredWrinkles(parser))
+  const loader = new GLTFLoader(manager)
+    .register(hoistNames)
+    .register((parser) => new DeclaredWrinkles(parser))
   const decoders = await addDecoders(loader, manager, face)
   const vrm = isVrm ? await import('@pixiv/three-vrm') : null
   if (vrm) loader.register((parser) => new vrm.VRMLoaderPlugin(parser))

@@ -1,9 +1,14 @@
 import { readFileSync } from 'node:fs'
 import { findSkin } from 'furrow-files'
+import type { Mesh } from 'three'
+import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js'
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { describe, expect, it } from 'vitest'
 import { documentOf } from '../../../packages/files/src/gltf/document.ts'
 import { decodeGlb } from '../../../packages/files/src/gltf/glb-file.ts'
 import { namesOfTargets, targetNamesOf } from '../../../packages/files/src/json/gltf-json.ts'
+import { hoistNames } from '../../../studio/src/open/target-names.ts'
+import { editGlb } from '../../glb.ts'
 import { HUMAN } from './auto-variants.ts'
 
 describe('names of blendshapes', () => {
@@ -60,6 +65,23 @@ describe('names that exporters write elsewhere', () => {
     ).toEqual(['a', 'b'])
     const one = [{ POSITION: 1, extra: { targetName: 'a' } }, { POSITION: 2 }]
     expect(targetNamesOf(read({ primitives: [{ targets: one }] }))).toEqual(['0', '1'])
+  })
+
+  it('are found by the loader of the studio', async () => {
+    const bytes = editGlb(readFileSync(HUMAN), (json) => {
+      for (const mesh of json.meshes) {
+        for (const primitive of mesh.primitives) {
+          delete primitive.material
+          primitive.extras = mesh.extras
+        }
+        delete mesh.extras
+      }
+      for (const key of ['materials', 'textures', 'images', 'extensionsUsed', 'extensions']) delete json[key]
+    })
+    const loader = new GLTFLoader().register(hoistNames).setMeshoptDecoder(MeshoptDecoder)
+    const { scene } = await loader.parseAsync(new Uint8Array(bytes).buffer, '')
+    const skin = scene.getObjectByName('skin') as Mesh
+    expect(Object.keys(skin.morphTargetDictionary!)).toContain('browInnerUp')
   })
 
   it.each([
