@@ -1,5 +1,7 @@
 import { EXPRESSIONS, findTargets } from 'furrow'
 import { type AutoWrinkles, autoWrinkles, type Skin } from 'furrow/author'
+import { findSkin } from 'furrow-files'
+import { readDocument } from 'furrow-files/node'
 import { describe, expect, test } from 'vitest'
 import { FACES, skinAt } from '../auto/faces.ts'
 
@@ -56,4 +58,18 @@ describe.each(FACES)('the areas of %s do not depend on the names of its shapes',
       expect(targetsOf(b!.targets, other).sort()).toEqual(targetsOf(a!.targets, skin).sort())
     }
   })
+})
+
+test('the areas of a face that its node mirrors are on the other side', async () => {
+  const [[, path]] = FACES as readonly [readonly [string, string]]
+  const document = await readDocument(path, 'test')
+  for (const node of document.getRoot().listNodes()) if (node.getMesh()) node.setScale([-1, 1, 1])
+  const [reference, made] = [make(await skinAt(path)), make(findSkin(document, path, 'test').skin)]
+  expect(namesOf(made)).toEqual(namesOf(reference))
+  const overlaps = made.areas.map(({ name, weights }) => {
+    const other = name.replace(/(Left|Right)$/, (side) => OPPOSITE[side]!)
+    return overlap(weights.data, reference.areas.find((area) => area.name === other)!.weights.data)
+  })
+  // Lines are drawn by chance on either side, and areas lie around them.
+  expect(overlaps.reduce((a, b) => a + b, 0) / overlaps.length).toBeGreaterThan(0.7)
 })

@@ -55,6 +55,7 @@ export function joinParts(
   if (placement) {
     transform(positions, placement, 1)
     for (const offset of offsets) transform(offset, placement, 0)
+    if (isMirroring(placement)) turnOver(indices)
   }
   const targets = names.map((name, k) => {
     const expression = expressions?.get(k)
@@ -78,6 +79,21 @@ function usedVertices({ count, indices }: SkinPart): { vertices: Uint32Array; co
   for (let vertex = 0; vertex < count; vertex++) if (isUsed[vertex]) vertices[newIndex[vertex]] = vertex
   for (let i = 0; i < corners.length; i++) corners[i] = corners[i] < count ? newIndex[corners[i]] : NO_VERTEX
   return { vertices, corners }
+}
+
+/** Whether a matrix turns triangles inside out, which glTF has viewers undo. */
+function isMirroring(m: ArrayLike<number>): boolean {
+  const minor = (i: number, j: number) => m[i + 1] * m[j + 2] - m[i + 2] * m[j + 1]
+  return m[0] * minor(4, 8) - m[4] * minor(0, 8) + m[8] * minor(0, 4) < 0
+}
+
+/** Reverses the order of each triangle's corners. */
+function turnOver(indices: Uint32Array): void {
+  for (let i = 0; i + 2 < indices.length; i += 3) {
+    const second = indices[i + 1]
+    indices[i + 1] = indices[i + 2]
+    indices[i + 2] = second
+  }
 }
 
 /** Multiplies vectors by an affine matrix, in place; w = 1 for points, 0 for displacements. */
