@@ -93,7 +93,7 @@ test.each([390, 640, 768, 1280, 1920, 2560])('nothing is cut at %i pixels', asyn
       (element.scrollWidth > element.clientWidth + 1 || isOutside(element))
     const isOutside = (element: Element) => element.getBoundingClientRect().right > innerWidth + 1
     const found = [
-      ...document.querySelectorAll('button, .file span, .segments span, legend, h2, #areas label'),
+      ...document.querySelectorAll('button, .file span, .segments span, .label, legend, h2, #areas label'),
     ]
     return found.filter(isCut).map(({ outerHTML }) => outerHTML)
   })

@@ -50,7 +50,7 @@ export function Animation({ player }: { player: ClipPlayer }) {
           </label>
         </div>
         <Choice
-          legend="Speed"
+          label="Speed"
           options={SPEEDS}
           value={`${speed.value}`}
           onChange={(value) => {

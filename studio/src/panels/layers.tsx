@@ -102,7 +102,7 @@ function Layer({ layer, isFirst, isLast, hasStrokes, editor }: LayerProps) {
           />
         </div>
         <Choice
-          legend="Kind"
+          label="Kind"
           options={KINDS}
           value={kind}
           onChange={(value) => editor.set(name, { kind: value })}

@@ -2,6 +2,7 @@ import { useId } from 'preact/hooks'
 import type { LayerStroke } from '../document/document.ts'
 import type { LineEditor } from '../lines/line-editor.ts'
 import { type ShortcutName, shortcutOf } from '../shortcuts.ts'
+import { LabelledGroup } from './controls/labelled-group.tsx'
 import type { PanelModel } from './model.ts'
 
 /** CSS pixels per key press, near and far. */
@@ -64,8 +65,7 @@ export function LinePoints({ editor, actions }: { editor: LineEditor; actions: P
     actions.moveLinePoint(right * step, down * step)
   }
   return (
-    <fieldset class="setting">
-      <legend>Points</legend>
+    <LabelledGroup label="Points">
       <div class="points">
         {Array.from({ length: count }, (_, i) => (
           <button
@@ -87,7 +87,7 @@ export function LinePoints({ editor, actions }: { editor: LineEditor; actions: P
           </button>
         ))}
       </div>
-    </fieldset>
+    </LabelledGroup>
   )
 }
 

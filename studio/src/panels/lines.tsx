@@ -23,7 +23,7 @@ export function Lines({ model }: { model: PanelModel }) {
     <Section title="Lines">
       <div class="settings">
         <Choice
-          legend="Pointer"
+          label="Pointer"
           options={MODES}
           value={mode}
           onChange={(value) => {

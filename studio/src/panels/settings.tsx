@@ -48,19 +48,19 @@ export function Settings({ model }: { model: PanelModel }) {
         <FaceChoice model={model} />
         <SkinChoice model={model} />
         <Choice
-          legend="Renderer"
+          label="Renderer"
           options={RENDERERS}
           value={viewer?.kind ?? 'webgl'}
           onChange={actions.setRenderer}
         />
         <Choice
-          legend="Wrinkles"
+          label="Wrinkles"
           options={MODES}
           value={(viewer?.mode ?? 'default') as (typeof MODES)[number]['value']}
           onChange={actions.setMode}
         />
         <Choice
-          legend="Show"
+          label="Show"
           options={LOOKS}
           columns={3}
           value={look.name}
@@ -73,7 +73,7 @@ export function Settings({ model }: { model: PanelModel }) {
           <AreaChoice model={model} shown={typeof look.area === 'string' ? look.area : ''} />
         )}
         <StagingControls staging={model.staging} />
-        <Choice legend="Page" options={APPEARANCES} value={chosenAppearance()} onChange={chooseAppearance} />
+        <Choice label="Page" options={APPEARANCES} value={chosenAppearance()} onChange={chooseAppearance} />
       </div>
     </Section>
   )

@@ -59,6 +59,11 @@ export async function createHarness(name: EngineName): Promise<BabylonHarness> {
     engine = new Engine(canvas, false)
     if (engine.version < 2) throw new Error('WebGL 2 is not available')
   }
+  const caps = engine.getCaps()
+  // The reference is bilinear.
+  caps.maxAnisotropy = 1
+  // Shaders are compiled before the first frame ends.
+  caps.parallelShaderCompile = undefined
   return {
     name,
     engine,

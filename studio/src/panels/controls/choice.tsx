@@ -1,7 +1,8 @@
 import { useId } from 'preact/hooks'
+import { LabelledGroup } from './labelled-group.tsx'
 
 interface ChoiceProps<T extends string> {
-  legend: string
+  label: string
   options: readonly { value: T; label: string; title?: string }[]
   value: T
   /** By default all in one row. */
@@ -10,11 +11,10 @@ interface ChoiceProps<T extends string> {
 }
 
 /** Radio buttons in a row, or in several. */
-export function Choice<T extends string>({ legend, options, value, columns, onChange }: ChoiceProps<T>) {
+export function Choice<T extends string>({ label, options, value, columns, onChange }: ChoiceProps<T>) {
   const name = useId()
   return (
-    <fieldset class="setting">
-      <legend>{legend}</legend>
+    <LabelledGroup label={label}>
       <div
         class={columns ? 'segments grid' : 'segments'}
         style={columns === undefined ? undefined : { '--columns': columns }}
@@ -32,6 +32,6 @@ export function Choice<T extends string>({ legend, options, value, columns, onCh
           </label>
         ))}
       </div>
-    </fieldset>
+    </LabelledGroup>
   )
 }

@@ -2,6 +2,7 @@ import { type ReadonlySignal, useComputed } from '@preact/signals'
 import type { Curve } from 'furrow'
 import type { Contribution } from 'furrow/internal'
 import { useId } from 'preact/hooks'
+import { LabelledGroup } from '../controls/labelled-group.tsx'
 import { type Axis, textOn } from './axes.ts'
 import type { DriverContext } from './context.ts'
 import { CurveEditor } from './curve-editor.tsx'
@@ -113,11 +114,7 @@ interface VectorSettingProps {
 
 export function VectorSetting({ label, value, step, factor = 1, unit, onChange }: VectorSettingProps) {
   return (
-    <fieldset class="vector">
-      <legend>
-        {label}
-        {unit && `, ${unit}`}
-      </legend>
+    <LabelledGroup class="vector" label={unit ? `${label}, ${unit}` : label}>
       {(['x', 'y', 'z'] as const).map((axis, i) => (
         <NumberField
           key={axis}
@@ -129,7 +126,7 @@ export function VectorSetting({ label, value, step, factor = 1, unit, onChange }
           }
         />
       ))}
-    </fieldset>
+    </LabelledGroup>
   )
 }
 

@@ -30,7 +30,7 @@ export function PaintControls({ painting }: { painting: Painting }) {
       {isOn && (
         <div class="brush">
           <Choice
-            legend="Tool"
+            label="Tool"
             options={SHAPES}
             value={painting.shape.value}
             onChange={(shape) => {
@@ -55,7 +55,7 @@ function BrushControls({ painting }: { painting: Painting }) {
   }
   return (
     <>
-      <Choice legend="Brush" options={MODES} value={brush.mode} onChange={(mode) => change({ mode })} />
+      <Choice label="Brush" options={MODES} value={brush.mode} onChange={(mode) => change({ mode })} />
       <NumberSlider
         label="Size"
         range={SIZES}

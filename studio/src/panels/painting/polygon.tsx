@@ -15,7 +15,7 @@ export function PolygonControls({ painting }: { painting: Painting }) {
   return (
     <>
       <Choice
-        legend="Polygon"
+        label="Polygon"
         options={MODES}
         value={brush.value.mode === 'remove' ? 'remove' : 'add'}
         onChange={(mode) => {

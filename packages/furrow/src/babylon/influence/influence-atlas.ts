@@ -153,6 +153,8 @@ export class InfluenceAtlas implements InfluenceTarget<Scene> {
       },
     )
     this.#map = new ThinTexture(this.#target.texture)
+    // The reference is bilinear.
+    this.#map.anisotropicFilteringLevel = 1
     this.#map.wrapU = this.#map.wrapV = Constants.TEXTURE_CLAMP_ADDRESSMODE
     this.#rows = new Float32Array(4 * this.#columns * (1 + columns * rows))
     this.#writeSettings()
