@@ -243,9 +243,7 @@ export class WrinkledMesh extends FaceGroup<AnyRenderer> implements FrameMember<
       return false
     }
     if (this.#isSuspended) {
-      if (!this.material.isOn(mesh)) return false
-      // After this frame: a new cell may take a larger atlas, and the frame reads the old one.
-      queueMicrotask(() => this.#resume())
+      if (this.material.isOn(mesh)) this.#resumeLater()
       return false
     }
     this.material.settle(renderer)
@@ -293,6 +291,14 @@ export class WrinkledMesh extends FaceGroup<AnyRenderer> implements FrameMember<
     this.material.suspend()
     this.#leave()
     this.release()
+  }
+
+  /**
+   * Takes part in frames again after this one: a new cell may take a larger atlas, and the frame reads the old one. A separate method, since
+   * closures allocate in every call.
+   */
+  #resumeLater(): void {
+    queueMicrotask(() => this.#resume())
   }
 
   /** Takes part in frames again. Not to be called during a frame. */
