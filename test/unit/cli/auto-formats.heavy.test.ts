@@ -103,7 +103,7 @@ describe('a face in the manner of VRoid Studio', () => {
   })
 
   test('is recognised by its own shapes, which are named', () => {
-    expect(made.warned).toContain('Fcl_BRW_Surprised, Fcl_BRW_Angry, Fcl_EYE_Close_L, Fcl_EYE_Close_R')
+    expect(made.warned).toContain('Fcl_BRW_Surprised, Fcl_BRW_Angry, Fcl_EYE_Joy_L, Fcl_EYE_Joy_R')
     expect(made.warned).toContain("stand in for ARKit's shapes")
     const names = [...made.areas.keys()]
     for (const region of [
