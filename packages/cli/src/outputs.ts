@@ -15,7 +15,7 @@ export interface OutputRules {
   force?: boolean | undefined
 }
 
-/** Which outputs may replace a file that the command has read; none by default. */
+/** Outputs that may replace a file that the command has read; none by default. */
 export interface ReplaceRules {
   /** Outputs that the user named: they may with `force`. To be left out by commands without `--force`. */
   named?: readonly (string | undefined)[]

@@ -39,7 +39,7 @@ export interface ReadFolder {
   document: StudioDocument
   /** The avatar's files, the first of which is the face; none where there is no face. */
   face: AvatarFile[]
-  /** What was left out, a sentence each. */
+  /** Omissions, a sentence each. */
   notes: string[]
 }
 

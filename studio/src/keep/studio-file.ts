@@ -65,7 +65,7 @@ export function automaticParts({ layers, areas, strokes }: StudioDocument) {
 /** A `studio.json` that was read. */
 export interface ReadStudioFile {
   studio: StudioFile
-  /** What is wrong with it, in one line. */
+  /** Its faults, in one line. */
   note?: string
 }
 

@@ -108,7 +108,7 @@ function describePlain(path: string, { meshes, skin, shapes, next }: PlainInspec
   ]
 }
 
-/** What the blendshapes of the skin are. */
+/** Rows of the recognised blendshapes. */
 function shapeTable(shapes: PlainInspection['shapes']): string[] {
   return table(
     ['blendshape', 'shape', 'confidence', 'by'],

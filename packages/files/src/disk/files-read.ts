@@ -21,7 +21,7 @@ export function wasRead(path: string): boolean {
   try {
     return filesRead.has(identityOf(statSync(path, { bigint: true })))
   } catch {
-    // What is not there, or cannot be looked at, was not read.
+    // A missing or inaccessible file was not read.
     return false
   }
 }

@@ -8,7 +8,7 @@ import { meshProblem } from '../checks/meshes.ts'
 import type { CheckedJson } from '../json/checked-json.ts'
 import type { Glb } from './glb.ts'
 
-/** Of each mesh that `documentOf` read from a VRM. */
+/** Blendshape names by target index, for each mesh that `documentOf` read from a VRM. */
 const expressions = new WeakMap<Mesh, ReadonlyMap<number, string>>()
 
 /**

@@ -12,9 +12,8 @@ export const FLAT_NORMAL = Uint8Array.from(
 )
 
 /**
- * The texture info of the base colour, where a material has no normal map and only the base colour's transform tells how its quantised
- * texture coordinates are to be read (KHR_mesh_quantization). Wrinkles use the coordinates of the normal map, so it needs one with this
- * transform.
+ * The texture info of the base colour, for a material without a normal map whose quantised texture coordinates only the base colour's
+ * transform decodes (KHR_mesh_quantization). Wrinkles use the coordinates of the normal map, so it needs one with this transform.
  */
 export function quantisedCoordinates(json: GltfJson, material: number): TextureInfo | undefined {
   const { normalTexture, pbrMetallicRoughness } = json.materials?.[material] ?? {}

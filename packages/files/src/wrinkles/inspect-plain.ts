@@ -13,16 +13,16 @@ export interface MeshReport {
   blendshapes: string[]
 }
 
-/** What a blendshape of the skin is, by its motion and its name. */
+/** A blendshape of the skin, recognised by its motion and its name. */
 export interface ShapeReport {
   blendshape: string
   /** ARKit's name; null where it is unknown, or no single one of ARKit's shapes. */
   shape: string | null
-  /** What its name tells of a blendshape that is no single shape, such as `viseme`. */
+  /** Kind by its name where it is no single shape, such as `viseme`. */
   kind?: string
   /** 0..1 */
   confidence: number
-  /** What decided. */
+  /** Evidence that decided. */
   by: 'geometry' | 'name' | 'both' | 'none'
 }
 

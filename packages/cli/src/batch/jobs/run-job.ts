@@ -33,7 +33,7 @@ export async function runJob(job: Job, workshop: Workshop): Promise<Outcome> {
     // Reading the input and writing the output, which were tried again where that could help.
     return { ...machineFailure(error), seconds: seconds(), ...progress }
   } finally {
-    // What a process that was ended has left half-written is gone with it.
+    // Removes half-written files of an ended process too.
     if (folder !== undefined)
       await rm(folder, { recursive: true, force: true, maxRetries: 5 }).catch(() => {})
   }

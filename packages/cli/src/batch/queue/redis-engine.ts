@@ -126,7 +126,7 @@ async function outcomeOf(job: QueuedJob): Promise<Outcome | undefined> {
   return { status: 'failed', kind: 'crash', reason, warnings: [], seconds: 0, attempts: job.attemptsStarted }
 }
 
-/** What a worker reported: whoever can write to Redis may have put anything there. */
+/** Outcome that a worker reported. Anyone who can write to Redis may have put anything there. */
 function reported({ returnvalue, attemptsStarted }: QueuedJob): Outcome {
   try {
     return parseOutcome(returnvalue, 'a worker')

@@ -204,7 +204,7 @@ function regionsWithoutFace(regions: readonly string[]): FurrowError {
   })
 }
 
-/** Those of `EXPRESSIONS` that a face can show, with its targets, without the activations of areas that other faces have. */
+/** The presets that a face can show, with its targets, without activations of areas that it lacks. */
 function presetsOf({ names, hints, find }: DetectedFace): ExpressionDriver[] {
   const loaderFinds = targetFinder(names)
   const ownNames = (shape: string) => {

@@ -12,8 +12,8 @@ const FULL_SET = 51
 const FOUND = 0.45
 
 /**
- * The confidence of each match, 0..1: a logistic function of its score, of its margin to other labels, of the motion beyond the face, and of how
- * much of ARKit's set is there, since shapes of a full set decide each other's labels. The weights are fitted to heads of several families, to
+ * The confidence of each match, 0..1: a logistic function of its score, its margin to other labels and the motion beyond the face. The share of
+ * ARKit's set that is there counts too, since shapes of a full set decide each other's labels. The weights are fitted to heads of several families, to
  * parts of their sets, and to proportions, compositions and corrections of them.
  */
 export function confidencesOf({ shapes }: ShapeFields, matches: readonly Match[]): number[] {

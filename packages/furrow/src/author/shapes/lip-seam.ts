@@ -29,7 +29,7 @@ export function lipSeam(
   forward: Vector,
 ): LipSeam | undefined {
   const front = near.filter((i) => dotOf(minus(vectorAt(points, i), centre), forward) > -BEHIND * radius)
-  // Of two points that part, one moves half as far at least.
+  // When two points part, one of them moves at least half the distance.
   const isMoving = Uint8Array.from(front, (i) =>
     motions.some(({ distances }) => distances[i] > (PARTED / 2) * radius) ? 1 : 0,
   )

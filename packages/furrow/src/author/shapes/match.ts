@@ -5,7 +5,7 @@ import { physicalScore } from './physical-tests.ts'
 import type { ShapeFields } from './shape-fields.ts'
 import { type TemplateHead, templatesOf } from './templates.ts'
 
-/** What a shape is most like. */
+/** The label that a shape is most like. */
 export interface Match {
   /** Index into the shapes. */
   shape: number

@@ -11,7 +11,7 @@ const RISING_CORNER = 0.12
 const UPPER_LIP = GRID.length + LID_ROWS.length * LID_SAMPLES.length
 const CORNER = 14
 
-/** What tests of a shape's motion add to its score for a label. */
+/** Adds to a shape's score for a label by tests of its motion. */
 export function physicalScore(label: ShapeLabel, shape: ShapeField): number {
   return lidScore(label, shape) + cornerScore(label, shape)
 }

@@ -12,7 +12,7 @@ import { templateHeads } from './template-table.ts'
 import type { TemplateHead } from './templates.ts'
 import type { Vector } from './vectors.ts'
 
-/** What a blendshape is. */
+/** A recognised blendshape. */
 export interface RecognisedShape {
   /** Name of the target. */
   name: string
@@ -20,15 +20,15 @@ export interface RecognisedShape {
   shape: string | undefined
   /** 0..1 */
   confidence: number
-  /** What decided: its motion, its name, or both alike. */
+  /** Evidence that decided: motion, name, or both alike. */
   by: 'geometry' | 'name' | 'both' | 'none'
-  /** What its name and its motion tell, for finding shapes by name. */
+  /** Kind by name and motion, for finding shapes by name. */
   hint: NameHint | undefined
   /** Whether its motion contradicts its name. */
   isMisnamed: boolean
 }
 
-/** What the motion of a target tells. */
+/** Label of a target by its motion. */
 interface Seen {
   label: ShapeLabel
   confidence: number
@@ -71,7 +71,7 @@ export function recogniseShapes(
   return { shapes, eyes }
 }
 
-/** What the motion of each target tells, by its index. */
+/** Labels each target by its motion. */
 function seeShapes(
   skin: Skin,
   heads: readonly TemplateHead[],

@@ -6,7 +6,7 @@ import { ALONG, closedEyes, type EyeOpening, eyeOpening, lipLine } from './openi
 import { GRID, LID_REACH, LID_ROWS, LID_SAMPLES, LIP_ROWS, SAMPLES } from './sample-points.ts'
 import { interpolated } from './vectors.ts'
 
-/** What targets do to a face, sampled where every face has the same features. */
+/** Displacements of all targets, sampled where every face has the same features. */
 export interface ShapeFields {
   /** Weight of each sample; 0 where the surface has no skin. */
   weights: Float64Array

@@ -14,7 +14,7 @@ export interface ExpressiveFace {
   authored: readonly Expression[]
   /** Expressions of its VRM. */
   vrm: readonly Expression[]
-  /** Which of some names its blendshapes have, in any spelling that `findTargets` knows. */
+  /** Selects the names that its blendshapes have, in any spelling that `findTargets` knows. */
   targetsAmong(names: readonly string[]): ReadonlySet<string>
   hasArea(name: string): boolean
 }

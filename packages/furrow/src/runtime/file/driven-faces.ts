@@ -2,7 +2,7 @@ import { targetFinder } from '../../drivers/morph/target-names.ts'
 import { planDrivers } from '../../drivers/plan.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 
-/** What tells whether a mesh is a face. */
+/** Measures by which a mesh counts as a face. */
 export interface FaceMeasure {
   /** Names of its blendshapes. */
   targets: readonly string[]

@@ -69,7 +69,7 @@ export function wrinkledMaterials(gltf: GLTF, parser: Parser): WrinkledMaterial[
   return [...found.values()]
 }
 
-/** Those of some meshes with one material that its drivers move; see `drivenFaces`. */
+/** Chooses, among meshes that share a material, the faces that its drivers move; see `drivenFaces`. */
 export function chooseFaces(
   faces: readonly [Mesh, ...Mesh[]][],
   { drivers }: Pick<FileWrinkles, 'drivers'>,

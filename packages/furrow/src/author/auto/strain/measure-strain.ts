@@ -6,7 +6,7 @@ import { type CompressedPatch, findPatches } from './patches.ts'
 export interface StrainedSkin {
   /** Of a face: its anatomical regions, each with the strain of its expression. */
   regions: readonly StrainedRegion[]
-  /** Of skin that is no head: the patches that its targets compress. */
+  /** Patches that the targets compress, of skin that is no head. */
   patches: readonly CompressedPatch[]
 }
 

@@ -19,7 +19,7 @@ export interface SkinChoice {
   index: number
   /** Fraction of what `movers` move, 0..1; NaN where they move nothing. */
   fraction: number
-  /** What the choice was made by, for people. */
+  /** Reason for the choice, for people. */
   movers: string
 }
 

@@ -2,11 +2,11 @@ import { recogniseShapes } from '../../shapes/recognise.ts'
 import type { Skin } from '../../skin/surface.ts'
 import type { TargetHints } from './stand-ins.ts'
 
-/** What is known of a skin's targets. */
+/** The recognised targets of a skin. */
 export interface KnownTargets {
   /** Their names; one that means nothing in place of a name that the motion contradicts. */
   known: readonly string[]
-  /** What motion and names tell. */
+  /** Kind of each target, by motion and name. */
   hints: TargetHints
   /** Middle of the left and right eye, in the coordinates of the skin, where lids close. */
   eyes?: readonly [left: readonly number[], right: readonly number[]] | undefined

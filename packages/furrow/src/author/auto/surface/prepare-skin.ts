@@ -19,7 +19,7 @@ export interface PreparedSkin {
   names: readonly string[]
   /** The same without names that the motion contradicts. */
   known: readonly string[]
-  /** What motion and names tell of each target. */
+  /** Kind of each target, by motion and name. */
   hints: TargetHints
   /** Indices of the targets of that name: of a face in any rig's spelling, or of its stand-ins. */
   find(name: string): number[]

@@ -4,7 +4,7 @@ import { hintOf } from '../../shapes/names/hint.ts'
 import type { NameHint } from '../../shapes/names/name-hint.ts'
 import type { SkinTarget } from '../../skin/surface.ts'
 
-/** What is known of each target, by its index. */
+/** Kind of each target, by its index; undefined where nothing tells. */
 export type TargetHints = readonly (NameHint | undefined)[]
 
 /** Maps a shape's name to indices of targets. */
@@ -121,7 +121,7 @@ function matching(hints: TargetHints, isWanted: (hint: NameHint) => boolean): (s
   return (shape) => ranked(hints, shape, isWanted).map(({ index }) => index)
 }
 
-/** Those of a kind that resemble the shape most: of its side alone before those of both sides. */
+/** Finds targets of a kind that resemble a shape most. Targets of its side alone come before both-sided ones. */
 function closest(hints: TargetHints, isWanted: (hint: NameHint) => boolean): Find {
   return ofSides((shape) => {
     const all = ranked(hints, shape, isWanted)

@@ -15,7 +15,7 @@ export type ShapeKind =
   /** A known shape that wrinkles no skin: tongues, pupils, lashes. */
   | 'other'
 
-/** What the name of a blendshape tells. */
+/** Kind, shape and side of a blendshape, by its name. */
 export interface NameHint {
   kind: ShapeKind
   /** ARKit's names of the shapes that it is, is a part of, or resembles; empty where it moves no skin as any of them does. */
@@ -24,6 +24,6 @@ export interface NameHint {
   match: 'same' | 'part' | 'like'
   /** The side in its name. */
   side: 'Left' | 'Right' | undefined
-  /** Of several shapes that resemble one, the lowest number is the closest. */
+  /** Order among shapes that resemble one; 0 is the closest. */
   rank: number
 }
