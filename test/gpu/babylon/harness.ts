@@ -43,6 +43,11 @@ export function harnessOn(name: EngineName): BabylonHarness {
   return harness
 }
 
+/** The reference is bilinear, and pictures are read back after the first frame. */
+function limitCaps(engine: Engine | WebGPUEngine): void {
+  Object.assign(engine.getCaps(), { maxAnisotropy: 1, parallelShaderCompile: undefined })
+}
+
 /** Creates an engine; fails if it is not available. */
 export async function createHarness(name: EngineName): Promise<BabylonHarness> {
   const canvas = document.createElement('canvas')
@@ -59,11 +64,8 @@ export async function createHarness(name: EngineName): Promise<BabylonHarness> {
     engine = new Engine(canvas, false)
     if (engine.version < 2) throw new Error('WebGL 2 is not available')
   }
-  const caps = engine.getCaps()
-  // The reference is bilinear.
-  caps.maxAnisotropy = 1
-  // Shaders are compiled before the first frame ends.
-  caps.parallelShaderCompile = undefined
+  limitCaps(engine)
+  engine.onContextRestoredObservable.add(() => limitCaps(engine))
   return {
     name,
     engine,
