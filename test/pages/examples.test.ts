@@ -141,10 +141,19 @@ test.each([
 // `examples-auto.test.ts` checks that it makes wrinkles and takes its bar away.
 test('auto.html shows the face and its bar while it makes wrinkles', async () => {
   const { page, complaints } = await openPage(browser(), { viewport: PHONE })
+  // The wrinkles are not made before the bar was seen, however slowly the page draws.
+  let mayWork = () => {}
+  const seen = new Promise<void>((resolve) => {
+    mayWork = resolve
+  })
+  await page.route('**/auto-worker.js', (route) => seen.then(() => route.continue()))
   await openPaused(page, `${server.origin}/examples/auto.html`)
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(PHONE.width)
   await firstPicture(page)
   expect(await page.locator('progress').count()).toBe(1)
+  const working = page.waitForResponse('**/auto-worker.js')
+  mayWork()
+  await working
   expect(complaints).toEqual([])
   await page.close()
 })
