@@ -67,6 +67,16 @@ describe('names that exporters write elsewhere', () => {
     expect(targetNamesOf(read({ primitives: [{ targets: one }] }))).toEqual(['0', '1'])
   })
 
+  it.each<[string, string[], string[]]>([
+    ['empty', ['jawOpen', ''], ['jawOpen', '1']],
+    ['too long', ['x'.repeat(257), 'jawOpen'], ['0', 'jawOpen']],
+    ['empty beside an index', ['', '0'], ['blendshape 0', '0']],
+  ])('become indices where they are %s', (_, given, expected) => {
+    expect(targetNamesOf(read({ extras: { targetNames: given }, primitives: [{ targets }] }))).toEqual(
+      expected,
+    )
+  })
+
   it('are found by the loader of the studio', async () => {
     const bytes = editGlb(readFileSync(HUMAN), (json) => {
       for (const mesh of json.meshes) {

@@ -1,10 +1,13 @@
+import { LONGEST_NAME } from 'furrow/internal'
+
 const isObject = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null && !Array.isArray(value)
 const listOf = (value: unknown): unknown[] => (Array.isArray(value) ? value : [])
 
 /**
  * Moves names of blendshapes to `extras.targetNames` of their mesh, where glTF's readers look for them. Some exporters write them to
- * `extras.targetNames` of primitives, or to `targets[].extra.targetName`, which glTF forbids.
+ * `extras.targetNames` of primitives, or to `targets[].extra.targetName`, which glTF forbids. Empty names, and names that are too long for a
+ * driver, become the index of their blendshape.
  *
  * @param json of a file, in which anything may be malformed; it is changed.
  */
@@ -12,9 +15,17 @@ export function hoistTargetNames(json: unknown): void {
   for (const mesh of listOf(isObject(json) ? json.meshes : undefined)) {
     if (!isObject(mesh)) continue
     const found = listOf(mesh.primitives).filter(isObject).flatMap(takeNames)
-    if (found.length === 0 || (isObject(mesh.extras) && Array.isArray(mesh.extras.targetNames))) continue
-    mesh.extras = { ...(isObject(mesh.extras) && mesh.extras), targetNames: found[0] }
+    const extras = isObject(mesh.extras) ? mesh.extras : {}
+    const names = Array.isArray(extras.targetNames) ? extras.targetNames : found[0]
+    if (names) mesh.extras = { ...extras, targetNames: usableNames(names) }
   }
+}
+
+/** Names that a driver can use; an index stays unique. */
+function usableNames(names: readonly unknown[]): unknown[] {
+  const isUsable = (name: unknown) => typeof name !== 'string' || (name !== '' && name.length <= LONGEST_NAME)
+  const indexName = (i: number) => (names.includes(String(i)) ? `blendshape ${i}` : String(i))
+  return names.map((name, i) => (isUsable(name) ? name : indexName(i)))
 }
 
 /** The names that a primitive has; nothing where some of its blendshapes have none. */
