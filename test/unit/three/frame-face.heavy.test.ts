@@ -16,7 +16,13 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { addBody, HEAD_HEIGHT, turnScene } from '../../avatar.ts'
 import { SCANS } from '../../bare-faces/bare-faces.ts'
-import { FORMATS, placeBySkeleton, rename, transformCoordinates } from '../cli/auto-changes.ts'
+import {
+  FORMATS,
+  placeBySkeleton,
+  quantiseCoordinates,
+  rename,
+  transformCoordinates,
+} from '../cli/auto-changes.ts'
 import { anyIO, HUMAN } from '../cli/auto-variants.ts'
 import { toVRoid } from '../cli/vroid.ts'
 
@@ -257,7 +263,7 @@ async function changed(change: Change): Promise<Document> {
   const document = await (await anyIO()).readBinary(new Uint8Array(file))
   // Node has no images, and the camera does not need them.
   for (const texture of document.getRoot().listTextures())
-    if (change !== transformCoordinates) texture.dispose()
+    if (change !== transformCoordinates && change !== quantiseCoordinates) texture.dispose()
   await change(document)
   for (const texture of document.getRoot().listTextures()) texture.dispose()
   return document
