@@ -1,7 +1,7 @@
 /**
- * Replaces each NaN: between two numbers linearly by index, before the first and after the last in steps from these.
+ * Replaces each NaN. Gaps between two numbers are interpolated; gaps at either end continue from the nearest number by `step`.
  *
- * @returns a new array; where there is no number at all, steps from 0.
+ * @returns a new array; it counts from 0 by `step` if all values are NaN.
  */
 export function fillGaps(values: readonly number[], step: number): number[] {
   const filled = [...values]

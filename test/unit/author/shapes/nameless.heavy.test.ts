@@ -4,6 +4,7 @@ import { findSkin } from 'furrow-files'
 import { readDocument } from 'furrow-files/node'
 import { describe, expect, test } from 'vitest'
 import { FACES, skinAt } from '../auto/faces.ts'
+import { overlap } from './overlap.ts'
 
 const make = (skin: Skin) => autoWrinkles(skin, { size: 128, areaSize: 64 })
 
@@ -18,16 +19,6 @@ const NAMES = [
   ['none', (_: string, i: number) => `shape ${i}`],
   ['sides swapped', (name: string) => name.replace(/(Left|Right|_L|_R)$/, (side) => OPPOSITE[side]!)],
 ] as const
-
-/** The size of what two areas have in common over that of either. */
-function overlap(a: ArrayLike<number>, b: ArrayLike<number>): number {
-  let [both, either] = [0, 0]
-  for (let i = 0; i < a.length; i++) {
-    both += Math.min(a[i]!, b[i]!)
-    either += Math.max(a[i]!, b[i]!)
-  }
-  return both / either
-}
 
 const namesOf = ({ areas }: AutoWrinkles) => areas.map(({ name }) => name).sort()
 

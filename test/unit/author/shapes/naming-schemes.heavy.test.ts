@@ -2,6 +2,7 @@ import { autoWrinkles, type Skin } from 'furrow/author'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { FACES, skinAt } from '../auto/faces.ts'
 import { SCHEMES, type Spell } from './naming-schemes.ts'
+import { overlap } from './overlap.ts'
 
 let human: Skin
 
@@ -42,16 +43,6 @@ function reference(skin: Skin): ReturnType<typeof make> {
   const made = references.get(key) ?? make(skin)
   references.set(key, made)
   return made
-}
-
-/** The size of what two areas have in common over that of either. */
-function overlap(a: ArrayLike<number>, b: ArrayLike<number>): number {
-  let [both, either] = [0, 0]
-  for (let i = 0; i < a.length; i++) {
-    both += Math.min(a[i]!, b[i]!)
-    either += Math.max(a[i]!, b[i]!)
-  }
-  return both / either
 }
 
 describe("a face has the same areas under the names of any rig as under ARKit's", () => {

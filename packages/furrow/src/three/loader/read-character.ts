@@ -18,8 +18,8 @@ export function canCrease({ geometry: { attributes, morphAttributes } }: Mesh): 
 }
 
 /**
- * Gives a material without a normal map a flat one with the transform of its colours, where only that tells how quantised texture coordinates are to
- * be read (KHR_mesh_quantization): wrinkles use the coordinates of the normal map.
+ * Gives a material without a normal map a flat one with the transform of its base colour. Quantised texture coordinates may be readable by that
+ * transform alone (KHR_mesh_quantization), and wrinkles use the coordinates of the normal map.
  */
 export function readQuantised(meshes: readonly [Mesh, ...Mesh[]]): void {
   const surface = surfaceOf(meshes[0])

@@ -39,7 +39,7 @@ export class PatchedMaterial {
   #shown: ShownMode | null = null
   /** Whether it stays plain in every mode. */
   #isSuspended = false
-  /** Whether the material's own event of disposal is this object's doing. */
+  /** Whether this object, and not the page, disposes of the material now. */
   #isRenewing = false
   readonly #onCompile: ModeHost['onCompile']
   readonly #onDisposed: () => void

@@ -2,7 +2,7 @@ import type { Mesh } from 'three'
 import { sentence } from '../../core/error.ts'
 import type { PatchedMaterial } from './patched-material.ts'
 
-/** Draws in a row with another material. Fewer are a pass that exchanges materials in every frame, such as selective bloom. */
+/** Consecutive draws with another material. Passes such as selective bloom exchange materials in every frame, and stay below. */
 const MOST_DRAWS = 30
 
 /**
