@@ -27,6 +27,7 @@ export { FINE_FURROW_DEFAULTS, type FurrowRegion, type Furrows } from '../src/au
 export { type Metric, surfaceMetric } from '../src/author/metric.ts'
 export type { Green } from '../src/author/normals/bump-to-normal.ts'
 export type { Edges } from '../src/author/normals/slope.ts'
+export { correctSkin, parseCorrections, type ShapeCorrection } from '../src/author/shapes/corrections.ts'
 export { soleExpressions } from '../src/author/shapes/names/sole-expressions.ts'
 export { type RecognisedShape, recogniseShapes } from '../src/author/shapes/recognise.ts'
 export { canvasAgain, canvasArrays, mapSkin, type SkinCanvasArrays } from '../src/author/skin/canvas.ts'

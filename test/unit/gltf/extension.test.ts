@@ -16,7 +16,7 @@ import { parseWrinkleMaps } from 'furrow/internal'
 import { MeshoptEncoder } from 'meshoptimizer'
 import sharp from 'sharp'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { createIO, createSample, DRIVERS, NAME, STROKES, summary, wrinkleMapsOf } from './sample.ts'
+import { createIO, createSample, DRIVERS, NAME, SHAPES, STROKES, summary, wrinkleMapsOf } from './sample.ts'
 
 const io = createIO()
 const texturesOf = async () => (await createSample()).getRoot().listTextures()
@@ -27,7 +27,13 @@ describe('FurrowWrinkleMaps', () => {
     expect(json.extensionsUsed).toEqual([NAME])
     expect(json.extensionsRequired).toBeUndefined()
     const maps = json.materials![0].extensions![NAME] as Record<string, unknown[]>
-    expect(maps).toMatchObject({ revision: 7, extras: { by: 'hand' }, drivers: DRIVERS, strokes: STROKES })
+    expect(maps).toMatchObject({
+      revision: 7,
+      extras: { by: 'hand' },
+      drivers: DRIVERS,
+      strokes: STROKES,
+      shapes: SHAPES,
+    })
     expect(maps.layers[1]).toEqual({ name: 'down', kind: 'detail', normalTexture: { index: 7 } })
     expect(maps.layers[0]).toMatchObject({
       later: { deep: [1, 2] },
@@ -53,6 +59,7 @@ describe('FurrowWrinkleMaps', () => {
     const before = summary(document)
     expect(before.drivers).toEqual(DRIVERS)
     expect(before.strokes).toEqual(STROKES)
+    expect(before.shapes).toEqual(SHAPES)
     expect(summary(await io.readJSON(await io.writeJSON(document)))).toEqual(before)
     const bytes = await io.writeBinary(document)
     const back = await io.readBinary(bytes)
@@ -66,23 +73,28 @@ describe('FurrowWrinkleMaps', () => {
     const before = summary(document)
     expect(summary(copy)).toEqual(before)
     wrinkleMapsOf(document).listAreas()[0].setName('other').setTexture(null)
-    wrinkleMapsOf(document).setDrivers([]).setStrokes(null)
+    wrinkleMapsOf(document).setDrivers([]).setStrokes(null).setShapes(null)
     expect(summary(copy)).toEqual(before)
     expect(wrinkleMapsOf(copy).listAreas()[1].getLayer()).toBe(wrinkleMapsOf(copy).listLayers()[1])
     expect(await io.writeBinary(copy)).toEqual(await io.writeBinary(await createSample()))
   })
 
-  it('keeps strokes as they are, malformed or none', async () => {
+  it.each([
+    ['strokes', { version: 2, lines: [] }, 'lines'],
+    ['shapes', [{ target: 7, extras: { by: 'hand' } }], { no: 'list' }],
+  ] as const)('keeps %s as they are, malformed or none', async (field, ...values) => {
     const document = await createSample()
-    const strokesAfter = async (strokes: unknown) => {
-      wrinkleMapsOf(document).setStrokes(strokes)
+    const after = async (value: unknown) => {
+      const wrinkles = wrinkleMapsOf(document)
+      if (field === 'strokes') wrinkles.setStrokes(value)
+      else wrinkles.setShapes(value)
       const written = await io.writeJSON(document)
-      const read = wrinkleMapsOf(await io.readJSON(written)).getStrokes()
-      return [(written.json.materials![0].extensions![NAME] as { strokes?: unknown }).strokes, read]
+      const read = wrinkleMapsOf(await io.readJSON(written))
+      const json = written.json.materials![0].extensions![NAME] as Record<string, unknown>
+      return [json[field], field === 'strokes' ? read.getStrokes() : read.getShapes()]
     }
-    expect(await strokesAfter(null)).toEqual([undefined, null])
-    expect(await strokesAfter({ version: 2, lines: [] })).toEqual(Array(2).fill({ version: 2, lines: [] }))
-    expect(await strokesAfter('lines')).toEqual(['lines', 'lines'])
+    expect(await after(null)).toEqual([undefined, null])
+    for (const value of values) expect(await after(value)).toEqual([value, value])
   })
 
   it('preserves slices in files and copies, and distinguishes slices of an array', async () => {

@@ -61,6 +61,11 @@ export const DRIVERS: WrinkleDriver[] = [
 ]
 
 /** A document with every kind of curve and shape. */
+export const SHAPES = [
+  { mesh: 'Head', target: 'key_12', shape: 'browInnerUp' },
+  { target: 'slider', extras: { by: 'hand' } },
+]
+
 export const STROKES = {
   version: 1,
   scale: 1000,
@@ -172,7 +177,7 @@ export async function createSample(): Promise<Document> {
     .setKind('detail')
     .setTexture('normalTexture', await texture('down', 7))
   const wrinkles = extension.createMaterialWrinkles().addLayer(up).addLayer(down).setDrivers(DRIVERS)
-  wrinkles.setStrokes(STROKES).setExtras({ by: 'hand' }).setUnknownFields({ revision: 7 })
+  wrinkles.setStrokes(STROKES).setShapes(SHAPES).setExtras({ by: 'hand' }).setUnknownFields({ revision: 7 })
   const areaTextures = [await texture('weights 0', 8), await texture('weights 1', 9)]
   for (const [i, name] of ['brow', 'nose', 'cheek', 'chin', 'eye'].entries()) {
     const area = extension.createArea(name).setTexture(areaTextures[Math.floor(i / 3)], i % 3)
@@ -200,6 +205,7 @@ export function summary(document: Document) {
     unknown: wrinkles.getUnknownFields(),
     drivers: wrinkles.getDrivers(),
     strokes: wrinkles.getStrokes(),
+    shapes: wrinkles.getShapes(),
     layers: wrinkles.listLayers().map((layer) => ({
       name: layer.getName(),
       kind: layer.getKind(),

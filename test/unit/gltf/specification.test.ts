@@ -2,7 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import Ajv2020, { type ValidateFunction } from 'ajv/dist/2020.js'
 import { parseStrokes } from 'furrow/author'
-import { DRIVER_TYPES, parseWrinkleMaps } from 'furrow/internal'
+import { DRIVER_TYPES, parseCorrections, parseWrinkleMaps } from 'furrow/internal'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { jsonOf } from '../../glb.ts'
 import { Workshop } from '../cli/workshop.ts'
@@ -41,6 +41,7 @@ describe('the page of the extension', () => {
     ['FURROW\\_wrinkle\\_maps', `material.${NAME}`],
     ['layer', `${NAME}.layer`],
     ['area', `${NAME}.area`],
+    ['shape', `${NAME}.shape`],
     ['driver', `${NAME}.driver`],
     ...DRIVER_TYPES.map((type) => [`driver of type \`${type}\``, `${NAME}.driver.${type}`]),
     ['link', `${NAME}.driver.morph`],
@@ -67,6 +68,7 @@ describe('the page of the extension', () => {
     const { properties } = schemas.get(`material.${NAME}.schema.json`)
     expect([properties.layers.maxItems, properties.areas.maxItems]).toEqual([4, 256])
     expect(properties.drivers.maxItems).toBe(4096)
+    expect(tableOf('FURROW\\_wrinkle\\_maps').at(-1)!.type).toBe(`shape [0-${properties.shapes.maxItems}]`)
   })
 
   it('has an example that the schema and the parser accept', () => {
@@ -95,6 +97,7 @@ describe('the schema', () => {
       (maps) => {
         parseWrinkleMaps(maps, 10)
         if (maps.strokes !== undefined) parseStrokes(maps.strokes)
+        parseCorrections(maps.shapes, 'test')
       },
       4,
     )

@@ -7,6 +7,7 @@ import {
   addNormals,
   checkBasisSize,
   checkTriangles,
+  correctionsIn,
   costOf,
   documentOf,
   embedWrinkles,
@@ -174,8 +175,10 @@ async function auto(face: string, options: Options): Promise<void> {
     checkTriangles(glb, WHO, mesh)
     const document = await documentOf(glb, face, WHO)
     const found = findSkin(document, face, WHO, mesh, (i) => shadingOf(glb.json, i) !== 'unlit')
+    const { corrections, problem } = correctionsIn(glb.json, found.material, 'a correction is left out')
     removeOldWrinkles(glb, found, options.replace ?? false)
-    const ofSkin = addNormals(glb, document, found.mesh) > 0 ? [WITHOUT_NORMALS] : []
+    const ofSkin = problem === undefined ? [] : [problem]
+    if (addNormals(glb, document, found.mesh) > 0) ofSkin.push(WITHOUT_NORMALS)
     ofSkin.push(...faceWarnings(glb.json, found, found.materialName, WHO))
     const frame = found.hasTangents ? 'orthonormal' : 'derivative'
     const wrinkles = withCommandErrors(WHO, () =>
@@ -186,7 +189,7 @@ async function auto(face: string, options: Options): Promise<void> {
     if (wrinkles.emptyReason !== undefined) throw noWrinkles(wrinkles.emptyReason, found.meshName)
     steps.begin('encoding')
     const packed = await packAuto(wrinkles, ktx2, WHO)
-    embedWrinkles(glb, found.material, packed, WHO)
+    embedWrinkles(glb, found.material, { ...packed, shapes: corrections }, WHO)
     const cost = costOf(await inspectWrinkles(parseWrinkledFile(glb, found.material, WHO), WHO), ktx2)
     const files = await faceFiles(glb, output, WHO, replacing)
     const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0)

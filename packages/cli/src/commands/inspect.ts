@@ -6,9 +6,13 @@ import {
   type GpuSizes,
   type Inspection,
   inspectPlain,
+  inspectShapes,
   inspectWrinkles,
   kilobytes,
   type PlainInspection,
+  type ShapeReport,
+  skinOfTarget,
+  targetOfMaterial,
   wrinkledFile,
   wrinkledMaterials,
 } from 'furrow-files'
@@ -46,8 +50,9 @@ export const inspectCommand = createCommand('inspect')
   .addHelpText(
     'after',
     `
-Of a face without wrinkles it shows the meshes, which of ARKit's shapes the blendshapes
-of the skin are, and whether furrow auto can make some. Motion decides, names are a hint.
+It shows which of ARKit's shapes the blendshapes of the skin are: corrections in the file
+decide, then motion; names are a hint. Of a face without wrinkles it shows the meshes, and
+whether furrow auto can make some.
 On the GPU, maps have mipmaps; areas have one channel and no mipmaps. 1 kB is 1024 bytes.
 
 Examples:
@@ -65,10 +70,13 @@ async function inspect(path: string, options: Options): Promise<void> {
   }
   const file = wrinkledFile(glb, path, WHO, options.material)
   const report = await inspectWrinkles(file, WHO)
+  const target = targetOfMaterial(glb.json, file.material, file.maps.drivers)
+  const skin = target && skinOfTarget(await documentOf(glb, path, WHO), target)
+  const shapes = skin ? inspectShapes(skin) : []
   if (sheet !== undefined) await writeAll([{ path: sheet, bytes: await drawSheet(file, WHO) }], WHO)
   const lines = json
-    ? JSON.stringify({ file: path, ...report, ...(sheet && { sheet }) })
-    : describe(path, report)
+    ? JSON.stringify({ file: path, ...report, shapes, ...(sheet && { sheet }) })
+    : describe(path, report, shapes)
   print(json || sheet === undefined ? lines : [...lines, '', `${sheet}: all maps and areas`], sheet)
 }
 
@@ -108,15 +116,23 @@ function describePlain(path: string, { meshes, skin, shapes, next }: PlainInspec
   ]
 }
 
+const EVIDENCE: Record<ShapeReport['by'], string> = {
+  both: 'motion and name',
+  geometry: 'motion',
+  name: 'name',
+  correction: 'correction',
+  none: '',
+}
+
 /** Rows of the recognised blendshapes. */
-function shapeTable(shapes: PlainInspection['shapes']): string[] {
+function shapeTable(shapes: readonly ShapeReport[]): string[] {
   return table(
     ['blendshape', 'shape', 'confidence', 'by'],
     shapes.map(({ blendshape, shape, kind, confidence, by }) => [
       blendshape,
-      shape ?? kind ?? 'unknown',
+      shape ?? kind ?? (by === 'correction' ? 'none' : 'unknown'),
       shape ? confidence.toFixed(2) : '',
-      by === 'both' ? 'motion and name' : by === 'geometry' ? 'motion' : by === 'name' ? 'name' : '',
+      EVIDENCE[by],
     ]),
   )
 }
@@ -125,7 +141,7 @@ function shortened(names: readonly string[]): string {
   return names.length <= NAMES_LISTED ? names.join(', ') : `${names.slice(0, NAMES_LISTED).join(', ')}, ...`
 }
 
-function describe(path: string, report: Inspection): string[] {
+function describe(path: string, report: Inspection, shapes: readonly ShapeReport[]): string[] {
   const { layers, areas, drivers, strokes, gpu, imageBytes, fileBytes } = report
   const presets = driversOf('expression', drivers)
   const moving = drivers.filter(({ type }) => type !== 'expression')
@@ -165,6 +181,7 @@ function describe(path: string, report: Inspection): string[] {
     ...moving.map((driver) => `  ${describeDriver(driver)}`),
     '',
     ...(presets.length === 0 ? [] : [...presets.map(describeDriver), '']),
+    ...(shapes.length === 0 ? [] : [...shapeTable(shapes), '']),
     ...(strokes.count === 0 ? [] : [`strokes: ${strokes.count}`]),
     `in the file: ${kilobytes(imageBytes + strokes.bytes)} of ${kilobytes(fileBytes)}`,
     `on the GPU: ${kilobytes(gpu.uncompressed)} uncompressed, ${kilobytes(gpu.bits8)} with maps as BC7 or ASTC 4x4,` +

@@ -1,15 +1,15 @@
-import { type Document, GLB_BUFFER, type GLTF, Logger, type Mesh, WebIO } from '@gltf-transform/core'
+import { type Document, GLB_BUFFER, type GLTF, Logger, WebIO } from '@gltf-transform/core'
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
-import { soleExpressions } from 'furrow/internal'
 import { cannotRead } from '../base/errors.ts'
 import { decodingProblem } from '../checks/document.ts'
 import { dracoProblem } from '../checks/draco.ts'
 import { meshProblem } from '../checks/meshes.ts'
 import type { CheckedJson } from '../json/checked-json.ts'
+import type { GltfJson } from '../json/gltf-json.ts'
 import type { Glb } from './glb.ts'
 
-/** Blendshape names by target index, for each mesh that `documentOf` read from a VRM. */
-const expressions = new WeakMap<Mesh, ReadonlyMap<number, string>>()
+/** JSON of each document that `documentOf` read. */
+const sources = new WeakMap<Document, GltfJson>()
 
 /**
  * Decodes a file, compressed or not, and leaves it as it is. Extensions that glTF-Transform does not know are dropped.
@@ -31,8 +31,7 @@ export async function documentOf({ json, bin }: Glb, path: string, who: string):
     const document = await io.readJSON({ json: copy, resources: { [GLB_BUFFER]: view } })
     const fault = meshProblem(document)
     if (fault) throw new Error(fault)
-    for (const [index, mesh] of document.getRoot().listMeshes().entries())
-      expressions.set(mesh, soleExpressions(json, index))
+    sources.set(document, json)
     return document
   } catch (error) {
     const hints = { limit: 'glTF 2.0', remedy: 'check the file with furrow validate' }
@@ -40,9 +39,9 @@ export async function documentOf({ json, bin }: Glb, path: string, who: string):
   }
 }
 
-/** Names of a VRM's expressions that move one blendshape of the mesh alone, by its index. */
-export function expressionsOf(mesh: Mesh): ReadonlyMap<number, string> {
-  return expressions.get(mesh) ?? new Map()
+/** The JSON that `documentOf` read a document from: that of extensions which glTF-Transform does not know is there too. */
+export function sourceOf(document: Document): GltfJson {
+  return sources.get(document) ?? {}
 }
 
 /** Decoders are slow to start, and few files need them. */

@@ -72,8 +72,8 @@ export interface Candidate {
 
 /** The meshes with texture coordinates. */
 export function meshesOf(json: GltfJson): Candidate[] {
-  return (json.meshes ?? []).flatMap((mesh, index) => {
-    return mesh.primitives.some(hasTextureCoordinates) ? [{ index, names: namesOf(json, mesh, index) }] : []
+  return (json.meshes ?? []).flatMap(({ primitives }, index) => {
+    return primitives.some(hasTextureCoordinates) ? [{ index, names: namesOfMesh(json, index) }] : []
   })
 }
 
@@ -91,9 +91,10 @@ function hasTextureCoordinates({ attributes }: GltfMesh['primitives'][number]): 
   return attributes?.TEXCOORD_0 !== undefined
 }
 
-function namesOf({ nodes = [] }: GltfJson, mesh: GltfMesh, index: number): string[] {
+/** Names of a mesh: its own and those of its nodes, or its index where it has none. */
+export function namesOfMesh({ meshes = [], nodes = [] }: GltfJson, index: number): string[] {
   const nodeNames = nodes.filter((node) => node.mesh === index).map(({ name }) => name)
-  const names = [mesh.name, ...nodeNames].filter((name) => name !== undefined)
+  const names = [meshes[index].name, ...nodeNames].filter((name) => name !== undefined)
   return names.length > 0 ? names : [String(index)]
 }
 

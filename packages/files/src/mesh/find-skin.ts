@@ -1,7 +1,10 @@
 import type { Document, Mesh } from '@gltf-transform/core'
 import { FurrowError } from 'furrow'
 import type { Skin } from 'furrow/author'
-import { chooseSkin, didYouMean, type SkinChoice } from 'furrow/internal'
+import { chooseSkin, correctSkin, didYouMean, type SkinChoice, soleExpressions } from 'furrow/internal'
+import { sourceOf } from '../gltf/document.ts'
+import { correctionsIn } from '../json/corrections.ts'
+import { namesOfMesh, type Target } from '../json/target-names.ts'
 import { trianglesOf } from './mesh-nodes.ts'
 import { readSkin } from './read-skin.ts'
 
@@ -79,6 +82,12 @@ export function bestSkin(
   return { ...candidates[index], fraction, reason: reasonOf(choice, candidates.length) }
 }
 
+/** The skin of a mesh with one of its materials, by their indices; undefined where it has no triangles with texture coordinates. */
+export function skinOfTarget(document: Document, { mesh: index, material }: Target): Skin | undefined {
+  const mesh = document.getRoot().listMeshes()[index]
+  return candidatesOf(document, mesh, index).find((candidate) => candidate.material === material)?.skin
+}
+
 function reasonOf({ fraction, movers }: SkinChoice, count: number): string {
   if (count === 1) return 'the only one with texture coordinates and a material'
   if (!(fraction > 0)) return 'the first one: no blendshape moves any'
@@ -93,14 +102,19 @@ function candidatesOf(
 ): Omit<FoundSkin, 'fraction' | 'reason'>[] {
   const triangles = trianglesOf(mesh)
   const materials = [...new Set(triangles.map((primitive) => primitive.getMaterial()))]
+  const json = sourceOf(document)
+  const expressions = soleExpressions(json, index)
   return materials.flatMap((material) => {
     if (!material) return []
     const primitives = triangles.filter((primitive) => primitive.getMaterial() === material)
+    const materialIndex = document.getRoot().listMaterials().indexOf(material)
+    const { corrections } = correctionsIn(json, materialIndex, 'furrow')
+    const skin = readSkin(mesh, primitives, material, expressions)
     return [
       {
-        skin: readSkin(mesh, primitives, material),
+        skin: correctSkin(skin, corrections, namesOfMesh(json, index)),
         mesh: index,
-        material: document.getRoot().listMaterials().indexOf(material),
+        material: materialIndex,
         meshName: labelOf(mesh, index),
         materialName: material.getName(),
         hasTangents: primitives.every((primitive) => primitive.getAttribute('TANGENT') !== null),

@@ -2,19 +2,27 @@ import type { Accessor, Material, Mesh, Primitive } from '@gltf-transform/core'
 import type { Skin } from 'furrow/author'
 import { joinParts, type SkinPart } from 'furrow/internal'
 import { Matrix4 } from 'three'
-import { expressionsOf } from '../gltf/document.ts'
 import { namesOfTargets } from '../json/gltf-json.ts'
 import { readCoordinates } from './coordinates.ts'
 import { type HeadReader, headReader } from './head-weights.ts'
 import { nodeOf, placementOf } from './mesh-nodes.ts'
 
-/** Reads some primitives of a mesh as one skin in metres, in world space as its first node or skeleton places it. */
-export function readSkin(mesh: Mesh, primitives: readonly Primitive[], material: Material): Skin {
+/**
+ * Reads some primitives of a mesh as one skin in metres, in world space as its first node or skeleton places it.
+ *
+ * @param expressions names of a VRM's expressions that move one target alone, by its index.
+ */
+export function readSkin(
+  mesh: Mesh,
+  primitives: readonly Primitive[],
+  material: Material,
+  expressions: ReadonlyMap<number, string>,
+): Skin {
   const targets = Math.max(0, ...primitives.map((primitive) => primitive.listTargets().length))
   const names = namesOfTargets(mesh.getExtras().targetNames, targets)
   const head = headReader(mesh)
   const parts = primitives.map((primitive) => partOf(primitive, material, head))
-  return joinParts(parts, names, placementOfMesh(mesh), expressionsOf(mesh))
+  return joinParts(parts, names, placementOfMesh(mesh), expressions)
 }
 
 function partOf(primitive: Primitive, material: Material, head: HeadReader | undefined): SkinPart {

@@ -1,5 +1,5 @@
 import type { WrinkleDriver, WrinkleSetDocument } from 'furrow'
-import { parseWrinkleMaps, WRINKLE_MAPS } from 'furrow/internal'
+import { parseWrinkleMaps, type ShapeCorrection, WRINKLE_MAPS } from 'furrow/internal'
 import { BufferViewWriter } from '../gltf/buffer-view-writer.ts'
 import type { Glb } from '../gltf/glb.ts'
 import type { GltfJson } from '../json/gltf-json.ts'
@@ -52,6 +52,8 @@ export interface PackedWrinkles {
   drivers: WrinkleDriver[]
   /** The lines of the layers. */
   strokes?: StoredStrokes
+  /** Corrections of recognised blendshapes. */
+  shapes?: readonly ShapeCorrection[] | undefined
 }
 
 const CLAMP_TO_EDGE = 33071
@@ -106,10 +108,16 @@ export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedW
     ...omitDefault('combine', area.combine, 'sum'),
     ...omitDefault('activation', area.activation, 0),
   }))
-  const { drivers, strokes } = wrinkles
+  const { drivers, strokes, shapes = [] } = wrinkles
   // JSON drops the fields without a value.
   const extension = JSON.parse(
-    JSON.stringify({ layers, areas, ...(drivers.length > 0 && { drivers }), strokes }),
+    JSON.stringify({
+      layers,
+      areas,
+      ...(drivers.length > 0 && { drivers }),
+      strokes,
+      ...(shapes.length > 0 && { shapes }),
+    }),
   )
   parseWrinkleMaps(extension, json.textures?.length ?? 0, who)
   material.extensions = { ...material.extensions, [WRINKLE_MAPS]: extension }

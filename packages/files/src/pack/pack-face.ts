@@ -1,6 +1,7 @@
 import { WRINKLE_MAPS } from 'furrow/internal'
 import type { Progress } from '../base/progress.ts'
 import type { Glb } from '../gltf/glb.ts'
+import { missingIn } from '../json/corrections.ts'
 import { jointNamesOf, targetNamesOf } from '../json/gltf-json.ts'
 import type { Target, TargetNames } from '../json/target-names.ts'
 import { findTarget } from '../mesh/target.ts'
@@ -44,6 +45,9 @@ export async function packFace(
   embedWrinkles(glb, target.material, wrinkles, who)
   const targets = targetNamesOf(glb.json.meshes![target.mesh])
   const { missing } = findDriverFaults(wrinkles.drivers, targets, jointNamesOf(glb.json))
-  const unknown = missing.map((what) => `${who}: ${what} does not exist; it is kept`)
+  const { shapes = [] } = wrinkles
+  const unknown = [...missing, ...missingIn(glb.json, target.material, shapes)].map(
+    (what) => `${who}: ${what} does not exist; it is kept`,
+  )
   return { target, wrinkles, warnings: [...wrinkles.warnings, ...unknown] }
 }

@@ -80,6 +80,7 @@ export async function packSet(
     areas,
     drivers: set.drivers ?? [],
     ...(strokes && { strokes }),
+    shapes: set.shapes,
     areaSize: side,
     warnings,
   }

@@ -1,6 +1,8 @@
 import { areaWeights, type GrayImage, type WrinkleSetDocument } from 'furrow'
+import { parseCorrections, type ShapeCorrection } from 'furrow/internal'
 import { decodeGray } from '../images/decode-gray.ts'
 import type { Pixels } from '../images/pixels.ts'
+import { WRINKLES_FILE } from '../wrinkles/folder-document.ts'
 import { MAP_SLOTS, type MapName } from '../wrinkles/map-slots.ts'
 import { readStrokes, type StoredStrokes } from '../wrinkles/strokes.ts'
 
@@ -12,6 +14,8 @@ export interface SetToPack extends Pick<WrinkleSetDocument, 'mesh' | 'material' 
   layers: readonly LayerToPack[]
   areas: readonly AreaToPack[]
   strokes?: () => Promise<StoredStrokes>
+  /** Corrections of recognised blendshapes. */
+  shapes?: readonly ShapeCorrection[]
 }
 
 /** A layer as in `wrinkles.json`, with its maps. */
@@ -41,6 +45,7 @@ export function setOfFolder(document: WrinkleSetDocument, read: ReadFile, who: s
     material,
     areaSize,
     drivers,
+    shapes: parseCorrections(document.shapes, `${who}: ${WRINKLES_FILE}`),
     layers: document.layers.map((entry) => layerOfFolder(entry, read)),
     areas: document.areas.map(({ image, convention, ...area }) => ({
       ...area,

@@ -4,6 +4,7 @@ import { firstLine } from '../base/errors.ts'
 import type { Glb } from '../gltf/glb.ts'
 import { ktx2HeaderOf } from '../gltf/texture-image.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
+import { correctionsIn, missingIn } from '../json/corrections.ts'
 import { jointNamesOf, targetNamesOf } from '../json/gltf-json.ts'
 import { facesOfMaterial } from '../json/target-names.ts'
 import { findDriverFaults } from '../wrinkles/driver-faults.ts'
@@ -77,6 +78,7 @@ async function findingsOf(glb: Glb, material: number): Promise<Finding[]> {
       ...checkCoordinates(file),
       ...checkDrivers(file),
       ...checkStrokes(file),
+      ...checkShapes(file),
     ]
   } catch (thrown) {
     if (!(thrown instanceof FurrowError)) throw thrown
@@ -192,6 +194,13 @@ function checkDrivers({ glb, material, maps: { drivers } }: WrinkledFile): Findi
 function checkStrokes(file: WrinkledFile): Finding[] {
   const { problem } = strokesIn(file, `${WRINKLE_MAPS}: strokes`)
   return problem === undefined ? [] : [warningFinding('STROKES', problem)]
+}
+
+function checkShapes({ glb, material }: WrinkledFile): Finding[] {
+  const { corrections, problem } = correctionsIn(glb.json, material, WRINKLE_MAPS)
+  const faults = problem === undefined ? [] : [warningFinding('SHAPES', problem)]
+  const missing = missingIn(glb.json, material, corrections)
+  return [...faults, ...missing.map((what) => warningFinding('SHAPE_NAME', `${what} does not exist`))]
 }
 
 const sizeText = ({ width, height }: { width: number; height: number }) => `${width} x ${height}`

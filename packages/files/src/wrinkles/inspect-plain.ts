@@ -1,8 +1,8 @@
 import type { Document } from '@gltf-transform/core'
-import { recogniseShapes } from 'furrow/internal'
 import type { Glb } from '../gltf/glb.ts'
 import { targetNamesOf } from '../json/gltf-json.ts'
 import { bestSkin, type FoundSkin } from '../mesh/find-skin.ts'
+import { inspectShapes, type ShapeReport } from './inspect-shapes.ts'
 
 export interface MeshReport {
   mesh: string
@@ -11,19 +11,6 @@ export interface MeshReport {
   vertices: number
   triangles: number
   blendshapes: string[]
-}
-
-/** A blendshape of the skin, recognised by its motion and its name. */
-export interface ShapeReport {
-  blendshape: string
-  /** ARKit's name; null where it is unknown, or no single one of ARKit's shapes. */
-  shape: string | null
-  /** Kind by its name where it is no single shape, such as `viseme`. */
-  kind?: string
-  /** 0..1 */
-  confidence: number
-  /** Evidence that decided. */
-  by: 'geometry' | 'name' | 'both' | 'none'
 }
 
 /** What a face without wrinkles has, and which wrinkles it could get. */
@@ -59,21 +46,11 @@ export function inspectPlain(
     ...(skin && {
       skin: { mesh: skin.meshName, material: skin.materialName, reason: skin.reason },
     }),
-    shapes: skin ? shapesOf(skin) : [],
+    shapes: skin ? inspectShapes(skin.skin) : [],
     auto,
     next: nextStep(path, skin, auto),
   }
   return { report, ...(skin && { skin }) }
-}
-
-function shapesOf({ skin }: FoundSkin): ShapeReport[] {
-  return recogniseShapes(skin).shapes.map(({ name, shape, confidence, by, hint }) => ({
-    blendshape: name,
-    shape: shape ?? null,
-    ...(shape === undefined && hint && { kind: hint.kind }),
-    confidence: Math.round(100 * confidence) / 100,
-    by,
-  }))
 }
 
 function nextStep(path: string, skin: FoundSkin | undefined, auto: boolean): string {

@@ -9,6 +9,7 @@ import { imageOf, isKtx2 } from '../gltf/texture-image.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
 import { paintedArea } from '../images/painted-area.ts'
 import { isOpaque, withoutAlpha } from '../images/pixels.ts'
+import { correctionsIn } from '../json/corrections.ts'
 import { namesOfTarget, targetOfMaterial } from '../json/target-names.ts'
 import { addressOf, STROKES_FILE, WRINKLES_FILE } from './folder-document.ts'
 import { weightsOf } from './inspect.ts'
@@ -85,6 +86,7 @@ export async function unpackWrinkles(
 
   const { strokes, problem } = strokesIn(file, `${who}: the strokes are left out`)
   if (strokes) outputs.push({ path: STROKES_FILE, bytes: jsonFile(strokes) })
+  const shapes = correctionsIn(file.glb.json, file.material, `${who}: a correction is left out`)
   const target = targetOfMaterial(file.glb.json, file.material, maps.drivers)
   const document: WrinkleSetDocument = {
     version: 1,
@@ -94,9 +96,10 @@ export async function unpackWrinkles(
     ...(maps.drivers.length > 0 && { drivers: maps.drivers }),
     areaSize: Math.max(2, ...areas.flatMap(({ width, height }) => [width, height])),
     ...(strokes && { strokes: STROKES_FILE }),
+    ...(shapes.corrections.length > 0 && { shapes: shapes.corrections }),
   }
   const text = `${JSON.stringify(document, null, 2)}\n`
-  const warnings = problem === undefined ? [] : [problem]
+  const warnings = [problem, shapes.problem].filter((text) => text !== undefined)
   return { files: [{ path: WRINKLES_FILE, bytes: utf8(text) }, ...outputs], warnings }
 }
 

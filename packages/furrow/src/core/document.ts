@@ -52,6 +52,8 @@ export interface SetDocument {
   areaSize?: number
   /** The lines of the layers, a document of strokes; for `furrow pack`. */
   strokes?: string
+  /** Corrections of recognised blendshapes, unchecked; for `furrow pack`. */
+  shapes?: unknown
 }
 
 /** The optional maps of a layer. */
@@ -92,6 +94,7 @@ export function readSetDocument(
       areaSize: reader.integer(root.areaSize, 'areaSize', MIN_AREA_SIZE, MAX_IMAGE_SIDE),
     }),
     ...(root.strokes !== undefined && { strokes: reader.text(root.strokes, 'strokes', MAX_URL_LENGTH) }),
+    ...(root.shapes !== undefined && { shapes: root.shapes }),
   }
 }
 

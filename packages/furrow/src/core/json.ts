@@ -126,6 +126,17 @@ export class JsonReader {
   }
 }
 
+/** Runs a reader of one item. Its FurrowError goes to `onFault`, and the result is undefined. */
+export function unlessFaulty<T>(read: () => T, onFault: (fault: FurrowError) => void): T | undefined {
+  try {
+    return read()
+  } catch (error) {
+    if (!(error instanceof FurrowError)) throw error
+    onFault(error)
+    return undefined
+  }
+}
+
 /** Applies a default. `null` gets none: glTF has no null. */
 export function or(value: unknown, usual: unknown): unknown {
   return value === undefined ? usual : value

@@ -1,7 +1,7 @@
 import type { AreaConvention } from '../core/area.ts'
 import { readSetDocument, type SetDocument } from '../core/document.ts'
-import { FurrowError } from '../core/error.ts'
-import { JsonReader, or } from '../core/json.ts'
+import type { FurrowError } from '../core/error.ts'
+import { JsonReader, or, unlessFaulty } from '../core/json.ts'
 import { MAX_DRIVERS } from '../core/limits.ts'
 import { WRINKLE_MAPS } from '../core/maps/declared.ts'
 import { type MapsAndAreas, readMaps } from '../core/maps/wrinkle-maps.ts'
@@ -95,14 +95,4 @@ function readDriver(reader: JsonReader, item: unknown, at: string, areas: readon
   const definition = definitionOf(type)
   if (!definition) return { ...json, type }
   return { type, ...definition.read(new Fields(reader, json, at, areas)) }
-}
-
-function unlessFaulty<T>(read: () => T, onFault: (fault: FurrowError) => void): T | undefined {
-  try {
-    return read()
-  } catch (error) {
-    if (!(error instanceof FurrowError)) throw error
-    onFault(error)
-    return undefined
-  }
 }

@@ -11,11 +11,13 @@ interface IMaterialWrinkles extends IProperty {
   drivers: string[]
   /** JSON of the strokes, `null` for none. */
   strokes: string
+  /** JSON of the corrections, `null` for none. */
+  shapes: string
   /** JSON of unknown fields. */
   unknownFields: string
 }
 
-/** The wrinkles of one material: layers, areas, drivers and strokes. See {@link FurrowWrinkleMaps}. */
+/** The wrinkles of one material: layers, areas, drivers, strokes and corrections. See {@link FurrowWrinkleMaps}. */
 export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
   static override readonly EXTENSION_NAME = WRINKLE_MAPS
   declare readonly extensionName: typeof WRINKLE_MAPS
@@ -36,6 +38,7 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
       areas: new RefSet<WrinkleArea>(),
       drivers: [],
       strokes: 'null',
+      shapes: 'null',
       unknownFields: '{}',
     })
   }
@@ -91,6 +94,16 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
   /** Replaces the strokes with a copy of these, which must be plain JSON; null for none. */
   setStrokes(strokes: unknown): this {
     return this.set('strokes', JSON.stringify(strokes ?? null))
+  }
+
+  /** A copy of the corrections of recognised blendshapes, unchecked as they stand in the file; null for none. */
+  getShapes(): unknown {
+    return JSON.parse(this.get('shapes'))
+  }
+
+  /** Replaces the corrections with a copy of these, which must be plain JSON; null for none. */
+  setShapes(shapes: unknown): this {
+    return this.set('shapes', JSON.stringify(shapes ?? null))
   }
 
   /** Fields of the JSON that are unknown to this version; they are written back unchanged. */

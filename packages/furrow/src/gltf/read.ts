@@ -17,7 +17,7 @@ interface PropertyFactory {
 
 /** Fields that are read into properties; all others are kept as unknown fields. */
 const KNOWN = {
-  root: ['name', 'extras', 'layers', 'areas', 'drivers', 'strokes'],
+  root: ['name', 'extras', 'layers', 'areas', 'drivers', 'strokes', 'shapes'],
   layer: ['name', 'extras', 'kind', ...Object.keys(LAYER_SLOTS)],
   area: ['name', 'extras', 'layer', 'texture', 'channel', 'combine', 'activation'],
 }
@@ -77,6 +77,7 @@ export function readMaterialWrinkles(
   return wrinkles
     .setDrivers(maps.drivers)
     .setStrokes(raw.strokes)
+    .setShapes(raw.shapes)
     .setExtras(extrasOf(raw))
     .setUnknownFields(without(raw, KNOWN.root))
 }

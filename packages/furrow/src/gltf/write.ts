@@ -17,6 +17,7 @@ export function writeMaterialWrinkles(context: WriterContext, wrinkles: Material
   const layers = wrinkles.listLayers()
   const drivers = wrinkles.getDrivers()
   const strokes = wrinkles.getStrokes()
+  const shapes = wrinkles.getShapes()
   const json = {
     ...wrinkles.getUnknownFields(),
     ...context.createPropertyDef(wrinkles),
@@ -24,6 +25,7 @@ export function writeMaterialWrinkles(context: WriterContext, wrinkles: Material
     areas: wrinkles.listAreas().map((area) => writeArea(context, area, layers, who)),
     ...(drivers.length > 0 && { drivers }),
     ...(strokes !== null && { strokes }),
+    ...(shapes !== null && { shapes }),
   }
   parseWrinkleMaps(json, Infinity, who)
   return json

@@ -1,3 +1,4 @@
+import type { SkinTarget } from '../skin/surface.ts'
 import { assign } from './assign.ts'
 import { arkitName, isShifted, type ShapeLabel } from './families.ts'
 import { type Descriptor, descriptorOf, dotAll, leftFraction, likeness } from './field-operations.ts'
@@ -66,6 +67,20 @@ export function scoresOf(fields: ShapeFields, heads: readonly TemplateHead[]): S
     )
   })
   return { labels, scores }
+}
+
+/** Gives corrected shapes their labels before all others. */
+export function correctScores(
+  { labels, scores }: Scores,
+  { shapes }: ShapeFields,
+  targets: readonly SkinTarget[],
+): Scores {
+  const corrected = scores.map((row, i) => {
+    const { correction } = targets[shapes[i].target]
+    if (typeof correction !== 'string') return row
+    return Float64Array.from(labels, (label) => (arkitName(label) === correction ? 2 : -1))
+  })
+  return { labels, scores: corrected }
 }
 
 function bestTwo(values: readonly number[]): number {

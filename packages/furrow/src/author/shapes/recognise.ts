@@ -1,13 +1,13 @@
-import type { Skin } from '../skin/surface.ts'
+import type { Skin, SkinTarget } from '../skin/surface.ts'
 import { confidencesOf, SURE, UNSURE } from './confidence.ts'
+import { hintOfTarget } from './corrections.ts'
 import { faceFrame } from './face-frame.ts'
 import { arkitName, isCentral, isShifted, labelOf, mirroredLabel, type ShapeLabel } from './families.ts'
 import { leftFraction } from './field-operations.ts'
-import { matchShapes, scoresOf } from './match.ts'
+import { correctScores, matchShapes, scoresOf } from './match.ts'
 import { movingSurface } from './moving-surface.ts'
-import { hintOf } from './names/hint.ts'
 import type { NameHint } from './names/name-hint.ts'
-import { shapeFields } from './shape-fields.ts'
+import { type ShapeFields, shapeFields } from './shape-fields.ts'
 import { templateHeads } from './template-table.ts'
 import type { TemplateHead } from './templates.ts'
 import type { Vector } from './vectors.ts'
@@ -20,8 +20,8 @@ export interface RecognisedShape {
   shape: string | undefined
   /** 0..1 */
   confidence: number
-  /** Evidence that decided: motion, name, or both alike. */
-  by: 'geometry' | 'name' | 'both' | 'none'
+  /** Evidence that decided: motion, name, or both alike; or a person's correction, with confidence 1. */
+  by: 'geometry' | 'name' | 'both' | 'correction' | 'none'
   /** Kind by name and motion, for finding shapes by name. */
   hint: NameHint | undefined
   /** Whether its motion contradicts its name. */
@@ -55,7 +55,7 @@ export interface RecognisedFace {
 }
 
 /**
- * Recognises the blendshapes of a face: by what they move, with their names as a hint. Deterministic.
+ * Recognises the blendshapes of a face: by what they move, with their names as a hint. Corrections overrule both. Deterministic.
  *
  * @param heads templates; those that ship by default.
  */
@@ -64,9 +64,9 @@ export function recogniseShapes(
   heads: readonly TemplateHead[] = templateHeads(),
 ): RecognisedFace {
   const { seen, eyes } = seeShapes(skin, heads)
-  const shapes = skin.targets.map(({ name, expression }, target) => {
-    const hint = hintOf(name) ?? (expression === undefined ? undefined : hintOf(expression))
-    return { name, ...decide(hint, seen.get(target)) }
+  const shapes = skin.targets.map((target, i) => {
+    const hint = hintOfTarget(target)
+    return { name: target.name, ...(correctedTo(target, hint) ?? decide(hint, seen.get(i))) }
   })
   return { shapes, eyes }
 }
@@ -80,8 +80,8 @@ function seeShapes(
   const surface = movingSurface(skin)
   const frame = surface && faceFrame(surface)
   if (!frame) return { seen, eyes: undefined }
-  const fields = shapeFields(surface, frame)
-  const scores = scoresOf(fields, heads)
+  const fields = withoutRejected(shapeFields(surface, frame), skin)
+  const scores = correctScores(scoresOf(fields, heads), fields, skin.targets)
   const matches = matchShapes(fields, scores)
   const indexOf = new Map(scores.labels.map((label, j) => [arkitName(label), j]))
   const confidences = confidencesOf(fields, matches)
@@ -98,7 +98,17 @@ function seeShapes(
   return { seen, eyes: frame.hasLids ? frame.eyes : undefined }
 }
 
+/** The shapes without those that are none of ARKit's by correction: these compete for no label. */
+function withoutRejected({ weights, shapes }: ShapeFields, { targets }: Skin): ShapeFields {
+  return { weights, shapes: shapes.filter(({ target }) => targets[target].correction !== null) }
+}
+
 type Decision = Omit<RecognisedShape, 'name'>
+
+function correctedTo({ correction }: SkinTarget, hint: NameHint | undefined): Decision | undefined {
+  if (correction === undefined) return undefined
+  return { shape: correction ?? undefined, confidence: 1, by: 'correction', hint, isMisnamed: false }
+}
 
 function decide(hint: NameHint | undefined, seen: Seen | undefined): Decision {
   if (!hint) return seen && seen.confidence >= UNSURE ? byGeometry(seen, false) : unknown(undefined)

@@ -20,6 +20,11 @@ export interface SkinTarget {
   name: string
   /** Name of a VRM's expression that moves this target alone. */
   expression?: string | undefined
+  /**
+   * ARKit's name that a person gave it, without its side where it moves both sides; null for none of ARKit's shapes. It overrules motion and
+   * name.
+   */
+  correction?: string | null | undefined
   /** x, y and z added to each vertex at weight 1. */
   offsets: ArrayLike<number>
 }

@@ -1,4 +1,5 @@
 import { length3 } from '../../../math/vector.ts'
+import { correctedNames } from '../../shapes/corrections.ts'
 import type { ShapeKind } from '../../shapes/names/name-hint.ts'
 import { crossOf, type Skin } from '../../skin/surface.ts'
 import { knownTargets } from './known-targets.ts'
@@ -60,7 +61,7 @@ export function chooseSkin(candidates: readonly SkinCandidate[]): SkinChoice | u
   const ways: [movers: string, measure: (candidate: SkinCandidate) => number][] = [
     [
       'brows, lids and mouth',
-      ({ skin }) => movedSurface(skin, faceTargets(namesOf(skin), hintsOf(skin.targets))),
+      ({ skin }) => movedSurface(skin, faceTargets(correctedNames(skin.targets), hintsOf(skin.targets))),
     ],
     ['brows, lids and mouth', ({ skin }) => movedFace(skin, largest())],
     [
@@ -98,10 +99,6 @@ function movedFace(skin: Skin, largest: number): number {
   if (!(movedByAll(skin) > NEGLIGIBLE * largest)) return 0
   const { known, hints } = knownTargets(skin)
   return movedSurface(skin, faceTargets(known, hints))
-}
-
-function namesOf({ targets }: Skin): string[] {
-  return targets.map(({ name }) => name)
 }
 
 /** Indices of the targets that move brows, lids and mouth. */

@@ -1,3 +1,4 @@
+import { correctedNames } from '../../shapes/corrections.ts'
 import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from '../../skin/surface.ts'
 import type { MirrorPlane } from '../../strokes/edit/mirror.ts'
 import { HeadChart } from './head-chart.ts'
@@ -90,7 +91,7 @@ interface PlacedFace extends Pick<DetectedFace, 'surface' | 'offsets' | 'scale'>
  * @returns undefined where neither shows eyes and mouth.
  */
 export function placedFace(skin: Skin): PlacedFace | undefined {
-  const byName = { known: skin.targets.map(({ name }) => name), hints: hintsOf(skin.targets) }
+  const byName = { known: correctedNames(skin.targets), hints: hintsOf(skin.targets) }
   return placeFace(skin, byName) ?? placeFace(skin, knownTargets(skin))
 }
 

@@ -1,5 +1,6 @@
 import { BOTH_SIDES } from '../../../drivers/morph/aliases.ts'
 import { canonicalTargetName, targetFinder } from '../../../drivers/morph/target-names.ts'
+import { hintOfTarget } from '../../shapes/corrections.ts'
 import { hintOf } from '../../shapes/names/hint.ts'
 import type { NameHint } from '../../shapes/names/name-hint.ts'
 import type { SkinTarget } from '../../skin/surface.ts'
@@ -27,11 +28,9 @@ const SHAPES = [
   'mouthStretch',
 ]
 
-/** Tells what targets are by their names, or else by those of the expressions that move them. */
+/** Tells what targets are by their corrections and names, or else by those of the expressions that move them. */
 export function hintsOf(targets: readonly Omit<SkinTarget, 'offsets'>[]): TargetHints {
-  return targets.map(
-    ({ name, expression }) => hintOf(name) ?? (expression === undefined ? undefined : hintOf(expression)),
-  )
+  return targets.map(hintOfTarget)
 }
 
 /**

@@ -1,0 +1,114 @@
+import type { FurrowError } from 'furrow'
+import type { Skin } from 'furrow/author'
+import {
+  correctSkin,
+  faceShapeFinder,
+  parseCorrections,
+  recogniseShapes,
+  type ShapeCorrection,
+} from 'furrow/internal'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { knownTargets } from '../../../../packages/furrow/src/author/auto/surface/known-targets.ts'
+import { TEMPLATE_FACES } from '../../../../scripts/lib/shape-templates.ts'
+import { skinAt } from '../auto/faces.ts'
+
+let human: Skin
+
+beforeAll(async () => {
+  human = await skinAt(TEMPLATE_FACES.builder[1])
+})
+
+const indexOf = (name: string) => human.targets.findIndex((target) => target.name === name)
+const corrected = (...corrections: ShapeCorrection[]) => correctSkin(human, corrections, ['skin'])
+
+/** Indices of the targets that `auto` takes for a shape. */
+function found(skin: Skin, shape: string): number[] {
+  const { known, hints } = knownTargets(skin)
+  return faceShapeFinder(known, hints)(shape)
+}
+
+describe('corrections in a file', () => {
+  it.each([
+    ['no list', { target: 'a' }, 'shapes must be an array'],
+    ['no object', ['a'], 'shapes[0] must be an object'],
+    ['no target', [{ shape: 'jawOpen' }], 'shapes[0].target must be text'],
+    ['an empty name', [{ target: '' }], 'shapes[0].target must be text'],
+    ['a name that is too long', [{ target: 'a', mesh: 'x'.repeat(257) }], 'shapes[0].mesh must be text'],
+    ['another rig', [{ target: 'a', shape: 'CTRL_expressions_jawOpen' }], 'shapes[0].shape is unknown'],
+    ['a misspelt shape', [{ target: 'a', shape: 'browInerUp' }], 'did you mean "browInnerUp"?'],
+    ['null', [{ target: 'a', shape: null }], 'shapes[0].shape must be text'],
+    ['too many', Array(1025).fill({ target: 'a' }), 'shapes has the wrong number of items'],
+  ])('are refused with the field that is wrong: %s', (_, json, message) => {
+    expect(() => parseCorrections(json, 'test')).toThrow(message)
+  })
+
+  it('are read without their malformed ones where faults are collected', () => {
+    const faults: FurrowError[] = []
+    const json = [
+      { target: 'a', shape: 'jawOpen', extras: {} },
+      { target: 'b', shape: 'joy' },
+      { target: 'c' },
+    ]
+    const read = parseCorrections(json, 'test', (fault) => faults.push(fault))
+    expect(read).toEqual([{ target: 'a', shape: 'jawOpen' }, { target: 'c' }])
+    expect(faults).toHaveLength(1)
+    expect(parseCorrections('none', 'test', (fault) => faults.push(fault))).toEqual([])
+    expect(faults).toHaveLength(2)
+    expect(parseCorrections(undefined, 'test')).toEqual([])
+  })
+})
+
+describe('a correction', () => {
+  it.each<[string, Partial<ShapeCorrection>, boolean]>([
+    ['its mesh', { mesh: 'skin' }, true],
+    ['any mesh', {}, true],
+    ['another mesh', { mesh: 'body' }, false],
+    ['another spelling', { target: 'BrowInner_Up' }, true],
+    ['no target of the mesh', { target: 'other' }, false],
+  ])('names its blendshape as drivers do, with %s', (_, names, isFound) => {
+    const { targets } = corrected({ target: 'browInnerUp', shape: 'jawOpen', ...names })
+    const changed = targets.flatMap(({ correction }, i) =>
+      correction === undefined ? [] : [[i, correction]],
+    )
+    expect(changed).toEqual(isFound ? [[indexOf('browInnerUp'), 'jawOpen']] : [])
+  })
+
+  it('that comes first counts', () => {
+    const skin = corrected({ target: 'jawOpen' }, { target: 'jawOpen', shape: 'mouthSmile' })
+    expect(skin.targets[indexOf('jawOpen')]!.correction).toBeNull()
+  })
+
+  it('overrules motion and name, with full confidence', () => {
+    const { shapes } = recogniseShapes(
+      corrected({ target: 'browInnerUp', shape: 'cheekPuff' }, { target: 'mouthSmileLeft' }),
+    )
+    const [brow, smile] = ['browInnerUp', 'mouthSmileLeft'].map((name) => shapes[indexOf(name)]!)
+    expect(brow).toMatchObject({ shape: 'cheekPuff', confidence: 1, by: 'correction' })
+    expect(smile).toMatchObject({ shape: undefined, confidence: 1, by: 'correction', hint: undefined })
+  })
+
+  it('decides which blendshapes automatic wrinkles take for a shape', () => {
+    const [up, sneer] = [indexOf('browInnerUp'), indexOf('noseSneerLeft')]
+    expect(found(human, 'browInnerUp')).toEqual([up])
+    // The name of the first one is worth no more.
+    expect(found(corrected({ target: 'noseSneerLeft', shape: 'browInnerUp' }), 'browInnerUp')).toEqual([
+      sneer,
+    ])
+    expect(found(corrected({ target: 'browInnerUp' }), 'browInnerUp')).not.toContain(up)
+    const both = corrected({ target: 'noseSneerLeft', shape: 'mouthSmile' })
+    expect(found(both, 'mouthSmile')).toEqual([sneer])
+    const half = corrected({ target: 'browInnerUp' }, { target: 'noseSneerLeft', shape: 'browInnerUpLeft' })
+    expect(found(half, 'browInnerUp')).toEqual([sneer])
+  })
+
+  it('frees the shape that the blendshape was taken for', () => {
+    const shape = human.targets[indexOf('mouthPucker')]!
+    const strong = { name: 'slider', offsets: Float32Array.from(shape.offsets, (x) => 1.02 * x) }
+    const skin = { ...human, targets: [strong, { ...shape, name: 'key' }] }
+    const full = { ...skin, targets: [...skin.targets, ...human.targets.filter((one) => one !== shape)] }
+    const confidence = (skin: Skin) => recogniseShapes(skin).shapes[1]!.confidence
+    const [taken, freed] = [full, correctSkin(full, [{ target: 'slider' }], [])]
+    expect(recogniseShapes(freed).shapes[1]).toMatchObject({ shape: 'mouthPucker', by: 'geometry' })
+    expect(confidence(freed)).toBeGreaterThan(confidence(taken) + 0.1)
+  })
+})
