@@ -14,7 +14,7 @@ from .format.document import EXTENSION, read_document
 from .format.reader import FurrowError
 from .joints import armature_of, remember_frames, remember_nodes
 from .material import put_in
-from .wrinkle_set import load_document, new_group, rebuild
+from .wrinkle_set import load_document, new_group, rebuild, remember_meshes
 
 
 class ImportHooks:
@@ -24,6 +24,7 @@ class ImportHooks:
         self.file = None
         self.loaded = []
         self.nodes = {}
+        self.meshes = {}
 
     def gather_import_material_after_hook(self, gltf_material, _vertex_color, material, gltf):
         """The images become Blender's and the set a node group in the material."""
@@ -50,10 +51,15 @@ class ImportHooks:
             _remove(tree)
             _warn(gltf, f"{_text(error)}; the face is imported without wrinkles")
 
-    def gather_import_node_after_hook(self, _vnode, gltf_node, item, _gltf):
-        """Drivers name nodes; Blender may give their objects other names."""
-        if gltf_node is not None and gltf_node.name is not None:
+    def gather_import_node_after_hook(self, _vnode, gltf_node, item, gltf):
+        """Drivers name nodes, and corrections of shapes meshes; Blender may give their objects other names."""
+        if gltf_node is None:
+            return
+        if gltf_node.name is not None:
             self.nodes.setdefault(gltf_node.name, item)
+        if gltf_node.mesh is not None:
+            for name in (gltf.data.meshes[gltf_node.mesh].name, gltf_node.name):
+                self.meshes.setdefault(name, item)
 
     def gather_import_scene_after_nodes_hook(self, _gltf_scene, _scene, gltf):
         """Objects exist now, and drivers can read their shape keys and bones."""
@@ -62,6 +68,7 @@ class ImportHooks:
                 tree.furrow.face = _face_of(material)
                 _remember_frames(self.file, tree.furrow.face)
                 remember_nodes(tree.furrow, _joints_of(tree.furrow), self.nodes)
+                remember_meshes(tree.furrow, self.meshes)
                 rebuild(tree)
             except Exception as error:
                 _warn(gltf, f"{_text(error)}; nothing drives the wrinkles of {material.name}")

@@ -140,6 +140,13 @@ class FurrowJoint(bpy.types.PropertyGroup):
     rest: FloatVectorProperty(size=4, description="Its rotation at rest in the world, a quaternion w, x, y, z")
 
 
+class FurrowMesh(bpy.types.PropertyGroup):
+    """A mesh of the file that corrections of shapes name."""
+
+    name: StringProperty()
+    object: PointerProperty(type=bpy.types.Object)
+
+
 class FurrowDelay(bpy.types.PropertyGroup):
     """A driver of type `time`: the constants of an area in seconds."""
 
@@ -157,6 +164,7 @@ class FurrowWrinkles(bpy.types.PropertyGroup):
     drivers: CollectionProperty(type=FurrowDriver)
     inputs: CollectionProperty(type=FurrowInput)
     joints: CollectionProperty(type=FurrowJoint)
+    meshes: CollectionProperty(type=FurrowMesh)
     delays: CollectionProperty(type=FurrowDelay)
     active_layer: IntProperty()
     active_area: IntProperty(update=_preview)
@@ -170,7 +178,7 @@ class FurrowWrinkles(bpy.types.PropertyGroup):
     other: StringProperty(default="{}")
 
 
-CLASSES = (FurrowLayer, FurrowArea, FurrowDriver, FurrowInput, FurrowJoint, FurrowDelay, FurrowWrinkles)
+CLASSES = (FurrowLayer, FurrowArea, FurrowDriver, FurrowInput, FurrowJoint, FurrowMesh, FurrowDelay, FurrowWrinkles)
 
 
 def register():

@@ -6,7 +6,7 @@ from contextlib import contextmanager
 import bpy
 
 from .format.document import read_document
-from .format.edit import with_joints_renamed
+from .format.edit import meshes_of, with_joints_renamed, with_meshes_renamed
 from .format.reader import FurrowError
 from .images import file_from_image, image_from_file
 from .material import group_node, put_back, take_out
@@ -116,8 +116,25 @@ def document_of(tree):
     # Nodes get the names of their objects, which may have others by now.
     names = {joint.name: joint.object.name for joint in wrinkles.joints if joint.object}
     drivers = with_joints_renamed([json.loads(driver.json) for driver in wrinkles.drivers], names)
-    root = {"layers": layers, "areas": areas, "drivers": drivers, **json.loads(wrinkles.other)}
+    other = json.loads(wrinkles.other)
+    if "shapes" in other:
+        other["shapes"] = with_meshes_renamed(other["shapes"], _mesh_names(wrinkles))
+    root = {"layers": layers, "areas": areas, "drivers": drivers, **other}
     return read_document(root, len(files), f'material group "{tree.name}"'), files
+
+
+def remember_meshes(wrinkles, objects):
+    """Keep with a set which objects the meshes became that its corrections of shapes name. `objects`: by those names."""
+    for name in meshes_of(json.loads(wrinkles.other).get("shapes")):
+        if name in objects:
+            mesh = wrinkles.meshes.add()
+            mesh.name, mesh.object = name, objects[name]
+
+
+def _mesh_names(wrinkles):
+    """New names of meshes by the old ones, where neither the object nor its mesh has the old one."""
+    objects = {mesh.name: mesh.object for mesh in wrinkles.meshes if mesh.object}
+    return {old: item.data.name for old, item in objects.items() if old not in (item.name, item.data.name)}
 
 
 def materials_of(tree):

@@ -67,6 +67,24 @@ def with_joints_renamed(drivers, names):
     ]
 
 
+def meshes_of(shapes):
+    """Names of the meshes that corrections of shapes name, each once. Malformed ones name none."""
+    items = shapes if isinstance(shapes, list) else []
+    names = [item.get("mesh") for item in items if isinstance(item, dict)]
+    return list(dict.fromkeys(name for name in names if isinstance(name, str)))
+
+
+def with_meshes_renamed(shapes, names):
+    """Corrections of shapes with other names of meshes, by the old ones."""
+    if not meshes_of(shapes):
+        return shapes
+
+    def renamed(item):
+        return {**item, "mesh": names.get(item["mesh"], item["mesh"])} if meshes_of([item]) else item
+
+    return [renamed(item) for item in shapes]
+
+
 def describe_driver(driver):
     """One line for people."""
     if driver["type"] in ("morph", "area"):

@@ -68,7 +68,23 @@ class RoundTripTest(BlenderTest):
             [{"name": "nose", "extras": {"b": 1}, "activation": 0.35}, "Stirn / ärgerlich"], drivers=drivers
         )
         made["strokes"] = {"version": 1, "strokes": []}
+        made["shapes"] = [{"mesh": "face", "target": "a", "shape": "jawOpen", "extras": {"c": 2}}, {"target": "b"}]
         made["layers"][0]["later"] = "kept"
+        self.check(self.write_face(made, IMAGES, targets=["a"]))
+
+    def test_corrections_follow_a_renamed_mesh(self):
+        made = document()
+        made["shapes"] = [{"mesh": "face", "target": "a", "shape": "jawOpen"}, {"mesh": "other", "target": "a"}]
+        path = self.write_face(made, IMAGES, targets=["a"])
+        # Blender numbers what has the name of something in the scene.
+        bpy.data.objects.new("face", bpy.data.meshes.new("face"))
+        self.import_face(path)
+        written = wrinkles_of(self.export_face())[0]["shapes"]
+        self.assertEqual(written, [{"mesh": "face.001", "target": "a", "shape": "jawOpen"}, made["shapes"][1]])
+
+    def test_malformed_corrections_are_kept(self):
+        made = document()
+        made["shapes"] = {"no": "list"}
         self.check(self.write_face(made, IMAGES, targets=["a"]))
 
     def test_webp_stays_webp(self):

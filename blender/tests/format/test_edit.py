@@ -2,7 +2,15 @@
 
 import unittest
 
-from furrow.format.edit import describe_driver, link_target, with_area_renamed, without_area, without_link
+from furrow.format.edit import (
+    describe_driver,
+    link_target,
+    meshes_of,
+    with_area_renamed,
+    with_meshes_renamed,
+    without_area,
+    without_link,
+)
 
 PLAIN = {"rule": "sum", "curve": [[0, 0], [1, 1]]}
 MORPH = {"type": "morph", "area": "nose", "targets": [{"name": "a", "weight": 1}], **PLAIN}
@@ -33,6 +41,14 @@ class EditTest(unittest.TestCase):
         self.assertEqual(without_area([MORPH, READS, UNKNOWN], "nose"), [UNKNOWN])
         renamed = with_area_renamed([MORPH, READS, UNKNOWN], "nose", "bridge")
         self.assertEqual((renamed[0]["area"], renamed[1]["areas"][0]["name"]), ("bridge", "bridge"))
+
+    def test_corrections_follow_their_meshes(self):
+        shapes = [{"mesh": "Head", "target": "a"}, {"target": "b"}, {"mesh": 7}, None]
+        self.assertEqual(meshes_of(shapes), ["Head"])
+        renamed = with_meshes_renamed(shapes, {"Head": "Head.001"})
+        self.assertEqual(renamed, [{"mesh": "Head.001", "target": "a"}, *shapes[1:]])
+        for malformed in ("none", {}, [None]):
+            self.assertEqual(with_meshes_renamed(malformed, {"Head": "Face"}), malformed)
 
     def test_every_driver_has_a_line(self):
         self.assertEqual(describe_driver(MORPH), "1 a")

@@ -1,4 +1,4 @@
-import type { Sample } from '../sample.ts'
+import type { Sample, SampleFile } from '../sample.ts'
 import { AREAS, at, driven, HALF, link, morph } from './driven-square.ts'
 
 const UP_AND_DOWN = [link('up', 0.5), link('down', 2)]
@@ -129,4 +129,31 @@ export const BLENDSHAPE_SAMPLES: readonly Sample[] = [
     ]),
     poses: [at(0, 0, 0.25, { weights: { up: 0.25, down: 0.75, smile: 0.75 } })],
   },
+  {
+    name: 'shapes',
+    rule: 'Corrections of recognised shapes are for tools: drivers read blendshapes by their names.',
+    section: 'Shapes',
+    file: withShapes([
+      { mesh: 'square', target: 'up', shape: 'mouthSmile' },
+      { target: 'down' },
+      { mesh: 'other', target: 'smile', shape: 'browInnerUp' },
+    ]),
+    poses: [at(0.5, 0.25, 0, HALF)],
+  },
+  {
+    name: 'malformed-shapes',
+    rule: 'Malformed corrections of shapes cost nothing.',
+    section: 'Shapes',
+    file: withShapes([null, { target: 7 }, { target: 'up', shape: 'joy' }, {}]),
+    poses: [at(0.5, 0.25, 0, HALF)],
+  },
 ]
+
+/** A square with corrections of shapes. */
+function withShapes(shapes: readonly unknown[]): SampleFile {
+  return driven([morph('a', [link('up')]), morph('b', [link('down')])], {
+    edit: (json) => {
+      json.materials[0].extensions.FURROW_wrinkle_maps.shapes = shapes
+    },
+  })
+}
