@@ -15,6 +15,7 @@ import {
   bareSheet,
   HALF,
   makeUnlit,
+  moveNames,
   quantise,
   scaleNode,
   showTwice,
@@ -124,6 +125,19 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
       ]
       expect(Math.max(...own)).toBe(255)
       expect(difference(own, others) / difference(own, new Uint8Array(own.length))).toBeLessThan(0.05)
+    })
+
+    it('reads names of blendshapes that are on a primitive', async () => {
+      const gltf = await load(await bareSheet(moveNames))
+      const [wrinkles] = await wrinklesReady(gltf)
+      const mesh = firstMesh(gltf.scene)
+      expect(mesh.morphTargetDictionary).toEqual({ squash: 0 })
+      mesh.morphTargetInfluences![0] = 1
+      wrinkles!.update()
+      expect(wrinkles!.getActivation(wrinkles!.areaNames[0]!)).toBeGreaterThan(0.5)
+      expect(wrinkles!.drivers).toContainEqual(
+        expect.objectContaining({ type: 'morph', targets: [expect.objectContaining({ name: 'squash' })] }),
+      )
     })
 
     it.each<[string, (document: Document) => void, RegExp]>([

@@ -51,6 +51,13 @@ export async function bareSheet(
   return bytes as Uint8Array<ArrayBuffer>
 }
 
+/** Names of blendshapes where glTF has none. */
+export function moveNames(document: Document): void {
+  const [mesh] = document.getRoot().listMeshes()
+  mesh!.listPrimitives()[0]!.setExtras(mesh!.getExtras())
+  mesh!.setExtras({})
+}
+
 /** Positions and offsets in 16 bits, texture coordinates in 16 bits, interleaved, as gltfpack writes them. */
 export function quantise(document: Document): void {
   document.createExtension(KHRMeshQuantization).setRequired(true)

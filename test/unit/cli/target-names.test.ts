@@ -1,8 +1,10 @@
 import { readFileSync } from 'node:fs'
+import { skinOf as characterSkin } from 'furrow/internal'
+import { expressionsOfMesh, nameTargets, readMeshes } from 'furrow/internal/three'
 import { findSkin } from 'furrow-files'
 import type { Mesh } from 'three'
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js'
-import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { describe, expect, it } from 'vitest'
 import { documentOf } from '../../../packages/files/src/gltf/document.ts'
 import { decodeGlb } from '../../../packages/files/src/gltf/glb-file.ts'
@@ -10,6 +12,21 @@ import { namesOfTargets, targetNamesOf } from '../../../packages/files/src/json/
 import { hoistNames } from '../../../studio/src/open/target-names.ts'
 import { editGlb } from '../../glb.ts'
 import { HUMAN } from './auto-variants.ts'
+
+// biome-ignore lint/suspicious/noExplicitAny: tests edit the JSON in ways that no type allows
+type Json = any
+
+/** The face as three.js loads it, edited, without materials. */
+async function loadBare(edit: (json: Json) => void, loader = new GLTFLoader()): Promise<GLTF> {
+  const bytes = editGlb(readFileSync(HUMAN), (json) => {
+    for (const key of ['materials', 'textures', 'images', 'extensionsUsed', 'extensions']) delete json[key]
+    for (const mesh of json.meshes) for (const primitive of mesh.primitives) delete primitive.material
+    edit(json)
+  })
+  return loader.setMeshoptDecoder(MeshoptDecoder).parseAsync(new Uint8Array(bytes).buffer, '')
+}
+
+const skinOf = ({ scene }: GLTF) => scene.getObjectByName('skin') as Mesh
 
 describe('names of blendshapes', () => {
   it('are those of extras.targetNames', () => {
@@ -77,21 +94,22 @@ describe('names that exporters write elsewhere', () => {
     )
   })
 
-  it('are found by the loader of the studio', async () => {
-    const bytes = editGlb(readFileSync(HUMAN), (json) => {
+  it('are found by the loader of the studio, and for wrinkles that are made in the page', async () => {
+    const toPrimitives = (json: Json) => {
       for (const mesh of json.meshes) {
-        for (const primitive of mesh.primitives) {
-          delete primitive.material
-          primitive.extras = mesh.extras
-        }
+        for (const primitive of mesh.primitives) primitive.extras = mesh.extras
         delete mesh.extras
       }
-      for (const key of ['materials', 'textures', 'images', 'extensionsUsed', 'extensions']) delete json[key]
-    })
-    const loader = new GLTFLoader().register(hoistNames).setMeshoptDecoder(MeshoptDecoder)
-    const { scene } = await loader.parseAsync(new Uint8Array(bytes).buffer, '')
-    const skin = scene.getObjectByName('skin') as Mesh
-    expect(Object.keys(skin.morphTargetDictionary!)).toContain('browInnerUp')
+    }
+    const names = async (gltf: GLTF) => Object.keys(skinOf(gltf).morphTargetDictionary!)
+    expect(await names(await loadBare(toPrimitives, new GLTFLoader().register(hoistNames)))).toContain(
+      'browInnerUp',
+    )
+    const gltf = await loadBare(toPrimitives)
+    const before = structuredClone(gltf.parser.json)
+    nameTargets(gltf.parser, [skinOf(gltf)])
+    expect(readMeshes([skinOf(gltf)]).names).toContain('browInnerUp')
+    expect(gltf.parser.json).toEqual(before)
   })
 
   it.each([
@@ -123,5 +141,14 @@ describe('names that exporters write elsewhere', () => {
     expect(skin.targets.flatMap(({ name, expression }) => (expression ? [[name, expression]] : []))).toEqual([
       ['3', 'BrowInnerUp'],
     ])
+    const gltf = await loadBare((json) => {
+      delete json.meshes[mesh].extras
+      json.extensions = extensionsOf(mesh, node)
+    })
+    const loaded = skinOf(gltf)
+    const { targets } = characterSkin(readMeshes([loaded], expressionsOfMesh(gltf.parser, loaded)))
+    expect(targets.map(({ name, expression }) => [name, expression])).toEqual(
+      skin.targets.map(({ name, expression }) => [name, expression]),
+    )
   })
 })

@@ -45,6 +45,8 @@ export interface MeshData {
   parts: readonly PartData[]
   /** Of the targets. */
   names: readonly string[]
+  /** Names of a VRM's expressions that move one target alone, by its index. */
+  expressions?: ReadonlyMap<number, string> | undefined
   /** 4 x 4 matrix from mesh to world space, column by column. */
   placement: readonly number[]
   /** Whether its material can show wrinkles. */
@@ -56,8 +58,8 @@ export interface MeshData {
 /** The meshes of a character that have blendshapes, one of which is its skin. */
 export type CharacterData = readonly MeshData[]
 
-export function skinOf({ parts, names, placement }: MeshData): Skin {
-  return joinParts(parts.map(partOf), names, placement)
+export function skinOf({ parts, names, expressions, placement }: MeshData): Skin {
+  return joinParts(parts.map(partOf), names, placement, expressions)
 }
 
 function partOf({ count, indices, positions, uvs, uvMatrix, targets, isRelative, head }: PartData): SkinPart {

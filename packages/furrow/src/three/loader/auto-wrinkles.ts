@@ -1,5 +1,5 @@
 import type { Mesh } from 'three'
-import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
+import type { GLTF, GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import type { CharacterWrinkles } from '../../auto/make-wrinkles.ts'
 import type { AutoRunOptions } from '../../auto/run-options.ts'
 import { runWorker } from '../../auto/run-worker.ts'
@@ -11,6 +11,7 @@ import { Appearance } from '../appearance.ts'
 import { surfaceOf } from '../material/surface.ts'
 import { mapTexture } from '../material/textures.ts'
 import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
+import { expressionsOfMesh, nameTargets } from './file-targets.ts'
 import { canCrease, readMeshes, readQuantised } from './read-character.ts'
 
 type Meshes = [Mesh, ...Mesh[]]
@@ -54,7 +55,7 @@ async function addAutoWrinkles(
   options: AutoRunOptions,
   addFace: AddFace,
 ): Promise<void> {
-  const made = await makeAutoWrinkles(faces, options)
+  const made = await makeAutoWrinkles(file.parser, faces, options)
   for (const meshes of made?.faces ?? []) {
     const own = await addFace(meshes, made!)
     meshOf(own).appear(new Appearance(FADE_IN, own.clock))
@@ -70,14 +71,16 @@ async function addAutoWrinkles(
  * @throws FurrowError when none of them can wrinkle, or the worker fails.
  */
 async function makeAutoWrinkles(
+  parser: GLTFParser,
   faces: readonly Meshes[],
   options: AutoRunOptions,
 ): Promise<MadeWrinkles | undefined> {
   const skins = groupBySkin(faces.filter((meshes) => meshes.every(canCrease)))
   if (skins.length === 0) throw withoutBlendshapes()
+  nameTargets(parser, faces.flat())
   // Now, since a page may move the scene and its bones at once.
   for (const [first] of skins) readQuantised(first!)
-  const character = skins.map(([first]) => readMeshes(first!))
+  const character = skins.map(([first]) => readMeshes(first!, expressionsOfMesh(parser, first![0])))
   const inUse = new SkinsInUse(skins, options.signal)
   const run = async () => {
     const { signal } = inUse

@@ -36,14 +36,20 @@ export function readQuantised(meshes: readonly [Mesh, ...Mesh[]]): void {
 /**
  * The meshes of a face as plain data, in world space as their first one or its skeleton places them now. Nothing is copied or converted: the
  * arrays are those of the geometries.
+ *
+ * @param expressions names of a VRM's expressions that move one target alone, by its index.
  */
-export function readMeshes(meshes: readonly [Mesh, ...Mesh[]]): MeshData {
+export function readMeshes(
+  meshes: readonly [Mesh, ...Mesh[]],
+  expressions?: ReadonlyMap<number, string>,
+): MeshData {
   const [mesh] = meshes
   const map = (surfaceOf(mesh) as { normalMap?: Texture | null }).normalMap
   return {
     label: `${mesh.name} ${surfaceOf(mesh).name}`,
     parts: meshes.map((own) => ({ ...partOf(own.geometry, map), head: headOf(own as SkinnedMesh) })),
     names: targetNames(mesh),
+    expressions,
     placement: placementOf(mesh).toArray(),
     isLit: readsNormalMap(surfaceOf(mesh)),
     frame: meshes.every(({ geometry }) => geometry.hasAttribute('tangent')) ? 'orthonormal' : 'derivative',

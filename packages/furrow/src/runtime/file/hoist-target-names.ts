@@ -1,4 +1,4 @@
-import { LONGEST_NAME } from 'furrow/internal'
+import { LONGEST_NAME } from '../../core/limits.ts'
 
 const isObject = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null && !Array.isArray(value)
