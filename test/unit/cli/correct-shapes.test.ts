@@ -87,6 +87,18 @@ describe('corrections of shapes', () => {
     expect(shop.printed).toContain('blendshape "other" does not exist')
   })
 
+  it.each([
+    ['its index', '0', undefined, true],
+    ['an index that is the name of another mesh', '0', '0', false],
+  ])('name a mesh by %s', async (_, mesh, other, isFound) => {
+    const file = withShapes(packed, [{ mesh, target: 'browInnerUp', shape: 'cheekPuff' }])
+    const named = editGlb(readFileSync(file), ({ meshes }) => {
+      meshes[1].name = other
+    })
+    const { shapes } = JSON.parse(await shop.output('inspect', shop.write('named.glb', named), '--json'))
+    expect(shapes[0].by === 'correction').toBe(isFound)
+  })
+
   it('are shown by furrow inspect, the first of two alike', async () => {
     await shop.run('inspect', packed)
     expect(shop.printed).toMatch(/^browInnerUp +cheekPuff +1\.00 +correction$/m)

@@ -91,11 +91,13 @@ function hasTextureCoordinates({ attributes }: GltfMesh['primitives'][number]): 
   return attributes?.TEXCOORD_0 !== undefined
 }
 
-/** Names of a mesh: its own and those of its nodes, or its index where it has none. */
+/** Names of a mesh: its own and those of its nodes, and its index where nothing else has that as its name. */
 export function namesOfMesh({ meshes = [], nodes = [] }: GltfJson, index: number): string[] {
-  const nodeNames = nodes.filter((node) => node.mesh === index).map(({ name }) => name)
-  const names = [meshes[index].name, ...nodeNames].filter((name) => name !== undefined)
-  return names.length > 0 ? names : [String(index)]
+  const placed = nodes.filter(({ mesh }) => mesh !== undefined)
+  const own = [meshes[index], ...placed.filter(({ mesh }) => mesh === index)]
+  const names = own.flatMap(({ name }) => name ?? [])
+  const isTaken = [...meshes, ...placed].some(({ name }) => name === String(index))
+  return isTaken ? names : [...names, String(index)]
 }
 
 /** Those of a name; without one, those of the default name, or all where none has that. */
