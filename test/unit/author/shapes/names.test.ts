@@ -46,6 +46,37 @@ describe('hintOf', () => {
     ['_neutral', 'other', []],
   ])('%s is of kind %s', (name, kind, shapes) => expect(hintOf(name)).toMatchObject({ kind, shapes }))
 
+  it.each([
+    ['Left_Blink', 'Left'],
+    ['l_blink', 'Left'],
+    ['R.blink', 'Right'],
+    ['blinkR.001', 'Right'],
+    ['BLINK_R', 'Right'],
+    ['CTRL_L_eye_blink', 'Left'],
+    ['LBrowRaise', 'Left'],
+    ['rBrowDown', 'Right'],
+    ['LipCornerPuller', undefined],
+    ['CheekRaiser', undefined],
+    ['jawL', undefined],
+  ])('%s is on side %s', (name, side) => {
+    const hint = hintOf(name)
+    expect(hint?.side).toBe(side)
+    expect(hint?.shapes).not.toEqual([])
+  })
+
+  it.each([
+    'BrowRaiser',
+    'browraiser',
+    'eyeblinkr',
+    'smiler',
+    'Rage',
+    'Laugh',
+    'Roll',
+    'EyeL',
+    'lowerLipDown_R',
+    'R',
+  ])('the first or last letter of %s is no side', (name) => expect(hintOf(name)).toBeUndefined())
+
   it.each(['target_0', 'Shape12', 'smirk', 'Key 1', '', '...', 'eye_happy', 'mouthSmileLeft_50'])(
     'tells nothing of "%s"',
     (name) => expect(hintOf(name)).toBeUndefined(),

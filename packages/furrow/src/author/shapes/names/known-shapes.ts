@@ -7,8 +7,15 @@ type Side = 'Left' | 'Right'
 
 /** How names spell a side. */
 const SPELLINGS: readonly (readonly [Side, readonly string[]])[] = [
-  ['Left', ['left', 'l', '左']],
-  ['Right', ['right', 'r', '右']],
+  ['Left', ['Left', 'L', '左']],
+  ['Right', ['Right', 'R', '右']],
+]
+
+/** Boundaries of words without a separator. A capital L or R at an end is a word, except in names of capitals alone. */
+const BOUNDARIES = [
+  /(?<=[\p{Ll}\d])(?=\p{Lu})/gu,
+  /(?<=\p{Ll}.*\p{Lu})(?=[LR]$)/u,
+  /(?<=^[LR])(?=\p{Lu}\p{Ll})/u,
 ]
 
 /** Filled at the first look-up. */
@@ -20,10 +27,12 @@ export function knownShape(name: string): NameHint | undefined {
   return known.get(keyOf(name))
 }
 
-/** A name without capitals and separators. */
+/** A name without capitals and separators. A side of one letter has to be a word: `browRaiser` is on no side. */
 function keyOf(name: string): string {
-  const key = name.toLowerCase().replace(/[^\p{L}\p{N}]/gu, '')
-  return key || name
+  const words = BOUNDARIES.reduce((rest, boundary) => rest.replace(boundary, ' '), name)
+    .toLowerCase()
+    .split(/[^\p{L}\p{N}]+/u)
+  return words.map((word) => (word === 'l' || word === 'r' ? `(${word})` : word)).join('') || name
 }
 
 function allNames(): Map<string, NameHint> {
@@ -69,10 +78,12 @@ function rowsOf({ same, parts, like, visemes, emotions, other = [] }: RigNames):
 }
 
 function sidedNames(name: string): [name: string, side: Side][] {
+  // A symbol alone has no sides.
+  if (!/\p{L}/u.test(name)) return []
   return SPELLINGS.flatMap(([side, words]) =>
     words
       .flatMap((word) =>
-        name.includes('*') ? [name.replace('*', word)] : [`${name}${word}`, `${word}${name}`],
+        name.includes('*') ? [name.replace('*', word)] : [`${name}_${word}`, `${word}_${name}`],
       )
       .map((spelled): [string, Side] => [spelled, side]),
   )
