@@ -12,6 +12,8 @@ export class KdTree {
   readonly #found: Int32Array
   readonly #squares: Float64Array
   #count = 0
+  /** Square of the distance within which points count. */
+  #reach = Infinity
 
   /**
    * @param points coordinates of each point, one after the other. They are kept.
@@ -42,69 +44,50 @@ export class KdTree {
   ): { count: number; indices: Int32Array; squares: Float64Array } {
     this.#count = 0
     this.#squares.fill(Infinity)
-    this.#search(query, offset, 0, this.#order.length, 0, limit * limit)
+    this.#reach = limit * limit
+    this.#walk(query, offset, 0, this.#order.length, 0, this.#offer)
     return { count: this.#count, indices: this.#found, squares: this.#squares }
   }
 
-  /** Visits the points within a distance, in the order of the tree. */
+  /** Visits the points within a distance, in no particular order. */
   within(query: ArrayLike<number>, offset: number, limit: number, visit: (index: number) => void): void {
-    this.#visit(query, offset, 0, this.#order.length, 0, limit, visit)
+    this.#reach = limit * limit
+    this.#walk(query, offset, 0, this.#order.length, 0, visit)
   }
 
-  #visit(
+  /** Visits the points within reach: first the half that the query lies in. */
+  #walk(
     query: ArrayLike<number>,
     offset: number,
     from: number,
     to: number,
     axis: number,
-    limit: number,
-    visit: (index: number) => void,
+    visit: (index: number, square: number) => void,
   ): void {
     if (to - from <= LEAF) {
-      for (let k = from; k < to; k++)
-        if (this.#squareTo(query, offset, this.#order[k]) <= limit * limit) visit(this.#order[k])
-      return
-    }
-    const middle = (from + to) >> 1
-    const ahead = query[offset + axis] - this.#splits[middle]
-    const next = (axis + 1) % this.#dimensions
-    if (ahead <= limit) this.#visit(query, offset, from, middle, next, limit, visit)
-    if (ahead >= -limit) this.#visit(query, offset, middle, to, next, limit, visit)
-  }
-
-  #squareTo(query: ArrayLike<number>, offset: number, index: number): number {
-    let square = 0
-    for (let d = 0; d < this.#dimensions; d++)
-      square += (this.#points[index * this.#dimensions + d] - query[offset + d]) ** 2
-    return square
-  }
-
-  #search(
-    query: ArrayLike<number>,
-    offset: number,
-    from: number,
-    to: number,
-    axis: number,
-    limit: number,
-  ): void {
-    if (to - from <= LEAF) {
-      for (let k = from; k < to; k++) this.#offer(query, offset, this.#order[k], limit)
+      for (let k = from; k < to; k++) {
+        const index = this.#order[k]
+        let square = 0
+        for (let d = 0; d < this.#dimensions; d++)
+          square += (this.#points[index * this.#dimensions + d] - query[offset + d]) ** 2
+        if (square <= this.#reach) visit(index, square)
+      }
       return
     }
     const middle = (from + to) >> 1
     const next = (axis + 1) % this.#dimensions
     const ahead = query[offset + axis] - this.#splits[middle]
-    if (ahead < 0) this.#search(query, offset, from, middle, next, limit)
-    else this.#search(query, offset, middle, to, next, limit)
-    if (ahead * ahead > Math.min(limit, this.#squares[this.#squares.length - 1])) return
-    if (ahead < 0) this.#search(query, offset, middle, to, next, limit)
-    else this.#search(query, offset, from, middle, next, limit)
+    if (ahead < 0) this.#walk(query, offset, from, middle, next, visit)
+    else this.#walk(query, offset, middle, to, next, visit)
+    if (ahead * ahead > this.#reach) return
+    if (ahead < 0) this.#walk(query, offset, middle, to, next, visit)
+    else this.#walk(query, offset, from, middle, next, visit)
   }
 
-  #offer(query: ArrayLike<number>, offset: number, index: number, limit: number): void {
-    const square = this.#squareTo(query, offset, index)
+  /** Adds a point to the nearest ones; when they are complete, the furthest is the reach. */
+  readonly #offer = (index: number, square: number): void => {
     const last = this.#squares.length - 1
-    if (!(square <= limit && square < this.#squares[last])) return
+    if (!(square < this.#squares[last])) return
     let place = Math.min(this.#count, last)
     for (; place > 0 && this.#squares[place - 1] > square; place--) {
       this.#squares[place] = this.#squares[place - 1]
@@ -113,6 +96,7 @@ export class KdTree {
     this.#squares[place] = square
     this.#found[place] = index
     if (this.#count <= last) this.#count++
+    this.#reach = Math.min(this.#reach, this.#squares[last])
   }
 
   /** Splits a range at its middle, and its halves (quickselect by Hoare). */

@@ -1,0 +1,39 @@
+import { expect, test } from 'vitest'
+import { assign } from '../../../../packages/furrow/src/author/shapes/assign.ts'
+import { seeded } from '../../../random.ts'
+
+/** Least total cost of all ways to give each row a column of its own. */
+function leastCost(cost: readonly Float64Array[], row = 0, taken = new Set<number>()): number {
+  if (row === cost.length) return 0
+  let least = Number.POSITIVE_INFINITY
+  for (const [column, value] of cost[row]!.entries()) {
+    if (!taken.has(column))
+      least = Math.min(least, value + leastCost(cost, row + 1, new Set([...taken, column])))
+  }
+  return least
+}
+
+test.each([
+  [1, 1],
+  [1, 4],
+  [3, 3],
+  [4, 6],
+  [5, 5],
+])('%i rows get those of %i columns that cost least', (rows, columns) => {
+  const random = seeded(10 * rows + columns)
+  for (const isStepped of [false, true]) {
+    for (let n = 0; n < 40; n++) {
+      const cost = Array.from({ length: rows }, () =>
+        Float64Array.from({ length: columns }, () => (isStepped ? Math.floor(4 * random()) : random()) - 1),
+      )
+      const assigned = assign(cost)
+      expect(new Set(assigned).size).toBe(rows)
+      const total = assigned.reduce((sum, column, row) => sum + cost[row]![column]!, 0)
+      expect(total).toBeCloseTo(leastCost(cost), 12)
+    }
+  }
+})
+
+test('no rows get no columns', () => {
+  expect(assign([])).toEqual([])
+})
