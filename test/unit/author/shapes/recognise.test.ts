@@ -8,6 +8,7 @@ import { TEMPLATES } from '../../../../packages/furrow/src/author/shapes/templat
 import { templateHeads } from '../../../../packages/furrow/src/author/shapes/template-table.ts'
 import { TEMPLATE_FACES, templateText } from '../../../../scripts/lib/shape-templates.ts'
 import { SCANS } from '../../../bare-faces/bare-faces.ts'
+import { seeded } from '../../../random.ts'
 import { skinAt } from '../auto/faces.ts'
 
 /** Shapes that wrinkles depend on. */
@@ -67,9 +68,7 @@ describe('shapes without names', () => {
     const right = found.filter(({ shape }, i) => shape === truth[i])
     expect(right.length).toBeGreaterThanOrEqual(0.93 * truth.length)
     const matter = truth.flatMap((name, i) => (MATTER.test(name) ? [i] : []))
-    expect(matter.filter((i) => found[i]!.shape === truth[i]).length).toBeGreaterThanOrEqual(
-      0.9 * matter.length,
-    )
+    expect(matter.filter((i) => found[i]!.shape !== truth[i])).toEqual([])
     expect(found.filter(({ shape }, i) => shape !== undefined && shape !== truth[i])).toEqual([])
   })
 
@@ -86,15 +85,35 @@ describe('shapes without names', () => {
     expect(found).toEqual(truth.map(rename))
   })
 
+  test('of ten or twenty, none is wrong', () => {
+    const { skin, truth } = nameless(human)
+    let known = 0
+    for (const count of [10, 20]) {
+      const random = seeded(5)
+      for (let n = 0; n < 4; n++) {
+        const order = [...truth.keys()].map((i) => [random(), i] as const).sort(([a], [b]) => a - b)
+        const some = order.slice(0, count).map(([, i]) => i)
+        const targets = some.map((i) => skin.targets[i]!)
+        for (const [k, { shape, confidence }] of recogniseShapes({ ...skin, targets }, [
+          scan!,
+        ]).shapes.entries()) {
+          if (confidence <= SURE) continue
+          expect(shape).toBe(truth[some[k]!])
+          known++
+        }
+      }
+    }
+    expect(known).toBeGreaterThan(8)
+  })
+
   test('a mouth that only speaks', () => {
     const { skin, truth } = nameless(human)
     const speech = truth.flatMap((name, i) =>
       /^(jawOpen|mouth(Pucker|Funnel|Close|Stretch))/.test(name) ? [i] : [],
     )
     const found = recogniseShapes({ ...skin, targets: speech.map((i) => skin.targets[i]!) }).shapes
-    for (const [k, { shape, confidence }] of found.entries())
-      if (confidence > SURE) expect(shape).toBe(truth[speech[k]!])
-    expect(found.map(({ shape }) => shape)).toContain('jawOpen')
+    // Without lids that close, the eyes are guessed.
+    for (const [k, { shape }] of found.entries()) expect([undefined, truth[speech[k]!]]).toContain(shape)
   })
 })
 

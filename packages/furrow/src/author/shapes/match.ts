@@ -13,25 +13,34 @@ export interface Match {
   label: ShapeLabel
   /** Likeness to the templates, at most 1 and the bonus of lids that meet. */
   score: number
-  /** How much worse the second best labels are, for this shape and the one it would swap its label with. */
+  /**
+   * How much worse the second best labels are, for this shape and the one it would swap its label with. Less for a label that no shape has, if
+   * its templates resemble those of this label.
+   */
   margin: number
-  /** Whether the label is its own, one per label; otherwise it shares it with a shape that fits better. */
-  isFirst: boolean
+  /** Cosine between its motion and that of the shape that the label fits best, which has 1. */
+  kinship: number
 }
 
 /** Displacement below which a shape is no expression. */
 const WEAK = 0.01
 /** Cosine from which on two shapes are the same at another strength. */
-const SAME = 0.975
+export const SAME = 0.975
 /** Score that a shape needs for a label of its own. */
 const LEAST_SCORE = 0.3
+/** Score from which on a label counts as found. */
+export const FOUND = 0.45
 /** Penalty for another strength, per factor of e. */
 const STRENGTH = 0.04
+/** Likeness of two labels' templates up to which the difference of their scores counts fully. */
+const UNLIKE = 0.5
 
 /** Scores of each shape by label. */
 export interface Scores {
   labels: readonly ShapeLabel[]
   scores: readonly Float64Array[]
+  /** Descriptors of the templates of each label. */
+  templates: readonly (readonly Descriptor[])[]
 }
 
 /** Compares shapes with the templates of some heads. */
@@ -40,6 +49,7 @@ export function scoresOf(fields: ShapeFields, heads: readonly TemplateHead[]): S
   const indexOf = new Map<string, number>()
   /** By label, then by shape: the likeness to each head. */
   const found: number[][][] = []
+  const templates: Descriptor[][] = []
   for (const head of heads) {
     const weights = fields.weights.map((weight, i) => weight * head.weights[i])
     const descriptors = fields.shapes.map(({ field }) => descriptorOf(field, weights))
@@ -50,8 +60,10 @@ export function scoresOf(fields: ShapeFields, heads: readonly TemplateHead[]): S
         indexOf.set(name, label)
         labels.push({ family, side })
         found.push(fields.shapes.map(() => []))
+        templates.push([])
       }
       const template = descriptorOf(field, weights)
+      templates[label].push(template)
       const list = found[label]
       for (const [i, shape] of fields.shapes.entries()) {
         const ratio = Math.abs(Math.log(Math.max(shape.strength, 1e-4) / Math.max(strength, 1e-4)))
@@ -66,12 +78,12 @@ export function scoresOf(fields: ShapeFields, heads: readonly TemplateHead[]): S
       (label, j) => bestTwo(found[j][i]) + sideScore(label, left) + physicalScore(label, shape),
     )
   })
-  return { labels, scores }
+  return { labels, scores, templates }
 }
 
 /** Gives corrected shapes their labels before all others. */
 export function correctScores(
-  { labels, scores }: Scores,
+  { labels, scores, templates }: Scores,
   { shapes }: ShapeFields,
   targets: readonly SkinTarget[],
 ): Scores {
@@ -80,7 +92,7 @@ export function correctScores(
     if (typeof correction !== 'string') return row
     return Float64Array.from(labels, (label) => (arkitName(label) === correction ? 2 : -1))
   })
-  return { labels, scores: corrected }
+  return { labels, scores: corrected, templates }
 }
 
 function bestTwo(values: readonly number[]): number {
@@ -96,9 +108,11 @@ function sideScore({ family, side }: ShapeLabel, left: number): number {
 }
 
 /** Labels shapes: one shape per label first, then shapes that are left over and fit a label well. */
-export function matchShapes(fields: ShapeFields, { labels, scores }: Scores): Match[] {
-  const leaders = leadersOf(fields)
-  const live = leaders.flatMap((leader, i) => (leader === i && fields.shapes[i].strength > WEAK ? [i] : []))
+export function matchShapes(fields: ShapeFields, { labels, scores, templates }: Scores): Match[] {
+  const { shapes, weights } = fields
+  const descriptors = shapes.map(({ field }) => descriptorOf(field, weights))
+  const leaders = leadersOf(fields, descriptors)
+  const live = leaders.flatMap((leader, i) => (leader === i && shapes[i].strength > WEAK ? [i] : []))
   if (live.length === 0) return []
   const cost = live.map((i) => {
     const row = new Float64Array(labels.length + live.length).fill(1 - LEAST_SCORE)
@@ -108,23 +122,50 @@ export function matchShapes(fields: ShapeFields, { labels, scores }: Scores): Ma
   const columns = assign(cost)
   /** Shape that has each label. */
   const owners = new Map(live.map((shape, n) => [columns[n], shape]))
-  const own = new Map<number, Match>()
+  /** How much the difference between two labels counts where no shape has the second. */
+  const unlikeness = (j: number, k: number) =>
+    labels[j].family === labels[k].family || isOpposite(labels[j], labels[k])
+      ? 1
+      : Math.min(1, (1 - mostAlike(templates[j], templates[k])) / (1 - UNLIKE))
+  const chosen = new Map<number, { label: number; margin: number }>()
   for (const [n, shape] of live.entries()) {
     const isFirst = columns[n] < labels.length
-    const j = isFirst ? columns[n] : bestOf(scores[shape])
-    const score = scores[shape][j]
+    const label = isFirst ? columns[n] : bestOf(scores[shape])
     let margin = 1
     for (let k = 0; k < labels.length; k++) {
-      const owner = isFirst ? owners.get(k) : undefined
-      const loss = owner === undefined ? 0 : scores[owner][k] - Math.max(scores[owner][j], LEAST_SCORE)
-      if (k !== j) margin = Math.min(margin, score - scores[shape][k] + loss)
+      if (k === label) continue
+      const owner = owners.get(k)
+      const gap = scores[shape][label] - scores[shape][k]
+      const isTaken = owner !== undefined && scores[owner][k] > FOUND
+      const loss =
+        isFirst && owner !== undefined ? scores[owner][k] - Math.max(scores[owner][label], LEAST_SCORE) : 0
+      margin = Math.min(margin, (isTaken || gap < 0 ? gap : gap * unlikeness(label, k)) + loss)
     }
-    own.set(shape, { shape, label: labels[j], score, margin, isFirst })
+    chosen.set(shape, { label, margin })
   }
   return leaders.flatMap((leader, shape) => {
-    const match = own.get(leader)
-    return match ? [{ ...match, shape, isFirst: match.isFirst && leader === shape }] : []
+    const found = chosen.get(leader)
+    if (!found) return []
+    const { label, margin } = found
+    const owner = owners.get(label)
+    const kinship =
+      owner === shape
+        ? 1
+        : owner === undefined
+          ? 0
+          : dotAll(descriptors[shape].plain, descriptors[owner].plain)
+    const weaker = STRENGTH * Math.log(shapes[leader].strength / shapes[shape].strength)
+    return [{ shape, label: labels[label], score: scores[leader][label] - weaker, margin, kinship }]
   })
+}
+
+function isOpposite({ side }: ShapeLabel, other: ShapeLabel): boolean {
+  return side !== other.side && side !== 'both' && other.side !== 'both'
+}
+
+/** Likeness of the most alike templates of two labels. */
+function mostAlike(a: readonly Descriptor[], b: readonly Descriptor[]): number {
+  return Math.max(...a.flatMap((one) => b.map((other) => likeness(one, other))))
 }
 
 function bestOf(scores: Float64Array): number {
@@ -132,8 +173,7 @@ function bestOf(scores: Float64Array): number {
 }
 
 /** For each shape the strongest one with the same displacements. */
-function leadersOf({ weights, shapes }: ShapeFields): number[] {
-  const descriptors: Descriptor[] = shapes.map(({ field }) => descriptorOf(field, weights))
+function leadersOf({ shapes }: ShapeFields, descriptors: readonly Descriptor[]): number[] {
   const leaders = shapes.map((_, i) => i)
   const order = [...leaders].sort((a, b) => shapes[b].strength - shapes[a].strength || a - b)
   for (const [k, i] of order.entries()) {

@@ -84,7 +84,7 @@ function seeShapes(
   const scores = correctScores(scoresOf(fields, heads), fields, skin.targets)
   const matches = matchShapes(fields, scores)
   const indexOf = new Map(scores.labels.map((label, j) => [arkitName(label), j]))
-  const confidences = confidencesOf(fields, matches)
+  const confidences = confidencesOf(fields, matches, frame)
   for (const [i, { shape, label, score }] of matches.entries()) {
     const { target, field } = fields.shapes[shape]
     seen.set(target, {
