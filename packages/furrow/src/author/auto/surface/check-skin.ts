@@ -56,7 +56,7 @@ export function checkSkin(skin: Skin): { skin: Skin; warnings: string[] } {
   if (!usable.some(({ offsets }) => largestOffset(offsets) > 0)) {
     fail('no blendshape moves the mesh', targets.length, 'targets that move the skin', 'choose another mesh')
   }
-  return { skin: { ...skin, targets: usable }, warnings }
+  return { skin: usable.length < targets.length ? { ...skin, targets: usable } : skin, warnings }
 }
 
 function fail(what: string, value: unknown, limit: string | undefined, remedy: string): never {
