@@ -3,28 +3,24 @@
 
 import { existsSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { runnerImport } from 'vite'
+import { importSource } from './lib/import-source.mjs'
 import { Failure, main, ROOT, say } from './lib/run.mjs'
-import { SOURCES } from './lib/sources.mjs'
 
 const TABLE = 'packages/furrow/src/author/shapes/template-data.ts'
 
 await main(async () => {
-  const { module } = await runnerImport(join(ROOT, 'scripts/lib/shape-templates.ts'), {
-    ...SOURCES,
-    environments: { inline: { resolve: { ...SOURCES.ssr.resolve, noExternal: [/^furrow/] } } },
-  })
+  const source = await importSource('scripts/lib/shape-templates.ts')
   const entries = []
-  for (const [name, faces] of Object.entries(module.TEMPLATE_FACES)) {
+  for (const [name, faces] of Object.entries(source.TEMPLATE_FACES)) {
     const missing = faces.find((face) => !existsSync(face))
     if (missing) throw new Failure(`the table needs ${missing}`)
-    entries.push(`  ${name}:\n    '${await module.templateText(faces)}',\n`)
+    entries.push(`  ${name}:\n    '${await source.templateText(faces)}',\n`)
   }
   const text = `/*!
  * Typical shapes, as \`template-code.ts\` encodes them; written by \`npm run shape-templates\`. \`builder\` is the mean of the faces that ship with
  * Furrow (CC0 1.0). \`scan\` is derived from ICT-FaceKit, under this licence:
  *
- * ${module.SCAN_LICENCE.join('\n * ').replaceAll(/ +$/gm, '')}
+ * ${source.SCAN_LICENCE.join('\n * ').replaceAll(/ +$/gm, '')}
  */
 export const TEMPLATES = {
 ${entries.join('')}}

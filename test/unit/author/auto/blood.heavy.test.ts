@@ -67,6 +67,22 @@ describe.each(FACES)('blood of %s', async (_, path) => {
     }
   })
 
+  test('is shown by no lines of its layer', () => {
+    for (const { name, layer, weights } of areas) {
+      const { data, width } = blood.maps[layer]
+      const scale = width / weights.width
+      let most = 0
+      for (const [i, weight] of weights.data.entries()) {
+        const x = Math.floor(((i % weights.width) + 0.5) * scale)
+        const y = Math.floor((Math.floor(i / weights.width) + 0.5) * scale)
+        // Valleys have their own tone.
+        if (layers[layer].heights.data[y * width + x] === 0)
+          most = Math.max(most, (weight / 255) * Math.abs(data[y * width + x] - 128))
+      }
+      expect(most, name).toBeLessThan(5)
+    }
+  })
+
   test('is a little deeper in valleys, and as at rest on skin without lines or flushes', () => {
     for (const [i, { heights }] of layers.entries()) {
       const { data } = blood.maps[i]

@@ -5,6 +5,7 @@ import type { TimeDriver } from '../../../drivers/time/definition.ts'
 import { clamp, smoothstep } from '../../../math/scalar.ts'
 import type { SkinTexels } from '../../skin/skin-texels.ts'
 import type { HeightMap } from '../../strokes/height.ts'
+import type { LaidStroke } from '../../strokes/lay-out.ts'
 import { LineGrid } from '../../strokes/line-grid.ts'
 import { BLOOD_AMPLITUDE, bloodByte, valleyBlood } from '../../valley-blood.ts'
 import type { CreasedRegion } from '../lines/crease.ts'
@@ -33,8 +34,7 @@ export interface AutoBlood {
   areas: BloodArea[]
 }
 
-/** Millimetres from a line within which a flush on the same layer would show it, and over which it fades in from there. */
-const LINE_REACH = 5
+/** Millimetres over which a flush fades in from the areas of lines on the same layer, which would show it. */
 const LINE_FADE = 4
 
 /** What blood is drawn from. */
@@ -83,18 +83,18 @@ function drawFlushes(
   maps: readonly GrayImage[],
 ): BloodArea[] {
   const areas: BloodArea[] = []
+  const lines = source.layers.map((_, layer) => linesOf(source, layer))
   for (const flush of flushes) {
     const targets = [...poseOf(face.find, flush.cause)].map(([target, weight]) => ({
       name: names[target],
       weight,
     }))
     if (targets.length === 0) continue
-    const grids = source.layers.map((_, layer) => linesOf(source, layer))
-    const drawn = grids.map((grid) => drawArea(face, source.areaTexels, flush, grid))
+    const drawn = lines.map((areas) => drawArea(face, source.areaTexels, flush, areas))
     const visible = drawn.map(({ data }) => data.reduce((sum, weight) => sum + weight, 0))
     const layer = visible.indexOf(Math.max(...visible))
     if (visible[layer] === 0) continue
-    addFlush(source.texels, flush, maps[layer])
+    addFlush(source.texels, flush, lines[layer], maps[layer])
     const { name: area, attack, release } = flush
     areas.push({
       name: area,
@@ -118,41 +118,61 @@ function drawFlushes(
   return areas
 }
 
-function linesOf({ regions, layerOf }: BloodSource, layer: number): LineGrid {
-  const lines = [
-    ...new Set(regions.filter((_, i) => layerOf[i] === layer).map(({ creases }) => creases)),
-  ].flat()
-  return new LineGrid(
-    lines,
-    lines.map(() => LINE_REACH + LINE_FADE),
-  )
+/** Lines of a layer, found as far as flushes give way to their areas. */
+interface LineAreas {
+  grid: LineGrid
+  /** Millimetres that the area around each line reaches. */
+  extents: number[]
 }
 
-/** Weights of a flush, 255 in its middle: none where the lines of its layer would show with it, or skin is hidden. */
-function drawArea({ chart }: DetectedFace, texels: SkinTexels, flush: Flush, lines: LineGrid): GrayImage {
+function linesOf({ regions, layerOf }: BloodSource, layer: number): LineAreas {
+  const extentOf = new Map<LaidStroke, number>()
+  for (const { region, creases } of regions.filter((_, i) => layerOf[i] === layer))
+    for (const crease of creases)
+      extentOf.set(crease, Math.max(extentOf.get(crease) ?? 0, region.reach + region.feather))
+  const extents = [...extentOf.values()]
+  const reaches = extents.map((extent) => extent + LINE_FADE)
+  return { grid: new LineGrid([...extentOf.keys()], reaches), extents }
+}
+
+/** Weights of a flush, 255 in its middle: none where skin is hidden. */
+function drawArea({ chart }: DetectedFace, texels: SkinTexels, flush: Flush, lines: LineAreas): GrayImage {
   const { width, height } = texels
   const data = new Uint8Array(width * height)
-  texels.visitNear(isNear(flush), (texel, position, normal) => {
-    const [x, y, z] = [position[0], position[1], position[2]]
-    const fade = fadeOf(flush, unroll(x, y, z))
-    if (fade === 0) return
-    let nearest = Infinity
-    lines.visit(position, normal, (_, distance) => {
-      nearest = Math.min(nearest, distance)
-    })
-    const clear = nearest === Infinity ? 1 : smoothstep((nearest - LINE_REACH) / LINE_FADE)
-    // The map holds the other half of the fading.
-    data[texel] = Math.round(255 * Math.sqrt(fade) * clear * visibility(chart, x, y, z, normal))
+  visitFlush(texels, flush, lines, (texel, share, [x, y, z], normal) => {
+    data[texel] = Math.round(255 * share * visibility(chart, x, y, z, normal))
   })
   return { width, height, data }
 }
 
-function addFlush(texels: SkinTexels, flush: Flush, { data }: GrayImage): void {
-  texels.visitNear(isNear(flush), (texel, position) => {
+function addFlush(texels: SkinTexels, flush: Flush, lines: LineAreas, { data }: GrayImage): void {
+  visitFlush(texels, flush, lines, (texel, share) => {
+    const own = (data[texel] - BLOOD_AT_REST) / (255 - BLOOD_AT_REST)
+    data[texel] = bloodByte(own + flush.amount * share)
+  })
+}
+
+/**
+ * Visits the texels of a flush.
+ *
+ * @param lines those of its layer: neither the flush shows them, nor do their areas show the flush.
+ * @param visit gets half of the fading, 0..1: the map and the weights multiply.
+ */
+function visitFlush(
+  texels: SkinTexels,
+  flush: Flush,
+  { grid, extents }: LineAreas,
+  visit: (texel: number, share: number, position: Float64Array, normal: Float64Array) => void,
+): void {
+  texels.visitNear(isNear(flush), (texel, position, normal) => {
     const fade = fadeOf(flush, unroll(position[0], position[1], position[2]))
     if (fade === 0) return
-    const own = (data[texel] - BLOOD_AT_REST) / (255 - BLOOD_AT_REST)
-    data[texel] = bloodByte(own + flush.amount * Math.sqrt(fade))
+    let outside = LINE_FADE
+    grid.visit(position, normal, (line, distance) => {
+      outside = Math.min(outside, distance - extents[line])
+    })
+    const clear = smoothstep(outside / LINE_FADE)
+    if (clear > 0) visit(texel, Math.sqrt(fade * clear), position, normal)
   })
 }
 
