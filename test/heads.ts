@@ -67,6 +67,20 @@ export function removeMeshes(document: Document, names: RegExp): void {
   for (const mesh of document.getRoot().listMeshes()) if (names.test(mesh.getName())) mesh.dispose()
 }
 
+/** Lays the UVs of the right half on those of the left: both halves use the same texels. */
+export function foldUvs(document: Document): void {
+  const primitives = document
+    .getRoot()
+    .listMeshes()
+    .flatMap((mesh) => mesh.listPrimitives())
+  for (const uvs of new Set(primitives.map((primitive) => primitive.getAttribute('TEXCOORD_0')))) {
+    for (let i = 0; uvs && i < uvs.getCount(); i++) {
+      const [u, v] = uvs.getElement(i, [0, 0])
+      uvs.setElement(i, [0.5 + Math.abs(u - 0.5), v])
+    }
+  }
+}
+
 /** Reduces all meshes to about a fraction of their vertices, with their blendshapes. */
 export async function decimate(document: Document, ratio: number): Promise<void> {
   await MeshoptSimplifier.ready

@@ -19,8 +19,9 @@ const stages = {}
 let stage = 'start'
 let since = 0
 
-/** Ends the current stage and begins the next. The first stage begins with the process. */
+/** Ends the current stage and begins the next. The first stage begins with the process; parts of a step are one stage. */
 function begin(next) {
+  if (next === stage) return
   const now = performance.now()
   stages[stage] = now - since
   stage = next

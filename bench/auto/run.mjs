@@ -1,12 +1,13 @@
 // Times `furrow auto` by stage: `node bench/auto/run.mjs [face.glb] [--size 1024] [--json FILE]`. See bench/auto/README.md.
 
 import { execFile } from 'node:child_process'
-import { existsSync, readFileSync } from 'node:fs'
-import { writeFile } from 'node:fs/promises'
-import { cpus } from 'node:os'
-import { basename } from 'node:path'
+import { existsSync, readFileSync, rmSync } from 'node:fs'
+import { mkdtemp, writeFile } from 'node:fs/promises'
+import { cpus, tmpdir } from 'node:os'
+import { basename, join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { parseArgs, promisify } from 'node:util'
+import { bundle } from '../../scripts/lib/bundle.mjs'
 import { median } from '../median.mjs'
 
 const ROUNDS = 5
@@ -18,7 +19,9 @@ const { values: options, positionals } = parseArgs({
   options: { size: { type: 'string' }, json: { type: 'string' } },
   allowPositionals: true,
 })
-const faces = positionals.length > 0 ? positionals : FACES.filter((path) => existsSync(path))
+const folder = await mkdtemp(join(tmpdir(), 'furrow-bench-'))
+process.on('exit', () => rmSync(folder, { recursive: true }))
+const faces = positionals.length > 0 ? positionals : await allFaces()
 const sizes = options.size ? [options.size] : ['1024', '2048']
 const cases = faces.flatMap((face) => sizes.map((size) => ({ face, size, rounds: [] })))
 
@@ -40,6 +43,12 @@ process.stdout.write(
 )
 process.stdout.write(table(results))
 if (options.json) await writeFile(options.json, `${JSON.stringify(results, null, 2)}\n`)
+
+/** The faces that are there, and files with mirrored UVs. */
+async function allFaces() {
+  const { writeMirrored } = await import(await bundle('bench/auto/mirrored.ts'))
+  return [...FACES.filter((path) => existsSync(path)), ...(await writeMirrored(FACES[0], folder))]
+}
 
 async function measure(face, size) {
   const { stdout } = await promisify(execFile)(process.execPath, [fromHere('measure.mjs'), face, size])

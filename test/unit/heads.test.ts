@@ -4,6 +4,7 @@ import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
 import { beforeAll, beforeEach, expect, test } from 'vitest'
 import {
   decimate,
+  foldUvs,
   keepTargets,
   placeScene,
   removeMeshes,
@@ -73,6 +74,14 @@ test('eyes are removed, and fewer vertices keep all shapes', async () => {
   await decimate(document, 0.3)
   expect(skinOf().getAttribute('POSITION')!.getCount()).toBeLessThan(0.6 * before)
   expect(skinOf().listTargets()).toHaveLength(shapes)
+})
+
+test('both halves use the same texels', () => {
+  const uvs = skinOf().getAttribute('TEXCOORD_0')!
+  const before = Array.from({ length: uvs.getCount() }, (_, i) => uvs.getElement(i, [0, 0]))
+  foldUvs(document)
+  for (const [i, [u, v]] of before.entries())
+    expect(uvs.getElement(i, [])).toEqual([u < 0.5 ? expect.closeTo(1 - u, 6) : u, v])
 })
 
 test('names are given by a rule', () => {

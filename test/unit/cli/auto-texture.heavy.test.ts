@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest'
+import { foldUvs } from '../../heads.ts'
 import { skinOf } from './auto-changes.ts'
 import {
   activationsOf,
@@ -16,7 +17,7 @@ const face = plainWrinkles(workshop)
 describe('a texture that is used twice', () => {
   test('by left and right: both sides have one area, driven by both', async () => {
     const document = await plainFace()
-    mapAttribute(skinOf(document).listPrimitives(), 'TEXCOORD_0', ([u, v]) => [0.5 + Math.abs(u! - 0.5), v!])
+    foldUvs(document)
     const made = await makeWrinkles(workshop, 'mirrored', document)
     expect(made.warned).toContain('left and right use the same texels')
     expect([...made.areas.keys()].filter((name) => /Left$|Right$/.test(name))).toEqual([])

@@ -28,6 +28,22 @@ test('a line less than half as deep lies on the bulge of two others, and ends wh
   expect(highest[1]).toBeCloseTo(6)
 })
 
+test('the cost of a line does not grow with the number of lines', () => {
+  const comparedPerLine = (count: number) => {
+    let compared = 0
+    const depths = new Proxy(new Array<number>(count).fill(1), {
+      get: (list, key: `${number}`) => {
+        compared++
+        return list[Number(key)]
+      },
+    })
+    const many = Array.from({ length: count }, (_, i) => lineAt(SPACING * i))
+    bankReaches(many, depths, SPACING)
+    return compared / count
+  }
+  expect(comparedPerLine(160) / comparedPerLine(40)).toBeLessThan(1.2)
+})
+
 test('the slope of a bank is that of its profile', () => {
   const [depth, halfWidth, reach] = [0.8, 0.9, 3.1]
   const height = (distance: number) => depth * bankAt(distance / halfWidth, reach / halfWidth, 1)

@@ -3,6 +3,7 @@ import { describe, expect, test } from 'vitest'
 import { creaseLines } from '../../../../packages/furrow/src/author/auto/lines/crease.ts'
 import { creaseDepth } from '../../../../packages/furrow/src/author/auto/lines/crease-depth.ts'
 import { layFreeLines } from '../../../../packages/furrow/src/author/auto/lines/free-lines.ts'
+import { STEP } from '../../../../packages/furrow/src/author/auto/lines/trace.ts'
 import { smooth } from '../../../../packages/furrow/src/author/auto/strain/smooth.ts'
 import { compressionTensors } from '../../../../packages/furrow/src/author/auto/strain/tensors.ts'
 import { SkinTexels } from '../../../../packages/furrow/src/author/skin/skin-texels.ts'
@@ -21,7 +22,12 @@ describe.each([
   const tensors = compressionTensors(surface, offsets)
   smooth(surface, tensors, 3)
   const style = { width: spacing / 2, depth: 1, taper: [0, 0], shoulder: [0.9, 0.9], softness: 0.5 } as const
-  const lines = layFreeLines(surface, tensors, { spacing, minCompression: 0.05, style })
+  const lines = layFreeLines(surface, tensors, {
+    spacing,
+    minCompression: 0.05,
+    mostMillimetres: Infinity,
+    style,
+  })
 
   test('lines run across within 5 degrees', () => {
     for (const { points } of lines) {
@@ -88,4 +94,18 @@ test('no compression needs no depth, and more compression more', () => {
   )
   expect(depths[0]).toBeLessThan(0.001)
   for (let i = 1; i < depths.length; i++) expect(depths[i]).toBeGreaterThan(depths[i - 1])
+})
+
+test('lines end at the length that they may have together', () => {
+  const { surface, offsets } = sheet(20, 0)
+  const tensors = compressionTensors(surface, offsets)
+  const style = { width: 3, depth: 1, taper: [0, 0], shoulder: [0.9, 0.9], softness: 0.5 } as const
+  const lengthOf = (mostMillimetres: number) =>
+    layFreeLines(surface, tensors, { spacing: 6, minCompression: 0.05, mostMillimetres, style }).reduce(
+      (sum, { triangles }) => sum + STEP * triangles.length,
+      0,
+    )
+  expect(lengthOf(Infinity)).toBeGreaterThan(6 * SIDE)
+  expect(lengthOf(4.5 * SIDE)).toBeLessThan(4.5 * SIDE)
+  expect(lengthOf(4.5 * SIDE)).toBeGreaterThan(3 * SIDE)
 })

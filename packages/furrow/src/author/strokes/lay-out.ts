@@ -40,7 +40,7 @@ const MAX_SEGMENT = 0.5
 /** Segments of the longest stroke. */
 const MOST_SEGMENTS = 8192
 /** Length of all strokes together in millimetres: lines a millimetre apart, all over a face of 300 mm a side, have 90 m. */
-const MOST_MILLIMETRES = 100_000
+export const MOST_MILLIMETRES = 100_000
 /** Width left at a tapered end, where the depth is zero: a crease ends in a hairline. */
 const END_WIDTH = 0.4
 /**

@@ -1,5 +1,6 @@
 import { cross, dot, length } from '../../../math/vector.ts'
 import type { SkinLine } from '../../strokes/curve.ts'
+import { PointGrid } from './point-grid.ts'
 
 /** Points of a line from one sample to the next. */
 const EVERY = 5
@@ -25,13 +26,19 @@ export function bankReaches(
   depths: readonly number[],
   spacing: number,
 ): [left: number, right: number][] {
+  const neighbours = new LinePoints(lines, FARTHEST * spacing)
   return lines.map((line, index) => {
-    const others = lines.filter((_, i) => i !== index && depths[i] >= SHALLOW * depths[index])
+    const isDeep = (other: number) => other !== index && depths[other] >= SHALLOW * depths[index]
     const distances: [number[], number[]] = [[], []]
     let samples = 0
     for (let i = 0; i + 5 < line.points.length; i += 3 * EVERY) {
       samples++
-      const nearest = nearestBeside(line, i, others, spacing)
+      const nearest = nearestBeside(
+        line,
+        i,
+        neighbours.nearest(line.points.subarray(i, i + 3), isDeep),
+        spacing,
+      )
       for (const [side, distance] of nearest.entries()) {
         if (distance <= FARTHEST * spacing) distances[side].push(distance)
       }
@@ -41,20 +48,62 @@ export function bankReaches(
   })
 }
 
-/** From a point of a line to the nearest of other lines on its left and on its right. */
+/** The points of lines, searched by position: the cost does not grow with lines that are far away. */
+class LinePoints {
+  readonly #lines: readonly SkinLine[]
+  readonly #grid: PointGrid
+  /** Line and offset of the coordinates of each point of the grid. */
+  readonly #lineOf: number[] = []
+  readonly #offsetOf: number[] = []
+
+  /** @param reach distance up to which points are found. */
+  constructor(lines: readonly SkinLine[], reach: number) {
+    this.#lines = lines
+    this.#grid = new PointGrid(reach)
+    for (const [line, { points }] of lines.entries()) {
+      this.#grid.add(points)
+      for (let i = 0; i < points.length; i += 3) {
+        this.#lineOf.push(line)
+        this.#offsetOf.push(i)
+      }
+    }
+  }
+
+  /** Coordinates of the nearest point of each line that is within reach, and of some that are farther away. */
+  nearest(position: Float64Array, isSearched: (line: number) => boolean): Float64Array[] {
+    const found = new Map<number, { point: number; square: number }>()
+    this.#grid.visitNear(position, (point, square) => {
+      const line = this.#lineOf[point]
+      const before = found.get(line)
+      if (!before) {
+        if (isSearched(line)) found.set(line, { point, square })
+        return
+      }
+      // The first of points at the same distance.
+      if (square > before.square || (square === before.square && point > before.point)) return
+      before.point = point
+      before.square = square
+    })
+    return [...found].map(([line, { point }]) => {
+      const offset = this.#offsetOf[point]
+      return this.#lines[line].points.subarray(offset, offset + 3)
+    })
+  }
+}
+
+/** From a point of a line to the nearest of other lines' points on its left and on its right. */
 function nearestBeside(
-  line: SkinLine,
+  { points, normals }: SkinLine,
   i: number,
-  others: readonly SkinLine[],
+  others: readonly Float64Array[],
   spacing: number,
 ): [left: number, right: number] {
-  const { points, normals } = line
   const along = [0, 1, 2].map((k) => points[i + 3 + k] - points[i + k])
   const right = new Float64Array(3)
   cross(right, along, normals.subarray(i, i + 3))
   const nearest: [number, number] = [Infinity, Infinity]
   for (const other of others) {
-    const offset = offsetTo(other, points.subarray(i, i + 3))
+    const offset = [0, 1, 2].map((k) => other[k] - points[i + k])
     const distance = length(offset)
     if (distance < NEAREST * spacing) continue
     // Beside the line, and not ahead of it.
@@ -64,17 +113,6 @@ function nearestBeside(
     nearest[side] = Math.min(nearest[side], distance)
   }
   return nearest
-}
-
-/** From a position to the nearest point of a line. */
-function offsetTo({ points }: SkinLine, position: Float64Array): number[] {
-  let [nearest, least] = [0, Infinity]
-  for (let i = 0; i < points.length; i += 3) {
-    const square =
-      (points[i] - position[0]) ** 2 + (points[i + 1] - position[1]) ** 2 + (points[i + 2] - position[2]) ** 2
-    if (square < least) [nearest, least] = [i, square]
-  }
-  return [0, 1, 2].map((k) => points[nearest + k] - position[k])
 }
 
 function median(values: number[]): number {

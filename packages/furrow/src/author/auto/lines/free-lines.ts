@@ -20,6 +20,8 @@ export interface FreeLineSettings {
   spacing: number
   /** Compression that skin must have for a line to continue. */
   minCompression: number
+  /** Length of all lines together, in millimetres, at most: lines begin where the skin is shortened most. */
+  mostMillimetres: number
   style: LineStyle
 }
 
@@ -30,17 +32,21 @@ export interface FreeLineSettings {
 export function layFreeLines(
   surface: SkinSurface,
   tensors: Float64Array,
-  { spacing, minCompression, style }: FreeLineSettings,
+  { spacing, minCompression, mostMillimetres, style }: FreeLineSettings,
 ): LaidLine[] {
   const occupied = new PointGrid(spacing)
   const lines: LaidLine[] = []
+  let left = mostMillimetres
   // The next seed is the last of the array: taking the first of a long one moves all others.
   const seeds = mostCompressed(surface, tensors, minCompression).reverse()
   const isFree = (position: ArrayLike<number>) => occupied.distance(position) > MIN_DISTANCE * spacing
   for (let seed = seeds.pop(); seed; seed = seeds.pop()) {
     if (occupied.distance(seed.position) < START_DISTANCE * spacing) continue
     const { path, ...line } = traceBothWays(surface, tensors, seed, minCompression, isFree)
-    if (path.length * STEP < MIN_LENGTH * spacing) continue
+    const length = path.length * STEP
+    if (length < MIN_LENGTH * spacing) continue
+    if (length > left) break
+    left -= length
     occupied.add(line.points)
     lines.push({ style, ...line })
     // The neighbours' seeds, one spacing to either side, come before all others.

@@ -1,11 +1,19 @@
 const NONE: readonly number[] = []
 /** More than what rounding adds to the square of a distance. */
 const ROUNDING = 1 + 1e-12
+/** Numbers per point in a cell: x, y, z, index. */
+const STRIDE = 4
 
-/** Points in space, for the distance to the nearest within the side of a cell. */
+/** Receives a point's index, in the order in which points were added, and its squared distance. */
+export type PointVisitor = (point: number, square: number) => void
+
+/** Points in space, searched within the side of a cell. */
 export class PointGrid {
   readonly #side: number
   readonly #cells = new Map<number, number[]>()
+  /** Scratch: the cells around a position. */
+  readonly #around: (readonly number[])[] = []
+  #count = 0
 
   constructor(side: number) {
     this.#side = side
@@ -16,31 +24,51 @@ export class PointGrid {
     for (let i = 0; i < points.length; i += 3) {
       const key = hash(this.#index(points[i]), this.#index(points[i + 1]), this.#index(points[i + 2]))
       const cell = this.#cells.get(key)
-      if (cell) cell.push(points[i], points[i + 1], points[i + 2])
-      else this.#cells.set(key, [points[i], points[i + 1], points[i + 2]])
+      if (cell) cell.push(points[i], points[i + 1], points[i + 2], this.#count)
+      else this.#cells.set(key, [points[i], points[i + 1], points[i + 2], this.#count])
+      this.#count++
     }
   }
 
   /** The distance to the nearest point; more than the side of a cell, or infinity, where none is within that side. */
   distance(position: ArrayLike<number>): number {
-    const [x, y, z] = [this.#index(position[0]), this.#index(position[1]), this.#index(position[2])]
     let nearest = Infinity
-    for (let i = -1; i <= 1; i++) {
-      for (let j = -1; j <= 1; j++) {
-        for (let k = -1; k <= 1; k++) {
-          const cell = this.#cells.get(hash(x + i, y + j, z + k)) ?? NONE
-          for (let n = 0; n < cell.length; n += 3) {
-            const dx = cell[n] - position[0]
-            const dy = cell[n + 1] - position[1]
-            const dz = cell[n + 2] - position[2]
-            // The hypotenuse costs ten times as much.
-            if (dx * dx + dy * dy + dz * dz > ROUNDING * nearest ** 2) continue
-            nearest = Math.min(nearest, Math.hypot(dx, dy, dz))
-          }
-        }
+    for (const cell of this.#cellsAround(position)) {
+      for (let n = 0; n < cell.length; n += STRIDE) {
+        const dx = cell[n] - position[0]
+        const dy = cell[n + 1] - position[1]
+        const dz = cell[n + 2] - position[2]
+        // The hypotenuse costs ten times as much.
+        if (dx * dx + dy * dy + dz * dz > ROUNDING * nearest ** 2) continue
+        nearest = Math.min(nearest, Math.hypot(dx, dy, dz))
       }
     }
     return nearest
+  }
+
+  /** Visits all points within the side of a cell, and some that are farther away; the same point perhaps twice. */
+  visitNear(position: ArrayLike<number>, visit: PointVisitor): void {
+    for (const cell of this.#cellsAround(position)) {
+      for (let n = 0; n < cell.length; n += STRIDE) {
+        const dx = cell[n] - position[0]
+        const dy = cell[n + 1] - position[1]
+        const dz = cell[n + 2] - position[2]
+        visit(cell[n + 3], dx * dx + dy * dy + dz * dz)
+      }
+    }
+  }
+
+  /** The cell of a position and its 26 neighbours. */
+  #cellsAround(position: ArrayLike<number>): readonly (readonly number[])[] {
+    const [x, y, z] = [this.#index(position[0]), this.#index(position[1]), this.#index(position[2])]
+    let count = 0
+    for (let i = -1; i <= 1; i++) {
+      for (let j = -1; j <= 1; j++) {
+        for (let k = -1; k <= 1; k++)
+          this.#around[count++] = this.#cells.get(hash(x + i, y + j, z + k)) ?? NONE
+      }
+    }
+    return this.#around
   }
 
   #index(coordinate: number): number {
