@@ -10,7 +10,7 @@ const HUMAN = fileURLToPath(new URL('../../../faces/human.glb', import.meta.url)
 const shop = new Workshop()
 const packed = shop.path('packed.glb')
 
-/** Of the face of `Workshop.makeFolder`, whose skin has one blendshape. */
+/** Corrections for the face of `Workshop.makeFolder`, whose skin has one blendshape. */
 const SHAPES = [
   { mesh: 'skin', target: 'browInnerUp', shape: 'cheekPuff' },
   { target: 'Brow_Inner_Up', shape: 'mouthSmile' },
