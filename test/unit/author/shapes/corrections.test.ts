@@ -1,5 +1,5 @@
 import type { FurrowError } from 'furrow'
-import type { Skin } from 'furrow/author'
+import { autoWrinkles, type Skin } from 'furrow/author'
 import {
   correctSkin,
   faceShapeFinder,
@@ -101,14 +101,21 @@ describe('a correction', () => {
     expect(found(half, 'browInnerUp')).toEqual([sneer])
   })
 
+  it('of no shape of ARKit is refused', () => {
+    const skin = corrected({ target: 'browInnerUp', shape: 'joy' })
+    expect(() => autoWrinkles(skin)).toThrow(
+      'the correction of blendshape "browInnerUp" is unknown, got "joy"',
+    )
+  })
+
   it('frees the shape that the blendshape was taken for', () => {
-    const shape = human.targets[indexOf('mouthPucker')]!
-    const strong = { name: 'slider', offsets: Float32Array.from(shape.offsets, (x) => 1.02 * x) }
-    const skin = { ...human, targets: [strong, { ...shape, name: 'key' }] }
-    const full = { ...skin, targets: [...skin.targets, ...human.targets.filter((one) => one !== shape)] }
-    const confidence = (skin: Skin) => recogniseShapes(skin).shapes[1]!.confidence
-    const [taken, freed] = [full, correctSkin(full, [{ target: 'slider' }], [])]
-    expect(recogniseShapes(freed).shapes[1]).toMatchObject({ shape: 'mouthPucker', by: 'geometry' })
-    expect(confidence(freed)).toBeGreaterThan(confidence(taken) + 0.1)
+    const [up, wide] = ['browInnerUp', 'eyeWideLeft'].map((name) => human.targets[indexOf(name)]!)
+    const offsets = Float32Array.from(up!.offsets, (x, i) => x + 0.8 * wide!.offsets[i]!)
+    const others = human.targets.filter((target) => target !== up)
+    const skin = { ...human, targets: [{ ...up!, name: 'slider' }, { name: 'key', offsets }, ...others] }
+    const [, taken] = recogniseShapes(skin).shapes
+    expect(taken!.shape).not.toBe('browInnerUp')
+    const [, freed] = recogniseShapes(correctSkin(skin, [{ target: 'slider' }], [])).shapes
+    expect(freed).toMatchObject({ shape: 'browInnerUp', by: 'geometry' })
   })
 })

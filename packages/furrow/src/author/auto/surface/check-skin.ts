@@ -1,6 +1,7 @@
 import { FurrowError } from '../../../core/error.ts'
 import { boundingBoxSize } from '../../../math/bounds.ts'
 import { uvArea } from '../../../math/triangle.ts'
+import { labelOf } from '../../shapes/families.ts'
 import { crossOf, type Skin, type SkinTarget } from '../../skin/surface.ts'
 
 /** Largest offset of a usable target, in sizes of the skin. */
@@ -46,6 +47,11 @@ export function checkSkin(skin: Skin): { skin: Skin; warnings: string[] } {
   if (!(size <= MAX_EXTENT * Math.sqrt(area))) {
     const limit = `${MAX_EXTENT} times the side of a square of its area`
     fail('the mesh is too large for its area', size, limit, CHECK_EXPORT)
+  }
+  const wrong = targets.find(({ correction }) => typeof correction === 'string' && !labelOf(correction))
+  if (wrong) {
+    const limit = "ARKit's names, with or without a side, or null"
+    fail(`the correction of blendshape "${wrong.name}" is unknown`, wrong.correction, limit, 'correct it')
   }
   const warnings: string[] = []
   const usable = targets.filter((target) => {
