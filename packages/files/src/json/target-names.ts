@@ -94,7 +94,7 @@ function hasTextureCoordinates({ attributes }: GltfMesh['primitives'][number]): 
 /** Names of a mesh: its own and those of its nodes, and its index where nothing else has that as its name. */
 export function namesOfMesh({ meshes = [], nodes = [] }: GltfJson, index: number): string[] {
   const placed = nodes.filter(({ mesh }) => mesh !== undefined)
-  const own = [meshes[index], ...placed.filter(({ mesh }) => mesh === index)]
+  const own = [...meshes.slice(index, index + 1), ...placed.filter(({ mesh }) => mesh === index)]
   const names = own.flatMap(({ name }) => name ?? [])
   const isTaken = [...meshes, ...placed].some(({ name }) => name === String(index))
   return isTaken ? names : [...names, String(index)]
