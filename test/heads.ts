@@ -1,6 +1,7 @@
 import type { Document, Mesh, Node } from '@gltf-transform/core'
 import { simplify, weld } from '@gltf-transform/functions'
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier'
+import { noName, swapSide } from './rigs/naming-schemes.ts'
 
 /** Meshes of a document that have blendshapes, with their names. */
 function blendMeshes(document: Document): { mesh: Mesh; names: string[] }[] {
@@ -26,14 +27,12 @@ export function renameTargets(document: Document, rename: (name: string, index: 
 
 /** Names that tell nothing: `target_0`, `target_1`. */
 export function removeNames(document: Document): void {
-  renameTargets(document, (_, index) => `target_${index}`)
+  renameTargets(document, (_, index) => noName(index))
 }
 
 /** Names that tell the wrong side: the file has left and right swapped. */
 export function swapSides(document: Document): void {
-  renameTargets(document, (name) =>
-    name.replace(/(Left|Right)$/, (side) => (side === 'Left' ? 'Right' : 'Left')),
-  )
+  renameTargets(document, swapSide)
 }
 
 /** Removes blendshapes. */

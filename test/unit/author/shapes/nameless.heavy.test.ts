@@ -3,6 +3,7 @@ import { type AutoWrinkles, autoWrinkles, type Skin } from 'furrow/author'
 import { findSkin } from 'furrow-files'
 import { readDocument } from 'furrow-files/node'
 import { describe, expect, test } from 'vitest'
+import { noName, swapSide } from '../../../rigs/naming-schemes.ts'
 import { FACES, skinAt } from '../auto/faces.ts'
 import { overlap } from './overlap.ts'
 
@@ -13,11 +14,9 @@ function renamed(skin: Skin, rename: (name: string, index: number) => string): S
   return { ...skin, targets: skin.targets.map((target, i) => ({ ...target, name: rename(target.name, i) })) }
 }
 
-const OPPOSITE: Readonly<Record<string, string>> = { Left: 'Right', Right: 'Left', _L: '_R', _R: '_L' }
-
 const NAMES = [
-  ['none', (_: string, i: number) => `shape ${i}`],
-  ['sides swapped', (name: string) => name.replace(/(Left|Right|_L|_R)$/, (side) => OPPOSITE[side]!)],
+  ['none', (_: string, i: number) => noName(i)],
+  ['sides swapped', swapSide],
 ] as const
 
 const namesOf = ({ areas }: AutoWrinkles) => areas.map(({ name }) => name).sort()
@@ -58,8 +57,7 @@ test('the areas of a face that its node mirrors are on the other side', async ()
   const [reference, made] = [make(await skinAt(path)), make(findSkin(document, path, 'test').skin)]
   expect(namesOf(made)).toEqual(namesOf(reference))
   const overlaps = made.areas.map(({ name, weights }) => {
-    const other = name.replace(/(Left|Right)$/, (side) => OPPOSITE[side]!)
-    return overlap(weights.data, reference.areas.find((area) => area.name === other)!.weights.data)
+    return overlap(weights.data, reference.areas.find((area) => area.name === swapSide(name))!.weights.data)
   })
   // Lines are drawn by chance on either side, and areas lie around them.
   expect(overlaps.reduce((a, b) => a + b, 0) / overlaps.length).toBeGreaterThan(0.7)

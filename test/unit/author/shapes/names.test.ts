@@ -1,7 +1,7 @@
 import { ALIASES } from 'furrow'
 import { describe, expect, it, test } from 'vitest'
 import { hintOf } from '../../../../packages/furrow/src/author/shapes/names/hint.ts'
-import { SCHEMES } from './naming-schemes.ts'
+import { SCHEMES } from '../../../rigs/naming-schemes.ts'
 
 const ARKIT = ALIASES.map(([first]) => first!).slice(0, 52)
 

@@ -1,7 +1,8 @@
 import { autoWrinkles, type Skin } from 'furrow/author'
 import { beforeAll, describe, expect, test } from 'vitest'
+import { SCHEMES } from '../../../rigs/naming-schemes.ts'
+import { spelled } from '../../../rigs/rename.ts'
 import { FACES, skinAt } from '../auto/faces.ts'
-import { SCHEMES, type Spell } from './naming-schemes.ts'
 import { overlap } from './overlap.ts'
 
 let human: Skin
@@ -9,26 +10,6 @@ let human: Skin
 beforeAll(async () => {
   human = await skinAt(FACES[0]![1])
 })
-
-/** The face with the shapes that a rig has, by the names of `spell`; a rig's names of both sides for one shape get a copy of half its motion. */
-function spelled(spell: Spell, rename: (name: string, own: string) => string): Skin {
-  const positions = human.positions
-  const targets = new Map<string, Float32Array>()
-  for (const { name, offsets } of human.targets) {
-    const own = spell(name)
-    for (const [i, one] of (own === undefined ? [] : [own].flat()).entries()) {
-      const side = Array.isArray(own) ? 1 - 2 * i : 0
-      const share = (vertex: number) => Math.min(1, Math.max(0, 0.5 + (side * positions[3 * vertex]!) / 0.02))
-      const key = rename(Array.isArray(own) ? `${name}${side > 0 ? 'Left' : 'Right'}` : name, one)
-      const sum = targets.get(key) ?? new Float32Array(offsets.length)
-      targets.set(
-        key,
-        sum.map((value, k) => value + offsets[k]! * (side === 0 ? 1 : share(Math.floor(k / 3)))),
-      )
-    }
-  }
-  return { ...human, targets: [...targets].map(([name, offsets]) => ({ name, offsets })) }
-}
 
 const make = (skin: Skin) => {
   const { areas, expressions, targets } = autoWrinkles(skin, { size: 128, areaSize: 64 })
@@ -47,8 +28,8 @@ function reference(skin: Skin): ReturnType<typeof make> {
 
 describe("a face has the same areas under the names of any rig as under ARKit's", () => {
   test.each(Object.entries(SCHEMES))('%s', (_, spell) => {
-    const arkit = reference(spelled(spell, (name) => name))
-    const other = make(spelled(spell, (_, own) => own))
+    const arkit = reference(spelled(human, spell, (_, shape) => shape))
+    const other = make(spelled(human, spell))
     const names = (areas: typeof arkit.areas) => areas.map(({ name }) => name).sort()
     expect(names(other.areas)).toEqual(names(arkit.areas))
     expect(other.areas.length).toBeGreaterThan(5)

@@ -50,7 +50,19 @@ const METAHUMAN = {
 const prefixed = (prefix: string, names: Readonly<Record<string, string>>) =>
   Object.fromEntries(Object.entries(names).map(([shape, name]) => [shape, `${prefix}${name}`]))
 
-/** Naming schemes of published avatars. */
+const OPPOSITE: Readonly<Record<string, string>> = { Left: 'Right', Right: 'Left', _L: '_R', _R: '_L' }
+
+/** The name of the other side: the file has left and right swapped. */
+export function swapSide(name: string): string {
+  return name.replace(/(Left|Right|_L|_R)$/, (side) => OPPOSITE[side]!)
+}
+
+/** A name that tells nothing. */
+export function noName(index: number): string {
+  return `target_${index}`
+}
+
+/** Naming schemes of published avatars, which have ARKit's shapes under other names. */
 export const SCHEMES: Readonly<Record<string, Spell>> = {
   MetaHuman: rig(['L', 'R'], METAHUMAN),
   'MetaHuman with CTRL_expressions_': rig(['L', 'R'], prefixed('CTRL_expressions_', METAHUMAN)),
@@ -200,13 +212,54 @@ export const SCHEMES: Readonly<Record<string, Spell>> = {
     noseSneer: 'Sneer',
   }),
   'a copy in Blender': (shape) => `${shape}.001`,
-  'face_shapes.ai_': (shape) => `face_shapes.ai_${shape}`,
-  'char01:': (shape) => `char01:${shape}`,
-  Head_: (shape) => `Head_${shape}`,
-  'mesh_name|': (shape) => `mesh_name|${shape}`,
-  L_browDown: (shape) => around(shape, { Left: 'L_', Right: 'R_' }),
-  left_browDown: (shape) => around(shape, { Left: 'left_', Right: 'right_' }),
-  browDownL: (shape) => shape.replace(/(?<!jaw|mouth)(Left|Right)$/, (side) => side.charAt(0)),
+  'prefix face_shapes.ai_': (shape) => `face_shapes.ai_${shape}`,
+  'prefix char01:': (shape) => `char01:${shape}`,
+  'prefix Head_': (shape) => `Head_${shape}`,
+  'prefix of the mesh': (shape) => `mesh_name|${shape}`,
+  'L_ and R_ first': (shape) => around(shape, { Left: 'L_', Right: 'R_' }),
+  'left_ and right_ first': (shape) => around(shape, { Left: 'left_', Right: 'right_' }),
+  'L and R last': (shape) => shape.replace(/(?<!jaw|mouth)(Left|Right)$/, (side) => side.charAt(0)),
+}
+
+/** Rigs with other shapes, which stand in for ARKit's: several of ARKit's shapes have one name. */
+export const STAND_INS: Readonly<Record<string, Spell>> = {
+  VRoid: rig(['L', 'R'], {
+    browDown: 'Fcl_BRW_Angry',
+    browInnerUp: 'Fcl_BRW_Surprised',
+    browOuterUp: 'Fcl_BRW_Surprised',
+    cheekSquint: 'Fcl_EYE_Joy_*',
+    eyeBlink: 'Fcl_EYE_Close_*',
+    eyeSquint: 'Fcl_EYE_Joy_*',
+    eyeWide: 'Fcl_EYE_Spread',
+    jawOpen: 'Fcl_MTH_A',
+    mouthFrown: 'Fcl_MTH_Sorrow',
+    mouthFunnel: 'Fcl_MTH_O',
+    mouthPucker: 'Fcl_MTH_Small',
+    mouthSmile: 'Fcl_MTH_Fun',
+    mouthStretch: 'Fcl_MTH_Large',
+  }),
+  "VRM's emotions, Oculus' visemes": rig(['Left', 'Right'], {
+    browDown: 'angry',
+    browInnerUp: 'surprised',
+    browOuterUp: 'surprised',
+    cheekSquint: 'happy',
+    eyeBlink: 'blink*',
+    eyeSquint: 'happy',
+    eyeWide: 'surprised',
+    jawOpen: 'viseme_aa',
+    mouthFrown: 'angry',
+    mouthFunnel: 'viseme_O',
+    mouthPucker: 'viseme_U',
+    mouthSmile: 'happy',
+    mouthStretch: 'viseme_I',
+  }),
+  'visemes and blinks only': rig(['Left', 'Right'], {
+    eyeBlink: 'blink*',
+    jawOpen: 'viseme_aa',
+    mouthFunnel: 'viseme_O',
+    mouthPucker: 'viseme_U',
+    mouthStretch: 'viseme_I',
+  }),
 }
 
 function around(shape: string, prefixes: { Left: string; Right: string }): string {

@@ -1,0 +1,18 @@
+import { readFileSync } from 'node:fs'
+import { resolve } from 'node:path'
+import type { Skin } from 'furrow/author'
+import { beforeAll, describe, expect, test } from 'vitest'
+import { PAGE, ROWS, readFace, readTable, rowOf } from '../../../rigs/rig-table.ts'
+
+const table = readTable(readFileSync(resolve(PAGE), 'utf8'))
+let face: Skin
+
+beforeAll(async () => {
+  face = await readFace(resolve('.'))
+})
+
+describe('a face has the areas that the table lists for its rig', () => {
+  test.each(Object.keys(ROWS))('%s', (name) => {
+    expect(table, 'out of date: npm run rig-table').toContain(rowOf(name, face))
+  })
+})

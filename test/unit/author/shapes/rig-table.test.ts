@@ -1,0 +1,17 @@
+import { readFileSync } from 'node:fs'
+import { resolve } from 'node:path'
+import { expect, test } from 'vitest'
+import { HEAD, PAGE, ROWS, readFace, readTable, rowOf } from '../../../rigs/rig-table.ts'
+
+const table = readTable(readFileSync(resolve(PAGE), 'utf8'))
+
+test('the table has a row for each rig', () => {
+  expect(table.slice(0, 2), 'out of date: npm run rig-table').toEqual(HEAD)
+  const rigs = table.slice(2).map((line) => line.split(' | ')[0]!.slice(2))
+  expect(rigs, 'out of date: npm run rig-table').toEqual(Object.keys(ROWS))
+})
+
+test('a face without names has the areas that the table lists', async () => {
+  const row = rowOf('no names', await readFace(resolve('.')))
+  expect(table, 'out of date: npm run rig-table').toContain(row)
+})
