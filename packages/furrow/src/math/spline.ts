@@ -3,6 +3,8 @@ import { length3 } from './vector.ts'
 
 /** Exponent of the distances between points that gives the knots: neither cusps nor loops within a segment (Yuksel et al. 2011). */
 const CENTRIPETAL = 0.5
+/** Remainder of a distance after rounding. */
+const ROUNDED = 1 - 1e-6
 
 /**
  * The point at t, 0..1, of a segment of a centripetal Catmull-Rom spline through points in space, by the pyramid of Barry and Goldman (1988). At
@@ -60,6 +62,7 @@ export function splineKnots(
 ): number[] {
   let knots = [...chosen]
   const out = new Float64Array(3)
+  const longest = longestSegment(points)
   for (;;) {
     const through = Float64Array.from(knots.flatMap((i) => [...points.subarray(3 * i, 3 * i + 3)]))
     const added: number[] = []
@@ -68,7 +71,7 @@ export function splineKnots(
       let [worst, farthest] = [-1, tolerance]
       for (let i = from + 1; i < to; i++) {
         splineAt(out, through, segment, (i - from) / (to - from))
-        const distance = distanceToLine(points, from, to, out)
+        const distance = distanceToLine(points, from, to, out, i, longest, farthest)
         if (distance > farthest) [worst, farthest] = [i, distance]
       }
       if (worst >= 0) added.push(worst)
@@ -78,22 +81,57 @@ export function splineKnots(
   }
 }
 
-/** From a position to the nearest of the segments between two points of a line. */
-function distanceToLine(points: Float64Array, from: number, to: number, position: Float64Array): number {
+/**
+ * Measures the distance from a position to the nearest of the segments between two points of a line, from one of them outwards. Distances up to
+ * `enough` are not exact.
+ *
+ * @param longest length of the longest segment: how much the distance changes from one segment to the next, at most.
+ */
+function distanceToLine(
+  points: Float64Array,
+  from: number,
+  to: number,
+  position: Float64Array,
+  first: number,
+  longest: number,
+  enough: number,
+): number {
   let nearest = Infinity
-  for (let i = 3 * from; i < 3 * to; i += 3) {
-    let along = 0
-    let square = 0
-    let offset = 0
-    for (let k = 0; k < 3; k++) {
-      const step = points[i + 3 + k] - points[i + k]
-      const away = position[k] - points[i + k]
-      along += step * away
-      square += step * step
-      offset += away * away
-    }
-    const t = Math.min(1, Math.max(0, along / (square || 1)))
-    nearest = Math.min(nearest, offset - 2 * t * along + t * t * square)
+  for (let i = first; i < to && nearest > enough; ) {
+    const distance = distanceToSegment(points, i, position)
+    nearest = Math.min(nearest, distance)
+    i += Math.max(1, Math.floor((ROUNDED * distance - nearest) / longest))
   }
-  return Math.sqrt(Math.max(0, nearest))
+  for (let i = first - 1; i >= from && nearest > enough; ) {
+    const distance = distanceToSegment(points, i, position)
+    nearest = Math.min(nearest, distance)
+    i -= Math.max(1, Math.floor((ROUNDED * distance - nearest) / longest))
+  }
+  return nearest
+}
+
+/** The distance from a position to the segment that starts at a point of a line. */
+function distanceToSegment(points: Float64Array, point: number, position: Float64Array): number {
+  let along = 0
+  let square = 0
+  let offset = 0
+  for (let k = 0; k < 3; k++) {
+    const step = points[3 * point + 3 + k] - points[3 * point + k]
+    const away = position[k] - points[3 * point + k]
+    along += step * away
+    square += step * step
+    offset += away * away
+  }
+  const t = Math.min(1, Math.max(0, along / (square || 1)))
+  return Math.sqrt(Math.max(0, offset - 2 * t * along + t * t * square))
+}
+
+function longestSegment(points: Float64Array): number {
+  let longest = 0
+  for (let i = 0; i + 5 < points.length; i += 3)
+    longest = Math.max(
+      longest,
+      length3(points[i + 3] - points[i], points[i + 4] - points[i + 1], points[i + 5] - points[i + 2]),
+    )
+  return longest
 }
