@@ -1,0 +1,136 @@
+import { readdirSync } from 'node:fs'
+import { basename, join } from 'node:path'
+import type { Skin } from 'furrow/author'
+import { canonicalTargetName } from 'furrow/internal'
+import { findSkin } from 'furrow-files'
+import { readDocument } from 'furrow-files/node'
+import { SURE } from '../../packages/furrow/src/author/shapes/confidence.ts'
+import { labelOf } from '../../packages/furrow/src/author/shapes/families.ts'
+import { type RecognisedShape, recogniseShapes } from '../../packages/furrow/src/author/shapes/recognise.ts'
+import { templateHeads } from '../../packages/furrow/src/author/shapes/template-table.ts'
+import type { TemplateHead } from '../../packages/furrow/src/author/shapes/templates.ts'
+import { seeded } from '../../test/random.ts'
+import { TEMPLATE_FACES } from './shape-templates.ts'
+
+/** Shapes that wrinkles depend on. */
+const MATTER =
+  /^(brow(Down|OuterUp|InnerUp)|eye(Blink|Squint)|cheek(Squint|Puff)|noseSneer|mouth(Smile|Frown|Pucker)|jawOpen)/
+
+/** Sizes of random parts of a set. */
+const PARTS = [5, 10, 20, 30]
+
+/** Counts of shapes. */
+interface Counts {
+  all: number
+  right: number
+  unknown: number
+  wrong: number
+  matter: number
+  matterRight: number
+  /** Shapes above `SURE`. */
+  sure: number
+  sureWrong: number
+}
+
+interface Row {
+  head: string
+  templates: string
+  /** Number of random shapes, or the full set. */
+  set: number | 'full'
+  counts: Counts
+}
+
+/** Recognises heads without names: all of their shapes, and random parts of them. */
+export async function* accuracyOf(folder: string, seeds: readonly [first: number, last: number]) {
+  const [builder, scan] = templateHeads()
+  const [human, human2] = TEMPLATE_FACES.builder
+  const held = [
+    ['scan', TEMPLATE_FACES.scan[0], 'builder only', [builder]],
+    ['human', human, 'scan only', [scan]],
+    ['human-2', human2, 'scan only', [scan]],
+  ] as const
+  for (const [head, path, templates, heads] of held) yield* rowsOf(head, [path], templates, heads)
+  for (const family of ['realistic', 'stylised']) {
+    const paths = readdirSync(folder)
+      .map((file) => [file, Number(new RegExp(`^${family}-(\\d+)\\.glb$`).exec(file)?.[1])] as const)
+      .filter(([, seed]) => seed >= seeds[0] && seed <= seeds[1])
+      .sort(([, a], [, b]) => a - b)
+      .map(([file]) => join(folder, file))
+    yield* rowsOf(`${family} heads, seeds ${seeds.join(' to ')}`, paths, 'table', templateHeads())
+  }
+}
+
+async function* rowsOf(
+  head: string,
+  paths: readonly string[],
+  templates: string,
+  heads: readonly TemplateHead[],
+): AsyncGenerator<Row> {
+  const sets = (['full', ...PARTS] as const).map((set) => ({ set, counts: noCounts() }))
+  for (const path of paths) {
+    const { skin } = findSkin(await readDocument(path, 'accuracy'), path, 'accuracy')
+    const random = seeded([...basename(path)].reduce((sum, c) => 31 * sum + c.charCodeAt(0), 0))
+    const moving = [...skin.targets.keys()].filter((i) => isMoving(skin, i))
+    for (const { set, counts } of sets) {
+      const chosen = set === 'full' ? moving : shuffled(moving, random).slice(0, set)
+      count(counts, skin, chosen, heads)
+    }
+  }
+  for (const { set, counts } of sets) yield { head, templates, set, counts }
+}
+
+function isMoving({ targets }: Skin, index: number): boolean {
+  return Array.from(targets[index]!.offsets).some((x) => Math.abs(x) > 1e-5)
+}
+
+function shuffled(values: readonly number[], random: () => number): number[] {
+  return values
+    .map((value) => [random(), value] as const)
+    .sort(([a], [b]) => a - b)
+    .map(([, value]) => value)
+}
+
+function count(counts: Counts, skin: Skin, chosen: readonly number[], heads: readonly TemplateHead[]): void {
+  const targets = chosen.map((index, i) => ({ name: `${i}`, offsets: skin.targets[index]!.offsets }))
+  const { shapes } = recogniseShapes({ ...skin, targets }, heads)
+  for (const [i, index] of chosen.entries()) {
+    const truth = canonicalTargetName(skin.targets[index]!.name)
+    if (!labelOf(truth)) continue
+    add(counts, shapes[i]!, truth)
+  }
+}
+
+function add(counts: Counts, { shape, confidence }: RecognisedShape, truth: string): void {
+  counts.all++
+  counts[shape === undefined ? 'unknown' : shape === truth ? 'right' : 'wrong']++
+  if (MATTER.test(truth)) {
+    counts.matter++
+    if (shape === truth) counts.matterRight++
+  }
+  if (confidence > SURE) {
+    counts.sure++
+    if (shape !== truth) counts.sureWrong++
+  }
+}
+
+function noCounts(): Counts {
+  return { all: 0, right: 0, unknown: 0, wrong: 0, matter: 0, matterRight: 0, sure: 0, sureWrong: 0 }
+}
+
+const number = (value: number) => value.toLocaleString('en')
+
+/** A row of the table in Markdown. */
+export function lineOf({ head, templates, set, counts }: Row): string {
+  const { all, right, unknown, wrong, matter, matterRight, sure, sureWrong } = counts
+  const cells = [
+    head,
+    templates,
+    `${set}`,
+    `${number(right)} of ${number(all)}`,
+    number(unknown),
+    number(wrong),
+    `${number(matterRight)} of ${number(matter)}`,
+    `${number(sureWrong)} of ${number(sure)}`,
+  ]
+  return `| ${cells.join(' | ')} |`
+}
