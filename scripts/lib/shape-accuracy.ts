@@ -69,7 +69,7 @@ async function* rowsOf(
   const sets = (['full', ...PARTS] as const).map((set) => ({ set, counts: noCounts() }))
   for (const path of paths) {
     const { skin } = findSkin(await readDocument(path, 'accuracy'), path, 'accuracy')
-    const random = seeded([...basename(path)].reduce((sum, c) => 31 * sum + c.charCodeAt(0), 0))
+    const random = seeded(hashOf(basename(path)))
     const moving = [...skin.targets.keys()].filter((i) => isMoving(skin, i))
     for (const { set, counts } of sets) {
       const chosen = set === 'full' ? moving : shuffled(moving, random).slice(0, set)
@@ -77,6 +77,11 @@ async function* rowsOf(
     }
   }
   for (const { set, counts } of sets) yield { head, templates, set, counts }
+}
+
+/** A random seed of its own for each head. */
+function hashOf(name: string): number {
+  return [...name].reduce((sum, c) => (Math.imul(31, sum) + c.charCodeAt(0)) >>> 0, 0)
 }
 
 function isMoving({ targets }: Skin, index: number): boolean {

@@ -172,7 +172,7 @@ export function strokesOf({
 
 function emptyReasonOf(isUnknownHead: boolean): string {
   return isUnknownHead
-    ? 'the head has no blendshapes that show where its eyes and mouth are, as blinks and smiles do, so nothing tells where it folds'
+    ? 'no blendshapes show where its eyes and mouth are, as blinks and smiles do, though some have names of a face or part it as lips do, so nothing tells where it folds'
     : 'no blendshape compresses the skin enough to crease it'
 }
 
