@@ -6,7 +6,7 @@ import type { RigNames } from '../rig-names.ts'
  */
 export const CHARACTER_CREATOR: RigNames = {
   source:
-    'https://manual.reallusion.com/Character-Creator-4/Content/ENU/4.0/12-Facial-Profile-Editor/Facial_Profile_Types.htm',
+    'https://github.com/soupday/CCiC-Unity-Tools/blob/1d36daad2cb9ab5747c01212710218e808b7b781/Editor/FacialProfileMapper.cs',
   same: {
     Brow_Raise_Inner: 'browInnerUp',
     Brow_Raise_Outer: 'browOuterUp',

@@ -1,20 +1,20 @@
 import type { RigNames } from '../rig-names.ts'
 
-/** Daz: Genesis 8.1 and 9 have ARKit's names after `facs_bs_`, `facs_ctrl_` or `facs_jnt_`, and Genesis 3 and 8 names after `eCTRL`. */
+/**
+ * Daz: Genesis 8.1 and 9 have ARKit's names after `facs_bs_`, `facs_ctrl_` or `facs_jnt_`, and Genesis 3 and 8 names after `eCTRL`. Names with
+ * two directions move in the first.
+ */
 export const DAZ: RigNames = {
-  source: 'https://github.com/daz3d/DazBridgeUtils',
+  source: 'https://github.com/daz3d/DazBridgeUtils/blob/main/src/DzBridgeMorphSelectionDialog.cpp',
   same: {
-    BrowsDown: 'browDown',
-    BrowsInnerUp: 'browInnerUp',
-    BrowsOuterUp: 'browOuterUp',
     EyesClosed: 'eyeBlink',
     EyesSquint: 'eyeSquint',
-    EyesWide: 'eyeWide',
     CheekEyeFlex: 'cheekSquint',
     CheeksBalloon: 'cheekPuff',
     NoseWrinkle: 'noseSneer',
     MouthSmileSimple: 'mouthSmile',
-    MouthWide: 'mouthStretch',
+    'MouthWide-Narrow': 'mouthStretch',
+    'LipTopUp-Down': 'mouthUpperUp',
     'BrowInnerUp-Down': 'browInnerUp',
     'BrowOuterUp-Down': 'browOuterUp',
   },
@@ -57,5 +57,5 @@ export const DAZ: RigNames = {
     eCTRLvT: '',
     eCTRLvTH: '',
   },
-  other: ['JawClench', 'JawRecess', 'NostrilCompression', 'NostrilDilation'],
+  other: ['JawRecess', 'JawChinCompression', 'NasalFlare', 'NasalCompress', 'NostrilsFlare'],
 }

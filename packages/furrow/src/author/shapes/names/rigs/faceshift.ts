@@ -2,7 +2,8 @@ import type { RigNames } from '../rig-names.ts'
 
 /** Faceshift's 48 shapes, which Hifi (now Overte) avatars have too. */
 export const FACESHIFT: RigNames = {
-  source: 'https://docs.overte.org/en/latest/create/avatars/avatar-standards.html',
+  source:
+    'https://github.com/vircadia/vircadia-native-core/blob/97a0edf026513eee77c69e4e1a0ecbabb648aed4/libraries/shared/src/FaceshiftConstants.cpp',
   same: {
     BrowsD: 'browDown',
     BrowsU_C: 'browInnerUp',

@@ -2,7 +2,7 @@ import type { RigNames } from '../rig-names.ts'
 
 /** MikuMikuDance: customary names of morphs. A wink without a side closes the left eye. */
 export const MMD: RigNames = {
-  source: 'https://pingpongfrog.com/archives/2959',
+  source: 'https://www.deviantart.com/xoriu/art/MMD-Facial-Expressions-Chart-341504917',
   same: {
     まばたき: 'eyeBlink',
     ウィンク2: 'eyeBlinkLeft',
@@ -14,7 +14,6 @@ export const MMD: RigNames = {
     口横広げ: 'mouthStretch',
     ぺろっ: 'tongueOut',
     べー: 'tongueOut',
-    頬ふくらみ: 'cheekPuff',
     ぷくー: 'cheekPuff',
   },
   like: {
@@ -22,7 +21,6 @@ export const MMD: RigNames = {
     眉上: 'browInnerUp browOuterUp',
     にこり: 'browOuterUp browInnerUp',
     困る: 'browInnerUp',
-    悲しむ: 'browInnerUp',
     下: 'browDown',
     眉下: 'browDown',
     真面目: 'browDown',
@@ -35,8 +33,7 @@ export const MMD: RigNames = {
     にやり: 'mouthSmile',
     にっこり: 'mouthSmile',
     '∧': 'mouthFrown',
-    む: 'mouthFrown',
   },
   visemes: { あ: 'jawOpen', い: 'mouthStretch', う: 'mouthPucker', え: '', お: 'mouthFunnel', ん: '' },
-  other: ['瞳小', '瞳大', 'はぁと', '星目', '照れ', '涙', '□', '▲', 'ω', 'ω□', 'はぅ', '前髪'],
+  other: ['瞳小', '瞳大', 'はぁと', '星目', '照れ', '涙', '□', '▲', 'ω', 'ω□', 'はぅ'],
 }
