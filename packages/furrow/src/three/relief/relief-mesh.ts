@@ -14,7 +14,11 @@ export function createReliefMesh(mesh: Mesh, geometry: BufferGeometry, material:
   relief.raycast = () => {}
   // A copy of the mesh has a relief of its own.
   relief.clone = () => new Object3D() as never
+  // The bones of the mesh scale quantised positions, and the relief has no bones.
   Object.defineProperty(relief, 'boundingSphere', { get: () => boundingSphereOf(mesh) })
+  Object.defineProperty(relief, 'boundingBox', { get: () => boundingBoxOf(mesh) })
+  relief.getVertexPosition = (index, target) =>
+    mesh.getVertexPosition(index % mesh.geometry.attributes.position.count, target)
   return Object.assign(relief, { isReliefMesh: true } as const)
 }
 
@@ -36,4 +40,14 @@ function boundingSphereOf(mesh: Mesh) {
   }
   if (mesh.geometry.boundingSphere === null) mesh.geometry.computeBoundingSphere()
   return mesh.geometry.boundingSphere
+}
+
+function boundingBoxOf(mesh: Mesh) {
+  const own = mesh as Partial<InstancedMesh>
+  if (own.boundingBox !== undefined) {
+    if (own.boundingBox === null) own.computeBoundingBox!()
+    return own.boundingBox
+  }
+  if (mesh.geometry.boundingBox === null) mesh.geometry.computeBoundingBox()
+  return mesh.geometry.boundingBox
 }
