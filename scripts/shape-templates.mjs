@@ -6,7 +6,7 @@ import { join } from 'node:path'
 import { importSource } from './lib/import-source.mjs'
 import { Failure, main, ROOT, say } from './lib/run.mjs'
 
-const TABLE = 'packages/furrow/src/author/shapes/template-data.ts'
+const TABLE = 'packages/furrow/src/author/shapes/templates/template-data.ts'
 
 await main(async () => {
   const source = await importSource('scripts/lib/shape-templates.ts')

@@ -2,15 +2,15 @@ import { fileURLToPath } from 'node:url'
 import { canonicalTargetName } from 'furrow/internal'
 import { findSkin } from 'furrow-files'
 import { readDocument } from 'furrow-files/node'
-import { faceFrame } from '../../packages/furrow/src/author/shapes/face-frame.ts'
-import { movingSurface } from '../../packages/furrow/src/author/shapes/moving-surface.ts'
-import { shapeFields } from '../../packages/furrow/src/author/shapes/shape-fields.ts'
-import { encodeHead } from '../../packages/furrow/src/author/shapes/template-code.ts'
+import { shapeFields } from '../../packages/furrow/src/author/shapes/fields/shape-fields.ts'
+import { faceFrame } from '../../packages/furrow/src/author/shapes/landmarks/face-frame.ts'
+import { movingSurface } from '../../packages/furrow/src/author/shapes/landmarks/moving-surface.ts'
+import { encodeHead } from '../../packages/furrow/src/author/shapes/templates/template-code.ts'
 import {
   meanHead,
   type TemplateHead,
   templateHead,
-} from '../../packages/furrow/src/author/shapes/templates.ts'
+} from '../../packages/furrow/src/author/shapes/templates/templates.ts'
 
 const fromRoot = (path: string) => fileURLToPath(new URL(`../../${path}`, import.meta.url))
 

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { assign } from '../../../../packages/furrow/src/author/shapes/assign.ts'
+import { assign } from '../../../../packages/furrow/src/author/shapes/matching/assign.ts'
 import { seeded } from '../../../random.ts'
 
 /** Least total cost of all ways to give each row a column of its own. */

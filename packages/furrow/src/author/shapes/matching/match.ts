@@ -1,10 +1,10 @@
-import type { SkinTarget } from '../skin/surface.ts'
+import type { SkinTarget } from '../../skin/surface.ts'
+import { arkitName, isShifted, type ShapeLabel } from '../families.ts'
+import { type Descriptor, descriptorOf, dotAll, leftFraction, likeness } from '../fields/field-operations.ts'
+import type { ShapeFields } from '../fields/shape-fields.ts'
+import { type TemplateHead, templatesOf } from '../templates/templates.ts'
 import { assign } from './assign.ts'
-import { arkitName, isShifted, type ShapeLabel } from './families.ts'
-import { type Descriptor, descriptorOf, dotAll, leftFraction, likeness } from './field-operations.ts'
 import { physicalScore } from './physical-tests.ts'
-import type { ShapeFields } from './shape-fields.ts'
-import { type TemplateHead, templatesOf } from './templates.ts'
 
 /** The label that a shape is most like. */
 export interface Match {

@@ -1,10 +1,10 @@
-import { KdTree } from '../../math/kd-tree.ts'
-import { clamp } from '../../math/scalar.ts'
-import { directionsInFrame, type FaceFrame, inFrame } from './face-frame.ts'
-import type { MovingSurface } from './moving-surface.ts'
-import { ALONG, closedEyes, type EyeOpening, eyeOpening, lipLine } from './openings.ts'
+import { KdTree } from '../../../math/kd-tree.ts'
+import { clamp } from '../../../math/scalar.ts'
+import { directionsInFrame, type FaceFrame, inFrame } from '../landmarks/face-frame.ts'
+import type { MovingSurface } from '../landmarks/moving-surface.ts'
+import { ALONG, closedEyes, type EyeOpening, eyeOpening, lipLine } from '../landmarks/openings.ts'
+import { interpolated } from '../vectors.ts'
 import { GRID, LID_REACH, LID_ROWS, LID_SAMPLES, LIP_ROWS, SAMPLES } from './sample-points.ts'
-import { interpolated } from './vectors.ts'
 
 /** Displacements of all targets, sampled where every face has the same features. */
 export interface ShapeFields {

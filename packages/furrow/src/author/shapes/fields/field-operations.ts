@@ -1,4 +1,4 @@
-import { clamp } from '../../math/scalar.ts'
+import { clamp } from '../../../math/scalar.ts'
 import { MIRRORED, SAMPLE_U, SAMPLES } from './sample-points.ts'
 
 /** The field of the mirror image of a shape. */

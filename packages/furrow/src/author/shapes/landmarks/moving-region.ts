@@ -1,5 +1,5 @@
+import { median, type Vector, vectorAt } from '../vectors.ts'
 import type { MovingSurface } from './moving-surface.ts'
-import { median, type Vector, vectorAt } from './vectors.ts'
 
 /** Where the targets move a surface. */
 export interface MovingRegion {

@@ -1,7 +1,7 @@
+import { dotOf, minus, plus, quantile, type Vector, vectorAt } from '../vectors.ts'
 import type { MirrorFit } from './mirror-plane.ts'
 import type { MovingRegion } from './moving-region.ts'
 import { distanceBetween, type MovingSurface, treeOf } from './moving-surface.ts'
-import { dotOf, minus, plus, quantile, type Vector, vectorAt } from './vectors.ts'
 
 /** Where lips part. */
 export interface LipSeam {

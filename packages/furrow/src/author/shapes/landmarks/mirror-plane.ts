@@ -1,7 +1,7 @@
-import type { KdTree } from '../../math/kd-tree.ts'
+import type { KdTree } from '../../../math/kd-tree.ts'
+import { dotOf, lengthOf, plus, unit, type Vector, vectorAt } from '../vectors.ts'
 import type { MovingRegion } from './moving-region.ts'
 import { type MovingSurface, treeOf } from './moving-surface.ts'
-import { dotOf, lengthOf, plus, unit, type Vector, vectorAt } from './vectors.ts'
 
 /** The plane between the halves of a head. */
 export interface MirrorFit {

@@ -1,5 +1,5 @@
-import { KdTree } from '../../math/kd-tree.ts'
-import { pointOffsets, type Skin, weldSurface } from '../skin/surface.ts'
+import { KdTree } from '../../../math/kd-tree.ts'
+import { pointOffsets, type Skin, weldSurface } from '../../skin/surface.ts'
 
 /** Points that are looked at; of denser surfaces every n-th. */
 const MOST_POINTS = 16_000

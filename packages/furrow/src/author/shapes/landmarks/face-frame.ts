@@ -1,8 +1,3 @@
-import { type ClosingPair, closingPairs, eyesOf } from './closing-lids.ts'
-import { type LipSeam, lipSeam } from './lip-seam.ts'
-import { type MirrorFit, mirrorPlane } from './mirror-plane.ts'
-import { type MovingRegion, movingRegion } from './moving-region.ts'
-import type { MovingSurface } from './moving-surface.ts'
 import {
   across,
   crossed,
@@ -14,7 +9,12 @@ import {
   unit,
   type Vector,
   vectorAt,
-} from './vectors.ts'
+} from '../vectors.ts'
+import { type ClosingPair, closingPairs, eyesOf } from './closing-lids.ts'
+import { type LipSeam, lipSeam } from './lip-seam.ts'
+import { type MirrorFit, mirrorPlane } from './mirror-plane.ts'
+import { type MovingRegion, movingRegion } from './moving-region.ts'
+import type { MovingSurface } from './moving-surface.ts'
 
 /** The face in its own coordinates: eyes at u = -1 and 1, v = 0; the mouth at v = -2. u grows to the person's left. */
 export interface FaceFrame {

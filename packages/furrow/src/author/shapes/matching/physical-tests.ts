@@ -1,7 +1,7 @@
-import { clamp } from '../../math/scalar.ts'
-import type { ShapeLabel } from './families.ts'
-import { GRID, LID_ROWS, LID_SAMPLES, LIP_SAMPLES } from './sample-points.ts'
-import type { ShapeField } from './shape-fields.ts'
+import { clamp } from '../../../math/scalar.ts'
+import type { ShapeLabel } from '../families.ts'
+import { GRID, LID_ROWS, LID_SAMPLES, LIP_SAMPLES } from '../fields/sample-points.ts'
+import type { ShapeField } from '../fields/shape-fields.ts'
 
 /** Scores that outweigh templates: what a shape does is seen, whatever else moves. */
 const CLOSED_LIDS = 0.5

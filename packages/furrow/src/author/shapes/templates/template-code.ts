@@ -1,5 +1,5 @@
-import { CENTRAL, isCentral, SHIFTED, SIDED } from './families.ts'
-import { MIRRORED, SAMPLES } from './sample-points.ts'
+import { CENTRAL, isCentral, SHIFTED, SIDED } from '../families.ts'
+import { MIRRORED, SAMPLES } from '../fields/sample-points.ts'
 import type { TemplateHead, TemplateShape } from './templates.ts'
 
 /** Families by their number in the table. */

@@ -1,5 +1,5 @@
+import { interpolated, quantile, type Vector } from '../vectors.ts'
 import { type FaceFrame, positionInFrame } from './face-frame.ts'
-import { interpolated, quantile, type Vector } from './vectors.ts'
 
 /** Samples along lids and lips. */
 export const ALONG = Array.from({ length: 17 }, (_, i) => -1 + i / 8)

@@ -8,10 +8,10 @@ import {
   type ShapeLabel,
   SIDED,
   SPLIT,
-} from './families.ts'
-import { halfField, mirroredField, sumOf } from './field-operations.ts'
-import { MIRRORED } from './sample-points.ts'
-import type { ShapeFields } from './shape-fields.ts'
+} from '../families.ts'
+import { halfField, mirroredField, sumOf } from '../fields/field-operations.ts'
+import { MIRRORED } from '../fields/sample-points.ts'
+import type { ShapeFields } from '../fields/shape-fields.ts'
 
 /** The shapes of one typical head: sided ones of the left, central ones symmetric. */
 export interface TemplateHead {

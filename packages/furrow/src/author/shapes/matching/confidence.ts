@@ -1,7 +1,7 @@
-import { clamp } from '../../math/scalar.ts'
-import type { FaceFrame } from './face-frame.ts'
+import { clamp } from '../../../math/scalar.ts'
+import type { ShapeFields } from '../fields/shape-fields.ts'
+import type { FaceFrame } from '../landmarks/face-frame.ts'
 import { FOUND, type Match, SAME } from './match.ts'
-import type { ShapeFields } from './shape-fields.ts'
 
 /** Confidence below which a shape is unknown. */
 export const UNSURE = 0.45

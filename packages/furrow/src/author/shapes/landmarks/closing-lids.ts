@@ -1,7 +1,7 @@
+import { dotOf, lengthOf, minus, plus, quantile, type Vector, vectorAt } from '../vectors.ts'
 import type { MirrorFit } from './mirror-plane.ts'
 import type { MovingRegion } from './moving-region.ts'
 import { distanceBetween, type MovingSurface, pickPoints, treeOf } from './moving-surface.ts'
-import { dotOf, lengthOf, minus, plus, quantile, type Vector, vectorAt } from './vectors.ts'
 
 /** Two points of skin that lie apart at rest, and that a target brings together. */
 export interface ClosingPair {
