@@ -19,6 +19,7 @@ export const PROMISES = [
   'test/gpu/crowd.test.ts',
   'test/gpu/features.test.ts',
   'test/gpu/export.test.ts',
+  'test/gpu/same-bytes.test.ts',
   'test/gpu/react.test.ts',
   'test/gpu/loader/loader.test.ts',
   'test/gpu/loader/damaged.test.ts',

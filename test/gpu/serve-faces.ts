@@ -1,4 +1,4 @@
-import { createReadStream, mkdtempSync, rmSync } from 'node:fs'
+import { createReadStream, mkdtempSync, readFileSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import type { Readable } from 'node:stream'
@@ -11,7 +11,7 @@ const moduleOf = (name: string) => fileURLToPath(new URL(name, import.meta.url))
 /**
  * Serves the faces of `pack-faces.ts` at `/packed/NAME.glb`, each of which is packed when it is first asked for, and the
  * list of bare faces at `/packed/bare-faces.json`; those of `damaged-faces.ts` at `/damaged-faces.json`, and the cases of
- * `export-cases.ts` at `/export-cases.json`.
+ * `export-cases.ts` at `/export-cases.json`; and the digest that `auto-digest.ts` makes in Node at `/auto-digest.json`.
  *
  * @param sources how the modules that make them are resolved, in Node.
  */
@@ -41,6 +41,9 @@ export function serveFaces(sources: Sources): Plugin {
         return createReadStream(await packer(name))
       })
       serve('/damaged-faces.json', async (faces) => JSON.stringify(await faces.damagedFaces()))
+      serve('/auto-digest.json', async (faces) => {
+        return JSON.stringify(await faces.autoDigest(readFileSync(join(root, 'faces/human.glb'))))
+      })
       serve('/export-cases.json', async (faces) => {
         return JSON.stringify(await faces.exportCases(mkdtempSync(join(folder, 'export-'))))
       })
@@ -50,6 +53,7 @@ export function serveFaces(sources: Sources): Plugin {
 
 type Modules = typeof import('./pack-faces.ts') &
   typeof import('./damaged-faces.ts') &
+  typeof import('./auto-digest.ts') &
   typeof import('./export-cases.ts')
 
 type Sources = Pick<InlineConfig, 'resolve' | 'ssr'>
@@ -64,7 +68,7 @@ async function openModules(root: string, { resolve, ssr }: Sources): Promise<Mod
     optimizeDeps: { noDiscovery: true },
     server: { middlewareMode: true, hmr: false, ws: false, watch: null },
   })
-  const modules = ['pack-faces.ts', 'damaged-faces.ts', 'export-cases.ts'].map((name) =>
+  const modules = ['pack-faces.ts', 'damaged-faces.ts', 'export-cases.ts', 'auto-digest.ts'].map((name) =>
     server.ssrLoadModule(moduleOf(name)),
   )
   return Object.assign({}, ...(await Promise.all(modules)))

@@ -16,13 +16,15 @@ async function byWebGL(file: Blob) {
   return readImage(await createImageBitmap(file, options))
 }
 
+const COLOURS = [
+  ['gray', 0, 1],
+  ['RGB', 2, 3],
+  ['gray and alpha', 4, 2],
+  ['RGBA', 6, 4],
+] as const
+
 describe('pixels of a PNG file', () => {
-  it.each([
-    ['gray', 0, 1],
-    ['RGB', 2, 3],
-    ['gray and alpha', 4, 2],
-    ['RGBA', 6, 4],
-  ] as const)('of %s are read as WebGL reads them', async (_, colour, channels) => {
+  it.each(COLOURS)('of %s are read as WebGL reads them', async (_, colour, channels) => {
     for (const filter of [0, 1, 2, 3, 4]) {
       const file = await png(33, 17, 8, colour, pixels(channels), filter)
       const bytes = new Uint8Array(await file.arrayBuffer())
@@ -30,6 +32,19 @@ describe('pixels of a PNG file', () => {
       expect([own.width, own.height]).toEqual([33, 17])
       expect(own.data.join(), `filter ${filter}`).toBe(expected.data.join())
     }
+  })
+
+  it.each(COLOURS)('of %s in 16 bits are the upper 8 in every browser', async (_, colour, channels) => {
+    const values = pixels(2 * channels)
+    const bytes = new Uint8Array(await (await png(33, 17, 16, colour, values)).arrayBuffer())
+    const { data } = await decodeBytes(bytes, 'test')
+    const upper = values.filter((_, i) => i % 2 === 0)
+    const expected = Array.from({ length: 33 * 17 }, (_, i) => {
+      const own = [...upper.subarray(i * channels, (i + 1) * channels)]
+      const gray = channels < 3 ? [own[0], own[0], own[0], ...own.slice(1)] : own
+      return gray.length === 3 ? [...gray, 255] : gray
+    })
+    expect([...data]).toEqual(expected.flat())
   })
 
   it('with alpha are refused where there are too few', async () => {

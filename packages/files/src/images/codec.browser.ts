@@ -1,4 +1,4 @@
-import { readImage } from 'furrow/internal'
+import { inflateImage, readImage } from 'furrow/internal'
 import { checkImageSize, checkImageType, GLTF_IMAGES, type ImageHeader } from './check-image.ts'
 import { headerOf } from './header.ts'
 import { withImageErrors } from './image-errors.ts'
@@ -41,7 +41,12 @@ export async function decodeImage(
   const { type } = await measureImage(bytes, name, who, types)
   const bitmap = await bitmapOf(bytes, name, who)
   try {
-    return { type, channels: 4, ...readImage(bitmap) }
+    const pixels = await withImageErrors(
+      name,
+      who,
+      async () => (await inflateImage(bytes)) ?? readImage(bitmap),
+    )
+    return { type, channels: 4, ...pixels }
   } finally {
     bitmap.close()
   }

@@ -74,6 +74,6 @@ function tapsOf(from: number, to: number): Taps[] {
 function mitchell(distance: number): number {
   const x = Math.abs(distance)
   if (x >= 2) return 0
-  if (x < 1) return (7 * x ** 3 - 12 * x ** 2 + 16 / 3) / 6
-  return ((-7 / 3) * x ** 3 + 12 * x ** 2 - 20 * x + 32 / 3) / 6
+  if (x < 1) return (7 * x * x * x - 12 * x ** 2 + 16 / 3) / 6
+  return ((-7 / 3) * x * x * x + 12 * x ** 2 - 20 * x + 32 / 3) / 6
 }

@@ -1,4 +1,5 @@
 import { FurrowError } from 'furrow'
+import { length3 } from 'furrow/internal'
 import { decodeImage } from '#images'
 import { isOpaque, transparencyError, withoutAlpha } from '../images/pixels.ts'
 import { encodePortablePng } from '../images/png.ts'
@@ -61,8 +62,9 @@ export function checkOneSize(images: readonly CheckedImage[], kind: string, who:
 
 function normalise(data: Uint8Array, channels: number): void {
   for (let i = 0; i < data.length; i += channels) {
-    const vector = [0, 1, 2].map((k) => (data[i + k] / 255) * 2 - 1)
-    const length = Math.hypot(...vector) || 1
-    for (const [k, value] of vector.entries()) data[i + k] = Math.round((value / length / 2 + 0.5) * 255)
+    const [x, y, z] = [0, 1, 2].map((k) => (data[i + k] / 255) * 2 - 1)
+    // Browsers round `Math.hypot` differently.
+    const length = length3(x, y, z) || 1
+    for (const [k, value] of [x, y, z].entries()) data[i + k] = Math.round((value / length / 2 + 0.5) * 255)
   }
 }

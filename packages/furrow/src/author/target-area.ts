@@ -1,6 +1,7 @@
 import type { GrayImage } from '../core/types.ts'
 import { clamp, smoothstep } from '../math/scalar.ts'
 import { principalStretches, restInverse } from '../math/stretch.ts'
+import { length3 } from '../math/vector.ts'
 import { dilate } from './border.ts'
 import { coverTexels } from './cover-texels.ts'
 import type { MetricMesh } from './metric.ts'
@@ -56,7 +57,7 @@ function weightVertices(
 ): Float64Array {
   const displacements = new Float64Array(offsets.length / 3)
   for (let i = 0; i < displacements.length; i++) {
-    displacements[i] = Math.hypot(offsets[3 * i], offsets[3 * i + 1], offsets[3 * i + 2])
+    displacements[i] = length3(offsets[3 * i], offsets[3 * i + 1], offsets[3 * i + 2])
   }
   const largest = displacements.reduce((a, b) => Math.max(a, b), 0)
   if (!(largest > 0)) return displacements

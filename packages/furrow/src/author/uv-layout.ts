@@ -1,6 +1,7 @@
 import type { RgbaImage } from '../core/types.ts'
 import { rasterize } from '../math/rasterize.ts'
 import { clamp } from '../math/scalar.ts'
+import { length2 } from '../math/vector.ts'
 import type { MetricMesh } from './metric.ts'
 import { checkCoverage } from './skin/check-coverage.ts'
 import { weldSurface } from './skin/surface.ts'
@@ -62,7 +63,7 @@ export function drawUvLayout(mesh: MetricMesh, size: number, { base }: UvLayoutO
   }
   const [wires, seams] = [new Float32Array(size * size), new Float32Array(size * size)]
   for (const { start, end, count } of edgesOf(mesh, triangles)) {
-    const length = Math.hypot(end[0] - start[0], end[1] - start[1])
+    const length = length2(end[0] - start[0], end[1] - start[1])
     drawLine(wires, size, start, end, WIRE_WIDTH, WIRE_OPACITY * clamp(length / SPARSE, 0.2, 1))
     if (count === 1) drawLine(seams, size, start, end, SEAM_WIDTH, 1)
   }
@@ -159,7 +160,7 @@ function drawLine(
     const last = Math.min(size - 1, Math.max(a, b) + reach)
     for (let x = Math.max(0, Math.ceil(Math.min(a, b) - reach)); x <= last; x++) {
       const along = square === 0 ? 0 : clamp(((x - x0) * dx + (y - y0) * dy) / square, 0, 1)
-      const distance = Math.hypot(x - x0 - along * dx, y - y0 - along * dy)
+      const distance = length2(x - x0 - along * dx, y - y0 - along * dy)
       const covered = opacity * clamp(reach - distance, 0, 1)
       const texel = y * size + x
       if (covered > coverage[texel]) coverage[texel] = covered

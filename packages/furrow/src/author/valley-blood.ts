@@ -1,5 +1,6 @@
 import { BLOOD_AT_REST } from '../core/blood.ts'
 import type { GrayImage } from '../core/types.ts'
+import { exp } from '../math/elementary.ts'
 import { clamp } from '../math/scalar.ts'
 import type { HeightMap } from './strokes/height.ts'
 
@@ -13,7 +14,7 @@ const VALLEY_DEPTH = 0.7
 export function valleyBlood({ width, height, data }: HeightMap): GrayImage {
   const tones = new Uint8Array(data.length).fill(BLOOD_AT_REST)
   for (let i = 0; i < data.length; i++)
-    if (data[i] < 0) tones[i] = bloodByte(VALLEY * (1 - Math.exp(data[i] / VALLEY_DEPTH)))
+    if (data[i] < 0) tones[i] = bloodByte(VALLEY * (1 - exp(data[i] / VALLEY_DEPTH)))
   return { width, height, data: tones }
 }
 

@@ -1,8 +1,6 @@
 import { lerp } from './scalar.ts'
 import { length3 } from './vector.ts'
 
-/** Exponent of the distances between points that gives the knots: neither cusps nor loops within a segment (Yuksel et al. 2011). */
-const CENTRIPETAL = 0.5
 /** Remainder of a distance after rounding. */
 const ROUNDED = 1 - 1e-6
 
@@ -40,12 +38,12 @@ function pointAt(points: ArrayLike<number>, i: number, k: number): number {
   return points[3 * i + k]
 }
 
-/** From a point's knot to the next one's. */
+/** From a point's knot to the next one's: the root of their distance gives neither cusps nor loops within a segment (Yuksel et al. 2011). */
 function knotAt(points: ArrayLike<number>, i: number): number {
   const x = pointAt(points, i + 1, 0) - pointAt(points, i, 0)
   const y = pointAt(points, i + 1, 1) - pointAt(points, i, 1)
   const z = pointAt(points, i + 1, 2) - pointAt(points, i, 2)
-  return length3(x, y, z) ** CENTRIPETAL
+  return Math.sqrt(length3(x, y, z))
 }
 
 /**

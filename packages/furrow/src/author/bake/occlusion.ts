@@ -1,3 +1,4 @@
+import { cos, sin } from '../../math/elementary.ts'
 import { hash32 } from '../../math/hash.ts'
 
 /** Whether a ray hits anything within `far` metres, on either side of a surface. The direction is a unit vector. */
@@ -41,7 +42,7 @@ export function ambientVisibility(
   for (let i = 0; i < rays; i++) {
     const u = (i + shift) / rays
     const angle = 2 * Math.PI * (radicalInverse(i) + turn)
-    const [p, q, r] = [Math.sqrt(u) * Math.cos(angle), Math.sqrt(u) * Math.sin(angle), Math.sqrt(1 - u)]
+    const [p, q, r] = [Math.sqrt(u) * cos(angle), Math.sqrt(u) * sin(angle), Math.sqrt(1 - u)]
     const dx = p * sx + q * tx + r * nx
     const dy = p * sy + q * ty + r * ny
     const dz = p * sz + q * tz + r * nz

@@ -1,3 +1,5 @@
+import { exp } from '../../math/elementary.ts'
+import { length } from '../../math/vector.ts'
 import type { SkinSurface } from '../skin/surface.ts'
 import type { SkinLine } from '../strokes/curve.ts'
 
@@ -32,7 +34,7 @@ export function directionsAlong({ points }: SkinSurface, lines: readonly SkinLin
       const dz = samples[i + 2] - z
       const square = dx * dx + dy * dy + dz * dz
       if (square > (FARTHEST * FADE) ** 2) continue
-      const weight = Math.exp(-square / FADE ** 2)
+      const weight = exp(-square / FADE ** 2)
       const tx = samples[i + 3]
       const ty = samples[i + 4]
       const tz = samples[i + 5]
@@ -55,11 +57,11 @@ function samplesOf({ points }: SkinLine): number[] {
   let since = EVERY
   for (let i = 0; i + 5 < points.length; i += 3) {
     const step = [0, 1, 2].map((k) => points[i + 3 + k] - points[i + k])
-    const length = Math.hypot(...step)
-    since += length
-    if (length === 0 || since < EVERY) continue
+    const moved = length(step)
+    since += moved
+    if (moved === 0 || since < EVERY) continue
     since = 0
-    samples.push(...points.subarray(i, i + 3), ...step.map((value) => value / length))
+    samples.push(...points.subarray(i, i + 3), ...step.map((value) => value / moved))
   }
   return samples
 }

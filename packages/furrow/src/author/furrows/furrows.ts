@@ -1,5 +1,6 @@
 import { hash32 } from '../../math/hash.ts'
 import { smoothstep } from '../../math/scalar.ts'
+import { length2, length3 } from '../../math/vector.ts'
 import type { Metric } from '../metric.ts'
 import type { SkinCanvas } from '../skin/canvas.ts'
 import { layCurve, type SkinLine } from '../strokes/curve.ts'
@@ -109,12 +110,12 @@ function texelSizesOf({ surface, locator, metric }: FurrowCanvas): Float64Array 
 
 /** Texels between two places; no more than the map has, for triangles that repeat it. */
 function texelsBetween(from: readonly number[], to: readonly number[], { width, height }: Metric): number {
-  return Math.min(Math.hypot((to[0] - from[0]) * width, (to[1] - from[1]) * height), width + height)
+  return Math.min(length2((to[0] - from[0]) * width, (to[1] - from[1]) * height), width + height)
 }
 
 function edgeLength(points: Float64Array, corners: Uint32Array, from: number, to: number): number {
   const [a, b] = [3 * corners[from], 3 * corners[to]]
-  return Math.hypot(points[b] - points[a], points[b + 1] - points[a + 1], points[b + 2] - points[a + 2])
+  return length3(points[b] - points[a], points[b + 1] - points[a + 1], points[b + 2] - points[a + 2])
 }
 
 /** Numbers of a seed of a tile: its distance from the middle of the tile, position, metric, and these. */
@@ -192,7 +193,7 @@ class FurrowPen {
   depthAt(position: Float64Array): number {
     const tile = this.#tile
     const [x, y, z] = position
-    const off = Math.hypot(x - this.#middle[0], y - this.#middle[1], z - this.#middle[2])
+    const off = length3(x - this.#middle[0], y - this.#middle[1], z - this.#middle[2])
     let [nearest, second, third] = [Infinity, Infinity, Infinity]
     let [a, b, c] = [0, 0, 0]
     const end = SEED * this.#count

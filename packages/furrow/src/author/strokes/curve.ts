@@ -2,7 +2,7 @@ import type { Uv } from '../../core/json.ts'
 import { bezierAt } from '../../math/bezier.ts'
 import { lerp } from '../../math/scalar.ts'
 import { splineAt } from '../../math/spline.ts'
-import { dot } from '../../math/vector.ts'
+import { dot, length, length2, length3 } from '../../math/vector.ts'
 import type { SkinCanvas } from '../skin/canvas.ts'
 import type { SkinSurface } from '../skin/surface.ts'
 import { barycentricsAt, normalAt, positionAt, walk } from '../skin/walk.ts'
@@ -80,7 +80,7 @@ function lengthOf(polyline: readonly Uv[]): number {
 }
 
 function uvDistance(a: Uv, b: Uv): number {
-  return Math.hypot(b[0] - a[0], b[1] - a[1])
+  return length2(b[0] - a[0], b[1] - a[1])
 }
 
 function* stepsAlong(polyline: readonly Uv[], step: number): Generator<Uv> {
@@ -120,7 +120,7 @@ function laySpline(uvs: readonly Uv[], { surface, locator }: LocatedSkin): Trace
 }
 
 function distance(a: ArrayLike<number>, b: ArrayLike<number>): number {
-  return Math.hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2])
+  return length3(b[0] - a[0], b[1] - a[1], b[2] - a[2])
 }
 
 /** The points of a line that is being laid. */
@@ -169,7 +169,7 @@ class Trail {
     const direction = target.map((value, k) => value - position[k])
     const rise = dot(direction, this.#normal)
     for (let k = 0; k < 3; k++) direction[k] -= rise * this.#normal[k]
-    return walk(this.#surface, triangle, position, direction, Math.hypot(...direction))
+    return walk(this.#surface, triangle, position, direction, length(direction))
   }
 
   /** From the last point; 0 where there is none. */

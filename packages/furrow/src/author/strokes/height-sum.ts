@@ -1,3 +1,4 @@
+import { power } from '../../math/elementary.ts'
 import { lerp } from '../../math/scalar.ts'
 import type { Metric } from '../metric.ts'
 import type { CrossSection, LaidStroke } from './lay-out.ts'
@@ -38,7 +39,7 @@ export class HeightSum {
 
   /** In millimetres above (+) or below (-) the smooth skin. */
   get height(): number {
-    return Math.fround(this.banks ** (1 / JOIN.banks) - this.valleys ** (1 / JOIN.valleys))
+    return Math.fround(Math.sqrt(this.banks) - power(this.valleys, 1 / JOIN.valleys))
   }
 
   /** 255 = open to the light. */

@@ -2,7 +2,7 @@ import { FurrowError } from '../../core/error.ts'
 import type { Uv } from '../../core/json.ts'
 import { noise } from '../../math/noise.ts'
 import { clamp, lerp, smoothstep } from '../../math/scalar.ts'
-import { cross, normalize } from '../../math/vector.ts'
+import { cross, length3, normalize } from '../../math/vector.ts'
 import { type LocatedSkin, layCurve, type SkinLine } from './curve.ts'
 import type { Stroke } from './document.ts'
 import { VALLEY_REACH } from './profile.ts'
@@ -112,7 +112,7 @@ export function sectionReach({ banks, lean }: CrossSection): number {
 export function arcLengths({ points }: Pick<SkinLine, 'points'>): Float64Array {
   const lengths = new Float64Array(points.length / 3)
   for (let i = 3; i < points.length; i += 3) {
-    const step = Math.hypot(
+    const step = length3(
       points[i] - points[i - 3],
       points[i + 1] - points[i - 2],
       points[i + 2] - points[i - 1],

@@ -1,3 +1,4 @@
+import { exp } from '../../math/elementary.ts'
 import { smoothstep } from '../../math/scalar.ts'
 
 /** Distance in half widths from which the valley is exactly zero. */
@@ -26,7 +27,7 @@ export function valleyAt(distance: number, softness: number, widened = 1): numbe
   const t = distance / widened
   // The hypotenuse costs ten times as much.
   const rounded = Math.sqrt(t * t + softness * softness) - softness
-  const depth = Math.exp(-rounded / (Math.sqrt(1 + softness * softness) - softness)) / widened
+  const depth = exp(-rounded / (Math.sqrt(1 + softness * softness) - softness)) / widened
   return distance <= FADE_START
     ? depth
     : depth * (1 - smoothstep((distance - FADE_START) / (VALLEY_REACH - FADE_START)))

@@ -66,7 +66,7 @@ function blend(base: Uint8Array, detail: Uint8Array, i: number, out: Uint8Array)
   const uz = detail[i + 2] / 127.5 - 1
   const scale = (tx * ux + ty * uy + tz * uz) / Math.max(tz, 1e-6)
   const [x, y, z] = [tx * scale - ux, ty * scale - uy, tz * scale - uz]
-  const length = Math.hypot(x, y, z)
+  const length = Math.sqrt(x * x + y * y + z * z)
   out[i] = toByte(length === 0 ? 0 : x / length)
   out[i + 1] = toByte(length === 0 ? 0 : y / length)
   out[i + 2] = toByte(length === 0 ? 1 : z / length)

@@ -11,7 +11,7 @@ export function scaleNormals(image: RgbaImage, scale: number): RgbaImage {
   const data = image.data.slice()
   for (let i = 0; i < data.length; i += 4) {
     const [x, y, z] = [0, 1, 2].map((c) => (data[i + c] / 255) * 2 - 1)
-    const length = Math.hypot(x * scale, y * scale, z)
+    const length = Math.sqrt((x * x + y * y) * scale * scale + z * z)
     const normal = [(x * scale) / length, (y * scale) / length, z / length]
     for (let c = 0; c < 3; c++) data[i + c] = toByte(normal[c])
   }

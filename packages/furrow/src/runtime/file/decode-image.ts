@@ -6,7 +6,7 @@ import { type PngChunk, type PngHeader, pngChunks, pngHeader } from '../../core/
 import type { GrayImage, RgbaImage } from '../../core/types.ts'
 import { tooLarge, transparent, unreadable } from './image-faults.ts'
 import { inflatePng } from './inflate-png.ts'
-import { hasPixels, readImage } from './read-image.ts'
+import { readImage, readOpaque } from './read-image.ts'
 
 /**
  * Decodes an image file in the browser, without colour management, to 8 bits per channel.
@@ -36,7 +36,7 @@ export async function decodeBytes(bytes: Uint8Array<ArrayBuffer>, who: string): 
   // Refuses huge images before they are decoded.
   if (png) checkSize(png, who)
   try {
-    if (png && hasPlainAlpha(png)) return await inflatePng(chunks, png)
+    if (png && canInflate(png, chunks)) return await inflatePng(chunks, png)
     const isOpaque = type === 'image/jpeg' || (png !== undefined && !hasAlpha(png, chunks))
     const bitmap = await createImageBitmap(new Blob([bytes], { type }), {
       colorSpaceConversion: 'none',
@@ -50,6 +50,13 @@ export async function decodeBytes(bytes: Uint8Array<ArrayBuffer>, who: string): 
   } catch (error) {
     throw error instanceof FurrowError ? error : unreadable(bytes, who)
   }
+}
+
+/** Reads a PNG file whose pixels a canvas may change: one with alpha, or of 16 bits. Undefined for other files. */
+export async function inflateImage(bytes: Uint8Array): Promise<RgbaImage | undefined> {
+  const png = pngHeader(bytes)
+  const chunks = png ? pngChunks(bytes) : []
+  return png && canInflate(png, chunks) ? inflatePng(chunks, png) : undefined
 }
 
 /** Converts colours, as stored, to gray by the luma weights of ITU-R BT.601. Grays keep their value exactly. */
@@ -70,17 +77,9 @@ function hasAlpha({ colour }: PngHeader, chunks: readonly PngChunk[]): boolean {
   return (colour !== 0 && colour !== 2) || chunks.some(({ type }) => type === 'tRNS')
 }
 
-/** Whether `inflatePng` reads a file. */
-function hasPlainAlpha({ depth, colour, isInterlaced }: PngHeader): boolean {
-  return depth === 8 && (colour === 4 || colour === 6) && !isInterlaced
-}
-
-/** Reads the pixels of an image without alpha through a 2D canvas, which keeps them exactly. */
-function readOpaque(bitmap: ImageBitmap): RgbaImage {
-  if (hasPixels(bitmap)) return bitmap
-  const { width, height } = bitmap
-  const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })!
-  context.drawImage(bitmap, 0, 0)
-  const { data } = context.getImageData(0, 0, width, height)
-  return { width, height, data: new Uint8Array(data.buffer) }
+/** Whether `inflatePng` reads a file, exactly where a canvas would not. */
+function canInflate({ depth, colour, isInterlaced }: PngHeader, chunks: readonly PngChunk[]): boolean {
+  if (isInterlaced) return false
+  if (colour === 4 || colour === 6) return depth >= 8
+  return depth === 16 && !chunks.some(({ type }) => type === 'tRNS')
 }

@@ -1,30 +1,36 @@
 import type { PngChunk, PngHeader } from '../../core/maps/png.ts'
 import type { RgbaImage } from '../../core/types.ts'
 
+/** Channels of each type of colour that has no palette. */
+const CHANNELS: Readonly<Record<number, number>> = { 0: 1, 2: 3, 4: 2, 6: 4 }
+
 /**
- * Reads the pixels of a PNG file with alpha, 8 bits per channel and not interlaced, exactly as stored: such a file holds four areas. A 2D
- * canvas multiplies colours by alpha, and so loses them where alpha is small. WebGL keeps them, but creating a context blocks the page for
- * tens of milliseconds.
+ * Reads the pixels of a PNG file of 8 or 16 bits per channel, without a palette and not interlaced, exactly as stored; of 16 bits the upper
+ * 8. Such a file may hold four areas: a 2D canvas multiplies colours by alpha, and so loses them where alpha is small. WebGL keeps them, but
+ * creating a context blocks the page for tens of milliseconds. Browsers round 16 bits differently.
  *
  * @param chunks of a whole file.
  * @throws Error when its data is damaged.
  */
 export async function inflatePng(
   chunks: readonly PngChunk[],
-  { width, height, colour }: PngHeader,
+  { width, height, depth, colour }: PngHeader,
 ): Promise<RgbaImage> {
   const parts = chunks
     .filter(({ type }) => type === 'IDAT')
     .map(({ data }) => data as Uint8Array<ArrayBuffer>)
   const packed = new Blob(parts).stream().pipeThrough(new DecompressionStream('deflate'))
   const filtered = new Uint8Array(await new Response(packed).arrayBuffer())
-  const channels = colour === 4 ? 2 : 4
-  const rows = unfilter(filtered, width * channels, height, channels)
-  if (channels === 4) return { width, height, data: rows }
-  const data = new Uint8Array(4 * width * height)
+  const channels = CHANNELS[colour]
+  const bytes = depth / 8
+  const rows = unfilter(filtered, width * channels * bytes, height, channels * bytes)
+  if (channels === 4 && bytes === 1) return { width, height, data: rows }
+  const data = new Uint8Array(4 * width * height).fill(255)
   for (let i = 0; i < width * height; i++) {
-    data.fill(rows[2 * i], 4 * i, 4 * i + 3)
-    data[4 * i + 3] = rows[2 * i + 1]
+    const at = i * channels * bytes
+    // Gray is red, green and blue.
+    for (let c = 0; c < 3; c++) data[4 * i + c] = rows[at + (channels > 2 ? c * bytes : 0)]
+    if (channels % 2 === 0) data[4 * i + 3] = rows[at + (channels - 1) * bytes]
   }
   return { width, height, data }
 }

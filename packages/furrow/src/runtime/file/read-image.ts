@@ -12,6 +12,7 @@ export function readImage(image: Drawable): RgbaImage {
   // Outside of browsers, a decoder that stands in for the browser's has the pixels.
   if (hasPixels(image)) return image
   const gl = reader()
+  if (!gl) return readWithoutWebGL(image)
   const texture = gl.createTexture()
   const framebuffer = gl.createFramebuffer()
   gl.bindTexture(gl.TEXTURE_2D, texture)
@@ -38,16 +39,40 @@ export function readImage(image: Drawable): RgbaImage {
 
 let context: WebGL2RenderingContext | null = null
 
-/** One small context for all images: browsers allow only a few per page. */
-function reader(): WebGL2RenderingContext {
-  if (!context || context.isContextLost()) context = new OffscreenCanvas(1, 1).getContext('webgl2')
-  if (context) return context
-  throw new FurrowError({
+/** One small context for all images: browsers allow only a few per page. WebKitGTK has none without a canvas element, so none in workers. */
+function reader(): WebGL2RenderingContext | null {
+  if (context && !context.isContextLost()) return context
+  context = new OffscreenCanvas(1, 1).getContext('webgl2')
+  if (!context && typeof document !== 'undefined') {
+    context = document.createElement('canvas').getContext('webgl2')
+  }
+  return context
+}
+
+/** Reads the pixels of an image without alpha through a 2D canvas, which keeps them exactly. */
+export function readOpaque(image: Drawable): RgbaImage {
+  if (hasPixels(image)) return image
+  const { width, height } = image
+  const canvas = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })!
+  canvas.drawImage(image, 0, 0)
+  const { data } = canvas.getImageData(0, 0, width, height)
+  return { width, height, data: new Uint8Array(data.buffer) }
+}
+
+/** Reads an image without WebGL, which is exact only where alpha is 255. */
+function readWithoutWebGL(image: Drawable): RgbaImage {
+  const pixels = readOpaque(image)
+  for (let i = 3; i < pixels.data.length; i += 4) if (pixels.data[i] !== 255) throw noWebGL()
+  return pixels
+}
+
+function noWebGL(): FurrowError {
+  return new FurrowError({
     code: 'unsupported',
     who: 'readImage',
-    what: 'no WebGL 2 context to read images with',
-    limit: 'a browser with WebGL 2',
-    remedy: 'close other pages that use WebGL, or update the browser',
+    what: 'no WebGL 2 context to read an image with alpha',
+    limit: 'a browser with WebGL 2, in workers too',
+    remedy: 'close other pages that use WebGL, update the browser, or save the image without alpha',
   })
 }
 

@@ -1,3 +1,4 @@
+import { cos, sin } from '../../../math/elementary.ts'
 import { bezierPath, chartPointOf, type FaceContext, type FaceRegion, type Guide } from './region.ts'
 
 /** The chin's dimples and the crease above it (mentalis), and the rings of the neck. */
@@ -31,10 +32,10 @@ function chin({ landmarks, byAge, rngOf }: FaceContext): FaceRegion {
   for (let i = 0; i < 22; i++) {
     const angle = 2.4 * i + rng.jitter(0.3)
     const radius = Math.sqrt((i + 0.5) / 22)
-    const [x, y] = [radius * 0.62 * corner * Math.cos(angle), middle + radius * 9.5 * Math.sin(angle)]
+    const [x, y] = [radius * 0.62 * corner * cos(angle), middle + radius * 9.5 * sin(angle)]
     const direction = rng.uniform(0, Math.PI)
     const halfLength = rng.uniform(0.8, 1.6)
-    const [dx, dy] = [halfLength * Math.cos(direction), halfLength * Math.sin(direction)]
+    const [dx, dy] = [halfLength * cos(direction), halfLength * sin(direction)]
     guides.push({
       path: bezierPath(
         1,

@@ -1,3 +1,4 @@
+import { atan2, cos, power, sin } from '../../../math/elementary.ts'
 import type { ChartPoint } from '../surface/head-chart.ts'
 import { withFineEnds } from './fine-ends.ts'
 import {
@@ -27,14 +28,14 @@ function crowsFeet({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: s
     // The outer ends bend further, up above and down below, as the ring of the muscle does.
     const bend = 0.35 * rise + rng.jitter(6)
     const [wave, phase] = [rng.jitter(9), rng.uniform(0, 2 * Math.PI)]
-    return walk(side, [corner + start * cos(rise), up + start * sin(rise)], length, (s) => {
+    return walk(side, [corner + start * cosOf(rise), up + start * sinOf(rise)], length, (s) => {
       const along = s * length
-      return rise + bend * s + wave * Math.sin(along / 7 + phase) + RIPPLE * Math.sin(along / 2.6 - phase)
+      return rise + bend * s + wave * sin(along / 7 + phase) + RIPPLE * sin(along / 2.6 - phase)
     })
   }
   const long = Array.from({ length: lines }, (_, i): Guide => {
     const t = (i + rng.jitter(0.14)) / (lines - 1)
-    const strength = 1 - 0.45 * Math.abs(2 * t - 0.9) ** 1.6
+    const strength = 1 - 0.45 * power(Math.abs(2 * t - 0.9), 1.6)
     const length = byAge(24, 38) * (0.7 + 0.3 * strength) * rng.uniform(0.85, 1.12)
     return {
       path: ray(t, 6.5 + 2 * Math.abs(2 * t - 1) + rng.jitter(1), length),
@@ -125,8 +126,8 @@ function walk(side: Side, [x, y]: ChartPoint, length: number, rise: (t: number) 
   let [across, up] = [x, y]
   return sampleCurve(STEPS, (t): ChartPoint => {
     if (t > 0) {
-      across += (length / (STEPS - 1)) * cos(rise(t))
-      up += (length / (STEPS - 1)) * sin(rise(t))
+      across += (length / (STEPS - 1)) * cosOf(rise(t))
+      up += (length / (STEPS - 1)) * sinOf(rise(t))
     }
     return [side * across, up]
   })
@@ -136,6 +137,6 @@ const STEPS = 20
 /** Degrees by which crow's feet turn to and fro within some millimetres. */
 const RIPPLE = 5
 
-const degreesOf = (across: number, up: number) => (Math.atan2(up, across) * 180) / Math.PI
-const cos = (degrees: number) => Math.cos((degrees * Math.PI) / 180)
-const sin = (degrees: number) => Math.sin((degrees * Math.PI) / 180)
+const degreesOf = (across: number, up: number) => (atan2(up, across) * 180) / Math.PI
+const cosOf = (degrees: number) => cos((degrees * Math.PI) / 180)
+const sinOf = (degrees: number) => sin((degrees * Math.PI) / 180)

@@ -1,4 +1,6 @@
+import { atan2, cos, sin } from '../../../math/elementary.ts'
 import type { Rng } from '../../../math/rng.ts'
+import { length2 } from '../../../math/vector.ts'
 import type { ChartPoint } from '../surface/head-chart.ts'
 import { type Guide, sampleCurve } from './region.ts'
 
@@ -31,14 +33,14 @@ function fineEnd({ path, width, depth, softness }: Guide, rng: Rng): Guide {
   const last = path.length - 1
   const leaves = Math.max(1, Math.round((1 - rng.uniform(...LEAVES)) * last))
   const [start, before] = [path[leaves], path[leaves - 1]]
-  const heading = Math.atan2(start[1] - before[1], start[0] - before[0])
+  const heading = atan2(start[1] - before[1], start[0] - before[0])
   const turn = (rng.next() < 0.5 ? -1 : 1) * rng.uniform(...ANGLE)
   const length = Math.min(rng.uniform(...LENGTH), LONGEST * lengthOf(path))
   return {
     path: sampleCurve(POINTS, (t): ChartPoint => {
       // It turns away gradually, so that it leaves the other line without a corner.
       const angle = heading + turn * t
-      return [start[0] + t * length * Math.cos(angle), start[1] + t * length * Math.sin(angle)]
+      return [start[0] + t * length * cos(angle), start[1] + t * length * sin(angle)]
     }),
     width: WIDTH * width,
     depth: depth * rng.uniform(...DEPTH),
@@ -49,5 +51,5 @@ function fineEnd({ path, width, depth, softness }: Guide, rng: Rng): Guide {
 }
 
 function lengthOf(path: readonly ChartPoint[]): number {
-  return path.slice(1).reduce((sum, [x, y], i) => sum + Math.hypot(x - path[i][0], y - path[i][1]), 0)
+  return path.slice(1).reduce((sum, [x, y], i) => sum + length2(x - path[i][0], y - path[i][1]), 0)
 }

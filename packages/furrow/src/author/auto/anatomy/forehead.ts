@@ -1,3 +1,4 @@
+import { exp, power, sin } from '../../../math/elementary.ts'
 import { smoothstep } from '../../../math/scalar.ts'
 import type { ChartPoint } from '../surface/head-chart.ts'
 import { withFineEnds } from './fine-ends.ts'
@@ -30,14 +31,14 @@ export function forehead({ landmarks, byAge, rngOf }: FaceContext): FaceRegion[]
   for (let i = 0; i < lines; i++) {
     const t = (i + rng.jitter(0.12)) / (lines - 1)
     // The outermost lines are short and shallow.
-    const strength = 1 - 0.5 * Math.abs(2 * t - 0.8) ** 1.5
+    const strength = 1 - 0.5 * power(Math.abs(2 * t - 0.8), 1.5)
     const reach = Math.abs(outer[0]) * (0.78 + 0.3 * strength) + rng.jitter(5)
     const level = brow + height * (0.2 + 0.58 * t)
     const [longWave, shortWave, phase] = [rng.jitter(1.1), rng.jitter(1.1), rng.next() * 6.28]
     const pointAt = (across: number): ChartPoint => {
-      const dip = (3.2 - 2.2 * t) * Math.exp(-((across / 13) ** 2))
-      const fall = (2.5 + 5.5 * t) * (Math.abs(across) / 50) ** 2.2
-      const wave = longWave * Math.sin(across / 13 + phase) + shortWave * Math.sin(across / 7.3 - phase)
+      const dip = (3.2 - 2.2 * t) * exp(-((across / 13) ** 2))
+      const fall = (2.5 + 5.5 * t) * power(Math.abs(across) / 50, 2.2)
+      const wave = longWave * sin(across / 13 + phase) + shortWave * sin(across / 7.3 - phase)
       return [across, level - dip - fall + wave]
     }
     const start = -(reach + rng.jitter(4))

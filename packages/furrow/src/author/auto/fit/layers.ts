@@ -1,10 +1,11 @@
+import { cos } from '../../../math/elementary.ts'
 import { dot, length } from '../../../math/vector.ts'
 import type { SkinLine } from '../../strokes/curve.ts'
 import { LineGrid } from '../../strokes/line-grid.ts'
 import type { CreasedRegion } from '../lines/crease.ts'
 
 /** Cosine of the angle from which on lines of two regions cross. */
-const CROSSING = Math.cos((35 * Math.PI) / 180)
+const CROSSING = cos((35 * Math.PI) / 180)
 
 /**
  * Distributes regions over layers so that those whose lines cross can crease independently. Left and right, and regions that share their

@@ -1,5 +1,6 @@
+import { atan2, cos, sin } from '../../../math/elementary.ts'
 import { clamp, smoothstep } from '../../../math/scalar.ts'
-import { cross, dot, normalize } from '../../../math/vector.ts'
+import { cross, dot, length2, normalize } from '../../../math/vector.ts'
 import { cornersOf, crossOf, type SkinSurface } from '../../skin/surface.ts'
 import { barycentricsAt, normalAt, walk } from '../../skin/walk.ts'
 import type { Guide } from '../anatomy/region.ts'
@@ -111,7 +112,7 @@ function isPast(here: ChartPoint, from: ChartPoint, to: ChartPoint): boolean {
 /** The direction along a segment of the guide, and back to it. */
 function towardsGuide(here: ChartPoint, from: ChartPoint, to: ChartPoint): ChartPoint {
   const [dx, dy] = [to[0] - from[0], to[1] - from[1]]
-  const length = Math.hypot(dx, dy) || 1
+  const length = length2(dx, dy) || 1
   const distance = ((here[0] - from[0]) * dy - (here[1] - from[1]) * dx) / length
   return [dx / length - (PULL * distance * dy) / length, dy / length + (PULL * distance * dx) / length]
 }
@@ -119,7 +120,7 @@ function towardsGuide(here: ChartPoint, from: ChartPoint, to: ChartPoint): Chart
 function lengthOf(path: readonly ChartPoint[]): number {
   let sum = 0
   for (let i = 1; i < path.length; i++)
-    sum += Math.hypot(path[i][0] - path[i - 1][0], path[i][1] - path[i - 1][1])
+    sum += length2(path[i][0] - path[i - 1][0], path[i][1] - path[i - 1][1])
   return sum
 }
 
@@ -134,9 +135,9 @@ function turnToStrain(tensor: Float64Array, normal: Float64Array, direction: Flo
   const shear = bilinearForm(tensor, direction, perpendicular)
   // The principal axes are at half the angle of the deviator (Mohr's circle). Where the skin is shortened along the line rather than
   // across it, or hardly at all, the direction of strain is not trusted.
-  const doubleAngle = Math.atan2(-2 * shear, across - along)
-  const trust = Math.max(0, Math.cos(doubleAngle)) * smoothstep(across / TRUSTED)
+  const doubleAngle = atan2(-2 * shear, across - along)
+  const trust = Math.max(0, cos(doubleAngle)) * smoothstep(across / TRUSTED)
   const turn = clamp((YIELD * trust * doubleAngle) / 2, -MAX_TURN, MAX_TURN)
-  const [cosine, sine] = [Math.cos(turn), Math.sin(turn)]
+  const [cosine, sine] = [cos(turn), sin(turn)]
   for (let k = 0; k < 3; k++) direction[k] = cosine * direction[k] + sine * perpendicular[k]
 }

@@ -1,3 +1,5 @@
+import { length3 } from '../../../math/vector.ts'
+
 const NONE: readonly number[] = []
 /** More than what rounding adds to the square of a distance. */
 const ROUNDING = 1 + 1e-12
@@ -40,7 +42,7 @@ export class PointGrid {
         const dz = cell[n + 2] - position[2]
         // The hypotenuse costs ten times as much.
         if (dx * dx + dy * dy + dz * dz > ROUNDING * nearest ** 2) continue
-        nearest = Math.min(nearest, Math.hypot(dx, dy, dz))
+        nearest = Math.min(nearest, length3(dx, dy, dz))
       }
     }
     return nearest

@@ -1,3 +1,4 @@
+import { atan2, cos, sin } from '../../../math/elementary.ts'
 import { triangleNormal } from '../../../math/triangle.ts'
 import { cross, length2, normalize } from '../../../math/vector.ts'
 import { cornersOf, type SkinSurface } from '../../skin/surface.ts'
@@ -27,7 +28,7 @@ export function principalAt(
   normalize(x)
   cross(y, normal, x)
   const { compression, angle } = largestInPlane(tensorAt(surface, tensors, triangle, barycentrics), x, y)
-  const [cosine, sine] = [Math.cos(angle), Math.sin(angle)]
+  const [cosine, sine] = [cos(angle), sin(angle)]
   const direction = y.map((value, k) => cosine * value - sine * x[k])
   return { direction, compression }
 }
@@ -60,6 +61,6 @@ function largestInPlane(
   const yy = compressionAlong(t, y[0], y[1], y[2])
   return {
     compression: (xx + yy) / 2 + length2((xx - yy) / 2, xy),
-    angle: 0.5 * Math.atan2(2 * xy, xx - yy),
+    angle: 0.5 * atan2(2 * xy, xx - yy),
   }
 }

@@ -1,3 +1,4 @@
+import { length } from '../../../math/vector.ts'
 import { correctedNames } from '../../shapes/corrections.ts'
 import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from '../../skin/surface.ts'
 import type { MirrorPlane } from '../../strokes/edit/mirror.ts'
@@ -123,12 +124,12 @@ function placeFace(skin: Skin, { known, hints, eyes }: KnownTargets): PlacedFace
 function faceFrame(leftEye: readonly number[], rightEye: readonly number[], mouth: readonly number[]) {
   const origin = leftEye.map((value, k) => (value + rightEye[k]) / 2)
   const across = leftEye.map((value, k) => value - rightEye[k])
-  const distance = Math.hypot(...across)
+  const distance = length(across)
   const x = across.map((value) => value / distance)
   const rise = origin.map((value, k) => value - mouth[k])
   const along = rise.reduce((sum, value, k) => sum + value * x[k], 0)
   const upright = rise.map((value, k) => value - along * x[k])
-  const height = Math.hypot(...upright)
+  const height = length(upright)
   if (!(distance > 0 && height > 0)) return undefined
   const y = upright.map((value) => value / height)
   const z = [0, 1, 2].map((k) => x[(k + 1) % 3] * y[(k + 2) % 3] - x[(k + 2) % 3] * y[(k + 1) % 3])

@@ -1,4 +1,5 @@
 import { barycentrics2, interpolate } from '../../../math/barycentrics.ts'
+import { atan2 } from '../../../math/elementary.ts'
 import { length2, normalize } from '../../../math/vector.ts'
 import { cornersOf, type SkinSurface, type SurfacePoint } from '../../skin/surface.ts'
 
@@ -10,7 +11,7 @@ export type ChartPoint = readonly [across: number, up: number]
 
 /** Projects a position in the frame of the face onto the chart, along the ray from the axis of the head. */
 export function unroll(x: number, y: number, z: number): ChartPoint {
-  return [RADIUS * Math.atan2(x, z + RADIUS), y]
+  return [RADIUS * atan2(x, z + RADIUS), y]
 }
 
 /** How far round the head a box in front of its axis reaches, given by its lowest and highest x, y and z: from the least across to the largest. */

@@ -1,3 +1,4 @@
+import { length3 } from '../../../math/vector.ts'
 import type { SkinSurface } from '../../skin/surface.ts'
 import type { TargetHints } from './stand-ins.ts'
 
@@ -22,7 +23,7 @@ export function isHead(surface: SkinSurface, offsets: readonly Float64Array[], h
 
 /** Whether a target pulls apart skin that faces other skin closely. */
 function opensMouth({ points, normals, areas }: SkinSurface, offset: Float64Array): boolean {
-  const distances = areas.map((_, i) => Math.hypot(offset[3 * i], offset[3 * i + 1], offset[3 * i + 2]))
+  const distances = areas.map((_, i) => length3(offset[3 * i], offset[3 * i + 1], offset[3 * i + 2]))
   const largest = distances.reduce((a, b) => Math.max(a, b), 0)
   const area = areas.reduce((sum, area, i) => (distances[i] > MOVED * largest ? sum + area : sum), 0)
   const [closed, parted] = [CLOSED * Math.sqrt(area), PARTED * Math.sqrt(area)]
@@ -58,5 +59,5 @@ function dotOf(vectors: Float64Array, i: number, j: number): number {
 
 function gapOf(vectors: Float64Array, i: number, j: number): number {
   const [x, y, z] = [0, 1, 2].map((k) => vectors[3 * i + k] - vectors[3 * j + k])
-  return Math.hypot(x, y, z)
+  return length3(x, y, z)
 }

@@ -1,3 +1,4 @@
+import { exp } from '../../../math/elementary.ts'
 import { KdTree } from '../../../math/kd-tree.ts'
 import { clamp } from '../../../math/scalar.ts'
 import { directionsInFrame, type FaceFrame, inFrame } from '../landmarks/face-frame.ts'
@@ -165,9 +166,7 @@ function blendsOf(
     const depths = indices.map((i) => at[3 * i + 2])
     const front = depths.reduce((most, z, n) => (distances[n] < 2 * width ? Math.max(most, z) : most), -9)
     const weights = indices.map(
-      (_, n) =>
-        Math.exp(-0.5 * (distances[n] / width) ** 2) * Math.exp(-Math.max(0, front - depths[n]) / 0.15) +
-        1e-9,
+      (_, n) => exp(-0.5 * (distances[n] / width) ** 2) * exp(-Math.max(0, front - depths[n]) / 0.15) + 1e-9,
     )
     const total = weights.reduce((a, b) => a + b, 0)
     return {

@@ -1,3 +1,4 @@
+import { cos, sin } from '../../../math/elementary.ts'
 import type { KdTree } from '../../../math/kd-tree.ts'
 import { dotOf, lengthOf, plus, unit, type Vector, vectorAt } from '../vectors.ts'
 import type { MovingRegion } from './moving-region.ts'
@@ -59,7 +60,7 @@ function directions(count: number): Vector[] {
     const z = 1 - (i + 0.5) / count
     const ring = Math.sqrt(1 - z * z)
     const angle = Math.PI * (1 + Math.sqrt(5)) * i
-    return [ring * Math.cos(angle), ring * Math.sin(angle), z]
+    return [ring * cos(angle), ring * sin(angle), z]
   })
 }
 

@@ -1,3 +1,4 @@
+import { exp } from '../../../math/elementary.ts'
 import { clamp } from '../../../math/scalar.ts'
 import type { ShapeFields } from '../fields/shape-fields.ts'
 import type { FaceFrame } from '../landmarks/face-frame.ts'
@@ -34,7 +35,7 @@ export function confidencesOf(
     const evidence =
       6.8 * score + 20 * Math.min(margin, 0.08) + 7.5 * Math.min(margin, 0.3) - 5.3 * shapes[shape].outside
     const same = clamp((kinship - UNLIKE) / (SAME - UNLIKE), 0, 1)
-    return 1 / (1 + Math.exp(6.6 + doubt - evidence - 1.9 * same * fullness + 2.5 * (1 - same)))
+    return 1 / (1 + exp(6.6 + doubt - evidence - 1.9 * same * fullness + 2.5 * (1 - same)))
   })
 }
 

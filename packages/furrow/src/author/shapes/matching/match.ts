@@ -1,3 +1,4 @@
+import { log } from '../../../math/elementary.ts'
 import type { SkinTarget } from '../../skin/surface.ts'
 import { arkitName, isShifted, type ShapeLabel } from '../families.ts'
 import { type Descriptor, descriptorOf, dotAll, leftFraction, likeness } from '../fields/field-operations.ts'
@@ -66,7 +67,7 @@ export function scoresOf(fields: ShapeFields, heads: readonly TemplateHead[]): S
       templates[label].push(template)
       const list = found[label]
       for (const [i, shape] of fields.shapes.entries()) {
-        const ratio = Math.abs(Math.log(Math.max(shape.strength, 1e-4) / Math.max(strength, 1e-4)))
+        const ratio = Math.abs(log(Math.max(shape.strength, 1e-4) / Math.max(strength, 1e-4)))
         list[i].push(likeness(descriptors[i], template) - STRENGTH * ratio)
       }
     }
@@ -154,7 +155,7 @@ export function matchShapes(fields: ShapeFields, { labels, scores, templates }: 
         : owner === undefined
           ? 0
           : dotAll(descriptors[shape].plain, descriptors[owner].plain)
-    const weaker = STRENGTH * Math.log(shapes[leader].strength / shapes[shape].strength)
+    const weaker = STRENGTH * log(shapes[leader].strength / shapes[shape].strength)
     return [{ shape, label: labels[label], score: scores[leader][label] - weaker, margin, kinship }]
   })
 }

@@ -1,3 +1,4 @@
+import { length3 } from '../../../math/vector.ts'
 import type { SkinCanvas } from '../../skin/canvas.ts'
 import type { Stroke } from '../document.ts'
 import { layOutStroke } from '../lay-out.ts'
@@ -57,7 +58,7 @@ export function nearestOnStroke(
       )
       const t = Math.min(1, Math.max(0, along_ / (square || 1)))
       const [x, y, z] = start.map((value, k) => value + t * step[k])
-      const distance = Math.hypot(x - position[0], y - position[1], z - position[2])
+      const distance = length3(x - position[0], y - position[1], z - position[2])
       if (nearest && distance >= nearest.distance) continue
       nearest = { position: [x, y, z], distance, along: along[i] + t * (along[i + 1] - along[i]) }
     }

@@ -1,4 +1,5 @@
 import { FurrowError } from '../../../core/error.ts'
+import { length, length3 } from '../../../math/vector.ts'
 import { barycentricsAt, positionAt, walk } from '../../skin/walk.ts'
 import type { LocatedSkin } from '../curve.ts'
 import type { Stroke } from '../document.ts'
@@ -78,9 +79,9 @@ export function smoothStroke<S extends Stroke>(stroke: S, amount: number, skin: 
     )
     const position = own.position.slice()
     let { triangle } = own
-    const steps = Math.ceil(Math.hypot(...step) / STEP)
+    const steps = Math.ceil(length(step) / STEP)
     for (let n = 0; n < steps && triangle >= 0; n++)
-      triangle = walk(surface, triangle, position, step, Math.hypot(...step) / steps)
+      triangle = walk(surface, triangle, position, step, length(step) / steps)
     if (triangle < 0) return uv
     barycentricsAt(weights, surface, triangle, position)
     return clamped(locator.uvAt(triangle, weights))
@@ -89,7 +90,7 @@ export function smoothStroke<S extends Stroke>(stroke: S, amount: number, skin: 
 }
 
 function distance(a: Float64Array, b: Float64Array): number {
-  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2])
+  return length3(a[0] - b[0], a[1] - b[1], a[2] - b[2])
 }
 
 /** Throws where an index of a stroke's points is not within limits. */

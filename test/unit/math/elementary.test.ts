@@ -1,0 +1,97 @@
+import { readdirSync, readFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { describe, expect, it, test } from 'vitest'
+import { atan2, cos, exp, log, power, sin } from '../../../packages/furrow/src/math/elementary.ts'
+import { seeded } from '../../random.ts'
+
+const SOURCES = [
+  'packages/furrow/src/author',
+  'packages/furrow/src/math',
+  'packages/furrow/src/core/normals',
+  'packages/files/src',
+]
+
+/** Functions whose rounding is left to each engine, and powers other than squares and those of 2. */
+const ENGINE_ROUNDS =
+  /Math\.(a?(sin|cos|tan)h?|atan2|exp|expm1|log|log10|log1p|pow|cbrt|hypot)\b|(?<!\b2) \*\* (?!2(?![.\d]))/
+
+/** Distance of two numbers in units of the last place of the second. */
+function unitsApart(a: number, b: number): number {
+  return a === b ? 0 : Math.abs(a - b) / 2 ** (Math.floor(Math.log2(Math.abs(b))) - 52)
+}
+
+describe('elementary functions', () => {
+  const random = seeded(1993)
+  const between = (low: number, high: number) => low + random() * (high - low)
+
+  it.each([
+    { what: 'exp', own: exp, engine: Math.exp, arguments: () => [between(-700, 700)] as const, most: 2 },
+    {
+      what: 'log',
+      own: log,
+      engine: Math.log,
+      arguments: () => [Math.exp(between(-700, 700))] as const,
+      most: 2,
+    },
+    {
+      what: 'log near 1',
+      own: log,
+      engine: Math.log,
+      arguments: () => [between(0.8, 1.3)] as const,
+      most: 2,
+    },
+    { what: 'sin', own: sin, engine: Math.sin, arguments: () => [between(-1e4, 1e4)] as const, most: 2 },
+    { what: 'cos', own: cos, engine: Math.cos, arguments: () => [between(-1e4, 1e4)] as const, most: 2 },
+    {
+      what: 'atan2',
+      own: atan2,
+      engine: Math.atan2,
+      arguments: () => [between(-9, 9), between(-9, 9)] as const,
+      most: 2,
+    },
+    {
+      what: 'power',
+      own: power,
+      engine: Math.pow,
+      arguments: () => [between(1e-9, 9), between(0, 3)] as const,
+      most: 100,
+    },
+  ])('$what is that of the engine, to the last bits', ({ own, engine, arguments: make, most }) => {
+    for (let i = 0; i < 20_000; i++) {
+      const given = make() as [number, number]
+      expect(unitsApart(own(...given), engine(...given)), String(given)).toBeLessThanOrEqual(most)
+    }
+  })
+
+  it('are exact at ends and special values', () => {
+    const infinity = Number.POSITIVE_INFINITY
+    expect([exp(0), exp(-800), exp(800), exp(Number.NaN)]).toEqual([1, 0, infinity, Number.NaN])
+    expect([exp(-740), log(5e-324)]).toEqual([Math.exp(-740), Math.log(5e-324)])
+    expect([log(1), log(0), log(infinity), log(-1)]).toEqual([0, -infinity, infinity, Number.NaN])
+    expect([power(0, 2.2), power(1, 2.2), sin(0), cos(0)]).toEqual([0, 1, 0, 1])
+    expect([atan2(0, 1), atan2(0, -1), atan2(1, 0), atan2(-1, 0), atan2(0, 0)]).toEqual([
+      0,
+      Math.PI,
+      Math.PI / 2,
+      -Math.PI / 2,
+      0,
+    ])
+  })
+})
+
+test.each(SOURCES)(
+  '%s makes the same bytes in every engine: it calls nothing whose rounding is open',
+  (folder) => {
+    const files = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((file) =>
+      file.endsWith('.ts'),
+    )
+    const faults = files.flatMap((file) =>
+      readFileSync(join(folder, file), 'utf8')
+        .split('\n')
+        .filter((line) => !/^\s*(\/?\*|\/\/)/.test(line) && ENGINE_ROUNDS.test(line.replace(/\/\/.*/, '')))
+        .map((line) => `${file}: ${line.trim()}`),
+    )
+    expect(files.length).toBeGreaterThan(0)
+    expect(faults).toEqual([])
+  },
+)
