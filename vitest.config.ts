@@ -4,6 +4,9 @@ import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config
 import { CHROMIUM_FLAGS } from './packages/cli/src/chromium-flags.ts'
 import { mtoonNodes } from './scripts/lib/mtoon-nodes.mjs'
 import { SOURCES } from './scripts/lib/sources.mjs'
+import { PROMISES } from './scripts/lib/test-files.mjs'
+import type { BrowserName } from './test/browsers/drive/launch.ts'
+import { driven } from './test/browsers/drive/provider.ts'
 import { FILES_FOR_OLDEST_BABYLON, onOldestBabylon } from './test/gpu/babylon/oldest-babylon.ts'
 import { FILES_FOR_OLDEST, onOldestThree } from './test/gpu/oldest-three.ts'
 import { serveFaces } from './test/gpu/serve-faces.ts'
@@ -23,13 +26,17 @@ declare module 'vitest' {
   export interface ProvidedContext {
     /** Whether tests run on all rendering paths and in all random cases, which takes several times as long. */
     inDepth: boolean
+    /** Whether the browser may lack WebGPU. */
+    mayLackWebGPU: boolean
   }
 }
 
 /** As `npm run test:all` runs them. */
 const inDepth = process.env.FURROW_TESTS === 'all'
-const provide = { inDepth }
+const provide = { inDepth, mayLackWebGPU: false }
 const HEAVY = inDepth ? [] : ['test/unit/**/*.heavy.test.ts']
+
+const PROMISES_ON_GPU = PROMISES.filter((file) => file.startsWith('test/gpu/'))
 
 // `scripts/lib/test-files.mjs` says which files of these `npm test` runs.
 export default defineConfig({
@@ -53,6 +60,9 @@ export default defineConfig({
       gpuProject('gpu', ['test/gpu/**/*.test.ts']),
       onOldestThree(gpuProject('gpu-oldest', FILES_FOR_OLDEST)),
       onOldestBabylon(gpuProject('gpu-oldest-babylon', FILES_FOR_OLDEST_BABYLON)),
+      onBrowser('firefox', gpuProject('firefox', PROMISES_ON_GPU)),
+      onBrowser('webkit', gpuProject('webkit', PROMISES_ON_GPU)),
+      pagesProject('browsers'),
       pagesProject('batch'),
       pagesProject('site'),
     ],
@@ -159,4 +169,18 @@ function gpuProject(name: string, include: string[]): TestProjectInlineConfigura
       },
     },
   }
+}
+
+/** Runs a project in another browser than Chromium. */
+function onBrowser(
+  name: BrowserName,
+  project: TestProjectInlineConfiguration,
+): TestProjectInlineConfiguration {
+  const browser = {
+    ...project.test!.browser!,
+    headless: false,
+    provider: driven(name),
+    instances: [{ browser: name }],
+  }
+  return { ...project, test: { ...project.test, browser, provide: { ...provide, mayLackWebGPU: true } } }
 }

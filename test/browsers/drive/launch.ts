@@ -1,0 +1,67 @@
+import { type ChildProcess, spawn } from 'node:child_process'
+import { mkdtempSync, rmSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { type DrivenBrowser, outputOf, type Start } from './driven-browser.ts'
+import { firefox } from './firefox.ts'
+import { webkit } from './webkit.ts'
+
+/** Browsers other than Chromium that tests run in, on Linux with Debian's packages. */
+export const BROWSERS = { firefox, webkit }
+export type BrowserName = keyof typeof BROWSERS
+
+/** Larger than every window, with room for the browser's own bars. */
+const SCREEN = '1600x1300x24'
+
+/**
+ * Draws on Mesa's software rasteriser. Its quick filter for 8-bit textures has 8 bits of precision, less than tests
+ * allow, so it is switched off.
+ */
+const SOFTWARE = { LIBGL_ALWAYS_SOFTWARE: '1', GALLIVM_PERF: 'no_aos_sampling' }
+
+/** Starts a browser on a display of its own; the caller closes it. */
+export async function launch(name: BrowserName): Promise<DrivenBrowser> {
+  const folder = mkdtempSync(join(tmpdir(), `furrow-${name}-`))
+  const children: ChildProcess[] = []
+  const end = () => {
+    // Groups: browsers are several processes.
+    for (const { pid } of children.toReversed()) if (pid) endGroup(pid)
+    rmSync(folder, { recursive: true, force: true, maxRetries: 5 })
+  }
+  process.once('exit', end)
+  let display = ''
+  const run: Start['run'] = (program, words, env = {}) => {
+    const child = spawn(program, words, {
+      detached: true,
+      stdio: ['ignore', 'pipe', 'pipe'],
+      env: { ...process.env, ...SOFTWARE, DISPLAY: display, HOME: folder, ...env },
+    })
+    child.stderr.resume()
+    child.stdout.resume()
+    children.push(child)
+    return child
+  }
+  try {
+    const screen = run('Xvfb', ['-displayfd', '1', '-screen', '0', SCREEN, '-nolisten', 'tcp'])
+    display = `:${await outputOf(screen, 'stdout', /(\d+)\n/)}`
+    const browser = await BROWSERS[name].launch({ folder, run })
+    const close = async () => {
+      await browser.close().catch(() => {})
+      process.off('exit', end)
+      end()
+    }
+    return { ...browser, close }
+  } catch (error) {
+    process.off('exit', end)
+    end()
+    throw error
+  }
+}
+
+function endGroup(pid: number): void {
+  try {
+    process.kill(-pid, 'SIGKILL')
+  } catch {
+    // It has ended by itself.
+  }
+}
