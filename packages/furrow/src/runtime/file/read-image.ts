@@ -39,23 +39,26 @@ export function readImage(image: Drawable): RgbaImage {
 
 let context: WebGL2RenderingContext | null = null
 
-/** One small context for all images: browsers allow only a few per page. WebKitGTK has none without a canvas element, so none in workers. */
+/** One small context for all images: browsers allow only a few per page. WebKitGTK has none in workers. */
 function reader(): WebGL2RenderingContext | null {
-  if (context && !context.isContextLost()) return context
-  context = new OffscreenCanvas(1, 1).getContext('webgl2')
-  if (!context && typeof document !== 'undefined') {
-    context = document.createElement('canvas').getContext('webgl2')
-  }
+  if (!context || context.isContextLost()) context = createCanvas(1, 1).getContext('webgl2')
   return context
+}
+
+/** Pages have canvas elements, which draw in more browsers than `OffscreenCanvas` does. */
+function createCanvas(width: number, height: number): HTMLCanvasElement | OffscreenCanvas {
+  if (typeof document === 'undefined') return new OffscreenCanvas(width, height)
+  return Object.assign(document.createElement('canvas'), { width, height })
 }
 
 /** Reads the pixels of an image without alpha through a 2D canvas, which keeps them exactly. */
 export function readOpaque(image: Drawable): RgbaImage {
   if (hasPixels(image)) return image
   const { width, height } = image
-  const canvas = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })!
-  canvas.drawImage(image, 0, 0)
-  const { data } = canvas.getImageData(0, 0, width, height)
+  const canvas = createCanvas(width, height)
+  const context = canvas.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D
+  context.drawImage(image, 0, 0)
+  const { data } = context.getImageData(0, 0, width, height)
   return { width, height, data: new Uint8Array(data.buffer) }
 }
 

@@ -26,8 +26,8 @@ export function readTexture(texture: Texture, who: string): RgbaImage {
 }
 
 function drawn(image: object): RgbaImage | undefined {
-  const drawable = [ImageBitmap, HTMLImageElement, HTMLCanvasElement, OffscreenCanvas].some(
-    (type) => image instanceof type,
+  const drawable = [ImageBitmap, HTMLImageElement, HTMLCanvasElement, globalThis.OffscreenCanvas].some(
+    (type) => type && image instanceof type,
   )
   return drawable && (image as Drawable).width > 0 ? readImage(image as Drawable) : undefined
 }

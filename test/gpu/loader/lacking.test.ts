@@ -1,0 +1,47 @@
+import { wrinklesOf, wrinklesReady } from 'furrow/three'
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
+import { afterEach, describe, expect, it, vi } from 'vitest'
+import { harnessOn, RENDERERS } from '../harness.ts'
+import { litPicture, loadFile } from '../loaded.ts'
+import { quietConsole } from '../quiet-console.ts'
+import { wrinkledFile } from '../wrinkled-file.ts'
+import { bareSheet } from './bare-sheet.ts'
+
+describe.each(RENDERERS)('in a browser that lacks something, on %s', (name) => {
+  const harness = harnessOn(name)
+  const spies = quietConsole()
+  afterEach(() => void vi.unstubAllGlobals())
+
+  it('OffscreenCanvas is not needed', async () => {
+    vi.stubGlobal('OffscreenCanvas', undefined)
+    const gltf = await loadFile(harness, await wrinkledFile())
+    await litPicture(harness, gltf.scene)
+    expect(wrinklesOf(gltf)).toHaveLength(1)
+    expect(spies.warn).not.toHaveBeenCalled()
+  })
+
+  it.each(['DecompressionStream', 'createImageBitmap'])(
+    'without %s a face with wrinkles stays plain, with one warning at most',
+    async (lacking) => {
+      vi.stubGlobal(lacking, undefined)
+      const gltf = await loadFile(harness, await wrinkledFile())
+      const picture = await litPicture(harness, gltf.scene)
+      expect(picture.some((value) => value > 0)).toBe(true)
+      const warnings = spies.warn.mock.calls.map(String).filter((text) => text.includes('FURROW'))
+      expect(warnings).toHaveLength(wrinklesOf(gltf).length === 1 ? 0 : 1)
+    },
+  )
+
+  it('without Worker a face that is to get wrinkles stays plain, with one warning', async () => {
+    vi.stubGlobal('Worker', undefined)
+    const { Plugin } = harness
+    const auto = { size: 256, areaSize: 32 }
+    const loader = new GLTFLoader().register((parser) => new Plugin(parser, { auto }))
+    const gltf = await loader.parseAsync((await bareSheet()).buffer, '')
+    expect(await wrinklesReady(gltf)).toEqual([])
+    const picture = await litPicture(harness, gltf.scene)
+    expect(picture.some((value) => value > 0)).toBe(true)
+    expect(spies.warn).toHaveBeenCalledOnce()
+    expect(String(spies.warn.mock.lastCall)).toContain('worker')
+  })
+})
