@@ -49,13 +49,46 @@ test('a mouth right below the eyes gets no lines round it', () => {
   expect(areas.some((name) => /mouthCorner|Lip|chin|neck|nasolabial/.test(name))).toBe(false)
 })
 
+/** A head whose mouth and nose are pulled forwards. */
+function muzzled(metres: number): Skin {
+  const { offsets } = human.targets.find(({ name }) => name === 'mouthPucker')!
+  const middle = [0, 0, 0]
+  let total = 0
+  for (let i = 0; i < offsets.length; i += 3) {
+    const moved = Math.hypot(offsets[i]!, offsets[i + 1]!, offsets[i + 2]!)
+    total += moved
+    for (let k = 0; k < 3; k++) middle[k]! += moved * human.positions[i + k]!
+  }
+  const [x, y, z] = middle.map((sum) => sum / total) as [number, number, number]
+  const positions = Float32Array.from(human.positions, (value, i) => {
+    if (i % 3 !== 2) return value
+    const [right, up] = [human.positions[i - 2]! - x, human.positions[i - 1]! - y - 0.012]
+    const isFront = Math.min(1, Math.max(0, (value - z + 0.08) / 0.06))
+    return value + metres * isFront * Math.exp(-((Math.hypot(right, up) / 0.042) ** 4))
+  })
+  return { ...human, positions }
+}
+
+test('a muzzle gets no folds of a human mouth, and one line says why', () => {
+  const { areas, missing, warnings } = regionsOf(muzzled(0.05))
+  expect(areas.filter((name) => /mouthCorner|Lip|chin|neck|nasolabial|^nose(Left|Right)/.test(name))).toEqual(
+    [],
+  )
+  expect(areas.some((name) => /^forehead/.test(name))).toBe(true)
+  expect(missing).toContain('nasolabial')
+  expect(warnings.join()).toMatch(/the mouth stands out by \d+ mm, not -40 to 15/)
+})
+
 test('eyes that reach from nose to temple get no lines round them', () => {
-  const { landmarks } = prepareFace(human).face
+  const { landmarks, surface } = prepareFace(human).face
   const huge = { ...landmarks, outerCorner: [62, -1, 0], innerCorner: [4, -2, 0] } as const
-  expect(oddMeasures(huge).flatMap(({ regions }) => regions)).toEqual(['crowsFeet', 'underEye'])
+  expect(oddMeasures({ landmarks: huge, surface }).flatMap(({ regions }) => regions)).toEqual([
+    'crowsFeet',
+    'underEye',
+  ])
 })
 
 test.each(FACES)('%s is like people', async (_, path) => {
   const skin = await skinAt(path)
-  expect(oddMeasures(prepareFace(skin).face.landmarks)).toEqual([])
+  expect(oddMeasures(prepareFace(skin).face)).toEqual([])
 })

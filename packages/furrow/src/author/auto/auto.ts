@@ -103,7 +103,7 @@ export function autoWrinkles(
   begin('face')
   const prepared = prepareSkin(skin)
   if (!prepared.face && options.regions) throw regionsWithoutFace(options.regions)
-  const odd = prepared.face && !options.regions ? oddMeasures(prepared.face.landmarks) : []
+  const odd = prepared.face && !options.regions ? oddMeasures(prepared.face) : []
   const doubtful = new Set(odd.flatMap(({ regions }) => regions))
   const regions = settings.regions.filter((region) => !doubtful.has(region))
   const lineSettings = { ...settings, regions, ageFraction: (age - 20) / 60, maxAreas }
