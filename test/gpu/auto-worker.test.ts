@@ -152,7 +152,7 @@ describe('autoWrinklesInWorker', () => {
         setTimeout(close)
         return new Promise(() => {})
       })`,
-      /^autoWrinklesInWorker: the worker ended before the wrinkles were made; close other pages/,
+      /^autoWrinklesInWorker: the worker ended before its work was done; close other pages/,
     ],
   ])('says so where the worker %s', async (_, script, message) => {
     watchWorkers(script)

@@ -157,7 +157,7 @@ test('a worker that ends while it makes wrinkles is told; the work stays, and th
   const [names, before] = [await areas(), await shootAside(page)]
   await page.evaluate(() => window.endNextWorker('auto/worker'))
   await button(page, 'Draw others').click()
-  await dismiss(page, 'the worker ended before the wrinkles were made')
+  await dismiss(page, 'the worker ended before its work was done')
   expect(await areas()).toEqual(names)
   await expectPicture(page, before, SAME)
   await button(page, 'Draw others').click()

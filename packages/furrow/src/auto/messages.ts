@@ -1,17 +1,22 @@
 import type { AutoWrinkles } from '../author/auto/auto.ts'
 import type { AutoOptions } from '../author/auto/options.ts'
+import type { RecognisedShape } from '../author/shapes/recognise.ts'
 import type { Skin } from '../author/skin/surface.ts'
 import type { ErrorParts } from '../core/error.ts'
 import type { CharacterData } from './character.ts'
 import type { CharacterWrinkles } from './make-wrinkles.ts'
 
-/** What the page asks of the worker, once: wrinkles for a skin, or for the skin of a character. */
-export type AutoJob = { type: 'skin'; skin: Skin } | { type: 'character'; character: CharacterData }
+/** The one request of a page: wrinkles for a skin, wrinkles for the skin of a character, or the recognised shapes of a skin. */
+export type AutoJob =
+  | { type: 'skin'; skin: Skin }
+  | { type: 'character'; character: CharacterData }
+  | { type: 'shapes'; skin: Skin }
 
 /** What the worker makes of a job. */
 export interface AutoResults {
   skin: AutoWrinkles
   character: CharacterWrinkles
+  shapes: RecognisedShape[]
 }
 
 export type AutoRequest = AutoJob & {

@@ -107,7 +107,7 @@ function died(who: string, message?: string): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who,
-    what: 'the worker ended before the wrinkles were made',
+    what: 'the worker ended before its work was done',
     value: message,
     remedy: 'close other pages to free memory, or choose a smaller size',
   })

@@ -1,6 +1,7 @@
 /** The worker of `autoWrinklesInWorker` and of loaders. */
 
 import { type AutoProgress, autoWrinkles } from '../author/auto/auto.ts'
+import { recogniseShapes } from '../author/shapes/recognise.ts'
 import { FurrowError } from '../core/error.ts'
 import { buffersOf } from './buffers.ts'
 import { makeCharacterWrinkles } from './make-wrinkles.ts'
@@ -34,7 +35,8 @@ async function run(request: AutoRequest): Promise<void> {
 async function work(request: AutoRequest): Promise<void> {
   const { options } = request
   const progress: AutoProgress = (done, total, step) => reply({ type: 'progress', done, total, step })
-  if (request.type === 'skin') made(autoWrinkles(request.skin, options, progress))
+  if (request.type === 'shapes') made(recogniseShapes(request.skin).shapes)
+  else if (request.type === 'skin') made(autoWrinkles(request.skin, options, progress))
   else await makeCharacterWrinkles(request.character, options, request.version, progress, made)
 }
 

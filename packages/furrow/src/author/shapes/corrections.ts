@@ -4,7 +4,7 @@ import { LONGEST_NAME, MAX_LINKS } from '../../core/limits.ts'
 import { didYouMean } from '../../core/nearest-name.ts'
 import { canonicalTargetName, targetFinder } from '../../drivers/morph/target-names.ts'
 import type { Skin, SkinTarget } from '../skin/surface.ts'
-import { CENTRAL, labelOf, SIDED } from './families.ts'
+import { labelOf, SHAPE_NAMES } from './families.ts'
 import { hintOf } from './names/hint.ts'
 import type { NameHint } from './names/name-hint.ts'
 
@@ -17,9 +17,6 @@ export interface ShapeCorrection {
   /** ARKit's name, without its side where the blendshape moves both sides; absent where it is none of ARKit's shapes. */
   shape?: string
 }
-
-/** Names that ARKit has, for suggestions. */
-const NAMES = [...SIDED.flatMap((name) => [name, `${name}Left`, `${name}Right`]), ...CENTRAL]
 
 /**
  * Reads the corrections of a file. Unknown fields are left out.
@@ -55,7 +52,7 @@ function readCorrection(reader: JsonReader, item: unknown, at: string): ShapeCor
 function readShape(reader: JsonReader, value: unknown, at: string): string {
   const shape = reader.text(value, at, LONGEST_NAME)
   if (labelOf(shape)) return shape
-  const remedy = didYouMean(shape, NAMES, 'omit it where the blendshape is none of these')
+  const remedy = didYouMean(shape, SHAPE_NAMES, 'omit it where the blendshape is none of these')
   return reader.fail(
     `${at} is unknown`,
     shape,

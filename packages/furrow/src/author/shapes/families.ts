@@ -50,6 +50,18 @@ export const SPLIT: readonly string[] = ['browInnerUp', 'cheekPuff', 'mouthPucke
 /** Shapes that move the mouth to a side: the direction is part of their name. */
 export const SHIFTED = ['jawLeft', 'mouthLeft'] as const
 
+/** All names of shapes: ARKit's, those of sided shapes without their side, and halves of central ones. */
+export const SHAPE_NAMES: readonly string[] = [
+  ...SIDED.flatMap((name) => [name, ...halvesOf(name)]),
+  ...CENTRAL.flatMap((name) => (SPLIT.includes(name) ? [name, ...halvesOf(name)] : [name])),
+  ...SHIFTED.flatMap((name) => [name, name.replace('Left', 'Right')]),
+  'tongueOut',
+]
+
+function halvesOf(name: string): [left: string, right: string] {
+  return [`${name}Left`, `${name}Right`]
+}
+
 /** ARKit's name: a shape of both sides has its family's. */
 export function arkitName({ family, side }: ShapeLabel): string {
   return side === 'both' ? family : family + (side === 'left' ? 'Left' : 'Right')
@@ -77,6 +89,11 @@ export function mirroredLabel({ family, side }: ShapeLabel): ShapeLabel {
 /** Whether ARKit has the shape for both sides at once. */
 export function isCentral(family: string): boolean {
   return isOneOf(CENTRAL, family)
+}
+
+/** Whether ARKit has the shape for either side alone. */
+export function isSided(family: string): boolean {
+  return isOneOf(SIDED, family)
 }
 
 /** Whether the shape moves the mouth to a side. */
