@@ -10,6 +10,7 @@ import type { FaceAreas } from './session/face-areas.ts'
 import type { LayerEditor } from './session/layer-editor.ts'
 import type { Opening } from './session/opening.ts'
 import type { Saving } from './session/saving.ts'
+import type { ShapeEditor } from './session/shape-editor.ts'
 import type { Workspace } from './session/workspace.ts'
 import type { Painting } from './tools/painting.ts'
 import type { ShownFace } from './viewer/shown-face.ts'
@@ -24,6 +25,7 @@ export interface PanelParts {
   areas: AreaEditor
   faceAreas: FaceAreas
   layers: LayerEditor
+  shapes: ShapeEditor
   painting: Painting
   opening: Opening
   host: ViewerHost
@@ -38,7 +40,7 @@ export interface PanelParts {
 
 /** Gives panels what they show, and passes on what they request. */
 export function panelModel(parts: PanelParts): PanelModel {
-  const { workspace, saving, face, lines, areas, faceAreas, layers, painting } = parts
+  const { workspace, saving, face, lines, areas, faceAreas, layers, shapes, painting } = parts
   const { opening, host, downloads, link, messages, faces, isListOpen } = parts
   const { session, automatic, exporting, keeping, settings } = workspace
   const { viewer, frame, revision, expression, hovered, staging, player } = face
@@ -47,6 +49,7 @@ export function panelModel(parts: PanelParts): PanelModel {
     lines: lines.editor,
     areas,
     layers,
+    shapes,
     painting,
     auto: settings,
     autoRun: automatic.run,

@@ -21,6 +21,7 @@ import { FaceAreas } from './session/face-areas.ts'
 import { LayerEditor } from './session/layer-editor.ts'
 import { Opening } from './session/opening.ts'
 import { Saving } from './session/saving.ts'
+import { ShapeEditor } from './session/shape-editor.ts'
 import { Workspace } from './session/workspace.ts'
 import { addShortcuts } from './shortcuts.ts'
 import { TextureToggle } from './texture/texture-toggle.ts'
@@ -166,6 +167,7 @@ export class Studio {
         areas,
         faceAreas,
         layers,
+        shapes: new ShapeEditor(session, this.#workspace.source),
         painting: this.#painting,
         opening: this.#opening,
         host: this.#host,
@@ -180,7 +182,7 @@ export class Studio {
     effect(() => this.#face.highlight(this.#painting.area.value))
     effect(() => {
       const hovered = this.#face.hovered.value
-      this.#face.perform(hovered?.kind === 'area' && !this.#isEdited ? hovered.name : null)
+      this.#face.perform(this.#isEdited ? null : hovered)
     })
     // The face holds still while it is edited.
     effect(() => {

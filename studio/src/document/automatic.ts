@@ -78,6 +78,7 @@ export function remake(document: StudioDocument, made: StudioDocument): StudioDo
     ...(hasImages && { mapSize: document.mapSize }),
     areaSize: document.areaSize,
     ...(document.furrows && { furrows: document.furrows }),
+    ...(document.shapes && { shapes: document.shapes }),
     ...shapesOf(document, keptNames),
     areas: withOldLayers(areas, document, strokes),
     strokes,

@@ -1,6 +1,6 @@
 import type { Combine, GrayImage, LayerKind, WrinkleDriver } from 'furrow'
 import type { AutoRegion, Stroke, StrokesDocument } from 'furrow/author'
-import type { Furrows } from 'furrow/internal'
+import type { Furrows, ShapeCorrection } from 'furrow/internal'
 
 /**
  * What an artist works on: the wrinkles of one face as plain data that never changes. An operation makes another document, in which
@@ -27,6 +27,8 @@ export interface StudioDocument {
   /** The net of fine furrows that came with the strokes: kept, and not drawn. */
   readonly furrows?: Furrows
   readonly drivers: readonly WrinkleDriver[]
+  /** Corrections of what blendshapes were recognised as; absent where there are none. */
+  readonly shapes?: readonly ShapeCorrection[]
   /** What the automatic wrinkles were made with; absent where there are none. */
   readonly auto?: AutoSettings
 }
@@ -103,4 +105,6 @@ export interface AutoSettings {
   readonly seeds?: Readonly<Partial<Record<AutoRegion, number>>>
   /** All by default. */
   readonly regions?: readonly AutoRegion[]
+  /** Corrections of blendshapes that they were made with. */
+  readonly shapes?: readonly ShapeCorrection[]
 }

@@ -11,7 +11,7 @@ import { strokesDocument } from '../document/stroke-document.ts'
  */
 export function setToPack(source: DocumentToPack, who: string): SetToPack {
   const { document } = source
-  const { mesh, material, areaSize } = document
+  const { mesh, material, areaSize, shapes } = document
   if (document.areas.length === 0) throw withoutAreas(who)
   const layers = packedLayers(source).map(({ layer, maps, heightAmplitude }) => {
     const { name, kind, normalScale, occlusionStrength, bloodAmplitude } = layer
@@ -45,6 +45,7 @@ export function setToPack(source: DocumentToPack, who: string): SetToPack {
       weights: async () => weights,
     })),
     drivers: parseDrivers(document.drivers, areaNames, who),
+    ...(shapes && { shapes }),
     ...(strokes && { strokes: async () => checkStrokes(strokes, layerNames, who) }),
   }
 }

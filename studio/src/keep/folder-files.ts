@@ -49,6 +49,7 @@ export function folderFiles(source: DocumentToPack, face: readonly AvatarFile[])
     ...(document.drivers.length > 0 && { drivers: [...document.drivers] }),
     areaSize: document.areaSize,
     ...(strokes && { strokes: 'strokes.json' }),
+    ...(document.shapes && { shapes: document.shapes }),
   }
   const faceFiles = filesOfFace(face)
   const studio: StudioFile = {

@@ -1,7 +1,7 @@
 import { ImageUtils } from '@gltf-transform/core'
 import { areaWeights, type GrayImage, type WrinkleSetDocument } from 'furrow'
 import { parseStrokes, type StrokesDocument } from 'furrow/author'
-import { DEFAULT_AREA_SIZE, imageTypeOf, resampleGray } from 'furrow/internal'
+import { DEFAULT_AREA_SIZE, imageTypeOf, parseCorrections, resampleGray } from 'furrow/internal'
 import { folderDocument, WRINKLES_FILE } from 'furrow-files'
 import {
   type ImageFile,
@@ -63,6 +63,7 @@ export async function readFolder(
   const scale = strokes ? strokes.scale : studio.scale
   const mapSize = studio.mapSize ?? strokes?.size ?? (await sideOf(folder, set))
   const isAutomatic = new Set(studio.automaticStrokes)
+  const shapes = parseCorrections(set.shapes, `${WHO}: ${WRINKLES_FILE}`)
   const document: StudioDocument = {
     ...(set.mesh !== undefined && { mesh: set.mesh }),
     ...(set.material !== undefined && { material: set.material }),
@@ -78,6 +79,7 @@ export async function readFolder(
     ...(strokes?.areas && { strokeAreas: strokes.areas }),
     ...(strokes?.furrows && { furrows: strokes.furrows }),
     drivers: set.drivers ?? [],
+    ...(shapes.length > 0 && { shapes }),
     ...(studio.auto && { auto: studio.auto }),
   }
   return { document, face: faceOf(files, studio), notes: note === undefined ? [] : [note] }

@@ -1,5 +1,5 @@
 import { AUTO_REGIONS } from 'furrow/author'
-import { JsonReader, LARGEST, MAX_IMAGE_SIDE, SCALES } from 'furrow/internal'
+import { JsonReader, LARGEST, MAX_IMAGE_SIDE, parseCorrections, SCALES } from 'furrow/internal'
 import {
   AUTO_AGES,
   AUTO_STRENGTHS,
@@ -147,7 +147,7 @@ function listOf<T>(
 }
 
 function parseAuto(reader: JsonReader, value: unknown, path: string): AutoSettings {
-  const { age, strength, size, seed, seeds, regions } = reader.object(value, path)
+  const { age, strength, size, seed, seeds, regions, shapes } = reader.object(value, path)
   const seedAt = (value: unknown, path: string) => reader.integer(value, path, 0, 2 ** 31 - 1)
   const parseSeeds = (value: unknown, path: string) =>
     Object.fromEntries(
@@ -167,6 +167,7 @@ function parseAuto(reader: JsonReader, value: unknown, path: string): AutoSettin
         reader.choice(region, at, AUTO_REGIONS),
       ),
     }),
+    ...(shapes !== undefined && { shapes: parseCorrections(shapes, `${STUDIO_FILE}: ${path}`) }),
   }
 }
 

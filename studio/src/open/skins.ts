@@ -2,6 +2,7 @@ import { chooseSkin, describeDriverFaults, type FileWrinkles, MOST_TRIANGLES, sk
 import {
   canCrease,
   chooseFaces,
+  expressionsOfMesh,
   facesOf,
   materialReader,
   readMeshes,
@@ -10,7 +11,7 @@ import {
   surfaceOf,
   wrinkledMaterials,
 } from 'furrow/internal/three'
-import { namesOfTarget, type TargetNames } from 'furrow-files'
+import { namesOfMesh, namesOfTarget, type TargetNames } from 'furrow-files'
 import type { Mesh } from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 
@@ -22,6 +23,10 @@ export interface SkinCandidate {
   meshes: [Mesh, ...Mesh[]]
   /** Names of its mesh and material, as in `wrinkles.json`. */
   target: TargetNames
+  /** All names of its mesh; the first is unique in the file. */
+  meshNames: [string, ...string[]]
+  /** Names of a VRM's expressions that move one blendshape alone, by its index. */
+  expressions: ReadonlyMap<number, string>
   triangles: number
   blendshapes: number
   /** Why it cannot wrinkle and what helps; null if it can. */
@@ -67,8 +72,8 @@ export function indexOfSkin(skins: readonly SkinCandidate[]): number {
     ({ meshes, triangles }) => meshes.every(canCrease) && triangles <= MOST_TRIANGLES,
   )
   if (movable.length > 1) {
-    const candidates = movable.map(({ meshes }) => {
-      const data = readMeshes(meshes)
+    const candidates = movable.map(({ meshes, expressions }) => {
+      const data = readMeshes(meshes, expressions)
       return { skin: skinOf(data), isLit: data.isLit, label: data.label }
     })
     return skins.indexOf(movable[chooseSkin(candidates)!.index])
@@ -98,13 +103,15 @@ function describe(meshes: [Mesh, ...Mesh[]], { parser }: GLTF): Omit<SkinCandida
   const hasOthers = mesh?.primitives.length > meshes.length
   const triangles = meshes.reduce((sum, { geometry }) => sum + trianglesOf(geometry), 0)
   const material = parser.associations.get(surface)?.materials
+  const isFound = material !== undefined && index !== undefined
+  const target = isFound ? namesOfTarget(parser.json, { mesh: index, material }) : {}
+  const meshNames = index === undefined ? [] : namesOfMesh(parser.json, index)
   return {
-    target:
-      material === undefined || index === undefined
-        ? {}
-        : namesOfTarget(parser.json, { mesh: index, material }),
+    target,
+    meshNames: [target.mesh ?? String(index), ...meshNames],
     name: (mesh?.name || name || `mesh ${index}`) + (hasOthers && surface.name ? ` (${surface.name})` : ''),
     meshes,
+    expressions: expressionsOfMesh(parser, meshes[0]),
     triangles,
     blendshapes: geometry.morphAttributes.position?.length ?? 0,
     fault: faultOf(meshes, triangles),

@@ -12,11 +12,12 @@ import type { ExportState } from '../session/exporting.ts'
 import type { KeepState } from '../session/keeper.ts'
 import type { LayerEditor } from '../session/layer-editor.ts'
 import type { Session } from '../session/session.ts'
+import type { ShapeEditor } from '../session/shape-editor.ts'
 import type { Painting } from '../tools/painting.ts'
+import type { Hovered } from '../viewer/hovered.ts'
 import type { Look } from '../viewer/looks/looks.ts'
 import type { ClipPlayer } from '../viewer/pose/clip-player.ts'
 import type { Dial } from '../viewer/pose/dials.ts'
-import type { Hovered } from '../viewer/shown-face.ts'
 import type { Staging } from '../viewer/staging.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 
@@ -27,6 +28,7 @@ export interface PanelModel {
   /** Areas of the document; where there is none, those of the viewer are shown. */
   readonly areas: AreaEditor
   readonly layers: LayerEditor
+  readonly shapes: ShapeEditor
   readonly painting: Painting
   /** Names of the shipped faces. */
   readonly faces: ReadonlySignal<readonly string[]>

@@ -8,6 +8,7 @@ import { Layers } from './layers.tsx'
 import { Lines } from './lines.tsx'
 import type { PanelModel } from './model.ts'
 import { Settings } from './settings.tsx'
+import { Shapes } from './shapes/shapes.tsx'
 import { ShortcutList } from './shortcut-list.tsx'
 import { Targets } from './targets.tsx'
 import { Title } from './title.tsx'
@@ -22,6 +23,9 @@ export function Panel({ model }: { model: PanelModel }) {
       <Expressions model={model} />
       {model.player.clips.value.length > 0 && <Animation player={model.player} />}
       {model.session.document.value?.auto && <AutomaticWrinkles model={model} />}
+      {model.session.document.value && (model.viewer.value?.targets.length ?? 0) > 0 && (
+        <Shapes model={model} />
+      )}
       {model.session.document.value && <Lines model={model} />}
       <Settings model={model} />
       <Areas model={model} />

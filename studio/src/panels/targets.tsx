@@ -1,6 +1,6 @@
 import { useSignal } from '@preact/signals'
 import { useMemo } from 'preact/hooks'
-import { type Dial, type DialGroup, groupDials } from '../viewer/pose/dials.ts'
+import { type Dial, groupShapes, type ShapeGroup } from '../viewer/pose/dials.ts'
 import { Section } from './controls/section.tsx'
 import { Slider } from './controls/slider.tsx'
 import type { PanelModel } from './model.ts'
@@ -11,7 +11,7 @@ export function Targets({ model }: { model: PanelModel }) {
   // A muscle is a blendshape more.
   revision.value
   const dials = viewer.value?.targets
-  const groups = useMemo(() => groupDials(dials ?? []), [dials])
+  const groups = useMemo(() => groupShapes(dials ?? []), [dials])
   const filter = useSignal('')
   const query = filter.value.trim().toLowerCase()
   const matches = ({ name }: Dial) => name.toLowerCase().includes(query)
@@ -66,7 +66,7 @@ export function Targets({ model }: { model: PanelModel }) {
 }
 
 interface GroupProps {
-  group: DialGroup
+  group: ShapeGroup<Dial>
   /** While there is a filter, every group is open; afterwards it is as it was. */
   isFiltered: boolean
   /** Sliders that do not match are hidden; they follow the face all the same. */
@@ -76,7 +76,7 @@ interface GroupProps {
   model: PanelModel
 }
 
-function Group({ group: { name, dials }, isFiltered, matches, linked, model }: GroupProps) {
+function Group({ group: { name, shapes: dials }, isFiltered, matches, linked, model }: GroupProps) {
   const { frame, hovered, actions } = model
   const isOpen = useSignal(false)
   const onHover = (dial: Dial | null) => {

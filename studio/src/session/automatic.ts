@@ -20,7 +20,10 @@ export class Automatic {
   }
 
   /** @returns the wrinkles, null where the run was ended. Rejects with what `autoWrinkles` throws. */
-  async make({ skin, frame }: SkinSource, options: AutoOptions): Promise<AutoWrinkles | null> {
+  async make(
+    { skin, frame }: Pick<SkinSource, 'skin' | 'frame'>,
+    options: AutoOptions,
+  ): Promise<AutoWrinkles | null> {
     this.cancel()
     const abort = new AbortController()
     this.#abort = abort

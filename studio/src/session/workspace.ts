@@ -11,7 +11,7 @@ import type { ExportOptions } from '../export/export-document.ts'
 import type { Project } from '../keep/project.ts'
 import { nextTask } from '../later.ts'
 import { type OpenedAvatar, openAvatar } from '../open/avatar.ts'
-import { type SkinSource, skinSource } from '../open/skin-source.ts'
+import { correctedSkin, type SkinSource, skinSource } from '../open/skin-source.ts'
 import { skinOfDocument } from '../open/skins.ts'
 import type { DrawnDocument } from '../viewer/document-view.ts'
 import { Automatic } from './automatic.ts'
@@ -42,7 +42,7 @@ export class Workspace {
   readonly #maps: MapMaker
   readonly #onError: (error: unknown) => void
   #avatar: OpenedAvatar | null = null
-  #source: SkinSource | null = null
+  readonly #source = signal<SkinSource | null>(null)
   /** A project whose avatar is about to be shown. */
   #project: { project: Project; root: OpenedAvatar['root'] } | null = null
   #drawing: Promise<void> | null = null
@@ -68,6 +68,11 @@ export class Workspace {
   /** The last document whose maps are drawn, or a preview; null for a plain face, or one whose wrinkles are not the document's. */
   get drawn(): ReadonlySignal<DrawnDocument | null> {
     return this.#drawn
+  }
+
+  /** The skin that is worked on; null where there is none. */
+  get source(): ReadonlySignal<SkinSource | null> {
+    return this.#source
   }
 
   /** Settings of the automatic wrinkles. */
@@ -106,6 +111,7 @@ export class Workspace {
     this.#endAuto()
     const left = project ? undefined : this.keeping.leave()
     this.session.open(null)
+    this.#source.value = null
     this.#maps.close()
     this.#drawn.value = null
     if (left) await left
@@ -113,11 +119,12 @@ export class Workspace {
     await nextTask()
     if (avatar !== this.#avatar) return
     const opened = project?.opened ?? avatar.document
-    this.#source = avatar.skins[avatar.skin].wrinkles && !opened ? null : skinSource(avatar)
+    const source = avatar.skins[avatar.skin].wrinkles && !opened ? null : skinSource(avatar)
+    this.#source.value = source
     this.#settings.value = this.firstSettings
-    if (opened && this.#source) this.session.open(opened)
+    if (opened && source) this.session.open(opened)
     this.keeping.follow(avatar, project)
-    if (this.#source && !opened) await this.#begin(this.#source)
+    if (source && !opened) await this.#begin(source)
   }
 
   /** Begins with automatic wrinkles; where there are none, with skin to paint and draw on. */
@@ -126,7 +133,7 @@ export class Workspace {
     try {
       if (auto) await this.makeAuto(auto)
     } finally {
-      const isNone = source === this.#source && !this.session.document.peek()
+      const isNone = source === this.#source.peek() && !this.session.document.peek()
       if (isNone) this.session.open({ ...this.#target, ...blankDocument(auto) })
     }
   }
@@ -142,7 +149,7 @@ export class Workspace {
       ? (await readProjectInWorker(avatar.folder)).document
       : await readDocumentInWorker(await faceFilesOf(avatar), material)
     if (!document || avatar !== this.#avatar) return
-    this.#source = source
+    this.#source.value = source
     this.session.open({ ...this.#target, ...document })
   }
 
@@ -163,12 +170,13 @@ export class Workspace {
     await this.#draw()
     const [drawn, avatar] = [this.#drawn.peek(), this.#avatar]
     if (!drawn || !avatar || drawn.document !== this.session.document.peek()) return null
-    return { drawn, avatar, heights: await this.#maps.heights(drawn.document, this.#source!) }
+    return { drawn, avatar, heights: await this.#maps.heights(drawn.document, this.#source.peek()!) }
   }
 
   /** Makes the automatic wrinkles anew; those that were changed by hand stay. Rejects with a FurrowError where there are none. */
-  async makeAuto(settings: AutoSettings): Promise<void> {
+  async makeAuto(chosen: AutoSettings): Promise<void> {
     const avatar = this.#avatar
+    const settings = this.#withCorrections(chosen)
     this.#endAuto()
     const wrinkles = await this.#runAuto(settings)
     if (!wrinkles) return
@@ -178,7 +186,7 @@ export class Workspace {
     )
     if (avatar !== this.#avatar) return
     const document = this.#documentOf(wrinkles, settings, bloodMaps)
-    await this.#maps.adopt(document, wrinkles, bloods, this.#source!)
+    await this.#maps.adopt(document, wrinkles, bloods, this.#source.peek()!)
     if (avatar !== this.#avatar) return
     if (!this.session.document.value) this.session.open(document)
     else this.session.edit('Make automatic wrinkles', (old) => remake(old, document))
@@ -190,9 +198,16 @@ export class Workspace {
   }
 
   /** Shows small automatic wrinkles while a control moves; the document stays. What comes while a preview is made waits, the last of it alone. */
-  previewAuto(settings: AutoSettings): Promise<void> {
+  previewAuto(chosen: AutoSettings): Promise<void> {
+    const settings = this.#withCorrections(chosen)
     this.#settings.value = settings
     return this.#previews.run(settings)
+  }
+
+  /** Settings with the corrections of blendshapes that the document has now. */
+  #withCorrections({ shapes: _, ...settings }: AutoSettings): AutoSettings {
+    const shapes = this.session.document.peek()?.shapes
+    return { ...settings, ...(shapes && { shapes }) }
   }
 
   #endAuto(): void {
@@ -210,11 +225,13 @@ export class Workspace {
   }
 
   async #runAuto(settings: AutoSettings, size = settings.size): Promise<AutoWrinkles | null> {
-    if (!this.#source) return null
+    const source = this.#source.peek()
+    if (!source) return null
     this.#settings.value = settings
     const layers = layersLeft(this.session.document.peek())
-    const options = { ...settings, size, areaSize: this.#areaSize, layers }
-    const wrinkles = await this.automatic.make(this.#source, options)
+    const { shapes = [], ...others } = settings
+    const options = { ...others, size, areaSize: this.#areaSize, layers }
+    const wrinkles = await this.automatic.make({ ...source, skin: correctedSkin(source, shapes) }, options)
     if (!wrinkles) return null
     if (wrinkles.emptyReason !== undefined) throw withoutAreas(wrinkles.emptyReason)
     return wrinkles
@@ -253,7 +270,7 @@ export class Workspace {
         if (!document || document === this.#drawn.peek()?.document) return
         const isOld = () => document !== this.session.document.peek()
         try {
-          const maps = await this.#maps.make(document, this.#source!)
+          const maps = await this.#maps.make(document, this.#source.peek()!)
           if (!isOld()) this.#drawn.value = { document, maps, changes: this.#maps.takeChanges() }
         } catch (error) {
           // Another avatar was opened meanwhile.

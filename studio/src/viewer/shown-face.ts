@@ -1,6 +1,7 @@
 import { type ReadonlySignal, type Signal, signal, untracked } from '@preact/signals'
 import type { Messages } from '../messages.ts'
 import { reducedMotion } from '../motion.ts'
+import type { Hovered } from './hovered.ts'
 import type { Orbit } from './orbit.ts'
 import { ClipPlayer } from './pose/clip-player.ts'
 import type { Dial } from './pose/dials.ts'
@@ -10,12 +11,6 @@ import type { Viewer } from './viewer.ts'
 
 /** Seconds of the transition from one expression to another. */
 const EXPRESSION_TIME = 0.35
-
-/** What the pointer or the focus is on: an area or a blendshape. */
-export interface Hovered {
-  kind: 'area' | 'target'
-  name: string
-}
 
 export interface ShownFaceParts {
   /** Null while another one is being opened. */
@@ -162,9 +157,10 @@ export class ShownFace {
     return new Map(this.#live?.targets.map((dial) => [dial.name, dial.read()]))
   }
 
-  /** Lets the face perform for an area, null for none. */
-  perform(area: string | null): void {
-    untracked(() => this.#performer.request(this.player.isPlaying.peek() ? null : area))
+  /** Lets the face show an area or a blendshape that is hovered. */
+  perform(hovered: Hovered | null): void {
+    const shown = hovered?.kind === 'target' || this.player.isPlaying.peek() ? null : hovered
+    untracked(() => this.#performer.request(shown))
   }
 
   /** Ends a performance: the face has the pose before it. */
@@ -177,6 +173,7 @@ export class ShownFace {
     const [viewer, hovered] = [this.viewer.value, this.hovered.value]
     if (!viewer) return
     if (!hovered) viewer.highlight(painted === null ? [] : [painted])
+    else if (hovered.kind === 'shape') viewer.highlight([])
     else if (hovered.kind === 'target') viewer.highlight(viewer.driven.drivenBy(hovered.name))
     // The face performs instead, where it can.
     else if (painted === null && viewer.performanceOf(hovered.name)) viewer.highlight([])

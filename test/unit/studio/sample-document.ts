@@ -71,7 +71,17 @@ export function sampleDocument(): StudioDocument {
       },
     ],
     drivers: DRIVERS,
-    auto: { age: 45, strength: 1, size: 64, seed: 1 },
+    shapes: [
+      { mesh: 'Head', target: 'key_12', shape: 'browInnerUp' },
+      { mesh: 'Head', target: 'Fcl' },
+    ],
+    auto: {
+      age: 45,
+      strength: 1,
+      size: 64,
+      seed: 1,
+      shapes: [{ mesh: 'Head', target: 'key_12', shape: 'browInnerUp' }],
+    },
   }
 }
 

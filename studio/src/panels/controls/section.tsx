@@ -8,13 +8,15 @@ interface SectionProps {
   aside?: ComponentChildren
   /** Whether it is unfolded at first. */
   open?: boolean
+  /** Called when it is folded or unfolded. */
+  onToggle?(isOpen: boolean): void
   children: ComponentChildren
 }
 
 /** A part of the panel that folds. */
-export function Section({ title, id, aside, open = true, children }: SectionProps) {
+export function Section({ title, id, aside, open = true, onToggle, children }: SectionProps) {
   return (
-    <details class="section" open={open}>
+    <details class="section" open={open} onToggle={({ currentTarget }) => onToggle?.(currentTarget.open)}>
       <summary>
         <h2 id={id && `${id}-title`}>{title}</h2>
       </summary>

@@ -9,9 +9,10 @@ export interface Dial {
   write(value: number): void
 }
 
-export interface DialGroup {
+/** Blendshapes of one region of the face. */
+export interface ShapeGroup<T extends { readonly name: string }> {
   readonly name: string
-  readonly dials: Dial[]
+  readonly shapes: T[]
 }
 
 /** Groups of blendshapes by the prefixes of their names, in the order in which they are shown. The last takes the rest. */
@@ -67,8 +68,10 @@ export function targetDials(root: Object3D): Dial[] {
   }))
 }
 
-export function groupDials(dials: readonly Dial[]): DialGroup[] {
-  const groups = GROUPS.map(([name]) => ({ name, dials: [] as Dial[] }))
-  for (const dial of dials) groups[GROUPS.findIndex(([, prefix]) => prefix.test(dial.name))].dials.push(dial)
-  return groups.filter((group) => group.dials.length > 0)
+/** Groups blendshapes by region, in the order in which regions are shown. */
+export function groupShapes<T extends { readonly name: string }>(shapes: readonly T[]): ShapeGroup<T>[] {
+  const groups = GROUPS.map(([name]) => ({ name, shapes: [] as T[] }))
+  for (const shape of shapes)
+    groups[GROUPS.findIndex(([, prefix]) => prefix.test(shape.name))].shapes.push(shape)
+  return groups.filter((group) => group.shapes.length > 0)
 }

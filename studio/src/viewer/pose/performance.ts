@@ -4,10 +4,15 @@ import { canonicalTargetName, explain } from 'furrow/internal'
 /** Activation from which on an expression shows an area. */
 const SHOWN = 0.2
 
-/** A pose that shows an area: weights of blendshapes, all others 0, and activations of areas that an expression sets itself. */
+/** A pose that shows an area or a blendshape: weights of blendshapes, all others 0, and activations of areas that an expression sets itself. */
 export interface Performance {
   readonly targets: ReadonlyMap<string, number>
   readonly activations: ReadonlyMap<string, number>
+}
+
+/** The pose of one blendshape alone. */
+export function poseOfTarget(name: string): Performance {
+  return { targets: new Map([[canonicalTargetName(name), 1]]), activations: new Map() }
 }
 
 /**

@@ -1,9 +1,11 @@
 import type { ReadonlySignal, Signal } from '@preact/signals'
 import { reducedMotion } from '../../motion.ts'
+import type { Hovered } from '../hovered.ts'
 import type { Viewer } from '../viewer.ts'
 import type { Dial } from './dials.ts'
+import { poseOfTarget } from './performance.ts'
 
-/** Milliseconds from when an area is pointed at until the face performs, and seconds that it takes to. */
+/** Milliseconds from when something is pointed at until the face performs, and seconds that it takes to. */
 const DELAY = 150
 const TIME = 0.35
 
@@ -23,7 +25,7 @@ export interface PerformerParts {
   onPose(): void
 }
 
-/** Lets the face make the expression that shows an area while that is pointed at. A preview: the pose before comes back. */
+/** Lets the face show what is pointed at: an area by its expression, or a blendshape. A preview: the pose before comes back. */
 export class Performer {
   readonly #parts: PerformerParts
   #timer = 0
@@ -39,11 +41,11 @@ export class Performer {
     return this.#transition !== null
   }
 
-  /** Points at an area; null at none. */
-  request(area: string | null): void {
+  /** Points at something; null at nothing. */
+  request(shown: Hovered | null): void {
     clearTimeout(this.#timer)
-    if (area === null) this.#relax()
-    else this.#timer = window.setTimeout(() => this.#perform(area), DELAY)
+    if (!shown) this.#relax()
+    else this.#timer = window.setTimeout(() => this.#perform(shown), DELAY)
   }
 
   /** Ends the preview at once: before anything else moves the face, or reads its pose. */
@@ -73,9 +75,9 @@ export class Performer {
     this.#parts.onPose()
   }
 
-  #perform(area: string): void {
+  #perform({ kind, name }: Hovered): void {
     const viewer = this.#parts.viewer.peek()
-    const performance = viewer?.performanceOf(area)
+    const performance = kind === 'shape' ? poseOfTarget(name) : viewer?.performanceOf(name)
     if (!viewer || !performance) {
       this.#relax()
       return

@@ -1,0 +1,47 @@
+import { isSided, SHAPE_NAMES } from 'furrow/internal'
+import { useState } from 'preact/hooks'
+import type { ShapeRow } from '../../session/shape-editor.ts'
+import { groupShapes } from '../../viewer/pose/dials.ts'
+import type { PanelModel } from '../model.ts'
+import { recognisedLabel } from './labels.ts'
+
+/** Values that are no names. */
+const AUTOMATIC = ''
+const NONE = '-'
+
+const GROUPS = groupShapes(SHAPE_NAMES.map((name) => ({ name })))
+
+/** Lets an artist choose one of ARKit's shapes for a blendshape, or leave it to Furrow. */
+export function ShapeChoice({ row, model: { shapes } }: { row: ShapeRow; model: PanelModel }) {
+  const { name, recognised, correction } = row
+  const label = recognisedLabel(recognised)
+  // Fill the list when it is about to open: a thousand lists of all names would take seconds.
+  const [isFull, setIsFull] = useState(false)
+  const fill = () => setIsFull(true)
+  return (
+    <select
+      aria-label={`What ${name} is`}
+      value={correction === undefined ? AUTOMATIC : (correction ?? NONE)}
+      onPointerDown={fill}
+      onFocus={fill}
+      onBlur={() => shapes.settle()}
+      onChange={({ currentTarget: { value } }) =>
+        shapes.correct(name, value === AUTOMATIC ? undefined : value === NONE ? null : value)
+      }
+    >
+      <option value={AUTOMATIC}>{label ? `${label} (automatic)` : 'automatic'}</option>
+      {(isFull || correction === null) && <option value={NONE}>none of these</option>}
+      {isFull
+        ? GROUPS.map((group) => (
+            <optgroup key={group.name} label={group.name}>
+              {group.shapes.map(({ name }) => (
+                <option key={name} value={name}>
+                  {isSided(name) ? `${name}, both sides` : name}
+                </option>
+              ))}
+            </optgroup>
+          ))
+        : correction && <option value={correction}>{correction}</option>}
+    </select>
+  )
+}

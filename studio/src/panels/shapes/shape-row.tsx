@@ -1,0 +1,65 @@
+import { useComputed } from '@preact/signals'
+import { useRef } from 'preact/hooks'
+import type { ShapeRow as Row } from '../../session/shape-editor.ts'
+import type { PanelModel } from '../model.ts'
+import { confidenceOf, evidenceLabel, isUnknown } from './labels.ts'
+import { ShapeChoice } from './shape-choice.tsx'
+
+interface ShapeRowProps {
+  row: Row
+  isHidden: boolean
+  model: PanelModel
+}
+
+/** A blendshape: its name, how sure it is, and what it counts as. While it is pointed at or focused, the face shows it. */
+export function ShapeRow({ row, isHidden, model }: ShapeRowProps) {
+  const { name, correction } = row
+  const confidence = confidenceOf(row)
+  const { hovered } = model
+  const isShown = useComputed(() => hovered.value?.kind === 'shape' && hovered.value.name === name)
+  const wasShown = useRef(false)
+  const show = () => {
+    if (!isShown.peek()) hovered.value = { kind: 'shape', name }
+  }
+  const hide = () => {
+    if (isShown.peek()) hovered.value = null
+  }
+  return (
+    <li
+      hidden={isHidden}
+      class={`shape${isUnknown(row) ? ' unknown' : ''}${correction === undefined ? '' : ' corrected'}`}
+      // Only a mouse that moves itself hovers, not one beneath which the list scrolls, nor a finger.
+      onPointerMove={({ pointerType, movementX, movementY }) => {
+        if (pointerType === 'mouse' && (movementX !== 0 || movementY !== 0)) show()
+      }}
+      onPointerLeave={({ pointerType }) => pointerType === 'mouse' && hide()}
+      onFocusIn={show}
+      onFocusOut={hide}
+    >
+      <button
+        type="button"
+        class="show"
+        // The list beside it takes the focus of the keyboard, and shows the face too.
+        tabIndex={-1}
+        aria-pressed={isShown}
+        title={`Show ${name} on the face`}
+        onPointerDown={({ pointerType }) => {
+          wasShown.current = pointerType !== 'mouse' && isShown.peek()
+        }}
+        onClick={() => (wasShown.current ? hide() : show())}
+      >
+        {name}
+      </button>
+      {confidence === undefined ? (
+        <span class="evidence">{isUnknown(row) ? 'unknown' : evidenceLabel(row)}</span>
+      ) : (
+        <span class="evidence">
+          <span class="confidence" style={{ '--value': confidence }} />
+          <span class="percent">{Math.round(100 * confidence)}%</span>
+          <span class="reason">{evidenceLabel(row)}</span>
+        </span>
+      )}
+      <ShapeChoice row={row} model={model} />
+    </li>
+  )
+}

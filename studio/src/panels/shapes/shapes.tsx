@@ -1,0 +1,138 @@
+import { useSignal } from '@preact/signals'
+import { useEffect, useId } from 'preact/hooks'
+import { areWrinklesOutdated } from '../../document/shapes.ts'
+import type { ShapeRow as Row } from '../../session/shape-editor.ts'
+import { AutoProgress } from '../auto-progress.tsx'
+import { Section } from '../controls/section.tsx'
+import type { PanelModel } from '../model.ts'
+import { isUnknown, shapeLabel } from './labels.ts'
+import { ShapeRow } from './shape-row.tsx'
+
+/** Milliseconds without a correction until shapes are recognised again. */
+const PAUSE = 500
+
+/** Lists the recognised shape of each blendshape of the skin, to be corrected. */
+export function Shapes({ model }: { model: PanelModel }) {
+  const { shapes, actions } = model
+  const isOpen = useSignal(false)
+  const rows = shapes.rows.value
+  const skin = shapes.skin.value
+  // Again after corrections, which others may depend on, and for the next avatar while the section is unfolded.
+  useEffect(() => {
+    if (!isOpen.value || shapes.isCurrent.peek()) return undefined
+    const timer = setTimeout(() => actions.attempt(() => shapes.recognise()), rows ? PAUSE : 0)
+    return () => clearTimeout(timer)
+  }, [isOpen.value, skin])
+  return (
+    <Section
+      title="Shapes"
+      open={false}
+      onToggle={(isNow) => {
+        isOpen.value = isNow
+      }}
+    >
+      <p class="hint">
+        Point at a blendshape, or tap its name, to see it on the face. Correct what it was taken for where
+        that is wrong.
+      </p>
+      <Outdated model={model} />
+      {isOpen.value && !rows && <Progress model={model} />}
+      {isOpen.value && rows && <ShapeList rows={rows} model={model} />}
+    </Section>
+  )
+}
+
+function Progress({ model: { shapes, actions } }: { model: PanelModel }) {
+  const id = useId()
+  // Before the run, and where it failed.
+  if (!shapes.isRunning.value)
+    return (
+      <button type="button" onClick={() => actions.attempt(() => shapes.recognise())}>
+        Recognise shapes
+      </button>
+    )
+  return (
+    <div class="run">
+      <label for={id}>Recognising shapes</label>
+      <progress id={id} />
+    </div>
+  )
+}
+
+/** Tells that corrections change no wrinkles by themselves. */
+function Outdated({ model }: { model: PanelModel }) {
+  const { session, auto, autoRun, actions } = model
+  const document = session.document.value
+  const isOutdated = document !== null && areWrinklesOutdated(document)
+  if (isOutdated && autoRun.value) return <AutoProgress model={model} />
+  return (
+    <div role="status">
+      {isOutdated && (
+        <div class="outdated">
+          <p>The wrinkles were made before the last corrections.</p>
+          <button type="button" onClick={() => actions.makeAuto(auto.peek())}>
+            Make them again
+          </button>
+        </div>
+      )}
+      {document?.shapes && !document.auto && (
+        <p class="hint">
+          The corrections are kept with the face. Wrinkles that came with it stay as they are.
+        </p>
+      )}
+    </div>
+  )
+}
+
+function ShapeList({ rows, model }: { rows: readonly Row[]; model: PanelModel }) {
+  const { shapes, hovered } = model
+  const filter = useSignal('')
+  const isUnknownOnly = useSignal(false)
+  const query = filter.value.trim().toLowerCase()
+  // A row that is being corrected stays, whatever it is now.
+  const held = hovered.peek()?.kind === 'shape' ? hovered.peek()!.name : undefined
+  const matches = (row: Row) =>
+    row.name === held ||
+    ((!isUnknownOnly.value || isUnknown(row)) &&
+      `${row.name} ${shapeLabel(row)}`.toLowerCase().includes(query))
+  const count = rows.filter(matches).length
+  const unknown = rows.filter(isUnknown).length
+  const counts = count < rows.length ? `${count} of ${rows.length}` : `${rows.length}`
+  return (
+    <>
+      <div class="shape-filter">
+        <input
+          type="search"
+          aria-label="Filter shapes"
+          placeholder="Filter, e.g. brow"
+          autocomplete="off"
+          spellcheck={false}
+          value={filter.value}
+          onInput={({ currentTarget }) => {
+            filter.value = currentTarget.value
+          }}
+        />
+        <label class="check">
+          <input
+            type="checkbox"
+            checked={isUnknownOnly.value}
+            onChange={({ currentTarget }) => {
+              isUnknownOnly.value = currentTarget.checked
+            }}
+          />
+          Unknown only
+        </label>
+      </div>
+      <p class="hint" role="status">
+        {shapes.isRunning.value
+          ? 'Recognising the others again'
+          : `${counts} blendshapes, ${unknown} unknown`}
+      </p>
+      <ul class="shapes" aria-label="Shapes">
+        {rows.map((row, i) => (
+          <ShapeRow key={i} row={row} isHidden={!matches(row)} model={model} />
+        ))}
+      </ul>
+    </>
+  )
+}
