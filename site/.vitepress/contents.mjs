@@ -18,6 +18,7 @@ const GUIDES = [
   ]),
   group('Drive and show them', [
     doc('Drivers', 'drivers'),
+    doc('Drivers in the studio', 'studio-drivers'),
     doc('Skin', 'skin'),
     doc('React Three Fiber', 'react'),
     doc('Other frameworks', 'frameworks'),
