@@ -1,3 +1,4 @@
+import { atan2, cos, sin } from '../../../math/elementary.ts'
 import type { DetectedFace } from '../surface/detect-face.ts'
 import type { AutoRegion } from './region-names.ts'
 
@@ -78,7 +79,8 @@ function muzzleOf({
   }
   // A mask that ends at the brows tells nothing.
   if (!(forwards > 0)) return 0
-  return (eye[1] - mouthCorner[1]) * Math.tan(LEAN - Math.atan2(up, forwards))
+  const lean = LEAN - atan2(up, forwards)
+  return ((eye[1] - mouthCorner[1]) * sin(lean)) / cos(lean)
 }
 
 /** The measures of a face in which it is unlike people. */
