@@ -34,7 +34,7 @@ export const FOUND = 0.45
 /** Penalty for another strength, per factor of e. */
 const STRENGTH = 0.04
 /** Likeness of two labels' templates up to which the difference of their scores counts fully. */
-const UNLIKE = 0.5
+const DISTINCT = 0.5
 
 /** Scores of each shape by label. */
 export interface Scores {
@@ -127,7 +127,7 @@ export function matchShapes(fields: ShapeFields, { labels, scores, templates }: 
   const unlikeness = (j: number, k: number) =>
     labels[j].family === labels[k].family || isOpposite(labels[j], labels[k])
       ? 1
-      : Math.min(1, (1 - mostAlike(templates[j], templates[k])) / (1 - UNLIKE))
+      : Math.min(1, (1 - mostAlike(templates[j], templates[k])) / (1 - DISTINCT))
   const chosen = new Map<number, { label: number; margin: number }>()
   for (const [n, shape] of live.entries()) {
     const isFirst = columns[n] < labels.length
