@@ -1,5 +1,6 @@
 import { FurrowError, type GrayImage } from 'furrow'
-import type { ImageFile, MapName, StudioArea, StudioDocument, StudioLayer } from '../document/document.ts'
+import type { ImageFile, StudioDocument } from '../document/document.ts'
+import { parseStored, type StoredDocument } from './stored-document.ts'
 
 /** Of the record of a document. */
 const VERSION = 1
@@ -8,11 +9,6 @@ const VERSION = 1
 export interface DocumentRecord {
   version: number
   document: StoredDocument
-}
-
-type StoredDocument = Omit<StudioDocument, 'layers' | 'areas'> & {
-  layers: (Omit<StudioLayer, 'maps'> & { maps: { [Name in MapName]?: number } })[]
-  areas: (Omit<StudioArea, 'weights'> & { weights: number })[]
 }
 
 /** The weights of an area, or a map as in its file. */
@@ -41,17 +37,17 @@ export function recordOf(document: StudioDocument, numberOf: (image: ImageRecord
  *
  * @param images by number.
  * @param name of the project, for errors.
- * @throws FurrowError where a later version wrote the record, or something in it is missing.
+ * @throws FurrowError where a later version wrote the record, or something in it is missing or malformed.
  */
 export function documentOf(
   record: DocumentRecord | undefined,
   images: ReadonlyMap<number, ImageRecord>,
   name: string,
 ): StudioDocument {
-  if (record === undefined) throw damaged(name, 'it has no document')
+  if (!record) throw damaged(name, 'it has no document')
   checkVersion(record.version, name)
   try {
-    const { document } = record
+    const document = parseStored(record.document)
     const layers = document.layers.map((layer) => ({
       ...layer,
       maps: Object.fromEntries(
@@ -62,11 +58,9 @@ export function documentOf(
       ...area,
       weights: weightsOf(images.get(area.weights), area.name, document.areaSize),
     }))
-    for (const list of [document.strokes, document.drivers]) if (!Array.isArray(list)) throw new TypeError()
     return { ...document, layers, areas }
   } catch (error) {
-    const isMissing = error instanceof Missing
-    throw damaged(name, isMissing ? error.message : 'its document is incomplete', error)
+    throw damaged(name, error instanceof Missing ? error.message : reasonOf(error), error)
   }
 }
 
@@ -84,6 +78,10 @@ export function checkVersion(version: unknown, name: string): void {
 }
 
 class Missing extends Error {}
+
+function reasonOf(error: unknown): string {
+  return error instanceof FurrowError ? `its document: ${error.what}` : 'its document is incomplete'
+}
 
 function mapOf(image: ImageRecord | undefined, map: string): ImageFile {
   if (image && 'bytes' in image && image.bytes instanceof Uint8Array) return image

@@ -146,9 +146,10 @@ function listOf<T>(
   return reader.array(value, path, 0, most).map((item, i) => parse(item, `${path}[${i}]`))
 }
 
-function parseAuto(reader: JsonReader, value: unknown, path: string): AutoSettings {
+/** Reads the settings of automatic wrinkles. Throws FurrowError at the first field that is malformed. */
+export function parseAuto(reader: JsonReader, value: unknown, path: string): AutoSettings {
   const { age, strength, size, seed, seeds, regions, shapes } = reader.object(value, path)
-  const seedAt = (value: unknown, path: string) => reader.integer(value, path, 0, 2 ** 31 - 1)
+  const seedAt = (value: unknown, path: string) => reader.integer(value, path, 0, 2 ** 32 - 1)
   const parseSeeds = (value: unknown, path: string) =>
     Object.fromEntries(
       Object.entries(reader.object(value, path, AUTO_REGIONS)).map(([region, seed]) => [

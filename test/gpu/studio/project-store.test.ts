@@ -280,7 +280,7 @@ describe('records', () => {
   it.each([
     ['a document', 'documents', undefined, 'it has no document'],
     ['an image', 'images', undefined, /its (area|map) \w+ is missing/],
-    ['the parts of a document', 'documents', { version: 1, document: {} }, 'its document is incomplete'],
+    ['the parts of a document', 'documents', { version: 1, document: {} }, 'layers must be an array'],
     ['the right version of a document', 'documents', { version: 3 }, 'stored by a later version'],
   ])('without %s are one clear message', async (_, table, value, message) => {
     const project = await create(openStore())

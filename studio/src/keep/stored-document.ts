@@ -1,0 +1,128 @@
+import { parseDrivers } from 'furrow'
+import { parseStrokes } from 'furrow/author'
+import {
+  JsonReader,
+  LARGEST,
+  LONGEST_NAME,
+  MAX_AREAS,
+  MAX_BLOOD_AMPLITUDE,
+  MAX_IMAGE_SIDE,
+  MAX_LAYERS,
+  parseCorrections,
+} from 'furrow/internal'
+import {
+  type LayerStroke,
+  MAP_NAMES,
+  type MapName,
+  type StudioArea,
+  type StudioDocument,
+  type StudioLayer,
+} from '../document/document.ts'
+import { strokesDocument } from '../document/stroke-document.ts'
+import { parseAuto } from './studio-file.ts'
+
+/** A document with numbers in the place of its images. */
+export type StoredDocument = Omit<StudioDocument, 'layers' | 'areas'> & {
+  layers: StoredLayer[]
+  areas: StoredArea[]
+}
+
+type StoredLayer = Omit<StudioLayer, 'maps'> & { maps: { [Name in MapName]?: number } }
+type StoredArea = Omit<StudioArea, 'weights'> & { weights: number }
+
+const WHO = 'Studio'
+
+/**
+ * Checks a document that was stored in the browser. Fields that the studio does not know are left out.
+ *
+ * @param json a structured clone of anything.
+ * @throws FurrowError for the first field that is missing or malformed.
+ */
+export function parseStored(json: unknown): StoredDocument {
+  const reader = new JsonReader(WHO)
+  const fields = reader.object(json, 'the document')
+  const { mesh, material, strokeAreas, furrows, shapes, auto } = fields
+  const layers = reader
+    .array(fields.layers, 'layers', 1, MAX_LAYERS)
+    .map((layer, i) => parseLayer(reader, layer, `layers[${i}]`))
+  const areas = reader
+    .array(fields.areas, 'areas', 0, MAX_AREAS)
+    .map((area, i) => parseArea(reader, area, `areas[${i}]`))
+  const layerNames = layers.map(({ name }) => name)
+  for (const [i, { layer }] of areas.entries()) reader.choice(layer, `areas[${i}].layer`, layerNames)
+  const areaNames = areas.map(({ name }) => name)
+  const document = {
+    ...(mesh !== undefined && { mesh: reader.text(mesh, 'mesh', LONGEST_NAME) }),
+    ...(material !== undefined && { material: reader.text(material, 'material', LONGEST_NAME) }),
+    scale: reader.number(fields.scale, 'scale', Number.MIN_VALUE, Number.MAX_VALUE, 'mm per unit'),
+    mapSize: reader.integer(fields.mapSize, 'mapSize', 1, MAX_IMAGE_SIDE),
+    areaSize: reader.integer(fields.areaSize, 'areaSize', 1, MAX_IMAGE_SIDE),
+    layers,
+    areas,
+    strokes: reader.array(fields.strokes, 'strokes', 0, Number.POSITIVE_INFINITY) as LayerStroke[],
+    drivers: parseDrivers(fields.drivers, areaNames, WHO),
+    ...(strokeAreas !== undefined && { strokeAreas: strokeAreas as StudioDocument['strokeAreas'] }),
+    ...(furrows !== undefined && { furrows: furrows as StudioDocument['furrows'] }),
+    ...(shapes !== undefined && { shapes: parseCorrections(shapes, WHO) }),
+    ...(auto !== undefined && { auto: parseAuto(reader, auto, 'auto') }),
+  }
+  checkStrokes(reader, document as unknown as StudioDocument, layerNames)
+  return document as StoredDocument
+}
+
+/** Throws FurrowError for strokes that no file may have. */
+function checkStrokes(reader: JsonReader, document: StudioDocument, layers: readonly string[]): void {
+  for (const [i, stroke] of document.strokes.entries())
+    reader.choice(reader.object(stroke, `strokes[${i}]`).layer, `strokes[${i}].layer`, layers)
+  const strokes = strokesDocument(document)
+  if (!strokes) return
+  // The size and the scale are the document's, checked above.
+  const { size, scale, ...others } = strokes
+  parseStrokes(others)
+}
+
+function parseLayer(reader: JsonReader, value: unknown, path: string): StoredLayer {
+  const {
+    name,
+    kind,
+    maps,
+    normalScale,
+    occlusionStrength,
+    heightAmplitude,
+    bloodAmplitude,
+    isBloodAutomatic,
+  } = reader.object(value, path)
+  const numbers = Object.entries(reader.object(maps, `${path}.maps`, MAP_NAMES))
+  return {
+    name: reader.name(name, `${path}.name`),
+    kind: reader.choice(kind, `${path}.kind`, ['replace', 'detail']),
+    maps: Object.fromEntries(
+      numbers.map(([map, number]) => [map, imageNumber(reader, number, `${path}.maps.${map}`)]),
+    ),
+    normalScale: reader.number(normalScale, `${path}.normalScale`, -LARGEST, LARGEST, ''),
+    occlusionStrength: reader.number(occlusionStrength, `${path}.occlusionStrength`, 0, 1, ''),
+    ...(heightAmplitude !== undefined && {
+      heightAmplitude: reader.number(heightAmplitude, `${path}.heightAmplitude`, 0, LARGEST, 'metres'),
+    }),
+    ...(bloodAmplitude !== undefined && {
+      bloodAmplitude: reader.number(bloodAmplitude, `${path}.bloodAmplitude`, 0, MAX_BLOOD_AMPLITUDE, ''),
+    }),
+    ...(isBloodAutomatic === true && { isBloodAutomatic }),
+  }
+}
+
+function parseArea(reader: JsonReader, value: unknown, path: string): StoredArea {
+  const { name, layer, combine, activation, weights, isAutomatic } = reader.object(value, path)
+  return {
+    name: reader.name(name, `${path}.name`),
+    layer: reader.name(layer, `${path}.layer`),
+    combine: reader.choice(combine, `${path}.combine`, ['sum', 'max']),
+    activation: reader.number(activation, `${path}.activation`, 0, 1, ''),
+    weights: imageNumber(reader, weights, `${path}.weights`),
+    ...(isAutomatic === true && { isAutomatic }),
+  }
+}
+
+function imageNumber(reader: JsonReader, value: unknown, path: string): number {
+  return reader.integer(value, path, 0, Number.MAX_SAFE_INTEGER)
+}

@@ -1,0 +1,63 @@
+import { describe, expect, it } from 'vitest'
+import {
+  type DocumentRecord,
+  documentOf,
+  type ImageRecord,
+  imagesOf,
+  recordOf,
+} from '../../../studio/src/keep/document-record.ts'
+import { sampleDocument } from './sample-document.ts'
+
+const document = sampleDocument()
+const images = [...imagesOf(document)]
+const byNumber = new Map<number, ImageRecord>(images.map((image, i) => [i, image]))
+const record = (): DocumentRecord => structuredClone(recordOf(document, (image) => images.indexOf(image)))
+
+const open = (changed: unknown) => documentOf(changed as DocumentRecord, byNumber, 'Face')
+
+/** A record in which one field of the document is another. */
+function withField(path: readonly (string | number)[], value: unknown): unknown {
+  const changed = record()
+  let at = changed.document as unknown as Record<string | number, unknown>
+  for (const key of path.slice(0, -1)) at = at[key] as Record<string | number, unknown>
+  at[path.at(-1)!] = value
+  return changed
+}
+
+describe('the record of a document', () => {
+  it('is read as the document that was stored', () => {
+    expect(open(record())).toEqual(document)
+  })
+
+  it.each([
+    [['layers'], 5],
+    [['layers', 0], null],
+    [['layers', 0, 'maps'], { normal: 'x' }],
+    [['layers', 0, 'normalScale'], Number.NaN],
+    [['areas', 0, 'activation'], 2],
+    [['areas', 0, 'layer'], 'gone'],
+    [['areas', 0, 'name'], {}],
+    [['strokes'], {}],
+    [['strokes', 0], 7],
+    [['strokes', 0, 'points'], [[0]]],
+    [['strokeAreas'], [{ name: 'forehead', shapes: 3 }]],
+    [['furrows'], 'deep'],
+    [['drivers'], [{ type: 'morph' }]],
+    [['shapes'], [{ target: 'key_1', shape: 'browUpward' }]],
+    [['auto'], 5],
+    [['auto', 'seed'], -1],
+    [['scale'], '1000'],
+    [['mapSize'], 1e9],
+    [['areaSize'], undefined],
+    [['mesh'], []],
+  ])('whose %j is %j is one error', (path, value) => {
+    expect(() => open(withField(path, value))).toThrow(/^Studio: cannot open Face \(its document/)
+  })
+
+  it.each([undefined, null, 5, {}, { version: 1 }, { version: 1, document: [] }])(
+    'that is %j is one error',
+    (value) => {
+      expect(() => open(value)).toThrow(/^Studio: /)
+    },
+  )
+})
