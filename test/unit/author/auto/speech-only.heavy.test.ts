@@ -62,6 +62,22 @@ describe.each([
   })
 })
 
+test.each([
+  ['two mouth shapes', TWO_SHAPES],
+  ['visemes and a smile', { ...VISEMES, mouthSmile: both('mouthSmile', 1) }],
+])('a head that blinks and has only %s gets folds at its mouth alone', (_, mixes) => {
+  const blinks = { eyeBlinkLeft: { eyeBlinkLeft: 1 }, eyeBlinkRight: { eyeBlinkRight: 1 } }
+  const { areas, blood } = autoWrinkles(withShapes({ ...mixes, ...blinks }), SETTINGS)
+  const names = areas.map(({ name }) => name)
+  expect(names).toEqual(expect.arrayContaining(['nasolabialLeft', 'nasolabialRight']))
+  expect(names.filter((name) => !/^(nasolabial|mouthCorner|upperLip|lowerLip|chin|neck)/.test(name))).toEqual(
+    [],
+  )
+  expect(blood.areas.map(({ name }) => name).filter((name) => !/^(flushCheek|paleLips)/.test(name))).toEqual(
+    [],
+  )
+})
+
 test('a head whose blinks are missing gets no lines either', () => {
   const skin = { ...human, targets: human.targets.filter(({ name }) => !name.startsWith('eyeBlink')) }
   expect(autoWrinkles(skin, SETTINGS).areas).toEqual([])

@@ -28,11 +28,26 @@ export function fitDrivers(
   const { face, known, hints, find, isMirrored } = prepared
   const fitted: FittedRegion[] = []
   const missing: MissingRegion[] = []
+  /** Causes of regions that have skin and get no area. */
+  const failed = new Map<string, string>()
+  const causeOf = ({ region }: CreasedRegion) => poseOf(find, region.cause)
   for (const [i, region] of creased.entries()) {
     report(i / creased.length)
-    const fit = fitDriver(prepared, region, poseOf(find, region.region.cause))
-    if (typeof fit === 'string') missing.push({ name: region.region.name, reason: fit })
-    else fitted.push(fit)
+    const fit = fitDriver(prepared, region, causeOf(region))
+    if (typeof fit !== 'string') {
+      fitted.push(fit)
+      continue
+    }
+    missing.push({ name: region.region.name, reason: fit })
+    if (region.creases.length > 0) failed.set(region.region.name, `${[...causeOf(region)]}`)
+  }
+  // One cause of both sides creases both, or neither.
+  for (const [i, region] of [...fitted.entries()].reverse()) {
+    const { name } = region.region
+    const other = name.replace(/Left$|Right$/, (side) => (side === 'Left' ? 'Right' : 'Left'))
+    if (other === name || failed.get(other) !== `${[...causeOf(region)]}`) continue
+    fitted.splice(i, 1)
+    missing.push({ name, reason: 'what causes it does not crease the other side' })
   }
   const merged = isMirrored ? mergeSides(fitted, prepared) : fitted
   const regions = mostCompressed(merged, maxAreas)
