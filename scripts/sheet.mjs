@@ -24,7 +24,7 @@ const POSES = {
 }
 const PICTURE = { width: 800, height: 800 }
 /** The middle, which the face fills. */
-const SHOWN = { crop: { left: 190, top: 40, width: 420, height: 520 }, scale: 0.9 }
+const SHOWN = { crop: { left: 190, top: 40, width: 420, height: 520 }, scale: 0.55 }
 
 await main(async () => {
   const { values, positionals: faces } = parseArgs({
