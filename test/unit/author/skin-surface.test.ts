@@ -54,4 +54,22 @@ describe('the surface of a skin', () => {
     expect(others).toEqual(own)
     expect(own.length).toBeGreaterThan(80)
   })
+
+  it('is drawn on both sides but where a part has its mirror image on the same texels', () => {
+    // A sheet from left to right, and two limbs: each a triangle on the same half of the texture.
+    const body = {
+      positions: [
+        [-0.1, 0, 0, 0.1, 0, 0, -0.1, 0.1, 0, 0.1, 0.1, 0],
+        [0.3, 0, 0, 0.4, 0, 0, 0.3, 0.1, 0],
+        [-0.3, 0, 0, -0.4, 0, 0, -0.3, 0.1, 0],
+      ].flat(),
+      uvs: [0, 1, 0.4, 1, 0, 0, 0.4, 0, 0.5, 1, 1, 1, 0.5, 0, 0.5, 1, 1, 1, 0.5, 0],
+      indices: [0, 1, 2, 1, 3, 2, 4, 5, 6, 7, 9, 8],
+      targets: [],
+    }
+    const { surface } = skinSurface(body)
+    const drawn = new Set<number>()
+    mapSkin(body, surface, 64).texels.visit((_, triangle) => drawn.add(triangle))
+    expect([...drawn].sort()).toEqual([0, 1, 2])
+  })
 })

@@ -1,3 +1,4 @@
+import type { Document } from '@gltf-transform/core'
 import { describe, expect, test } from 'vitest'
 import { foldUvs } from '../../heads.ts'
 import { skinOf } from './auto-changes.ts'
@@ -34,6 +35,15 @@ describe('a texture that is used twice', () => {
     }
   })
 
+  test('by the limbs of the body alone: each side of the face has its own areas', async () => {
+    const document = await plainFace()
+    mapAttribute(skinOf(document).listPrimitives(), 'TEXCOORD_0', ([u, v]) => [0.5 * u!, v!])
+    addLimbs(document)
+    const made = await makeWrinkles(workshop, 'limbs', document)
+    expect(made.warned).not.toContain('left and right use the same texels')
+    expect([...made.areas.keys()]).toEqual([...face().areas.keys()])
+  })
+
   test('beyond the edge of its tile: it is said', async () => {
     const document = await plainFace()
     mapAttribute(skinOf(document).listPrimitives(), 'TEXCOORD_0', ([u, v]) => [u! + 0.3, v!])
@@ -45,9 +55,37 @@ describe('a texture that is used twice', () => {
     const document = await plainFace()
     mapAttribute(skinOf(document).listPrimitives(), 'TEXCOORD_0', ([u, v]) => [u!, 0.5 + Math.abs(v! - 0.5)])
     const made = await makeWrinkles(workshop, 'overlapping', document)
-    expect(made.warned).toMatch(/\d+% of the texture is used twice: wrinkles show in both places/)
+    expect(made.warned).toMatch(/\d+% of the texture is used twice: wrinkles there show in both places/)
   })
 })
+
+/** Adds two sheets to the skin, left and right of the body, which share half of the texture. */
+function addLimbs(document: Document): void {
+  const mesh = skinOf(document)
+  const skin = mesh.listPrimitives()[0]!
+  const buffer = document.getRoot().listBuffers()[0]!
+  const vectors = (type: 'VEC2' | 'VEC3', values: number[]) =>
+    document.createAccessor().setType(type).setArray(new Float32Array(values)).setBuffer(buffer)
+  const still = vectors('VEC3', Array(12).fill(0))
+  for (const x of [-0.4, 0.3]) {
+    const positions = [0, 1, 2, 3].flatMap((i) => [x + 0.1 * (i % 2), i > 1 ? 0.4 : 0, 0])
+    const limb = document
+      .createPrimitive()
+      .setMaterial(skin.getMaterial())
+      .setAttribute('POSITION', vectors('VEC3', positions))
+      .setAttribute('NORMAL', vectors('VEC3', Array(4).fill([0, 0, 1]).flat()))
+      .setAttribute('TEXCOORD_0', vectors('VEC2', [0.6, 1, 1, 1, 0.6, 0, 1, 0]))
+      .setIndices(
+        document
+          .createAccessor()
+          .setArray(new Uint16Array([0, 1, 3, 0, 3, 2]))
+          .setBuffer(buffer),
+      )
+    for (const target of skin.listTargets())
+      limb.addTarget(document.createPrimitiveTarget(target.getName()).setAttribute('POSITION', still))
+    mesh.addPrimitive(limb)
+  }
+}
 
 /** What creases a region on a side. */
 const POSE_OF: Readonly<Record<string, string>> = {

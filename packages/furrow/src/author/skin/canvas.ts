@@ -1,7 +1,7 @@
 import { MIPMAP_MARGIN } from '../border.ts'
 import { type Metric, type MetricMesh, MILLIMETRES_PER_METRE, surfaceMetric } from '../metric.ts'
 import { checkCoverage } from './check-coverage.ts'
-import { findOverlap, isOnLeft } from './overlap.ts'
+import { drawnTriangles, findOverlap } from './overlap.ts'
 import { SkinTexels } from './skin-texels.ts'
 import { pointAreas, type Skin, type SkinSurface, weldSurface } from './surface.ts'
 import { type UvGrid, UvLocator, uvGridOf } from './uv-locator.ts'
@@ -50,7 +50,7 @@ export function mapSkin(
   width: number,
   height = width,
 ): Omit<SkinCanvas, 'metric' | 'scale'> {
-  const isDrawn = findOverlap(skin, surface).isMirrored ? isOnLeft(surface) : undefined
+  const isDrawn = drawnTriangles(surface, findOverlap(skin, surface))
   return {
     surface,
     locator: new UvLocator(skin, surface, uvGridOf(skin, surface, isDrawn)),

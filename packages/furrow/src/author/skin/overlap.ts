@@ -1,5 +1,7 @@
+import { weldVertices } from '../../math/weld.ts'
 import { coverTexels } from '../cover-texels.ts'
 import { cornersOf, type Skin, type SkinSurface, skinVertices } from './surface.ts'
+import { islandsOf } from './uv-islands.ts'
 
 /** Side of the map on which overlaps are searched, in texels. */
 const SIZE = 256
@@ -8,36 +10,85 @@ const CHANCE = 0.05
 
 /** Texels that several parts of a skin use. */
 export interface UvOverlap {
-  /** Whether the left and right half of the face use the same texels. */
-  isMirrored: boolean
   /** Fraction of the covered texels that are used more than once, 0..1. */
   fraction: number
+  /** Tells of each triangle whether it is in a UV island that left and right use together; undefined where there are none. */
+  isMirrored: readonly boolean[] | undefined
+}
+
+type Textured = Pick<Skin, 'uvs' | 'indices'>
+
+/** How a part of the skin uses its texels. */
+interface Use {
+  covered: number
+  twice: number
+  bothSides: number
 }
 
 /** Searches for texels that several parts of the skin use. */
-export function findOverlap(skin: Pick<Skin, 'uvs' | 'indices'>, surface: SkinSurface): UvOverlap {
+export function findOverlap(skin: Textured, surface: SkinSurface): UvOverlap {
   const { points, skinTriangles } = surface
   const sides = new Uint8Array(SIZE * SIZE)
   const counts = new Uint8Array(SIZE * SIZE)
   for (let t = 0; t < skinTriangles.length; t++) {
     const middle = cornersOf(surface, t).reduce((sum, point) => sum + points[3 * point] / 3, 0)
-    coverTexels(skin.uvs, skinVertices(skin, surface, t), SIZE, SIZE, (texel, a, b, c) => {
-      // Adjacent triangles both cover the texels of their edge.
-      if (Math.min(a, b, c) < 1e-3) return
+    visitTexels(skin, surface, t, (texel) => {
       counts[texel] = Math.min(255, counts[texel] + 1)
       sides[texel] |= middle > 0 ? 1 : 2
     })
   }
-  let [covered, twice, bothSides] = [0, 0, 0]
-  for (let i = 0; i < counts.length; i++) {
-    if (counts[i] > 0) covered++
-    if (counts[i] > 1) twice++
-    if (counts[i] > 1 && sides[i] === 3) bothSides++
+  const count = (use: Use, texel: number) => {
+    use.covered++
+    if (counts[texel] > 1) use.twice++
+    if (counts[texel] > 1 && sides[texel] === 3) use.bothSides++
   }
+  const all: Use = { covered: 0, twice: 0, bothSides: 0 }
+  for (let i = 0; i < counts.length; i++) if (counts[i] > 0) count(all, i)
   return {
-    fraction: covered > 0 ? twice / covered : 0,
-    isMirrored: bothSides > CHANCE * covered && bothSides > twice / 2,
+    fraction: all.covered > 0 ? all.twice / all.covered : 0,
+    isMirrored: usesBothSides(all) ? mirroredTriangles(skin, surface, count) : undefined,
   }
+}
+
+/** The limbs of a body often use the same texels, and its face does not. */
+function mirroredTriangles(
+  skin: Textured,
+  surface: SkinSurface,
+  count: (use: Use, texel: number) => void,
+): boolean[] {
+  const { pointOf, skinTriangles } = surface
+  const textured = Float64Array.from({ length: 3 * pointOf.length }, (_, i) => {
+    const vertex = Math.floor(i / 3)
+    return i % 3 === 2 ? pointOf[vertex] : skin.uvs[2 * vertex + (i % 3)]
+  })
+  const welded = weldVertices(textured)
+  const corners = Uint32Array.from({ length: skin.indices.length }, (_, i) => welded.pointOf[skin.indices[i]])
+  const islands = islandsOf(corners, welded.count)
+  const uses = new Map<number, Use>()
+  const useOf = Array.from(skinTriangles, (triangle, t) => {
+    const island = islands[corners[3 * triangle]]
+    const use = uses.get(island) ?? { covered: 0, twice: 0, bothSides: 0 }
+    uses.set(island, use)
+    visitTexels(skin, surface, t, (texel) => count(use, texel))
+    return use
+  })
+  return useOf.map(usesBothSides)
+}
+
+/** Adjacent triangles both cover the texels of their edge, which are not visited. */
+function visitTexels(
+  skin: Textured,
+  surface: SkinSurface,
+  triangle: number,
+  visit: (texel: number) => void,
+): void {
+  coverTexels(skin.uvs, skinVertices(skin, surface, triangle), SIZE, SIZE, (texel, a, b, c) => {
+    if (Math.min(a, b, c) >= 1e-3) visit(texel)
+  })
+}
+
+function usesBothSides({ covered, twice, bothSides }: Use): boolean {
+  return bothSides > CHANCE * covered && bothSides > twice / 2
 }
 
 /** Whether an overlap is more than chance. */
@@ -45,8 +96,13 @@ export function isOverlapped({ fraction }: UvOverlap): boolean {
   return fraction > CHANCE
 }
 
-/** Tells whether a triangle reaches the left side of the face. */
-export function isOnLeft(surface: SkinSurface): (triangle: number) => boolean {
+/** Tells whether a triangle is drawn into the texture: of halves that use the same texels, only those that reach the left side of the face are. */
+export function drawnTriangles(
+  surface: SkinSurface,
+  { isMirrored }: UvOverlap,
+): ((triangle: number) => boolean) | undefined {
+  if (!isMirrored) return undefined
   const { points } = surface
-  return (triangle) => cornersOf(surface, triangle).some((point) => points[3 * point] > 0)
+  return (triangle) =>
+    !isMirrored[triangle] || cornersOf(surface, triangle).some((point) => points[3 * point] > 0)
 }

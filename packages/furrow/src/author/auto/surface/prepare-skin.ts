@@ -1,6 +1,6 @@
 import { FurrowError } from '../../../core/error.ts'
 import { checkCoverage } from '../../skin/check-coverage.ts'
-import { findOverlap, isOnLeft, isOverlapped } from '../../skin/overlap.ts'
+import { drawnTriangles, findOverlap, isOverlapped, type UvOverlap } from '../../skin/overlap.ts'
 import type { Skin, SkinSurface } from '../../skin/surface.ts'
 import { UvLocator, uvGridOf } from '../../skin/uv-locator.ts'
 import { SCALES } from '../../strokes/document.ts'
@@ -62,17 +62,17 @@ export function prepareSkin(raw: Skin): PreparedSkin {
   const { surface, offsets, scale } = face ?? weldInMillimetres(skin)
   checkScale(scale)
   const overlap = findOverlap(skin, surface)
-  const isMirrored = face !== undefined && overlap.isMirrored
+  const isMirrored = face !== undefined && isFaceMirrored(face, overlap)
   if (isMirrored)
     warnings.push('left and right use the same texels: both sides crease together, driven half by each side')
   else if (isOverlapped(overlap))
-    warnings.push(`${percent(overlap.fraction)} of the texture is used twice: wrinkles show in both places`)
+    warnings.push(`${percent(overlap.fraction)} of the texture is used twice: wrinkles there show in both places`)
   const isUnknownHead = !face && isHead(surface, offsets, hints)
   if (!face && !isUnknownHead)
     warnings.push(
       'no face was found by what the blendshapes move: wrinkles are placed by strain alone, cautiously',
     )
-  const isDrawn = isMirrored ? isOnLeft(surface) : () => true
+  const isDrawn = (face && drawnTriangles(surface, overlap)) ?? (() => true)
   const locator = new UvLocator(skin, surface, uvGridOf(skin, surface, isDrawn))
   return {
     skin,
@@ -90,6 +90,19 @@ export function prepareSkin(raw: Skin): PreparedSkin {
     locator,
     warnings,
   }
+}
+
+/** Whether most triangles between hairline, outer corners of the eyes and chin are mirrored. */
+function isFaceMirrored({ surface, landmarks }: DetectedFace, { isMirrored }: UvOverlap): boolean {
+  if (!isMirrored) return false
+  const { points, corners } = surface
+  const { chin, hairline, outerCorner } = landmarks
+  const inFace = isMirrored.filter((_, t) => {
+    const point = 3 * corners[3 * t]
+    const [y, z] = [points[point + 1], points[point + 2]]
+    return y > chin && y < hairline && z > outerCorner[2]
+  })
+  return inFace.filter(Boolean).length > inFace.length / 2
 }
 
 function percent(fraction: number): string {

@@ -1,5 +1,6 @@
 import { uvArea } from '../../../math/triangle.ts'
 import type { Skin } from '../../skin/surface.ts'
+import { islandsOf } from '../../skin/uv-islands.ts'
 
 /** Fraction of the UV area that may lie outside the tile: borders of islands may stick out. */
 const OVERHANG = 0.01
@@ -32,24 +33,6 @@ export function moveToFirstTile(skin: Skin): { skin: Skin; crossing: number } {
 function isOutside(uvs: ArrayLike<number>): boolean {
   for (let i = 0; i < uvs.length; i++) if (uvs[i] < 0 || uvs[i] > 1) return true
   return false
-}
-
-/** For each vertex a representative of the vertices that triangles connect it with (union-find with path halving). */
-function islandsOf(indices: ArrayLike<number>, count: number): Uint32Array {
-  const parents = Uint32Array.from({ length: count }, (_, i) => i)
-  const rootOf = (vertex: number) => {
-    let node = vertex
-    while (parents[node] !== node) {
-      parents[node] = parents[parents[node]]
-      node = parents[node]
-    }
-    return node
-  }
-  for (let t = 0; t + 2 < indices.length; t += 3) {
-    const first = rootOf(indices[t])
-    for (let k = 1; k < 3; k++) parents[rootOf(indices[t + k])] = first
-  }
-  return parents.map((_, vertex) => rootOf(vertex))
 }
 
 /** Of the UV area, the fraction of triangles that leave 0..1. */
