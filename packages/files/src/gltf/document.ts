@@ -7,12 +7,14 @@ import { meshProblem } from '../checks/meshes.ts'
 import type { CheckedJson } from '../json/checked-json.ts'
 import type { GltfJson } from '../json/gltf-json.ts'
 import type { Glb } from './glb.ts'
+import { listTriangles } from './triangle-lists.ts'
 
 /** JSON of each document that `documentOf` read. */
 const sources = new WeakMap<Document, GltfJson>()
 
 /**
- * Decodes a file, compressed or not, and leaves it as it is. Extensions that glTF-Transform does not know are dropped.
+ * Decodes a file, compressed or not, and leaves it as it is. Strips of triangles become lists, and extensions that glTF-Transform does
+ * not know are dropped.
  *
  * @param path of the file, for errors.
  * @throws FurrowError when it cannot be decoded.
@@ -29,7 +31,7 @@ export async function documentOf({ json, bin }: Glb, path: string, who: string):
     // Reading moves the images of extensions into the textures.
     const copy = structuredClone(json) as GLTF.IGLTF
     const document = await io.readJSON({ json: copy, resources: { [GLB_BUFFER]: view } })
-    const fault = meshProblem(document)
+    const fault = meshProblem(document) ?? listTriangles(document)
     if (fault) throw new Error(fault)
     sources.set(document, json)
     return document

@@ -3,8 +3,9 @@ import { MOST_TRIANGLES } from 'furrow/internal'
 import type { Glb } from '../gltf/glb.ts'
 import type { GltfMesh } from '../json/gltf-json.ts'
 
-/** The mode of a primitive of triangles. */
+/** Modes of a primitive: a list of triangles, and the last one of strips and fans. */
 const TRIANGLES = 4
+const TRIANGLE_FAN = 6
 /**
  * Triangles times blendshapes in any file, and per byte in a larger one: each is measured. Faces have far less than one per byte, and up to
  * three when they are compressed; accessors that many blendshapes have in common make thousands.
@@ -54,8 +55,9 @@ function trianglesByMaterial(
 ): Map<number | undefined, number> {
   const sums = new Map<number | undefined, number>()
   for (const { mode = TRIANGLES, targets = [], indices, attributes, material } of primitives) {
-    if (mode !== TRIANGLES || targets.length === 0) continue
-    const count = Math.floor(countOf(indices ?? attributes?.POSITION) / 3)
+    if (mode < TRIANGLES || mode > TRIANGLE_FAN || targets.length === 0) continue
+    const corners = countOf(indices ?? attributes?.POSITION)
+    const count = mode === TRIANGLES ? Math.floor(corners / 3) : corners
     sums.set(material, (sums.get(material) ?? 0) + count)
   }
   return sums

@@ -66,7 +66,9 @@ export function prepareSkin(raw: Skin): PreparedSkin {
   if (isMirrored)
     warnings.push('left and right use the same texels: both sides crease together, driven half by each side')
   else if (isOverlapped(overlap))
-    warnings.push(`${percent(overlap.fraction)} of the texture is used twice: wrinkles there show in both places`)
+    warnings.push(
+      `${percent(overlap.fraction)} of the texture is used twice: wrinkles there show in both places`,
+    )
   const isUnknownHead = !face && isHead(surface, offsets, hints)
   if (!face && !isUnknownHead)
     warnings.push(

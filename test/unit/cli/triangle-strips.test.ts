@@ -1,0 +1,58 @@
+import { documentOf, findSkin } from 'furrow-files'
+import { describe, expect, test } from 'vitest'
+import { decodeGlb } from '../../../packages/files/src/gltf/glb-file.ts'
+import { editGlb } from '../../glb.ts'
+import { sheet, sheetGlb } from './sheet.ts'
+
+const [STRIP, FAN] = [5, 6]
+
+/** The triangles of a sheet whose indices are those of a strip or fan, each from its lowest vertex on. */
+async function trianglesOf(squares: number, mode: number, indices: readonly number[]): Promise<string[]> {
+  const file = await sheetGlb({ ...sheet(squares), indices: Uint32Array.from(indices) })
+  const edited = editGlb(file, ({ meshes }) => {
+    meshes[0].primitives[0].mode = mode
+  })
+  const { skin } = findSkin(
+    await documentOf(decodeGlb(edited, 'strip.glb', 'test'), 'strip.glb', 'test'),
+    'strip.glb',
+    'test',
+  )
+  return turned(skin.indices)
+}
+
+function turned(indices: ArrayLike<number>): string[] {
+  const triangles = Array.from({ length: indices.length / 3 }, (_, t) => {
+    const corners = [0, 1, 2].map((k) => indices[3 * t + k]!)
+    const first = corners.indexOf(Math.min(...corners))
+    return [0, 1, 2].map((k) => corners[(first + k) % 3]).join()
+  })
+  return triangles.sort()
+}
+
+describe('a skin of', () => {
+  test('a strip has the triangles of the list, facing the same way, without those that join rows', async () => {
+    const squares = 3
+    // Each row from left to right; the last vertex and the first of the next one are repeated.
+    const strip: number[] = []
+    for (let row = 0; row < squares; row++) {
+      const first = row * (squares + 1)
+      if (row > 0) strip.push(strip.at(-1)!, first)
+      for (let i = first; i <= first + squares; i++) strip.push(i, i + squares + 1)
+    }
+    // Strips cut squares along the other diagonal.
+    const list = Array.from({ length: squares ** 2 }, (_, i) => i + Math.floor(i / squares)).flatMap((a) => {
+      const c = a + squares + 1
+      return [a, c, a + 1, a + 1, c, c + 1]
+    })
+    expect(await trianglesOf(squares, STRIP, strip)).toEqual(turned(list))
+  })
+
+  test('a fan has its triangles', async () => {
+    expect(await trianglesOf(1, FAN, [0, 2, 3, 1])).toEqual(turned([0, 2, 3, 0, 3, 1]))
+  })
+
+  test('strips by the million is refused', async () => {
+    const many = Array.from({ length: 4_000_001 }, (_, i) => i % 4)
+    await expect(trianglesOf(1, STRIP, many)).rejects.toThrow(/strips and fans have more than 4,000,000/)
+  })
+})
