@@ -75,6 +75,8 @@ test('with an avatar whose wrinkles are made', async () => {
   await page.locator('#areas .row').first().waitFor()
   await page.getByText('Making wrinkles').waitFor({ state: 'detached' })
   await unfoldAll()
+  // Shapes are recognised when they are unfolded.
+  await page.locator('.shape').first().waitFor()
   await expectNone()
 })
 

@@ -124,6 +124,17 @@ describe('a project', () => {
     expect(Buffer.from(twice).equals(bytes)).toBe(true)
   })
 
+  it('keeps corrections of blendshapes in the file, as furrow pack does', async () => {
+    const { files, face } = await projectAt('corrected')
+    const { document } = await readProject(opened(files), 'corrected')
+    const shapes = [{ target: 'smile', shape: 'mouthFrown' }, { target: 'jaw' }]
+    const source = { document: { ...document, shapes }, drawn: new Map() }
+    const { bytes } = await exportDocument(face, source)
+    await shop.run('pack', saved('corrections', source, face.bytes), '-o', shop.path('out.glb'))
+    expect(Buffer.from(bytes).equals(readFileSync(shop.path('out.glb')))).toBe(true)
+    expect((await readDocument({ name: 'out.glb', bytes }))!.shapes).toEqual(shapes)
+  })
+
   it('without areas is refused in one line', async () => {
     const { face } = await projectAt('begun')
     const document = { ...sampleDocument(), areas: [], drivers: [] }
