@@ -1,5 +1,10 @@
 import { expect, it } from 'vitest'
-import { acrossOf, unroll } from '../../../../packages/furrow/src/author/auto/surface/head-chart.ts'
+import {
+  acrossOf,
+  HeadChart,
+  unroll,
+} from '../../../../packages/furrow/src/author/auto/surface/head-chart.ts'
+import { weldSurface } from '../../../../packages/furrow/src/author/skin/surface.ts'
 import { seeded } from '../../../random.ts'
 
 it('acrossOf contains all points of a box, and no more than it must', () => {
@@ -20,4 +25,22 @@ it('acrossOf contains all points of a box, and no more than it must', () => {
 
 it('acrossOf leaves nothing out behind the axis of the head', () => {
   expect(acrossOf([-10, 0, -90], [10, 0, -80])).toEqual([-Infinity, Infinity])
+})
+
+it.each([
+  ['skin below a smaller piece that lies on it, as brows do', 3, 0],
+  ['the outermost piece where it is far from the skin', 30, 30],
+])('finds %s', (_, gap, z) => {
+  const quad = (side: number, z: number) =>
+    [-1, 1].flatMap((y) => [-1, 1].flatMap((x) => [side * x, side * y, z]))
+  const skin = [0, 1, 2, 1, 3, 2]
+  const piece = skin.map((corner) => corner + 4)
+  const positions = [...quad(40, 0), ...quad(10, gap)]
+  for (const indices of [
+    [...skin, ...piece],
+    [...piece, ...skin],
+  ]) {
+    const chart = new HeadChart(weldSurface({ positions, indices }))
+    expect(chart.find([1, 2])!.position[2]).toBeCloseTo(z, 6)
+  }
 })

@@ -1,7 +1,7 @@
 import { weldVertices } from '../../math/weld.ts'
 import { coverTexels } from '../cover-texels.ts'
+import { islandsOf } from './islands.ts'
 import { cornersOf, type Skin, type SkinSurface, skinVertices } from './surface.ts'
-import { islandsOf } from './uv-islands.ts'
 
 /** Side of the map on which overlaps are searched, in texels. */
 const SIZE = 256

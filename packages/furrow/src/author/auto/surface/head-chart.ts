@@ -1,6 +1,7 @@
 import { barycentrics2, interpolate } from '../../../math/barycentrics.ts'
 import { atan2 } from '../../../math/elementary.ts'
 import { length2, normalize } from '../../../math/vector.ts'
+import { islandsOf } from '../../skin/islands.ts'
 import { cornersOf, type SkinSurface, type SurfacePoint } from '../../skin/surface.ts'
 
 /** Millimetres from the surface of the face to the axis of the head. */
@@ -59,8 +60,10 @@ const COLUMNS = 2 * Math.ceil((Math.PI * RADIUS) / CELL)
 const ROWS = 2 * 50
 /** Triangles of a cell at most: a face of a million has some hundreds, and only skin that lies on top of itself has more. */
 const MOST = 4096
+/** Millimetres up to which a smaller piece of the mesh lies on the skin, as a beard or brows do. */
+const COVER = 10
 
-/** Finds the skin at points of the chart: the outermost where it lies in folds. */
+/** Finds the skin at points of the chart: the outermost where it lies in folds, and not what lies on it. */
 export class HeadChart {
   readonly #surface: SkinSurface
   /** Two chart coordinates per point of the surface. */
@@ -68,6 +71,8 @@ export class HeadChart {
   /** Triangles by the cell of the chart that they touch: those of cell i from `#starts[i]` to `#starts[i + 1]`. */
   readonly #starts = new Uint32Array(ROWS * COLUMNS + 1)
   readonly #triangles: Uint32Array
+  /** Area of the connected piece of each point of the surface. */
+  readonly #pieces: Float64Array
 
   constructor(surface: SkinSurface) {
     this.#surface = surface
@@ -79,6 +84,7 @@ export class HeadChart {
         points[3 * i + 1],
         points[3 * i + 2],
       )
+    this.#pieces = areasOfPieces(surface)
     const counts = new Uint16Array(ROWS * COLUMNS)
     this.#visitCells((_, cell) => {
       if (counts[cell] < MOST) counts[cell]++
@@ -97,7 +103,7 @@ export class HeadChart {
     if (!(row >= 0 && row < ROWS && column >= 0 && column < COLUMNS)) return undefined
     const cell = row * COLUMNS + column
     let found: SurfacePoint | undefined
-    let farthest = -Infinity
+    let [farthest, piece] = [-Infinity, 0]
     const weights = new Float64Array(3)
     const position = new Float64Array(3)
     const corners = new Float64Array(6)
@@ -109,8 +115,16 @@ export class HeadChart {
       const [a, b, c] = cornersOf(this.#surface, triangle)
       interpolate(position, this.#surface.points, 3, a, b, c, weights[0], weights[1], weights[2])
       const distance = length2(position[0], position[2] + RADIUS)
-      if (distance <= farthest) continue
+      const larger = this.#pieces[a] - piece
+      // On a larger piece it is what lies on the skin; just below a smaller one it is the skin.
+      if (
+        distance <= farthest
+          ? !(larger > 0 && farthest - distance < COVER)
+          : larger < 0 && distance - farthest < COVER
+      )
+        continue
       farthest = distance
+      piece = this.#pieces[a]
       found = { triangle, position: [position[0], position[1], position[2]] }
     }
     return found
@@ -151,6 +165,13 @@ export class HeadChart {
       out[2 * k + 1] = this.#chartPoints[2 * point + 1]
     }
   }
+}
+
+function areasOfPieces({ corners, areas }: SkinSurface): Float64Array {
+  const pieceOf = islandsOf(corners, areas.length)
+  const sums = new Float64Array(areas.length)
+  for (const [point, piece] of pieceOf.entries()) sums[piece] += areas[point]
+  return sums.map((_, point) => sums[pieceOf[point]])
 }
 
 function rowOf(up: number): number {

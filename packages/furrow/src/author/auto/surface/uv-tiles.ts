@@ -1,6 +1,6 @@
 import { uvArea } from '../../../math/triangle.ts'
+import { islandsOf } from '../../skin/islands.ts'
 import type { Skin } from '../../skin/surface.ts'
-import { islandsOf } from '../../skin/uv-islands.ts'
 
 /** Fraction of the UV area that may lie outside the tile: borders of islands may stick out. */
 const OVERHANG = 0.01
