@@ -5,8 +5,10 @@ import { CHROMIUM_FLAGS } from './packages/cli/src/chromium-flags.ts'
 import { mtoonNodes } from './scripts/lib/mtoon-nodes.mjs'
 import { SOURCES } from './scripts/lib/sources.mjs'
 import { PROMISES } from './scripts/lib/test-files.mjs'
-import type { BrowserName } from './test/browsers/drive/launch.ts'
+import type { BrowserKind } from './test/browsers/drive/driven-browser.ts'
+import { firefox } from './test/browsers/drive/firefox.ts'
 import { driven } from './test/browsers/drive/provider.ts'
+import { webkit } from './test/browsers/drive/webkit.ts'
 import { FILES_FOR_OLDEST_BABYLON, onOldestBabylon } from './test/gpu/babylon/oldest-babylon.ts'
 import { FILES_FOR_OLDEST, onOldestThree } from './test/gpu/oldest-three.ts'
 import { serveFaces } from './test/gpu/serve-faces.ts'
@@ -60,8 +62,8 @@ export default defineConfig({
       gpuProject('gpu', ['test/gpu/**/*.test.ts']),
       onOldestThree(gpuProject('gpu-oldest', FILES_FOR_OLDEST)),
       onOldestBabylon(gpuProject('gpu-oldest-babylon', FILES_FOR_OLDEST_BABYLON)),
-      onBrowser('firefox', gpuProject('firefox', PROMISES_ON_GPU)),
-      onBrowser('webkit', gpuProject('webkit', PROMISES_ON_GPU)),
+      onBrowser(firefox, gpuProject('firefox', PROMISES_ON_GPU)),
+      onBrowser(webkit, gpuProject('webkit', PROMISES_ON_GPU)),
       pagesProject('browsers'),
       pagesProject('batch'),
       pagesProject('site'),
@@ -173,14 +175,14 @@ function gpuProject(name: string, include: string[]): TestProjectInlineConfigura
 
 /** Runs a project in another browser than Chromium. */
 function onBrowser(
-  name: BrowserName,
+  kind: BrowserKind,
   project: TestProjectInlineConfiguration,
 ): TestProjectInlineConfiguration {
   const browser = {
     ...project.test!.browser!,
     headless: false,
-    provider: driven(name),
-    instances: [{ browser: name }],
+    provider: driven(kind),
+    instances: [{ browser: kind.name }],
   }
   return { ...project, test: { ...project.test, browser, provide: { ...provide, mayLackWebGPU: true } } }
 }

@@ -1,9 +1,9 @@
-import { readdirSync } from 'node:fs'
 import { mkdir } from 'node:fs/promises'
 import type { Page } from 'playwright-core'
 import sharp from 'sharp'
 import { afterAll, beforeAll, expect, test } from 'vitest'
 import { openPage, useBrowser } from './browser.ts'
+import { BROWS, CHEEKS_PUFFED, type Controls, DRIVERS, EXAMPLES, FOREHEAD, PORTRAITS } from './examples.ts'
 import {
   drawSettled,
   firstPicture,
@@ -18,18 +18,8 @@ import { contrast, largestDifference, meanDifference, type Region, WHOLE } from 
 import { type CanvasPixels, readCanvas } from './read-canvas.ts'
 import { startStaticServer } from './static-server.ts'
 
-const EXAMPLES = readdirSync(new URL('../../examples/', import.meta.url)).filter((name) =>
-  name.endsWith('.html'),
-)
-
 /** Folder where the pictures are saved for inspection. */
 const OUTPUT = new URL('../output/examples/', import.meta.url)
-
-/** The forehead of the shipped face in the examples' framing. */
-const FOREHEAD: Region = { left: 0.4, top: 0.14, right: 0.6, bottom: 0.36 }
-
-/** Blendshape weights for normals.html. */
-const CHEEKS_PUFFED = 'cheekPuff=1&mouthPucker=0.7'
 
 const PHONE = { width: 390, height: 844 }
 
@@ -50,25 +40,6 @@ afterAll(async () => {
 })
 
 test('there are examples', () => expect(EXAMPLES).toContain('minimal.html'))
-
-/** Examples of one face that is repeatedly surprised. */
-const PORTRAITS = ['minimal.html', 'webgpu.html']
-
-const BROWS: Region = { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }
-
-/** Values of sliders by their names; `true` presses a button or a choice of that name. */
-type Controls = Record<string, number | true>
-
-/** Examples of drivers: a query with wrinkles, what its controls are set to without, and the region where wrinkles appear. Left is the person's right. */
-const DRIVERS: readonly (readonly [page: string, driven: string, atRest: Controls, region: Region])[] = [
-  ['age.html', '?age=75', { age: 20 }, BROWS],
-  ['expressions.html', '?happy=0.7&surprised=0.6', { happy: 0, surprised: 0 }, BROWS],
-  ['inputs.html', '?stress=100', { stress: 0 }, BROWS],
-  ['joints.html', '?fist=1', { fist: 0 }, { left: 0.4, top: 0.45, right: 0.6, bottom: 0.95 }],
-  ['joints.html', '?model=neck&turn=1', { turn: 0 }, { left: 0.5, top: 0.55, right: 0.65, bottom: 0.75 }],
-  ['key-frames.html', '?time=2.2', { seconds: 0 }, BROWS],
-  ['muscles.html', '?expression=surprise', { neutral: true }, BROWS],
-]
 
 test('every example is opened', () => {
   const others = ['auto.html', 'crowd.html', 'normals.html', 'tension.html', 'vrm.html']

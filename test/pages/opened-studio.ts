@@ -5,17 +5,20 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import type { Browser, Page } from 'playwright-core'
-import { createServer, type ViteDevServer } from 'vite'
+import { createServer, type Plugin, type ViteDevServer } from 'vite'
 import { afterAll, afterEach, beforeAll, expect } from 'vitest'
 import { writeAvatars } from './avatars.ts'
 import { openBrowser, openPage } from './browser.ts'
 import { waitUntilReady } from './studio-page.ts'
 
-/** Serves the studio on its sources; the caller closes the server. */
-export async function serveStudio(): Promise<{ server: ViteDevServer; address: string }> {
+/** Serves the studio on its sources, and with more plugins of Vite; the caller closes the server. */
+export async function serveStudio(
+  plugins: Plugin[] = [],
+): Promise<{ server: ViteDevServer; address: string }> {
   const server = await createServer({
     configFile: fileURLToPath(new URL('../../studio/vite.config.ts', import.meta.url)),
     logLevel: 'error',
+    plugins,
     // Changed files must not reload the page during the test.
     server: { port: 0, host: '127.0.0.1', hmr: false, watch: null },
   })

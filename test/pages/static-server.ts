@@ -1,4 +1,4 @@
-import { createReadStream, existsSync, statSync } from 'node:fs'
+import { createReadStream, existsSync, readFileSync, statSync } from 'node:fs'
 import { createServer } from 'node:http'
 import type { AddressInfo } from 'node:net'
 import { extname, join } from 'node:path'
@@ -15,14 +15,22 @@ const TYPES: Record<string, string> = {
 
 const REPOSITORY = fileURLToPath(new URL('../../', import.meta.url))
 
-/** Starts a static server for a folder, by default the root of the repository. */
-export async function startStaticServer(root = REPOSITORY): Promise<{ origin: string; close(): void }> {
+/**
+ * Starts a static server for a folder, by default the root of the repository.
+ *
+ * @param changeHtml changes the text of pages.
+ */
+export async function startStaticServer(
+  root = REPOSITORY,
+  changeHtml = (html: string) => html,
+): Promise<{ origin: string; close(): void }> {
   const server = createServer((request, response) => {
     const file = join(root, decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname))
     // Browsers always request an icon.
     if (file.endsWith('favicon.ico')) return response.writeHead(204).end()
     if (!existsSync(file) || !statSync(file).isFile()) return response.writeHead(404).end()
     response.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream' })
+    if (file.endsWith('.html')) return response.end(changeHtml(readFileSync(file, 'utf8')))
     return createReadStream(file).pipe(response)
   })
   await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve))

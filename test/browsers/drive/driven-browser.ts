@@ -2,7 +2,7 @@ import type { ChildProcess } from 'node:child_process'
 
 /** A way to start a browser. */
 export interface BrowserKind {
-  title: string
+  name: 'chromium' | 'firefox' | 'webkit'
   launch(start: Start): Promise<DrivenBrowser>
 }
 

@@ -20,7 +20,7 @@ const PREFERENCES = {
 
 /** Firefox by WebDriver BiDi, the protocol that it speaks by itself. */
 export const firefox: BrowserKind = {
-  title: 'Firefox',
+  name: 'firefox',
   async launch({ folder, run }) {
     const lines = Object.entries(PREFERENCES).map(([name, value]) => `user_pref("${name}", ${value});`)
     writeFileSync(join(folder, 'user.js'), lines.join('\n'))

@@ -2,13 +2,7 @@ import { type ChildProcess, spawn } from 'node:child_process'
 import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import { type DrivenBrowser, outputOf, type Start } from './driven-browser.ts'
-import { firefox } from './firefox.ts'
-import { webkit } from './webkit.ts'
-
-/** Browsers other than Chromium that tests run in, on Linux with Debian's packages. */
-export const BROWSERS = { firefox, webkit }
-export type BrowserName = keyof typeof BROWSERS
+import { type BrowserKind, type DrivenBrowser, outputOf, type Start } from './driven-browser.ts'
 
 /** Larger than every window, with room for the browser's own bars. */
 const SCREEN = '1600x1300x24'
@@ -20,7 +14,7 @@ const SCREEN = '1600x1300x24'
 const SOFTWARE = { LIBGL_ALWAYS_SOFTWARE: '1', GALLIVM_PERF: 'no_aos_sampling' }
 
 /** Starts a browser on a display of its own; the caller closes it. */
-export async function launch(name: BrowserName): Promise<DrivenBrowser> {
+export async function launch({ name, launch: start }: BrowserKind): Promise<DrivenBrowser> {
   const folder = mkdtempSync(join(tmpdir(), `furrow-${name}-`))
   const children: ChildProcess[] = []
   const end = () => {
@@ -44,7 +38,7 @@ export async function launch(name: BrowserName): Promise<DrivenBrowser> {
   try {
     const screen = run('Xvfb', ['-displayfd', '1', '-screen', '0', SCREEN, '-nolisten', 'tcp'])
     display = `:${await outputOf(screen, 'stdout', /(\d+)\n/)}`
-    const browser = await BROWSERS[name].launch({ folder, run })
+    const browser = await start({ folder, run })
     const close = async () => {
       await browser.close().catch(() => {})
       process.off('exit', end)

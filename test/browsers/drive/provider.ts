@@ -1,13 +1,13 @@
 import { defineBrowserProvider } from '@vitest/browser'
 import type { BrowserProvider, BrowserProviderOption } from 'vitest/node'
-import type { DrivenBrowser } from './driven-browser.ts'
-import { type BrowserName, launch } from './launch.ts'
+import type { BrowserKind, DrivenBrowser } from './driven-browser.ts'
+import { launch } from './launch.ts'
 
 /** Runs Vitest's tests in a browser that Playwright cannot drive. */
-export function driven(name: BrowserName): BrowserProviderOption {
+export function driven(kind: BrowserKind): BrowserProviderOption {
   return defineBrowserProvider({
     name: 'driven',
-    providerFactory: () => new DrivenProvider(name),
+    providerFactory: () => new DrivenProvider(kind),
   })
 }
 
@@ -16,14 +16,14 @@ class DrivenProvider implements BrowserProvider {
   readonly supportsParallelism = false
   private browser: Promise<DrivenBrowser> | undefined
 
-  constructor(private readonly browserName: BrowserName) {}
+  constructor(private readonly kind: BrowserKind) {}
 
   getCommandsContext(): Record<string, unknown> {
     return {}
   }
 
   async openPage(_session: string, url: string): Promise<void> {
-    this.browser ??= launch(this.browserName)
+    this.browser ??= launch(this.kind)
     await (await this.browser).open(url)
   }
 

@@ -11,7 +11,7 @@ const SCRIPT = 900_000
 
 /** WebKitGTK by WebDriver. */
 export const webkit: BrowserKind = {
-  title: 'WebKitGTK',
+  name: 'webkit',
   async launch({ run }) {
     const port = await freePort()
     run('WebKitWebDriver', [`--port=${port}`], { WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS: '1' })

@@ -1,0 +1,65 @@
+// Runs in each page before its own scripts: see page-helper.ts.
+
+const complaints = []
+for (const level of ['error', 'warn']) {
+  // biome-ignore lint/suspicious/noConsole: it passes on what the page writes.
+  const write = console[level]
+  console[level] = (...parts) => {
+    complaints.push(parts.map(String).join(' '))
+    write.apply(console, parts)
+  }
+}
+addEventListener(
+  'error',
+  ({ message, target }) => complaints.push(message ?? `cannot load ${target.src}`),
+  true,
+)
+addEventListener('unhandledrejection', ({ reason }) => complaints.push(String(reason?.stack ?? reason)))
+
+/**
+ * Draws the page's scene with and without wrinkles at one moment, with its own renderer.
+ *
+ * @returns the largest difference in a region, in fractions of the picture, and the contrast of the whole.
+ */
+async function compareWrinkles({ left, top, right, bottom }) {
+  const imports = document.querySelector('script[type=importmap]').textContent
+  const furrow = imports.includes('furrow/three') ? 'furrow/three' : 'furrow/webgpu'
+  const [{ Scene }, { wrinklesOf }] = await Promise.all([import('three'), import(furrow)])
+  const [renderer, scene, camera] = await new Promise((resolve) => {
+    Scene.prototype.onBeforeRender = (...drawn) => resolve(drawn)
+  })
+  delete Scene.prototype.onBeforeRender
+  // The frame ends first.
+  await new Promise((resolve) => setTimeout(resolve))
+  const all = new Set()
+  scene.traverse((object) => object.isMesh && all.add(wrinklesOf(object)))
+  all.delete(undefined)
+  const [wrinkled, smooth] = ['default', 'off'].map((mode) => {
+    for (const wrinkles of all) wrinkles.mode = mode
+    renderer.render(scene, camera)
+    return pixelsOf(renderer.domElement)
+  })
+  for (const wrinkles of all) wrinkles.mode = 'default'
+  const { width, height, data } = wrinkled
+  let difference = 0
+  let [low, high] = [255, 0]
+  for (let y = 0; y < height; y++) {
+    for (let x = 0; x < width; x++) {
+      const i = 4 * (y * width + x)
+      low = Math.min(low, data[i])
+      high = Math.max(high, data[i])
+      const isInside = x >= left * width && x < right * width && y >= top * height && y < bottom * height
+      if (isInside) difference = Math.max(difference, Math.abs(data[i] - smooth.data[i]))
+    }
+  }
+  return { difference, contrast: high - low }
+}
+
+function pixelsOf(canvas) {
+  const { width, height } = canvas
+  const context = new OffscreenCanvas(width, height).getContext('2d')
+  context.drawImage(canvas, 0, 0)
+  return context.getImageData(0, 0, width, height)
+}
+
+window.furrowTest = { complaints, compareWrinkles }

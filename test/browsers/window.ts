@@ -1,0 +1,106 @@
+import { mkdirSync, writeFileSync } from 'node:fs'
+import { afterAll, afterEach, beforeAll, expect, vi } from 'vitest'
+import type { Region } from '../pages/pixels.ts'
+import type { BrowserKind, DrivenBrowser } from './drive/driven-browser.ts'
+import { launch } from './drive/launch.ts'
+
+/** Folder where pictures are saved for inspection. */
+const OUTPUT = new URL('../output/browsers/', import.meta.url)
+
+/** How long a page may take to compute and draw where no GPU is. */
+const PATIENCE = { timeout: 300_000, interval: 250 }
+
+type Point = readonly [x: number, y: number]
+
+/** A window of another browser than Chromium, with pages that have our helper. */
+export class Window {
+  browser!: DrivenBrowser
+
+  constructor(readonly name: string) {}
+
+  evaluate<T>(body: string): Promise<T> {
+    return this.browser.evaluate(body)
+  }
+
+  /** Draws the page's scene with and without wrinkles: their largest difference in a region, and the contrast of the picture. */
+  compareWrinkles(region: Region): Promise<{ difference: number; contrast: number }> {
+    return this.evaluate(`return furrowTest.compareWrinkles(${JSON.stringify(region)})`)
+  }
+
+  /** Waits until a picture has contrast and shows wrinkles in a region, which fade in or follow a moving face. */
+  async untilWrinkled(region: Region): Promise<void> {
+    await vi.waitFor(async () => {
+      const { difference, contrast } = await this.compareWrinkles(region)
+      expect(contrast).toBeGreaterThan(100)
+      expect(difference).toBeGreaterThan(20)
+    }, PATIENCE)
+  }
+
+  /** Waits until an expression is true on the page. */
+  async until(expression: string): Promise<void> {
+    await vi.waitFor(async () => {
+      expect(await this.evaluate(`return Boolean(${expression})`), expression).toBe(true)
+    }, PATIENCE)
+  }
+
+  /** Presses the mouse at the first point, moves it along the others and releases it. */
+  async drag([first, ...others]: readonly Point[]): Promise<void> {
+    const move = ([x, y]: Point, duration = 0) => {
+      return { type: 'pointerMove', duration, x: Math.round(x), y: Math.round(y) }
+    }
+    const actions = [
+      move(first!),
+      { type: 'pointerDown', button: 0 },
+      ...others.map((point) => move(point, 60)),
+      { type: 'pointerUp', button: 0 },
+    ]
+    await this.browser.act([{ type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions }])
+  }
+
+  /** Drags the handle of the page's first slider to its left end. */
+  async dragSliderBack(): Promise<void> {
+    const [x, y, width, height, now] = await this.evaluate<[number, number, number, number, number]>(`
+      const slider = document.querySelector('input[type=range]')
+      const { x, y, width, height } = slider.getBoundingClientRect()
+      return [x, y, width, height, (slider.value - slider.min) / (slider.max - slider.min)]`)
+    const middle = y + height / 2
+    await this.drag([
+      [x + height / 2 + now * (width - height), middle],
+      [x + width / 2, middle],
+      [x - 20, middle],
+    ])
+  }
+
+  /** Makes the page as large as this, whatever bars the window has. */
+  async resize(width: number, height: number): Promise<void> {
+    await this.browser.resize(width, height)
+    const lacking = () => this.evaluate<Point>(`return [${width} - innerWidth, ${height} - innerHeight]`)
+    const [across, down] = await lacking()
+    if (across !== 0 || down !== 0) await this.browser.resize(width + across, height + down)
+    await vi.waitFor(async () => expect(await lacking()).toEqual([0, 0]), { timeout: 5000 })
+  }
+
+  async save(name: string): Promise<void> {
+    mkdirSync(OUTPUT, { recursive: true })
+    writeFileSync(new URL(`${this.name}-${name}.png`, OUTPUT), await this.browser.screenshot())
+  }
+}
+
+/**
+ * Performance messages of the driver, and three.js naming extensions that the browser lacks. They are not the page's.
+ */
+const NOT_OURS = /GL Driver Message|extension not supported|WebGPU is not available/
+
+/** A window for all tests that are described where this is called, on whose pages nothing may be complained of. */
+export function openWindow(kind: BrowserKind): Window {
+  const window = new Window(kind.name)
+  beforeAll(async () => {
+    window.browser = await launch(kind)
+  })
+  afterAll(() => window.browser?.close())
+  afterEach(async () => {
+    const complaints = await window.evaluate<string[]>('return furrowTest.complaints')
+    expect(complaints.filter((text) => !NOT_OURS.test(text))).toEqual([])
+  })
+  return window
+}
