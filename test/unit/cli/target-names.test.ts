@@ -88,6 +88,7 @@ describe('names that exporters write elsewhere', () => {
     ['empty', ['jawOpen', ''], ['jawOpen', '1']],
     ['too long', ['x'.repeat(257), 'jawOpen'], ['0', 'jawOpen']],
     ['empty beside an index', ['', '0'], ['blendshape 0', '0']],
+    ['those of a later one too', ['jawOpen', 'jawOpen'], ['0', 'jawOpen']],
   ])('become indices where they are %s', (_, given, expected) => {
     expect(targetNamesOf(read({ extras: { targetNames: given }, primitives: [{ targets }] }))).toEqual(
       expected,

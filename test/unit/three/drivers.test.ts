@@ -38,6 +38,17 @@ describe('addDrivers', () => {
     expect(wrinkles.getRestingActivation('neck')).toBe(0.25)
   })
 
+  it.each([
+    ['names are numbers out of order', ['7', '3', 'jawOpen'], '3', 1],
+    ['several blendshapes have one name', ['jawOpen', 'jawOpen', 'browDownLeft'], 'browDownLeft', 2],
+    ['another has the same name, by its index', ['jawOpen', 'jawOpen', 'browDownLeft'], '0', 0],
+  ])('reads the weight of the right blendshape where %s', (_, targets, name, index) => {
+    const { mesh, activations } = drivenFace([morph('brow', name)], targets)
+    expect(activations()[0]).toBe(0)
+    mesh.morphTargetInfluences![index] = 0.5
+    expect(activations()[0]).toBe(0.5)
+  })
+
   it('keeps the drivers before, which setDrivers replaces', () => {
     const [brow, nose, neck] = [
       morph('brow', 'browDownLeft'),

@@ -6,8 +6,8 @@ const listOf = (value: unknown): unknown[] => (Array.isArray(value) ? value : []
 
 /**
  * Moves names of blendshapes to `extras.targetNames` of their mesh, where glTF's readers look for them. Some exporters write them to
- * `extras.targetNames` of primitives, or to `targets[].extra.targetName`, which glTF forbids. Empty names, and names that are too long for a
- * driver, become the index of their blendshape.
+ * `extras.targetNames` of primitives, or to `targets[].extra.targetName`, which glTF forbids. Empty names, names that are too long for a
+ * driver, and those that a later blendshape has too become the index of their blendshape: three.js finds the last one by its name.
  *
  * @param json of a file, in which anything may be malformed; it is changed.
  */
@@ -23,9 +23,11 @@ export function hoistTargetNames(json: unknown): void {
 
 /** Names that a driver can use; an index stays unique. */
 function usableNames(names: readonly unknown[]): unknown[] {
-  const isUsable = (name: unknown) => typeof name !== 'string' || (name !== '' && name.length <= LONGEST_NAME)
-  const indexName = (i: number) => (names.includes(String(i)) ? `blendshape ${i}` : String(i))
-  return names.map((name, i) => (isUsable(name) ? name : indexName(i)))
+  const last = new Map(names.map((name, i) => [name, i]))
+  const isUsable = (name: unknown, i: number) =>
+    typeof name !== 'string' || (name !== '' && name.length <= LONGEST_NAME && last.get(name) === i)
+  const indexName = (i: number) => (last.has(String(i)) ? `blendshape ${i}` : String(i))
+  return names.map((name, i) => (isUsable(name, i) ? name : indexName(i)))
 }
 
 /** The names that a primitive has; nothing where some of its blendshapes have none. */

@@ -11,6 +11,7 @@ import type { MeshData, PartData, VectorData } from '../../auto/character.ts'
 import { isOfHead } from '../camera/head-region.ts'
 import { readsNormalMap, surfaceOf } from '../material/surface.ts'
 import { flatNormalTexture } from '../material/textures.ts'
+import { targetNames } from '../sources/morph.ts'
 
 /** Whether a mesh, at rest, has all that automatic wrinkles are made from. */
 export function canCrease({ geometry: { attributes, morphAttributes } }: Mesh): boolean {
@@ -84,13 +85,6 @@ function vectors(attribute: BufferAttribute | InterleavedBufferAttribute): Vecto
   const { array, itemSize, normalized: isNormalized } = attribute
   if (!('data' in attribute)) return { array, stride: itemSize, start: 0, isNormalized }
   return { array: attribute.data.array, stride: attribute.data.stride, start: attribute.offset, isNormalized }
-}
-
-/** The names of the targets, or the indices of those that have none. */
-function targetNames({ geometry, morphTargetDictionary = {} }: Mesh): string[] {
-  const names = (geometry.morphAttributes.position ?? []).map((_, i) => String(i))
-  for (const [name, i] of Object.entries(morphTargetDictionary)) names[i] = name
-  return names
 }
 
 /**

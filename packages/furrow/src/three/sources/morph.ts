@@ -15,8 +15,13 @@ export function weightReader(mesh: Mesh, { length }: readonly string[]): ReadWei
   }
 }
 
-/** Names of a mesh's blendshapes in the order of the weights. An `InstancedMesh` may have them in its geometry only. */
+/**
+ * Names of a mesh's blendshapes in the order of the weights; the index of one that has none. An `InstancedMesh` may have them in its geometry
+ * only. The dictionary alone does not tell the order: its keys may be numbers, and several blendshapes may have one name.
+ */
 export function targetNames({ geometry, morphTargetDictionary }: Mesh): string[] {
-  if (!morphTargetDictionary) return geometry.morphAttributes.position?.map(({ name }) => name) ?? []
-  return Object.keys(morphTargetDictionary)
+  const targets = geometry.morphAttributes.position ?? []
+  const names = targets.map(({ name }, i) => (morphTargetDictionary ? String(i) : name))
+  for (const [name, i] of Object.entries(morphTargetDictionary ?? {})) names[i] = name
+  return Array.from(names, (name, i) => name ?? String(i))
 }
