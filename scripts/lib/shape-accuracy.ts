@@ -10,6 +10,7 @@ import { type RecognisedShape, recogniseShapes } from '../../packages/furrow/src
 import { templateHeads } from '../../packages/furrow/src/author/shapes/templates/template-table.ts'
 import type { TemplateHead } from '../../packages/furrow/src/author/shapes/templates/templates.ts'
 import { seeded } from '../../test/random.ts'
+import { unlabelledShapes } from '../../test/unlabelled-shapes.ts'
 import { TEMPLATE_FACES } from './shape-templates.ts'
 
 /** Shapes that wrinkles depend on. */
@@ -18,6 +19,8 @@ const MATTER =
 
 /** Sizes of random parts of a set. */
 const PARTS = [5, 10, 20, 30]
+/** The full set, and shapes that are none of ARKit's. */
+const MIXED = 'full, with sliders and composites'
 
 /** Counts of shapes. */
 interface Counts {
@@ -36,7 +39,7 @@ interface Row {
   head: string
   templates: string
   /** Number of random shapes, or the full set. */
-  set: number | 'full'
+  set: number | 'full' | typeof MIXED
   counts: Counts
 }
 
@@ -66,14 +69,15 @@ async function* rowsOf(
   templates: string,
   heads: readonly TemplateHead[],
 ): AsyncGenerator<Row> {
-  const sets = (['full', ...PARTS] as const).map((set) => ({ set, counts: noCounts() }))
+  const sets = (['full', MIXED, ...PARTS] as const).map((set) => ({ set, counts: noCounts() }))
   for (const path of paths) {
     const { skin } = findSkin(await readDocument(path, 'accuracy'), path, 'accuracy')
     const random = seeded(hashOf(basename(path)))
     const moving = [...skin.targets.keys()].filter((i) => isMoving(skin, i))
     for (const { set, counts } of sets) {
-      const chosen = set === 'full' ? moving : shuffled(moving, random).slice(0, set)
-      count(counts, skin, chosen, heads)
+      const isPart = typeof set === 'number'
+      const chosen = isPart ? shuffled(moving, random).slice(0, set) : moving
+      count(counts, skin, chosen, heads, set === MIXED ? unlabelledShapes(skin) : [])
     }
   }
   for (const { set, counts } of sets) yield { head, templates, set, counts }
@@ -95,27 +99,44 @@ function shuffled(values: readonly number[], random: () => number): number[] {
     .map(([, value]) => value)
 }
 
-function count(counts: Counts, skin: Skin, chosen: readonly number[], heads: readonly TemplateHead[]): void {
-  const targets = chosen.map((index, i) => ({ name: `${i}`, offsets: skin.targets[index]!.offsets }))
+function count(
+  counts: Counts,
+  skin: Skin,
+  chosen: readonly number[],
+  heads: readonly TemplateHead[],
+  others: Skin['targets'],
+): void {
+  const all = [...chosen.map((index) => skin.targets[index]!), ...others]
+  const targets = all.map(({ offsets }, i) => ({ name: `${i}`, offsets }))
   const { shapes } = recogniseShapes({ ...skin, targets }, heads)
-  for (const [i, index] of chosen.entries()) {
-    const truth = canonicalTargetName(skin.targets[index]!.name)
-    if (!labelOf(truth)) continue
-    add(counts, shapes[i]!, truth)
+  for (const [i, { name }] of all.entries()) {
+    const truth = canonicalTargetName(name)
+    if (labelOf(truth)) add(counts, shapes[i]!, truth)
+    else if (i >= chosen.length) addOther(counts, shapes[i]!)
   }
 }
 
-function add(counts: Counts, { shape, confidence }: RecognisedShape, truth: string): void {
+function add(counts: Counts, found: RecognisedShape, truth: string): void {
+  const { shape } = found
   counts.all++
   counts[shape === undefined ? 'unknown' : shape === truth ? 'right' : 'wrong']++
   if (MATTER.test(truth)) {
     counts.matter++
     if (shape === truth) counts.matterRight++
   }
-  if (confidence > SURE) {
-    counts.sure++
-    if (shape !== truth) counts.sureWrong++
-  }
+  addSure(counts, found, truth)
+}
+
+/** Counts a shape that is none of ARKit's: any label is wrong. */
+function addOther(counts: Counts, found: RecognisedShape): void {
+  if (found.shape !== undefined) counts.wrong++
+  addSure(counts, found, undefined)
+}
+
+function addSure(counts: Counts, { shape, confidence }: RecognisedShape, truth: string | undefined): void {
+  if (confidence <= SURE) return
+  counts.sure++
+  if (shape !== truth) counts.sureWrong++
 }
 
 function noCounts(): Counts {

@@ -9,6 +9,7 @@ import { templateHeads } from '../../../../packages/furrow/src/author/shapes/tem
 import { TEMPLATE_FACES, templateText } from '../../../../scripts/lib/shape-templates.ts'
 import { SCANS } from '../../../bare-faces/bare-faces.ts'
 import { seeded } from '../../../random.ts'
+import { unlabelledShapes } from '../../../unlabelled-shapes.ts'
 import { skinAt } from '../auto/faces.ts'
 
 /** Shapes that wrinkles depend on. */
@@ -150,6 +151,15 @@ test('proportions, hidden pieces, turned heads and corrections are unknown', () 
     -others.length,
   )
   expect(found.map(({ shape }) => shape)).toEqual(others.map(() => undefined))
+})
+
+test('beside sliders and composites, shapes that are sure are right', () => {
+  const { skin, truth } = nameless(human)
+  const others = unlabelledShapes(human)
+  const found = recogniseShapes({ ...skin, targets: [...skin.targets, ...others] }, [scan!]).shapes
+  const sure = [...found.entries()].filter(([, { confidence }]) => confidence > SURE)
+  expect(sure.map(([, { shape }]) => shape)).toEqual(sure.map(([i]) => truth[i]))
+  expect(sure.length).toBeGreaterThan(0.8 * truth.length)
 })
 
 test('a mesh without a face has no shapes', () => {

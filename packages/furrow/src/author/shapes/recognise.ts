@@ -5,6 +5,7 @@ import { leftFraction } from './fields/field-operations.ts'
 import { type ShapeFields, shapeFields } from './fields/shape-fields.ts'
 import { faceFrame } from './landmarks/face-frame.ts'
 import { movingSurface } from './landmarks/moving-surface.ts'
+import { compositesOf } from './matching/composites.ts'
 import { confidencesOf, SURE, UNSURE } from './matching/confidence.ts'
 import { correctScores, matchShapes, scoresOf } from './matching/match.ts'
 import type { NameHint } from './names/name-hint.ts'
@@ -82,7 +83,8 @@ function seeShapes(
   if (!frame) return { seen, eyes: undefined }
   const fields = withoutRejected(shapeFields(surface, frame), skin)
   const scores = correctScores(scoresOf(fields, heads), fields, skin.targets)
-  const matches = matchShapes(fields, scores)
+  const composites = compositesOf(fields, matchShapes(fields, scores))
+  const matches = matchShapes(fields, scores, composites)
   const indexOf = new Map(scores.labels.map((label, j) => [arkitName(label), j]))
   const confidences = confidencesOf(fields, matches, frame)
   for (const [i, { shape, label, score }] of matches.entries()) {

@@ -2,7 +2,7 @@ import { exp } from '../../../math/elementary.ts'
 import { clamp } from '../../../math/scalar.ts'
 import type { ShapeFields } from '../fields/shape-fields.ts'
 import type { FaceFrame } from '../landmarks/face-frame.ts'
-import { FOUND, type Match, SAME } from './match.ts'
+import { FOUND, type Match, SAME, UNLIKE } from './match.ts'
 
 /** Confidence below which a shape is unknown. */
 export const UNSURE = 0.45
@@ -11,9 +11,6 @@ export const SURE = 0.7
 
 /** Labels of a full set of ARKit's. */
 const FULL_SET = 51
-
-/** Cosine up to which a shape is no other strength of the one that its label fits best. */
-const UNLIKE = 0.9
 
 /** Height of the eyes above the mouth, in half distances of the eyes: beyond these, lids or lips are likely mistaken for others. */
 const HEIGHTS = [1.5, 3] as const

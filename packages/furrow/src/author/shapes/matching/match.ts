@@ -1,7 +1,15 @@
 import { log } from '../../../math/elementary.ts'
 import type { SkinTarget } from '../../skin/surface.ts'
-import { arkitName, isShifted, type ShapeLabel } from '../families.ts'
-import { type Descriptor, descriptorOf, dotAll, leftFraction, likeness } from '../fields/field-operations.ts'
+import { arkitName, isCentral, isShifted, type ShapeLabel, type Side } from '../families.ts'
+import {
+  type Descriptor,
+  descriptorOf,
+  dotAll,
+  halfField,
+  leftFraction,
+  likeness,
+  sumOf,
+} from '../fields/field-operations.ts'
 import type { ShapeFields } from '../fields/shape-fields.ts'
 import { type TemplateHead, templatesOf } from '../templates/templates.ts'
 import { assign } from './assign.ts'
@@ -19,14 +27,24 @@ export interface Match {
    * its templates resemble those of this label.
    */
   margin: number
-  /** Cosine between its motion and that of the shape that the label fits best, which has 1. */
+  /** Cosine between its motion and the motion that other shapes tell for its label; 1 where they tell none. */
   kinship: number
+}
+
+/** Motion and score of the shape that has a label. */
+interface Owned {
+  field: Float64Array
+  score: number
 }
 
 /** Displacement below which a shape is no expression. */
 const WEAK = 0.01
 /** Cosine from which on two shapes are the same at another strength. */
 export const SAME = 0.975
+/** Cosine up to which two shapes have different motions. */
+export const UNLIKE = 0.9
+/** Difference of scores within which two shapes are rivals for a label. */
+const RIVAL = 0.11
 /** Score that a shape needs for a label of its own. */
 const LEAST_SCORE = 0.3
 /** Score from which on a label counts as found. */
@@ -108,12 +126,22 @@ function sideScore({ family, side }: ShapeLabel, left: number): number {
   return isShifted(family) ? 0 : -Math.max(Math.abs(left - 0.5) - 0.2, 0)
 }
 
-/** Labels shapes: one shape per label first, then shapes that are left over and fit a label well. */
-export function matchShapes(fields: ShapeFields, { labels, scores, templates }: Scores): Match[] {
+/**
+ * Labels shapes: one shape per label first, then shapes that are left over and fit a label well.
+ *
+ * @param composites indices of shapes that get no label.
+ */
+export function matchShapes(
+  fields: ShapeFields,
+  { labels, scores, templates }: Scores,
+  composites: ReadonlySet<number> = new Set(),
+): Match[] {
   const { shapes, weights } = fields
   const descriptors = shapes.map(({ field }) => descriptorOf(field, weights))
-  const leaders = leadersOf(fields, descriptors)
-  const live = leaders.flatMap((leader, i) => (leader === i && shapes[i].strength > WEAK ? [i] : []))
+  const leaders = leadersOf(fields, descriptors, composites)
+  const live = leaders.flatMap((leader, i) =>
+    leader === i && !composites.has(i) && shapes[i].strength > WEAK ? [i] : [],
+  )
   if (live.length === 0) return []
   const cost = live.map((i) => {
     const row = new Float64Array(labels.length + live.length).fill(1 - LEAST_SCORE)
@@ -144,20 +172,62 @@ export function matchShapes(fields: ShapeFields, { labels, scores, templates }: 
     }
     chosen.set(shape, { label, margin })
   }
+  const owned = new Map(
+    [...owners].flatMap(([j, shape]) =>
+      j < labels.length
+        ? [[arkitName(labels[j]), { field: shapes[shape].field, score: scores[shape][j] }] as const]
+        : [],
+    ),
+  )
+  const kinships = leaders.map((leader, shape) => {
+    const label = chosen.get(leader)?.label ?? -1
+    if (label < 0) return 1
+    const owner = owners.get(label)
+    const known = otherSides(labels[label], owned) ?? (owner === undefined ? undefined : shapes[owner].field)
+    if (known === shapes[shape].field) return 1
+    return known ? dotAll(descriptors[shape].plain, descriptorOf(known, weights).plain) : 0
+  })
+  const spare = live.filter((shape) => kinships[shape] < UNLIKE)
+  /** Least cosine between the motions of a shape and of its rivals: shapes that fit its label best, and have no label of their own. */
+  const agreement = (shape: number, label: number) => {
+    const least = Math.max(FOUND, scores[shape][label] - RIVAL)
+    const rivals = spare.filter((other) => bestOf(scores[other]) === label && scores[other][label] > least)
+    return Math.min(1, ...rivals.map((other) => dotAll(descriptors[shape].plain, descriptors[other].plain)))
+  }
   return leaders.flatMap((leader, shape) => {
     const found = chosen.get(leader)
     if (!found) return []
     const { label, margin } = found
-    const owner = owners.get(label)
-    const kinship =
-      owner === shape
-        ? 1
-        : owner === undefined
-          ? 0
-          : dotAll(descriptors[shape].plain, descriptors[owner].plain)
+    const kinship = kinships[shape]
     const weaker = STRENGTH * log(shapes[leader].strength / shapes[shape].strength)
-    return [{ shape, label: labels[label], score: scores[leader][label] - weaker, margin, kinship }]
+    return [
+      {
+        shape,
+        label: labels[label],
+        score: scores[leader][label] - weaker,
+        margin,
+        kinship: kinship < 1 ? kinship : agreement(shape, label),
+      },
+    ]
   })
+}
+
+/** Motion that other shapes tell for a label: the sum of left and right, or half of a shape for both sides that fits better. */
+function otherSides(
+  { family, side }: ShapeLabel,
+  owned: ReadonlyMap<string, Owned>,
+): Float64Array | undefined {
+  const owner = (other: Side, least: number) => {
+    const found = owned.get(arkitName({ family, side: other }))
+    return found && found.score > least ? found.field : undefined
+  }
+  if (side === 'both') {
+    const [left, right] = [owner('left', FOUND), owner('right', FOUND)]
+    return left && right && sumOf(left, right)
+  }
+  const least = owned.get(arkitName({ family, side }))?.score ?? 0
+  const both = isCentral(family) ? owner('both', least) : undefined
+  return both && halfField(both, side)
 }
 
 function isOpposite({ side }: ShapeLabel, other: ShapeLabel): boolean {
@@ -174,9 +244,15 @@ function bestOf(scores: Float64Array): number {
 }
 
 /** For each shape the strongest one with the same displacements. */
-function leadersOf({ shapes }: ShapeFields, descriptors: readonly Descriptor[]): number[] {
+function leadersOf(
+  { shapes }: ShapeFields,
+  descriptors: readonly Descriptor[],
+  composites: ReadonlySet<number>,
+): number[] {
   const leaders = shapes.map((_, i) => i)
-  const order = [...leaders].sort((a, b) => shapes[b].strength - shapes[a].strength || a - b)
+  const order = leaders
+    .filter((i) => !composites.has(i))
+    .sort((a, b) => shapes[b].strength - shapes[a].strength || a - b)
   for (const [k, i] of order.entries()) {
     if (shapes[i].strength <= WEAK) continue
     const leader = order
