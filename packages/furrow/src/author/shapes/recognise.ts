@@ -84,6 +84,8 @@ function seeShapes(
   const fields = withoutRejected(shapeFields(surface, frame), skin)
   const scores = correctScores(scoresOf(fields, heads), fields, skin.targets)
   const composites = compositesOf(fields, matchShapes(fields, scores))
+  for (const [i, { target }] of fields.shapes.entries())
+    if (skin.targets[target].correction !== undefined) composites.delete(i)
   const matches = matchShapes(fields, scores, composites)
   const indexOf = new Map(scores.labels.map((label, j) => [arkitName(label), j]))
   const confidences = confidencesOf(fields, matches, frame)
