@@ -1,4 +1,4 @@
-/** What README's table of browsers says of each. */
+/** README's table of browsers. */
 
 import type { ViteDevServer } from 'vite'
 import { afterAll, beforeAll, describe, expect, test } from 'vitest'

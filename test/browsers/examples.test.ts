@@ -8,7 +8,7 @@ import { openWindow } from './window.ts'
 
 const SIZE = [450, 480] as const
 
-/** What each example shows, and where it wrinkles: `null` for one without wrinkles. */
+/** The examples, and where each wrinkles: `null` for one without wrinkles. */
 const PAGES: readonly (readonly [page: string, region: Region | null])[] = [
   ...PORTRAITS.map((page) => [page, FOREHEAD] as const),
   ...DRIVERS.map(([page, driven, , region]) => [`${page}${driven}`, region] as const),
