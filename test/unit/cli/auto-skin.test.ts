@@ -37,6 +37,14 @@ describe('the skin that is taken', () => {
     expect(found.reason).toMatch(/^\d+% of what brows, lids and mouth move$/)
     expect(Number.parseInt(found.reason, 10)).toBeGreaterThan(50)
   })
+
+  test('is named by indices where mesh and material have no names', async () => {
+    const document = await plainFace()
+    for (const named of [...document.getRoot().listMeshes(), ...document.getRoot().listMaterials()])
+      named.setName('')
+    const found = findSkin(document, 'face.glb', 'test')
+    expect([found.meshName, found.materialName]).toEqual([String(found.mesh), String(found.material)])
+  })
 })
 
 describe('the skin of a face whose shapes have names that nobody knows', () => {

@@ -1,4 +1,4 @@
-import type { Document, Mesh } from '@gltf-transform/core'
+import type { Document, Material, Mesh } from '@gltf-transform/core'
 import { FurrowError } from 'furrow'
 import type { Skin } from 'furrow/author'
 import { chooseSkin, correctSkin, didYouMean, type SkinChoice, soleExpressions } from 'furrow/internal'
@@ -14,6 +14,7 @@ export interface FoundSkin {
   /** Indices of the mesh and its material in the file. */
   mesh: number
   material: number
+  /** Their names, or their indices where they have none. */
   meshName: string
   materialName: string
   /** Of what the blendshapes move, 0..1; NaN where they move nothing. */
@@ -116,7 +117,7 @@ function candidatesOf(
         mesh: index,
         material: materialIndex,
         meshName: labelOf(mesh, index),
-        materialName: material.getName(),
+        materialName: labelOf(material, materialIndex),
         hasTangents: primitives.every((primitive) => primitive.getAttribute('TANGENT') !== null),
       },
     ]
@@ -130,6 +131,6 @@ function isNamed(mesh: Mesh, name: string | undefined): boolean {
 }
 
 /** Its name, or its index where it has none. */
-function labelOf(mesh: Mesh, index: number): string {
-  return mesh.getName() || String(index)
+function labelOf(named: Mesh | Material, index: number): string {
+  return named.getName() || String(index)
 }
