@@ -24,7 +24,7 @@ await main(async () => {
     })
     const measured = measuredOf(JSON.parse(await readFile(file, 'utf8')))
     writeBrowsers(measured)
-    say(browserTable(measured))
+    say(browserTable(measured).join('\n'))
   } finally {
     await rm(folder, { recursive: true })
   }

@@ -5,7 +5,7 @@ import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { ensureBrowser } from './lib/browser.mjs'
-import { resultsOf, writeTable } from './lib/conformance-table.mjs'
+import { resultsOf, writeConformance } from './lib/conformance-table.mjs'
 import { Failure, main, ROOT, run, say } from './lib/run.mjs'
 import { setUp } from './lib/set-up.mjs'
 
@@ -16,7 +16,7 @@ await main(async () => {
   if (process.argv.includes('--files')) return
   process.env.FURROW_CHROMIUM = await ensureBrowser()
   const engines = new Map([...(await runEngines()), ['Blender (activations)', await runBlender()]])
-  writeTable(samples, engines)
+  writeConformance(samples, engines)
   for (const [engine, results] of engines) {
     const passed = [...results.values()].filter(Boolean).length
     say(`${engine}: ${passed} of ${results.size}`)

@@ -6,8 +6,6 @@ export interface Measured {
   studio: boolean
 }
 
-/** The table of what was measured in each browser. */
-export function browserTable(measured: Record<string, Measured>): string
+/** The lines of the table of what was measured in each browser. */
+export function browserTable(measured: Record<string, Measured>): string[]
 export function readMeasured(): Record<string, Measured>
-/** The table that the page has. */
-export function readTable(): string

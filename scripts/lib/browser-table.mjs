@@ -2,11 +2,10 @@
 
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
+import { writeTable } from './marked-table.mjs'
 import { ROOT } from './run.mjs'
 
-const PAGE = join(ROOT, 'README.md')
 const MEASURED = join(ROOT, 'docs', 'browsers.json')
-const MARKS = ['<!-- browsers -->', '<!-- end of browsers -->']
 
 const TITLES = { chromium: 'Chromium', firefox: 'Firefox ESR', webkit: 'WebKitGTK' }
 
@@ -34,7 +33,7 @@ export function measuredOf(report) {
   )
 }
 
-/** The table of what was measured. */
+/** The lines of the table of what was measured. */
 export function browserTable(measured) {
   const columns = Object.values(COLUMNS)
   const rows = Object.entries(measured).map(([name, found]) => {
@@ -45,18 +44,13 @@ export function browserTable(measured) {
     `| browser | ${columns.map(([title]) => title).join(' | ')} |`,
     `| --- |${' --- |'.repeat(columns.length)}`,
     ...rows,
-  ].join('\n')
+  ]
 }
 
 export const readMeasured = () => JSON.parse(readFileSync(MEASURED, 'utf8'))
 
-/** The table that the page has. */
-export const readTable = () => readFileSync(PAGE, 'utf8').split(MARKS[0])[1].split(MARKS[1])[0].trim()
-
 /** Keeps what was measured, and writes the table into the page. */
 export function writeBrowsers(measured) {
   writeFileSync(MEASURED, `${JSON.stringify(measured, null, 2)}\n`)
-  const [before, rest] = readFileSync(PAGE, 'utf8').split(MARKS[0])
-  const [, after] = rest.split(MARKS[1])
-  writeFileSync(PAGE, `${before}${MARKS[0]}\n\n${browserTable(measured)}\n\n${MARKS[1]}${after}`)
+  writeTable('README.md', 'browsers', browserTable(measured))
 }

@@ -1,11 +1,6 @@
 // The table of docs/conformance.md: what each engine's runner found, rule by rule.
 
-import { readFileSync, writeFileSync } from 'node:fs'
-import { join } from 'node:path'
-import { ROOT } from './run.mjs'
-
-const PAGE = join(ROOT, 'docs', 'conformance.md')
-const MARKS = ['<!-- table -->', '<!-- end of table -->']
+import { writeTable } from './marked-table.mjs'
 
 /** An engine that lacks what a sample needs has no test for it. */
 const CELLS = { true: 'yes', false: '**no**', undefined: 'not supported' }
@@ -31,7 +26,7 @@ export function resultsOf(report) {
 }
 
 /** Writes the table into the page. */
-export function writeTable(samples, engines) {
+export function writeConformance(samples, engines) {
   const names = [...engines.keys()]
   const rows = samples.map(({ name, rule, section }) => {
     const cells = names.map((engine) => CELLS[String(engines.get(engine).get(name))])
@@ -42,9 +37,7 @@ export function writeTable(samples, engines) {
     `| --- | --- | --- |${' --- |'.repeat(names.length)}`,
     ...rows,
   ]
-  const [before, rest] = readFileSync(PAGE, 'utf8').split(MARKS[0])
-  const [, after] = rest.split(MARKS[1])
-  writeFileSync(PAGE, `${before}${MARKS[0]}\n\n${table.join('\n')}\n\n${MARKS[1]}${after}`)
+  writeTable('docs/conformance.md', 'table', table)
 }
 
 /** A heading of the specification, as GitHub links to it. */

@@ -14,3 +14,6 @@ export function compareDownload(): Promise<Row[]>
 export function compare(sizes: Record<string, Size>, figures: Record<string, Size>): Row[]
 export function writeFigures(rows: readonly Row[]): void
 export function warnings(rows: readonly Row[]): string[]
+export function readFigures(): Record<string, Size>
+/** The lines of the table of sizes, in kB. */
+export function sizeTable(figures: Record<string, Size>): string[]

@@ -5,10 +5,6 @@ import { readDocument } from 'furrow-files/node'
 import { noName, SCHEMES, type Spell, STAND_INS, swapSide } from './naming-schemes.ts'
 import { spelled } from './rename.ts'
 
-/** The page that has the table, and the lines around it. */
-export const PAGE = 'docs/auto-formats.md'
-export const MARKS = ['<!-- rigs: npm run rig-table -->', '<!-- end of rigs -->'] as const
-
 /** A blendshape that nearly all rigs have: the table shows its name. */
 const EXAMPLE = 'mouthSmileLeft'
 
@@ -58,22 +54,4 @@ export const HEAD = [
 
 function lineOf(cells: readonly string[]): string {
   return `| ${cells.join(' | ')} |`
-}
-
-/** The lines of the table in the page. */
-export function readTable(page: string): string[] {
-  return partsOf(page)[1].trim().split('\n')
-}
-
-/** The page with other lines in its table. */
-export function withTable(page: string, lines: readonly string[]): string {
-  const [before, , after] = partsOf(page)
-  return `${before}${MARKS[0]}\n\n${lines.join('\n')}\n\n${MARKS[1]}${after}`
-}
-
-function partsOf(page: string): [before: string, table: string, after: string] {
-  const [before, rest = ''] = page.split(MARKS[0])
-  const [table, after] = rest.split(MARKS[1])
-  if (table === undefined || after === undefined) throw new Error(`no table between ${MARKS.join(' and ')}`)
-  return [before!, table, after]
 }

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { closure, compressed } from '../../bench/size.mjs'
-import { compare, warnings } from '../../scripts/lib/download.mjs'
+import { compare, readFigures, sizeTable, warnings } from '../../scripts/lib/download.mjs'
+import { readTable } from '../../scripts/lib/marked-table.mjs'
 
 describe('the guard of the download', () => {
   const size = (gzip: number) => ({ gzip, brotli: gzip - 10 })
@@ -33,4 +34,8 @@ describe('the size of a page', () => {
     expect(own.map(({ fileName }) => fileName)).toEqual(['page', 'shared', 'deep'])
     expect(compressed(own).gzip).toBe(3 * compressed([chunks[0]]).gzip)
   })
+})
+
+it('docs/download.md has the figures', () => {
+  expect(readTable('docs/download.md', 'sizes')).toEqual(sizeTable(readFigures()))
 })

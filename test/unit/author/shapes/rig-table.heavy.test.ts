@@ -1,10 +1,10 @@
-import { readFileSync } from 'node:fs'
 import { resolve } from 'node:path'
 import type { Skin } from 'furrow/author'
 import { beforeAll, describe, expect, test } from 'vitest'
-import { PAGE, ROWS, readFace, readTable, rowOf } from '../../../rigs/rig-table.ts'
+import { readTable } from '../../../../scripts/lib/marked-table.mjs'
+import { ROWS, readFace, rowOf } from '../../../rigs/rig-table.ts'
 
-const table = readTable(readFileSync(resolve(PAGE), 'utf8'))
+const table = readTable('docs/auto-formats.md', 'rigs')
 let face: Skin
 
 beforeAll(async () => {

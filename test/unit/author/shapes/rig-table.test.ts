@@ -1,9 +1,9 @@
-import { readFileSync } from 'node:fs'
 import { resolve } from 'node:path'
 import { expect, test } from 'vitest'
-import { HEAD, PAGE, ROWS, readFace, readTable, rowOf } from '../../../rigs/rig-table.ts'
+import { readTable } from '../../../../scripts/lib/marked-table.mjs'
+import { HEAD, ROWS, readFace, rowOf } from '../../../rigs/rig-table.ts'
 
-const table = readTable(readFileSync(resolve(PAGE), 'utf8'))
+const table = readTable('docs/auto-formats.md', 'rigs')
 
 test('the table has a row for each rig', () => {
   expect(table.slice(0, 2), 'out of date: npm run rig-table').toEqual(HEAD)
