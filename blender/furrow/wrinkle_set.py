@@ -124,7 +124,7 @@ def document_of(tree):
 
 
 def remember_meshes(wrinkles, objects):
-    """Keep with a set which objects the meshes became that its corrections of shapes name. `objects`: by those names."""
+    """Keep the objects of the meshes that a set's corrections of shapes name. `objects`: by the names of the file."""
     for name in meshes_of(json.loads(wrinkles.other).get("shapes")):
         if name in objects:
             mesh = wrinkles.meshes.add()
