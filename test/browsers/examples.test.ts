@@ -50,7 +50,7 @@ describe.each(DRIVEN)('in %s', (_, kind) => {
     await window.until("document.querySelector('canvas')")
     const region = DRIVERS.find(([page]) => page === 'inputs.html')![3]
     const wrinkled = await window.compareWrinkles(region)
-    await window.dragSliderBack()
+    await window.dragSlider(0, 'input[type=range]')
     await window.until("document.querySelector('input').value === '0'")
     const smooth = await window.compareWrinkles(region)
     expect(wrinkled.difference).toBeGreaterThan(20)

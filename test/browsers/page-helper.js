@@ -16,6 +16,14 @@ addEventListener(
 )
 addEventListener('unhandledrejection', ({ reason }) => complaints.push(String(reason?.stack ?? reason)))
 
+/** Files that the page saved, the last at the end. */
+const savedFiles = []
+const createObjectURL = URL.createObjectURL
+URL.createObjectURL = (blob) => {
+  savedFiles.push(blob)
+  return createObjectURL.call(URL, blob)
+}
+
 /**
  * Draws the page's scene with and without wrinkles at one moment, with its own renderer.
  *
@@ -62,4 +70,38 @@ function pixelsOf(canvas) {
   return context.getImageData(0, 0, width, height)
 }
 
-window.furrowTest = { complaints, compareWrinkles }
+/** The first visible element of a selector whose label or text is a name, in the fieldset of a group if one is named. */
+function findElement(selector, name, group) {
+  const labelOf = (fieldset) => document.getElementById(fieldset.getAttribute('aria-labelledby'))?.textContent
+  const fieldsets = [...document.querySelectorAll('fieldset')]
+  const root = group === undefined ? document : fieldsets.find((fieldset) => labelOf(fieldset) === group)
+  return [...(root?.querySelectorAll(selector) ?? [])].find((element) => {
+    if (!element.checkVisibility()) return false
+    const names = [element.getAttribute('aria-label'), element.textContent, element.labels?.[0]?.textContent]
+    return name === undefined || names.some((text) => text?.trim() === name)
+  })
+}
+
+/** Scrolls to an element: its rectangle once it stays in the window, `null` before. */
+async function reachElement(...names) {
+  const element = findElement(...names)
+  if (!element) return null
+  element.scrollIntoView({ block: 'center' })
+  const before = element.getBoundingClientRect()
+  // Rows that come into view may change their height, and move the others.
+  await new Promise((resolve) => setTimeout(resolve, 500))
+  await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)))
+  const { x, y, width, height } = element.getBoundingClientRect()
+  const isInside = y + height / 2 > 0 && y + height / 2 < innerHeight
+  return isInside && x === before.x && y === before.y ? { x, y, width, height } : null
+}
+
+/** The last saved file, as base64. */
+async function readSaved() {
+  const bytes = new Uint8Array(await savedFiles.at(-1).arrayBuffer())
+  let text = ''
+  for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192))
+  return btoa(text)
+}
+
+window.furrowTest = { complaints, savedFiles, compareWrinkles, findElement, reachElement, readSaved }

@@ -10,6 +10,21 @@ const OUTPUT = new URL('../output/browsers/', import.meta.url)
 /** How long a page may take to compute and draw where no GPU is. */
 const PATIENCE = { timeout: 300_000, interval: 250 }
 
+/** The control key, as WebDriver spells it. */
+const CONTROL = '\uE009'
+
+/** How elements are found: see `findElement` of page-helper.js. */
+type Names = [selector: string, name?: string, group?: string]
+
+const wordsOf = (names: Names) => names.map((word) => JSON.stringify(word) ?? 'undefined').join()
+
+interface Box {
+  x: number
+  y: number
+  width: number
+  height: number
+}
+
 type Point = readonly [x: number, y: number]
 
 /** A window of another browser than Chromium, with pages that have our helper. */
@@ -43,6 +58,32 @@ export class Window {
     }, PATIENCE)
   }
 
+  /** Waits for an element, scrolls to it and returns its rectangle in the window. */
+  find(...names: Names): Promise<Box> {
+    return vi.waitFor(async () => {
+      const box = await this.evaluate<Box | null>(`return furrowTest.reachElement(${wordsOf(names)})`)
+      expect(box, names.join()).not.toBeNull()
+      return box!
+    }, PATIENCE)
+  }
+
+  /** Clicks an element with the mouse. */
+  async click(...names: Names): Promise<void> {
+    const { x, y, width, height } = await this.find(...names)
+    await this.drag([[x + width / 2, y + height / 2]])
+  }
+
+  /** Clicks a text field and replaces its text with the keyboard. */
+  async type(text: string, ...names: Names): Promise<void> {
+    await this.click(...names)
+    const press = (key: string) => [
+      { type: 'keyDown', value: key },
+      { type: 'keyUp', value: key },
+    ]
+    const all = [{ type: 'keyDown', value: CONTROL }, ...press('a'), { type: 'keyUp', value: CONTROL }]
+    await this.browser.act([{ type: 'key', id: 'keyboard', actions: [...all, ...[...text].flatMap(press)] }])
+  }
+
   /** Presses the mouse at the first point, moves it along the others and releases it. */
   async drag([first, ...others]: readonly Point[]): Promise<void> {
     const move = ([x, y]: Point, duration = 0) => {
@@ -57,17 +98,17 @@ export class Window {
     await this.browser.act([{ type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions }])
   }
 
-  /** Drags the handle of the page's first slider to its left end. */
-  async dragSliderBack(): Promise<void> {
-    const [x, y, width, height, now] = await this.evaluate<[number, number, number, number, number]>(`
-      const slider = document.querySelector('input[type=range]')
-      const { x, y, width, height } = slider.getBoundingClientRect()
-      return [x, y, width, height, (slider.value - slider.min) / (slider.max - slider.min)]`)
+  /** Drags the handle of a horizontal slider to its left end (0) or its right end (1). */
+  async dragSlider(end: 0 | 1, ...names: Names): Promise<void> {
+    const { x, y, width, height } = await this.find(...names)
+    const now = await this.evaluate<number>(`
+      const { value, min, max } = furrowTest.findElement(${wordsOf(names)})
+      return (value - min) / (max - min)`)
     const middle = y + height / 2
     await this.drag([
       [x + height / 2 + now * (width - height), middle],
       [x + width / 2, middle],
-      [x - 20, middle],
+      [end === 0 ? x - 20 : x + width + 20, middle],
     ])
   }
 

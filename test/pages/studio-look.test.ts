@@ -5,7 +5,7 @@ import sharp from 'sharp'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { writeNone } from './avatars.ts'
 import { openStudio } from './opened-studio.ts'
-import { waitUntilReady } from './studio-page.ts'
+import { CUT_CONTROLS, waitUntilReady } from './studio-page.ts'
 
 const WINDOW = { width: 1280, height: 800 }
 
@@ -85,19 +85,7 @@ test.each([390, 640, 768, 1280, 1920, 2560])('nothing is cut at %i pixels', asyn
   const edit = page.getByRole('button', { name: 'Edit wrinkles' })
   if (await edit.isVisible()) await edit.click()
   await page.getByRole('radio', { name: 'Edit area upperLip' }).check()
-  const cut = await page.evaluate(() => {
-    for (const details of document.querySelectorAll('details')) details.open = true
-    const isCut = (element: Element) =>
-      element.checkVisibility() &&
-      !element.closest('.hidden, .title > :first-child') &&
-      (element.scrollWidth > element.clientWidth + 1 || isOutside(element))
-    const isOutside = (element: Element) => element.getBoundingClientRect().right > innerWidth + 1
-    const found = [
-      ...document.querySelectorAll('button, .file span, .segments span, .label, legend, h2, #areas label'),
-    ]
-    return found.filter(isCut).map(({ outerHTML }) => outerHTML)
-  })
-  expect(cut).toEqual([])
+  expect(await page.evaluate(CUT_CONTROLS)).toEqual([])
   const panel = await page.evaluate(() => {
     const { scrollWidth, clientWidth } = document.querySelector('#panel')!
     return scrollWidth - clientWidth

@@ -15,6 +15,22 @@ export async function waitUntilReady(page: Page, backend = ''): Promise<void> {
   await page.locator('#stage[aria-busy=false]').waitFor()
 }
 
+/** Unfolds the panel; the HTML of its controls that are cut off, as an expression of the page. */
+export const CUT_CONTROLS = `(() => {
+  for (const details of document.querySelectorAll('details')) details.open = true
+  const isCut = (element) =>
+    element.checkVisibility() &&
+    !element.closest('.hidden, .title > :first-child') &&
+    (element.scrollWidth > element.clientWidth + 1 || isOutside(element))
+  const rightOf = (element) => element.getBoundingClientRect().right
+  const isOutside = (element) => {
+    const row = element.closest('.segments')
+    return rightOf(element) > (row ? rightOf(row) : innerWidth) + 1
+  }
+  const found = document.querySelectorAll('button, .file span, .segments span, .label, legend, h2, #areas label')
+  return [...found].filter(isCut).map(({ outerHTML }) => outerHTML)
+})()`
+
 export function slider(page: Page, name: string): Locator {
   return page.getByLabel(name, { exact: true })
 }

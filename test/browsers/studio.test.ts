@@ -1,0 +1,170 @@
+/** An artist's path by mouse in browsers other than Chromium: `test/pages/studio-way.ts` in short. */
+
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import sharp from 'sharp'
+import type { ViteDevServer } from 'vite'
+import { afterAll, beforeAll, describe, expect, test } from 'vitest'
+import { io, plainHuman } from '../pages/avatars.ts'
+import { serveStudio } from '../pages/opened-studio.ts'
+import { runFurrow } from '../pages/run-furrow.ts'
+import { CUT_CONTROLS, meanPngDifference } from '../pages/studio-page.ts'
+import { DRIVEN } from './drive/browsers.ts'
+import type { BrowserKind } from './drive/driven-browser.ts'
+import { withHelper } from './page-helper.ts'
+import { openWindow } from './window.ts'
+
+const WIDE = { width: 1280, height: 800 }
+const NARROW = { width: 447, height: 844 }
+
+/** Windows by browser: WebKitGTK takes three minutes for each. */
+const windowsOf = ({ name }: BrowserKind) => (name === 'webkit' ? [WIDE] : [WIDE, NARROW])
+
+/** Height of the chin on the stage, as a fraction of it. */
+const CHIN = 0.67
+
+const BROWS = ['browInnerUp', 'browOuterUpLeft', 'browOuterUpRight']
+
+let server: ViteDevServer
+let address: string
+let avatar: Uint8Array
+
+beforeAll(async () => {
+  ;({ server, address } = await serveStudio([{ name: 'helper', transformIndexHtml: withHelper }]))
+  avatar = await io.writeBinary(await plainHuman())
+})
+
+afterAll(() => server?.close())
+
+describe.each(DRIVEN)('the studio in %s', (_, kind) => {
+  const window = openWindow(kind)
+
+  describe.each(windowsOf(kind))('$width pixels wide', ({ width, height }) => {
+    const folder = mkdtempSync(join(tmpdir(), 'furrow-studio-'))
+    let exported: Uint8Array
+
+    const isShown = "document.querySelector('#stage[aria-busy=false]')"
+
+    /** Gives a file to the page as if it was chosen from the disk. */
+    async function openFile(fileName: string, bytes: Uint8Array, face: string): Promise<void> {
+      await window.evaluate(`
+        const transfer = new DataTransfer()
+        const bytes = Uint8Array.from(atob('${Buffer.from(bytes).toString('base64')}'), (c) => c.charCodeAt(0))
+        transfer.items.add(new File([bytes], '${fileName}'))
+        const input = document.querySelector('.title input[type=file]')
+        input.files = transfer.files
+        input.dispatchEvent(new Event('change', { bubbles: true }))`)
+      const chosen = "document.querySelector('#face option:checked')?.textContent"
+      await window.until(`${chosen} === '${face}' && ${isShown}`)
+    }
+
+    /** The middle of the stage, once two pictures in a row are equal. */
+    async function shoot(): Promise<Buffer> {
+      const stage = await window.find('#viewport')
+      const middle = {
+        left: Math.round(stage.x + 0.3 * stage.width),
+        top: Math.round(stage.y + 0.2 * stage.height),
+        width: Math.round(0.4 * stage.width),
+        height: Math.round(0.5 * stage.height),
+      }
+      const take = async () => {
+        const picture = await window.browser.screenshot()
+        return sharp(picture).extract(middle).png().toBuffer()
+      }
+      for (let before = await take(); ; ) {
+        await new Promise((resolve) => setTimeout(resolve, 500))
+        const after = await take()
+        if (before.equals(after)) return after
+        before = after
+      }
+    }
+
+    async function changeByWrinkles(): Promise<number> {
+      const wrinkled = await shoot()
+      await window.click('label', 'Off', 'Wrinkles')
+      const plain = await shoot()
+      await window.click('label', 'Default', 'Wrinkles')
+      return meanPngDifference(wrinkled, plain)
+    }
+
+    /** Drags the divider to the left edge of the stage. */
+    async function showWrinklesEverywhere(): Promise<void> {
+      const divider = await window.find('#divider')
+      const [x, y] = [divider.x + divider.width / 2, divider.y + divider.height / 2]
+      await window.drag([x, x / 2, 0].map((left) => [left, y] as const))
+      await window.until("document.querySelector('#divider').ariaValueNow === '0'")
+    }
+
+    async function raiseBrows(): Promise<void> {
+      await window.type('brow', 'input', 'Filter blendshapes')
+      for (const shape of BROWS) {
+        await window.dragSlider(1, `#targets .row:has(label[title=${shape}]) input[type=range]`)
+      }
+      await window.until("furrowTest.findElement('input[type=range]', 'foreheadInnerLeft')?.value > 0.8")
+    }
+
+    const save = (step: string) => window.save(`studio-${width}-${step}`)
+
+    beforeAll(async () => {
+      await window.resize(width, height)
+      await window.browser.open(address)
+      await window.until(isShown)
+    })
+
+    afterAll(() => rmSync(folder, { recursive: true, force: true }))
+
+    test('makes wrinkles for an avatar, and raised brows crease its forehead', async () => {
+      await openFile('plain.glb', avatar, 'Plain')
+      await window.find('input[type=radio]', 'Edit area foreheadInnerLeft')
+      await window.until("!document.body.textContent.includes('Making wrinkles')")
+      await showWrinklesEverywhere()
+      await raiseBrows()
+      await save('wrinkles')
+      expect(await changeByWrinkles()).toBeGreaterThan(0.5)
+    })
+
+    test('paints an area', async () => {
+      await window.click('input[type=radio]', 'Edit area chin')
+      await window.until("furrowTest.findElement('input', 'Name')?.value === 'chin'")
+      await window.click('button', 'Paint')
+      await window.until("furrowTest.findElement('button[aria-pressed=true]', 'Paint')")
+      const stage = await window.find('#viewport')
+      const [x, y] = [stage.x + stage.width / 2, stage.y + CHIN * stage.height]
+      await window.drag([0, 1, 2, 3, 4].map((i) => [x + 10 * i, y - 5 * i] as const))
+      await window.until("furrowTest.findElement('button', 'Undo').title === 'Undo: Paint chin'")
+      await save('painted')
+      await window.click('button', 'Paint')
+    })
+
+    test('makes a file that furrow validate accepts', async () => {
+      await window.click('h2', 'Export')
+      await window.click('button', 'Make the file')
+      await window.click('button', 'Save plain-wrinkled.glb')
+      await save('export')
+      await window.until('furrowTest.savedFiles.length > 0')
+      exported = Buffer.from(await window.evaluate<string>('return furrowTest.readSaved()'), 'base64')
+      writeFileSync(join(folder, 'exported.glb'), exported)
+      const { code, stdout } = await runFurrow(folder, {}, 'validate', 'exported.glb')
+      expect({ code, stdout }).toEqual({ code: 0, stdout: expect.stringContaining(': 0 errors') })
+    })
+
+    test('opens that file again with its wrinkles', async () => {
+      await openFile('exported.glb', exported, 'Exported')
+      await save('reopened')
+      await showWrinklesEverywhere()
+      await raiseBrows()
+      expect(await changeByWrinkles()).toBeGreaterThan(0.5)
+      await save('reopened-wrinkles')
+      expect(await window.evaluate("return document.querySelector('#errors').textContent")).toBe('')
+    })
+
+    test('cuts no control off', async () => {
+      await window.click('button', 'Edit wrinkles')
+      await window.click('input[type=radio]', 'Edit area chin')
+      expect(await window.evaluate(`return ${CUT_CONTROLS}`)).toEqual([])
+      await window.find('label', 'Off', 'Wrinkles')
+      await save('unfolded')
+    })
+  })
+})
