@@ -1,6 +1,6 @@
 // Draws faces whose blendshapes lost their names, with the wrinkles that `furrow auto` makes of them: `npm run sheet -- FACE.glb... --output
-// sheet.jpg`. Each face gives two rows, without wrinkles and with them, each of the same five expressions. The files have ARKit's names, which
-// only pose the face.
+// sheet.jpg`. Each face gives two rows of five expressions: without wrinkles and with them. The files have ARKit's names, which only pose
+// the face.
 
 import { mkdtemp, rm } from 'node:fs/promises'
 import { tmpdir } from 'node:os'

@@ -19,7 +19,7 @@ const MATTER =
 
 /** Sizes of random parts of a set. */
 const PARTS = [5, 10, 20, 30]
-/** The full set, and shapes that are none of ARKit's. */
+/** The full set, and shapes outside ARKit's set. */
 const MIXED = 'full, with sliders and composites'
 
 /** Counts of shapes. */
@@ -127,7 +127,7 @@ function add(counts: Counts, found: RecognisedShape, truth: string): void {
   addSure(counts, found, truth)
 }
 
-/** Counts a shape that is none of ARKit's: any label is wrong. */
+/** Counts a shape outside ARKit's set: any label is wrong. */
 function addOther(counts: Counts, found: RecognisedShape): void {
   if (found.shape !== undefined) counts.wrong++
   addSure(counts, found, undefined)

@@ -1,6 +1,7 @@
 import { useSignal } from '@preact/signals'
 import { useMemo } from 'preact/hooks'
 import { type Dial, groupShapes, type ShapeGroup } from '../viewer/pose/dials.ts'
+import { FilterInput } from './controls/filter-input.tsx'
 import { Section } from './controls/section.tsx'
 import { Slider } from './controls/slider.tsx'
 import type { PanelModel } from './model.ts'
@@ -35,20 +36,9 @@ export function Targets({ model }: { model: PanelModel }) {
   )
   return (
     <Section title="Blendshapes" aside={aside}>
-      <label class="filter">
-        <span class="hidden">Filter blendshapes</span>
-        <input
-          id="filter"
-          type="search"
-          placeholder="Filter, e.g. brow"
-          autocomplete="off"
-          spellcheck={false}
-          value={filter.value}
-          onInput={({ currentTarget }) => {
-            filter.value = currentTarget.value
-          }}
-        />
-      </label>
+      <div class="filter">
+        <FilterInput label="Filter blendshapes" id="filter" filter={filter} />
+      </div>
       <div id="targets" class="groups">
         {groups.map((group) => (
           <Group

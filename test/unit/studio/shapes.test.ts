@@ -107,7 +107,7 @@ describe('automatic wrinkles', () => {
 
 describe('studio.json', () => {
   it.each([
-    ['a list that is none', 5],
+    ['a number instead of a list', 5],
     ['a shape that ARKit does not have', [{ target: 'key_1', shape: 'browUpward' }]],
   ])('with corrections that are %s is read without what was made with them', (_, shapes) => {
     const { studio, note } = parseStudioFile({

@@ -3,6 +3,7 @@ import { useEffect, useId } from 'preact/hooks'
 import { areWrinklesOutdated } from '../../document/shapes.ts'
 import type { ShapeRow as Row } from '../../session/shape-editor.ts'
 import { AutoProgress } from '../auto-progress.tsx'
+import { FilterInput } from '../controls/filter-input.tsx'
 import { Section } from '../controls/section.tsx'
 import type { PanelModel } from '../model.ts'
 import { isUnknown, shapeLabel } from './labels.ts'
@@ -101,17 +102,7 @@ function ShapeList({ rows, model }: { rows: readonly Row[]; model: PanelModel })
   return (
     <>
       <div class="shape-filter">
-        <input
-          type="search"
-          aria-label="Filter shapes"
-          placeholder="Filter, e.g. brow"
-          autocomplete="off"
-          spellcheck={false}
-          value={filter.value}
-          onInput={({ currentTarget }) => {
-            filter.value = currentTarget.value
-          }}
-        />
+        <FilterInput label="Filter shapes" filter={filter} />
         <label class="check">
           <input
             type="checkbox"

@@ -1,0 +1,26 @@
+import type { Signal } from '@preact/signals'
+
+interface FilterInputProps {
+  label: string
+  id?: string | undefined
+  /** Receives the text. */
+  filter: Signal<string>
+}
+
+/** A field that filters a list of blendshapes by name. */
+export function FilterInput({ label, id, filter }: FilterInputProps) {
+  return (
+    <input
+      id={id}
+      type="search"
+      aria-label={label}
+      placeholder="Filter, e.g. brow"
+      autocomplete="off"
+      spellcheck={false}
+      value={filter.value}
+      onInput={({ currentTarget }) => {
+        filter.value = currentTarget.value
+      }}
+    />
+  )
+}
