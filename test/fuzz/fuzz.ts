@@ -75,7 +75,7 @@ function checkCommands(commands: readonly string[]): void {
   throw new FurrowError({
     code: 'unknown-name',
     who: 'fuzz',
-    what: 'no command of that name reads files',
+    problem: 'no command of that name reads files',
     value,
     limit: COMMANDS.join(', '),
     remedy: 'name one of these',

@@ -47,7 +47,7 @@ export async function findBrowser(): Promise<string> {
     throw new FurrowError({
       code: 'unreadable',
       who: 'furrow',
-      what: 'FURROW_CHROMIUM is not a program',
+      problem: 'FURROW_CHROMIUM is not a program',
       value: named,
       limit: 'the path of Chrome, Chromium or Edge',
       remedy: 'correct the variable, or unset it to use an installed browser',
@@ -60,7 +60,7 @@ export async function findBrowser(): Promise<string> {
   throw new FurrowError({
     code: 'unsupported',
     who: 'furrow',
-    what: 'no browser found',
+    problem: 'no browser found',
     limit: 'Chrome, Chromium or Edge',
     remedy: 'install one (e.g. "npx playwright install chromium"), or set FURROW_CHROMIUM to its path',
   })
@@ -95,7 +95,7 @@ export async function launchBrowser(flags: readonly string[] = []): Promise<Brow
       {
         code: 'unsupported',
         who: 'furrow',
-        what: `the browser does not start (${firstLine(error)})`,
+        problem: `the browser does not start (${firstLine(error)})`,
         value: executablePath,
         remedy: 'set FURROW_CHROMIUM to the path of another Chrome, Chromium or Edge',
       },

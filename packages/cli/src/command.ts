@@ -40,15 +40,15 @@ function checkValues(command: Command, who: string): void {
   throw new FurrowError({
     code: 'usage',
     who,
-    what: `${empty[0]} is empty`,
+    problem: `${empty[0]} is empty`,
     remedy: `give it a value; see ${who} --help`,
   })
 }
 
 function usageError(command: Command, who: string, error: CommanderError): FurrowError {
-  const { what, suggestion } = readMessage(error)
-  const fault = (what: string, remedy: string) =>
-    new FurrowError({ code: 'usage', who, what, remedy }, { cause: error })
+  const { problem, suggestion } = readMessage(error)
+  const fault = (problem: string, remedy: string) =>
+    new FurrowError({ code: 'usage', who, problem, remedy }, { cause: error })
   const help = `see ${who} --help`
   // A required option that is misspelt is not missing.
   const unknown = error.code === 'commander.missingMandatoryOptionValue' ? unknownOption(command) : undefined
@@ -57,19 +57,19 @@ function usageError(command: Command, who: string, error: CommanderError): Furro
     return fault(`unknown option '${unknown}'`, didYouMean(unknown, options, help))
   }
   // Commander knows the nearest command and option, but not the nearest choice.
-  if (suggestion) return fault(what, `did you mean "${suggestion}"?`)
-  const choice = /argument '(.*)' is invalid\. Allowed choices are (.*)$/.exec(what)
-  if (!choice) return fault(what, help)
+  if (suggestion) return fault(problem, `did you mean "${suggestion}"?`)
+  const choice = /argument '(.*)' is invalid\. Allowed choices are (.*)$/.exec(problem)
+  if (!choice) return fault(problem, help)
   // An option that takes several values takes a file behind it as one more.
-  const otherwise = what.includes('...>') ? `files go before this option; ${help}` : help
-  return fault(what, didYouMean(choice[1], choice[2].split(', '), otherwise))
+  const otherwise = problem.includes('...>') ? `files go before this option; ${help}` : help
+  return fault(problem, didYouMean(choice[1], choice[2].split(', '), otherwise))
 }
 
 /** Messages begin with `error: `; those about choices end with a full stop. A suggestion has a line of its own. */
-function readMessage({ message }: CommanderError): { what: string; suggestion: string | undefined } {
+function readMessage({ message }: CommanderError): { problem: string; suggestion: string | undefined } {
   const [first, second = ''] = message.split('\n')
-  const what = first.replace(/^error: /, '').replace(/\.$/, '')
-  return { what, suggestion: /^\(Did you mean (.*)\?\)$/.exec(second)?.[1] }
+  const problem = first.replace(/^error: /, '').replace(/\.$/, '')
+  return { problem, suggestion: /^\(Did you mean (.*)\?\)$/.exec(second)?.[1] }
 }
 
 function unknownOption(command: Command): string | undefined {

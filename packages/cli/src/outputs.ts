@@ -55,7 +55,7 @@ export async function checkOutputs(
     throw new FurrowError({
       code: 'usage',
       who,
-      what: 'one file for two outputs',
+      problem: 'one file for two outputs',
       value: twice,
       remedy: 'give each a file of its own',
     })
@@ -89,7 +89,7 @@ function overInput(path: string, who: string, force: boolean | undefined): Furro
   return new FurrowError({
     code: 'unwritable',
     who,
-    what: `${path} is the input`,
+    problem: `${path} is the input`,
     remedy: `name another output${force === undefined ? '' : ', or replace it with --force'}`,
   })
 }
@@ -140,7 +140,7 @@ export async function checkNewFolder(path: string, who: string): Promise<void> {
     throw new FurrowError({
       code: 'unwritable',
       who,
-      what: `${path} is ${found.isDirectory() ? 'not empty' : 'a file'}`,
+      problem: `${path} is ${found.isDirectory() ? 'not empty' : 'a file'}`,
       limit: 'a new or an empty folder',
       remedy: 'name another one; nothing is overwritten',
     })

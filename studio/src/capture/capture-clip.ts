@@ -30,7 +30,7 @@ function withoutBlendshapes(name: string): FurrowError {
   return new FurrowError({
     code: 'unknown-name',
     who: 'Studio',
-    what: `the face has none of the blendshapes in ${name}`,
+    problem: `the face has none of the blendshapes in ${name}`,
     limit: 'names of ARKit, such as browInnerUp',
     remedy: 'name its blendshapes so, or open another avatar',
   })

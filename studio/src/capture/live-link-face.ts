@@ -150,7 +150,7 @@ function unusable(file: File, what: string, value?: unknown, limit?: string): Fu
   return new FurrowError({
     code: 'unreadable',
     who: 'Studio',
-    what: `${file.name} cannot be played: ${what}`,
+    problem: `${file.name} cannot be played: ${what}`,
     value,
     limit,
     remedy: 'export the take from Live Link Face again, as CSV',

@@ -105,7 +105,7 @@ function checkSize({ areaSize }: StudioDocument, { width, height }: GrayImage): 
   if (width === areaSize && height === areaSize) return
   throw new FurrowError({
     who: 'Studio',
-    what: 'an area has another size than the others',
+    problem: 'an area has another size than the others',
     value: `${width} x ${height}`,
     limit: `${areaSize} x ${areaSize} texels`,
     remedy: 'resample it',

@@ -100,7 +100,7 @@ export function layersLeft(document: StudioDocument | null): number {
   throw new FurrowError({
     code: 'out-of-range',
     who: 'Studio',
-    what: 'no layer is left for automatic wrinkles',
+    problem: 'no layer is left for automatic wrinkles',
     value: own,
     limit: `${MAX_LAYERS} layers, at least one of them automatic`,
     remedy: 'remove one first',

@@ -56,7 +56,7 @@ function afterConflicts(
 function cancelled(set: readonly (readonly [string, number])[]): FurrowError {
   return new FurrowError({
     who: 'Studio',
-    what: 'the blendshapes that are set cancel each other',
+    problem: 'the blendshapes that are set cancel each other',
     value: set.map(([name]) => name).join(', '),
     remedy: 'set others, or remove the conflict between them',
   })

@@ -32,7 +32,7 @@ export function removeLayer(document: StudioDocument, name: string): StudioDocum
   if (shown.length > 0 || document.layers.length === 1) {
     throw new FurrowError({
       who: 'Studio',
-      what: shown.length > 0 ? `areas show the layer ${name}` : `${name} is the only layer`,
+      problem: shown.length > 0 ? `areas show the layer ${name}` : `${name} is the only layer`,
       value: shown.map((area) => area.name).join(', ') || undefined,
       remedy: shown.length > 0 ? 'move them to another layer first' : 'add another one first',
     })

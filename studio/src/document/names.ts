@@ -13,7 +13,7 @@ export function named<T extends Named>(items: readonly T[], name: string, kind: 
   throw new FurrowError({
     code: 'unknown-name',
     who: 'Studio',
-    what: `no such ${kind}`,
+    problem: `no such ${kind}`,
     value: name,
     limit: items.map((each) => each.name).join(', ') || 'there is none',
     remedy: 'name one of these',
@@ -48,7 +48,7 @@ export function checkCount(items: readonly Named[], most: number, kind: string):
   throw new FurrowError({
     code: 'out-of-range',
     who: 'Studio',
-    what: `too many ${kind}s`,
+    problem: `too many ${kind}s`,
     value: most + 1,
     limit: `${most}`,
     remedy: 'remove one first',
@@ -60,7 +60,7 @@ export function checkNewName(items: readonly Named[], name: string, kind: string
   if (!isName(name)) {
     throw new FurrowError({
       who: 'Studio',
-      what: `the ${kind} has no usable name`,
+      problem: `the ${kind} has no usable name`,
       value: name,
       limit: '1 to 256 characters on one line',
       remedy: 'choose another name',
@@ -69,7 +69,7 @@ export function checkNewName(items: readonly Named[], name: string, kind: string
   if (!items.some((item) => item.name === name)) return
   throw new FurrowError({
     who: 'Studio',
-    what: `two of the ${kind}s would have one name`,
+    problem: `two of the ${kind}s would have one name`,
     value: name,
     remedy: 'choose another name',
   })

@@ -1,12 +1,12 @@
 import { FurrowError } from 'furrow'
 
 /** Throws FurrowError where a number is not finite or outside a range; undefined passes. */
-export function checkRange(what: string, value: number | undefined, low: number, high: number): void {
+export function checkRange(problem: string, value: number | undefined, low: number, high: number): void {
   if (value === undefined || (value >= low && value <= high)) return
   throw new FurrowError({
     code: 'out-of-range',
     who: 'Studio',
-    what,
+    problem,
     value,
     limit: `${low} to ${high}`,
     remedy: 'choose one in this range',

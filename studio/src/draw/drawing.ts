@@ -117,7 +117,7 @@ function died(reason: string | undefined): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who: 'Studio',
-    what: 'the worker that draws strokes has ended',
+    problem: 'the worker that draws strokes has ended',
     value: reason,
     remedy: 'it is started again, and nothing is lost; close other pages if it runs out of memory',
   })

@@ -58,7 +58,7 @@ async function readDocument(file: FaceFiles) {
 function withoutSkin(face: string): FurrowError {
   return new FurrowError({
     who: WHO,
-    what: `no mesh of ${face} has texture coordinates`,
+    problem: `no mesh of ${face} has texture coordinates`,
     remedy: 'unwrap it, and export it again',
   })
 }

@@ -69,7 +69,7 @@ function died(message: string | undefined): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who: 'Studio',
-    what: 'the worker that packs faces has ended',
+    problem: 'the worker that packs faces has ended',
     value: message,
     remedy: 'close other pages to free memory, and export again',
   })

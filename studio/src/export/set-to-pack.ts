@@ -57,7 +57,7 @@ function mapToPack(map: LayerMap, path: string): MapToPack {
 function withoutAreas(who: string): FurrowError {
   return new FurrowError({
     who,
-    what: 'the document has no areas',
+    problem: 'the document has no areas',
     limit: 'at least one',
     remedy: 'add an area and paint where its wrinkles show',
   })

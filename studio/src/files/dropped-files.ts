@@ -104,7 +104,7 @@ function notReadable(name: string, { message }: Error): FurrowError {
   return new FurrowError({
     code: 'unreadable',
     who: 'Studio',
-    what: `${name} cannot be read`,
+    problem: `${name} cannot be read`,
     value: message,
     remedy: 'check that it is still there and that the browser may read it, then drop it again',
   })
@@ -115,7 +115,7 @@ export function tooManyFiles(name: string): FurrowError {
   return new FurrowError({
     code: 'out-of-range',
     who: 'Studio',
-    what: `too many files in ${name}`,
+    problem: `too many files in ${name}`,
     limit: `${MOST_FILES.toLocaleString('en')} files`,
     remedy: 'drop the folder of the avatar alone',
   })

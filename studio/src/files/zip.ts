@@ -74,18 +74,18 @@ function tooLarge(name: string): FurrowError {
   return new FurrowError({
     code: 'out-of-range',
     who: 'Studio',
-    what: `${name} is too large`,
+    problem: `${name} is too large`,
     limit: `${MOST_BYTES / 2 ** 20} MB unpacked`,
     remedy: 'unpack it, and open the folder',
   })
 }
 
 function damaged(name: string, cause: Error): FurrowError {
-  // Numbers in it lead out of it.
-  const problem = cause instanceof RangeError ? 'it is cut off or damaged' : cause.message
-  const what = `cannot read ${name} (${problem})`
+  // fflate reads past the end where offsets are wrong.
+  const reason = cause instanceof RangeError ? 'it is cut off or damaged' : cause.message
+  const problem = `cannot read ${name} (${reason})`
   return new FurrowError(
-    { code: 'unreadable', who: 'Studio', what, remedy: 'save or download it again' },
+    { code: 'unreadable', who: 'Studio', problem, remedy: 'save or download it again' },
     { cause },
   )
 }

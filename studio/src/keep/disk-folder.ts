@@ -153,6 +153,6 @@ async function parentOf(folder: FileSystemDirectoryHandle, path: string, create:
 }
 
 function unwritable(name: string, reason: string, remedy: string): FurrowError {
-  const what = `cannot write to the folder ${name} (${reason})`
-  return new FurrowError({ code: 'unwritable', who: 'Studio', what, remedy })
+  const problem = `cannot write to the folder ${name} (${reason})`
+  return new FurrowError({ code: 'unwritable', who: 'Studio', problem, remedy })
 }

@@ -70,7 +70,7 @@ export function checkVersion(version: unknown, name: string): void {
   throw new FurrowError({
     code: 'unsupported',
     who: 'Studio',
-    what: `${name} was stored by a later version of the studio`,
+    problem: `${name} was stored by a later version of the studio`,
     value: version,
     limit: `${VERSION}`,
     remedy: 'reload the page',
@@ -80,7 +80,7 @@ export function checkVersion(version: unknown, name: string): void {
 class Missing extends Error {}
 
 function reasonOf(error: unknown): string {
-  return error instanceof FurrowError ? `its document: ${error.what}` : 'its document is incomplete'
+  return error instanceof FurrowError ? `its document: ${error.problem}` : 'its document is incomplete'
 }
 
 function mapOf(image: ImageRecord | undefined, map: string): ImageFile {
@@ -94,7 +94,7 @@ function weightsOf(image: ImageRecord | undefined, area: string, side: number): 
 }
 
 function damaged(name: string, reason: string, cause?: unknown): FurrowError {
-  const what = `cannot open ${name} (${reason})`
+  const problem = `cannot open ${name} (${reason})`
   const remedy = 'open its folder or file, if you saved one'
-  return new FurrowError({ code: 'unreadable', who: 'Studio', what, remedy }, { cause })
+  return new FurrowError({ code: 'unreadable', who: 'Studio', problem, remedy }, { cause })
 }

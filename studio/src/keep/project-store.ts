@@ -167,7 +167,7 @@ export class ProjectStore {
 function nameOf(record: ProjectRecord | undefined): string {
   if (!record) {
     const remedy = 'choose one of the list'
-    throw new FurrowError({ code: 'unknown-name', who: 'Studio', what: 'the project is gone', remedy })
+    throw new FurrowError({ code: 'unknown-name', who: 'Studio', problem: 'the project is gone', remedy })
   }
   checkVersion(record.version, record.name)
   return record.name

@@ -132,8 +132,8 @@ export class Project {
 
 /** The error for a project that another tab has open. */
 export function openElsewhere(name: string, remedy: string): FurrowError {
-  const what = `${name} is open in another tab`
-  return new FurrowError({ code: 'unwritable', who: 'Studio', what, remedy })
+  const problem = `${name} is open in another tab`
+  return new FurrowError({ code: 'unwritable', who: 'Studio', problem, remedy })
 }
 
 /** Images with the numbers that they are stored under, and with new numbers where they are not. */

@@ -3,26 +3,26 @@ import { FurrowError } from 'furrow'
 const FOLDER_REMEDY = 'save the project as a folder or a file'
 
 /** What errors of the browser's storage mean, by the names of their exceptions, and what helps. */
-const REASONS: Readonly<Record<string, { what: string; remedy: string }>> = {
+const REASONS: Readonly<Record<string, { problem: string; remedy: string }>> = {
   QuotaExceededError: {
-    what: 'the browser has no room left for this project',
+    problem: 'the browser has no room left for this project',
     remedy: `free some disk space or delete other projects, or ${FOLDER_REMEDY}`,
   },
   SecurityError: {
-    what: 'the browser does not let this page store anything',
+    problem: 'the browser does not let this page store anything',
     remedy: `allow its data or leave the private window, or ${FOLDER_REMEDY}`,
   },
   VersionError: {
-    what: 'the projects were stored by a later version of the studio',
+    problem: 'the projects were stored by a later version of the studio',
     remedy: 'reload the page',
   },
   // What a connection gives that the browser closed: its data was cleared, or a later version of the page was opened.
   InvalidStateError: {
-    what: 'the browser closed its storage',
+    problem: 'the browser closed its storage',
     remedy: `wait until saving is tried again, or ${FOLDER_REMEDY}`,
   },
   NotReadableError: {
-    what: 'a file of the avatar has changed since it was opened',
+    problem: 'a file of the avatar has changed since it was opened',
     remedy: 'open it again',
   },
 }
@@ -32,7 +32,7 @@ export function storageError(cause: unknown): FurrowError {
   if (cause instanceof FurrowError) return cause
   const { name, message } = cause instanceof Error ? cause : { name: '', message: String(cause) }
   const reason = Object.hasOwn(REASONS, name) ? REASONS[name] : undefined
-  const what = reason?.what ?? `the browser's storage failed (${message.split('\n')[0] || name})`
+  const problem = reason?.problem ?? `the browser's storage failed (${message.split('\n')[0] || name})`
   const remedy = reason?.remedy ?? FOLDER_REMEDY
-  return new FurrowError({ code: 'unwritable', who: 'Studio', what, remedy }, { cause })
+  return new FurrowError({ code: 'unwritable', who: 'Studio', problem, remedy }, { cause })
 }

@@ -154,7 +154,7 @@ export class Lines {
 function hiddenPoint(): FurrowError {
   return new FurrowError({
     who: 'Studio',
-    what: 'the point of the line is hidden',
+    problem: 'the point of the line is hidden',
     remedy: 'turn the face until it is seen',
   })
 }

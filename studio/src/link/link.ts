@@ -190,7 +190,7 @@ function unusable(what: string, value: unknown, limit?: string): FurrowError {
   return new FurrowError({
     code: 'out-of-range',
     who: 'Studio',
-    what: `the link cannot be used: ${what}`,
+    problem: `the link cannot be used: ${what}`,
     value,
     limit,
     remedy: 'ask for it again, or go on without it',

@@ -142,7 +142,7 @@ function notesOn({ name, fault, blendshapes }: SkinCandidate): string[] {
 function withoutAvatar(folder: string): FurrowError {
   return new FurrowError({
     who: 'Studio',
-    what: `there is no avatar for the wrinkles in ${folder}`,
+    problem: `there is no avatar for the wrinkles in ${folder}`,
     remedy: 'drop one first, or together with them',
   })
 }
@@ -150,7 +150,7 @@ function withoutAvatar(folder: string): FurrowError {
 function nothingToShow(name: string): FurrowError {
   return new FurrowError({
     who: 'Studio',
-    what: `${name} has no mesh`,
+    problem: `${name} has no mesh`,
     limit: 'triangles in its scene',
     remedy: 'export the avatar with its meshes',
   })

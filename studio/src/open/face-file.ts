@@ -62,7 +62,7 @@ function missing({ path }: DroppedFile, uri: string, count: number): FurrowError
   return new FurrowError({
     code: 'unreadable',
     who: WHO,
-    what: `${path} refers to ${count === 0 ? 'a file that was not dropped' : `one of ${count} files of the same name`}`,
+    problem: `${path} refers to ${count === 0 ? 'a file that was not dropped' : `one of ${count} files of the same name`}`,
     value: uri,
     remedy: 'drop the folder that has both',
   })

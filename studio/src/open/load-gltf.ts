@@ -113,7 +113,7 @@ function damaged(name: string, error: unknown): FurrowError {
     {
       code: 'unreadable',
       who: 'Studio',
-      what: `${name} cannot be loaded`,
+      problem: `${name} cannot be loaded`,
       value: firstLine(error),
       limit: 'a whole glTF 2.0 file (.glb, .vrm, .gltf)',
       remedy: 'export it again',

@@ -113,7 +113,7 @@ function byDepth(a: string, b: string): number {
 async function nothingUsable(files: readonly DroppedFile[]): Promise<FurrowError> {
   const [first] = files
   const remedy = 'drop a .glb, .vrm or .gltf, a folder of wrinkles, gray images, or a CSV of Live Link Face'
-  if (!first) return new FurrowError({ who: 'Studio', what: 'no file was dropped', remedy })
+  if (!first) return new FurrowError({ who: 'Studio', problem: 'no file was dropped', remedy })
   const other = otherFormat(await bytesOf(first.file.slice(0, HEAD_BYTES), first.path))
   const problem = other?.problem ?? 'its contents are unknown'
   return unusable(first.path, 'Studio', problem, {

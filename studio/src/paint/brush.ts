@@ -49,7 +49,7 @@ function wrong(setting: string, value: unknown, limit: string): FurrowError {
   return new FurrowError({
     code: 'out-of-range',
     who: 'Studio',
-    what: `${setting} of the brush out of range`,
+    problem: `${setting} of the brush out of range`,
     value,
     limit,
     remedy: 'choose one in this range',

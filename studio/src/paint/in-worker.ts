@@ -47,7 +47,7 @@ function died(reason: string | undefined): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who: 'Studio',
-    what: 'the worker that reads the skin has ended',
+    problem: 'the worker that reads the skin has ended',
     value: reason,
     remedy: 'close other pages to free memory',
   })

@@ -45,7 +45,7 @@ export function paintMapArrays(
     throw new FurrowError({
       code: 'out-of-range',
       who: 'Studio',
-      what: 'side of an area that is painted',
+      problem: 'side of an area that is painted',
       value: size,
       limit: `${least} to ${most} texels`,
       remedy: 'resample the area',
@@ -90,7 +90,7 @@ export function checkPaintable({ width, height, data }: GrayImage): void {
   if (width === height && data.length === width * height) return
   throw new FurrowError({
     who: 'Studio',
-    what: 'an area that is painted is not square',
+    problem: 'an area that is painted is not square',
     value: `${width} x ${height} texels, ${data.length} bytes`,
     remedy: 'resample the area',
   })

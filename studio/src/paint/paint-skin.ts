@@ -25,7 +25,7 @@ export function paintSurface(skin: Skin, scale?: number): SkinSurface {
   if (surface.corners.length === 0) {
     throw new FurrowError({
       who: 'Studio',
-      what: 'no triangle of the mesh has an area that could be painted',
+      problem: 'no triangle of the mesh has an area that could be painted',
       value: `${Math.floor(skin.indices.length / 3)} triangles`,
       remedy: 'check the mesh in the program that made it',
     })
@@ -34,7 +34,7 @@ export function paintSurface(skin: Skin, scale?: number): SkinSurface {
     throw new FurrowError({
       code: 'out-of-range',
       who: 'Studio',
-      what: 'millimetres per unit of the mesh',
+      problem: 'millimetres per unit of the mesh',
       value: scale,
       limit: 'above 0',
       remedy: 'give 1000 for a mesh in metres',

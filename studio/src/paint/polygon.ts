@@ -207,7 +207,7 @@ class Outline {
     if (area > LEAST_AREA * perimeter * perimeter) return sum.map((value) => value / area)
     throw new FurrowError({
       who: 'Studio',
-      what: 'the polygon encloses no skin',
+      problem: 'the polygon encloses no skin',
       value: `${area.toFixed(1)} square millimetres`,
       remedy: 'draw it round what it should paint',
     })
@@ -219,8 +219,8 @@ class Outline {
 }
 
 function check(points: readonly SkinPoint[], { feather, opacity }: PolygonBrush): void {
-  const fail = (what: string, value: unknown, limit: string, remedy: string) => {
-    throw new FurrowError({ code: 'out-of-range', who: 'Studio', what, value, limit, remedy })
+  const fail = (problem: string, value: unknown, limit: string, remedy: string) => {
+    throw new FurrowError({ code: 'out-of-range', who: 'Studio', problem, value, limit, remedy })
   }
   if (points.length < 3) fail('a polygon has too few points', points.length, 'at least 3', 'add points')
   if (!(feather >= 0 && feather <= MOST_FEATHER)) {

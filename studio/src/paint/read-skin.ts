@@ -43,7 +43,7 @@ function partOf({ geometry, material, name }: Mesh, use: (vertices: Uint32Array)
   if (!uvs) {
     throw new FurrowError({
       who: 'Studio',
-      what: 'a mesh without texture coordinates cannot be painted',
+      problem: 'a mesh without texture coordinates cannot be painted',
       value: name,
       remedy: 'unwrap it',
     })

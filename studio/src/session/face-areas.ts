@@ -52,7 +52,7 @@ function tooManyImages(count: number): FurrowError {
   return new FurrowError({
     code: 'out-of-range',
     who: 'Studio',
-    what: 'too many images to add as areas',
+    problem: 'too many images to add as areas',
     value: count,
     limit: `${MAX_AREAS}`,
     remedy: 'drop those of this face',

@@ -52,7 +52,7 @@ function canvasOf(width: number, height: number, name: string) {
 function withoutCanvas(name: string): FurrowError {
   return new FurrowError({
     who: 'Studio',
-    what: `there is no canvas to draw ${name} on`,
+    problem: `there is no canvas to draw ${name} on`,
     remedy: 'close other pages to free memory',
   })
 }

@@ -96,7 +96,7 @@ export class Opening {
 function withoutAvatar(capture: string): FurrowError {
   return new FurrowError({
     who: 'Studio',
-    what: `there is no avatar for ${capture} to move`,
+    problem: `there is no avatar for ${capture} to move`,
     remedy: 'drop one first',
   })
 }

@@ -294,7 +294,7 @@ function isSameWork(a: OpenedAvatar, b: OpenedAvatar): boolean {
 function withoutAreas(reason: string): FurrowError {
   return new FurrowError({
     who: 'Studio',
-    what: `no wrinkles can be made: ${reason}`,
+    problem: `no wrinkles can be made: ${reason}`,
     remedy: 'paint areas and draw strokes by hand, or choose another skin',
   })
 }

@@ -89,7 +89,7 @@ function notFetched(address: string, cause: Error): FurrowError {
     {
       code: 'unreadable',
       who: 'Studio',
-      what: `an avatar cannot be fetched (${cause.message})`,
+      problem: `an avatar cannot be fetched (${cause.message})`,
       value: address,
       remedy:
         'check the connection, and that its server lets other pages read it (CORS); or download it and drop it here',

@@ -265,7 +265,7 @@ function cloned(material: Mesh['material']): Mesh['material'] {
 function withoutLayers(area: string): FurrowError {
   return new FurrowError({
     who: 'Studio',
-    what: 'the face has no wrinkles for an area to show',
+    problem: 'the face has no wrinkles for an area to show',
     value: area,
     remedy: 'drop an avatar with wrinkles, or a folder of wrinkles, first',
   })

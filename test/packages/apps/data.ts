@@ -22,7 +22,7 @@ let inNode = ''
 try {
   await autoWrinklesInWorker({ positions: [], uvs: [], indices: [], targets: [] }, { age: 60 })
 } catch (error) {
-  if (error instanceof FurrowError) inNode = error.what
+  if (error instanceof FurrowError) inNode = error.problem
 }
 
 console.info(

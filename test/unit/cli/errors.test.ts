@@ -18,7 +18,7 @@ async function failure(work: () => unknown): Promise<unknown> {
 describe('errors of the library in a command', () => {
   const parts = {
     code: 'out-of-range',
-    what: 'too large',
+    problem: 'too large',
     value: 9,
     limit: '0..1',
     remedy: 'scale it',
@@ -95,11 +95,11 @@ describe('the command line', () => {
   })
 
   it('has no empty values, as of variables that are not set', async () => {
-    const what = (...args: string[]) =>
-      failure(() => run(...args)).then((error) => (error as FurrowError).what)
-    expect(await what('', '-o', 'x')).toBe("argument 'yarn' is empty")
-    expect(await what('wool', '-o', '')).toBe("option '-o, --output <file>' is empty")
-    expect(await what('wool', '--output=')).toBe("option '-o, --output <file>' is empty")
+    const problem = (...args: string[]) =>
+      failure(() => run(...args)).then((error) => (error as FurrowError).problem)
+    expect(await problem('', '-o', 'x')).toBe("argument 'yarn' is empty")
+    expect(await problem('wool', '-o', '')).toBe("option '-o, --output <file>' is empty")
+    expect(await problem('wool', '--output=')).toBe("option '-o, --output <file>' is empty")
   })
 
   it('takes files before options with several values, and says so', async () => {
@@ -127,11 +127,11 @@ describe('the command line', () => {
       ['wool', '-o', 'x', '--crochet', '--rows', '2'],
       "option '--crochet' cannot be used with option '--rows <count>'",
     ],
-  ])('%j is refused in one line, and nothing is printed', async (args, what) => {
+  ])('%j is refused in one line, and nothing is printed', async (args, problem) => {
     const write = vi.spyOn(process.stderr, 'write')
     const error = await failure(() => run(...args))
     expect(error).toBeInstanceOf(FurrowError)
-    expect(error).toMatchObject({ code: 'usage', who: 'furrow knit', what })
+    expect(error).toMatchObject({ code: 'usage', who: 'furrow knit', problem })
     expect((error as Error).message).toMatch(/; see furrow knit --help$/)
     expect(write).not.toHaveBeenCalled()
     write.mockRestore()

@@ -34,7 +34,7 @@ describe('Activations', () => {
       new FurrowError({
         code: 'unknown-name',
         who: 'Activations',
-        what: 'unknown area',
+        problem: 'unknown area',
         value: 'noze',
         limit: '"nose", "glabella"',
         remedy: 'did you mean "nose"?',

@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest'
 const parts = {
   code: 'out-of-range',
   who: 'setActivation',
-  what: 'activation out of range',
+  problem: 'activation out of range',
   value: 2,
   limit: '0..1',
   remedy: 'clamp it',
@@ -27,7 +27,7 @@ describe('FurrowError', () => {
   })
 
   it('has the code "invalid" by default, and prints no value or limit that it does not have', () => {
-    const error = new FurrowError({ who: 'bake', what: 'no triangles', remedy: 'export the mesh' })
+    const error = new FurrowError({ who: 'bake', problem: 'no triangles', remedy: 'export the mesh' })
     expect(error).toMatchObject({ code: 'invalid', value: undefined, limit: undefined })
     expect(error.message).toBe('bake: no triangles; export the mesh')
   })

@@ -133,7 +133,7 @@ describe('automatic saving', () => {
     await saves.end(new DOMException('full', 'QuotaExceededError'))
     expect(autosave.state.value).toMatchObject({
       kind: 'failed',
-      reason: { name: 'FurrowError', what: 'the browser has no room left for this project' },
+      reason: { name: 'FurrowError', problem: 'the browser has no room left for this project' },
     })
     document.value = changedBy(0.2)
     expect(kind()).toBe('failed')

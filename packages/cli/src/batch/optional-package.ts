@@ -10,7 +10,7 @@ export async function optionalPackage<T>(load: () => Promise<T>, names: string, 
       {
         code: 'unsupported',
         who: 'furrow',
-        what: `${use} needs ${names}, which is not installed`,
+        problem: `${use} needs ${names}, which is not installed`,
         remedy: `run npm install ${names} beside furrow-cli, or npx --yes ${['furrow-cli', ...names.split(' ')].map((name) => `-p ${name}`).join(' ')} furrow`,
       },
       { cause: error },

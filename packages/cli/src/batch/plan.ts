@@ -54,8 +54,8 @@ export async function checkEntries(entries: readonly Entry[], command: JobComman
   const outputs = new Map<string, string>()
   for (const [i, { input, output }] of written.entries()) {
     const key = keys[i]
-    const fault = (what: string, remedy: string) => {
-      return new FurrowError({ code: 'usage', who: WHO, what, value: output, remedy })
+    const fault = (problem: string, remedy: string) => {
+      return new FurrowError({ code: 'usage', who: WHO, problem, value: output, remedy })
     }
     const other = outputs.get(key)
     if (other !== undefined) {

@@ -104,7 +104,7 @@ function weightsOf(targetNames: readonly string[], set: Readonly<Record<string, 
       throw new FurrowError({
         code: 'unknown-name',
         who: WHO,
-        what: 'no such blendshape',
+        problem: 'no such blendshape',
         value: name,
         limit: targetNames.join(', ') || 'the mesh has none',
         remedy: didYouMean(name, targetNames, 'name one of these'),

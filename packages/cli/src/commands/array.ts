@@ -67,7 +67,7 @@ async function packOrExtract(files: string[], options: Options): Promise<void> {
   throw new FurrowError({
     code: 'usage',
     who: WHO,
-    what: 'no output',
+    problem: 'no output',
     limit: 'IMAGES -o ARRAY.ktx2, or ARRAY.ktx2 --extract FOLDER',
     remedy: 'give either -o or --extract',
   })
@@ -91,7 +91,7 @@ async function extractLayers(files: string[], folder: string): Promise<Result> {
     throw new FurrowError({
       code: 'usage',
       who: WHO,
-      what: 'too many files to extract from',
+      problem: 'too many files to extract from',
       value: files.length,
       limit: '1 array',
       remedy: 'extract one array at a time',

@@ -246,7 +246,7 @@ function removeOldWrinkles(glb: Glb, { material, materialName }: FoundSkin, repl
   }
   throw new FurrowError({
     who: WHO,
-    what: 'the material already has wrinkles',
+    problem: 'the material already has wrinkles',
     value: materialName,
     remedy: 'replace them with --replace',
   })
@@ -256,17 +256,17 @@ function withoutFurrowLayer(): FurrowError {
   return new FurrowError({
     code: 'usage',
     who: WHO,
-    what: 'fine furrows need a layer besides those of lines',
+    problem: 'fine furrows need a layer besides those of lines',
     value: '--layers 1',
     limit: '2 to 4',
     remedy: 'omit --layers or --furrows',
   })
 }
 
-function noWrinkles(what: string, mesh: string): FurrowError {
+function noWrinkles(problem: string, mesh: string): FurrowError {
   return new FurrowError({
     who: WHO,
-    what,
+    problem,
     value: mesh,
     remedy: 'name another mesh with --mesh, or draw the wrinkles with furrow strokes',
   })

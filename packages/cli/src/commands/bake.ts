@@ -151,7 +151,7 @@ function outputsOf({ output, height, occlusion }: Options): string[] {
     throw new FurrowError({
       code: 'usage',
       who: WHO,
-      what: 'no output',
+      problem: 'no output',
       limit: '-o NORMAL.png, --height HEIGHT.png, --occlusion AO.png',
       remedy: 'name at least one of them',
     })

@@ -84,7 +84,7 @@ async function inspect(path: string, options: Options): Promise<void> {
 async function inspectFace(path: string, glb: Glb, { sheet, json }: Options): Promise<void> {
   const { report, skin } = inspectPlain(glb, await documentOf(glb, path, WHO), path)
   if (sheet !== undefined) {
-    if (!skin) throw new FurrowError({ who: WHO, what: `nothing to draw in ${path}`, remedy: report.next })
+    if (!skin) throw new FurrowError({ who: WHO, problem: `nothing to draw in ${path}`, remedy: report.next })
     await writeAll([{ path: sheet, bytes: await drawPlainSheet(glb, skin, WHO) }], WHO)
   }
   const lines = json

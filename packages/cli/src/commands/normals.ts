@@ -89,7 +89,7 @@ function heightRangeOf({ depth, width, strength }: Options): (texels: number) =>
   throw new FurrowError({
     code: 'usage',
     who: WHO,
-    what: 'no strength',
+    problem: 'no strength',
     limit: 'either --depth MM with --width MM, or --strength TEXELS alone',
     remedy: 'write e.g. --depth 2.5 --width 180',
   })

@@ -72,7 +72,7 @@ async function drawStrokes(path: string, options: Options): Promise<void> {
     throw new FurrowError({
       code: 'usage',
       who: WHO,
-      what: 'no output',
+      problem: 'no output',
       limit: '-o HEIGHT.png, --normal NORMAL.png, --areas FOLDER, --into FOLDER',
       remedy: 'name at least one of them',
     })
@@ -111,7 +111,7 @@ function strokesOfLayer(document: StrokesDocument, { layer, output, normal }: Op
     throw new FurrowError({
       code: 'unknown-name',
       who: WHO,
-      what: 'no stroke is of that layer',
+      problem: 'no stroke is of that layer',
       value: layer,
       limit: layers.length > 0 ? layers.join(', ') : 'the document has no layers',
       remedy: didYouMean(layer, layers, layers.length > 0 ? 'name one of them' : 'leave --layer out'),
@@ -121,7 +121,7 @@ function strokesOfLayer(document: StrokesDocument, { layer, output, normal }: Op
     throw new FurrowError({
       code: 'usage',
       who: WHO,
-      what: 'the document has strokes of several layers, and a map is of one',
+      problem: 'the document has strokes of several layers, and a map is of one',
       value: layers.join(', '),
       remedy: `name one, e.g. --layer ${layers[0]}`,
     })
@@ -136,7 +136,7 @@ function areaNames(document: StrokesDocument): string[] {
   if (wrong === undefined) return names
   throw new FurrowError({
     who: WHO,
-    what: 'the group of a stroke is not a valid file name, and its area is written to a file of that name',
+    problem: 'the group of a stroke is not a valid file name, and its area is written to a file of that name',
     value: wrong,
     limit: `e.g. ${fileNamesOf([wrong])}`,
     remedy: 'rename the group',

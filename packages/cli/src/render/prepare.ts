@@ -139,7 +139,7 @@ function checkName(what: string, value: string, allowed: readonly string[]): voi
   throw new FurrowError({
     code: 'unknown-name',
     who: WHO,
-    what: `unknown ${what}`,
+    problem: `unknown ${what}`,
     value,
     limit: allowed.join(', '),
     remedy: didYouMean(value, allowed, 'use one of these'),
@@ -152,7 +152,7 @@ function checkSide(what: 'width' | 'height', value: number): void {
   throw new FurrowError({
     code: 'out-of-range',
     who: WHO,
-    what: `${what} out of range`,
+    problem: `${what} out of range`,
     value,
     limit: `integers from ${min} to ${max} pixels`,
     remedy: 'choose e.g. --size 800x600',
@@ -172,7 +172,7 @@ function checkWeights(
     throw new FurrowError({
       code: 'out-of-range',
       who: WHO,
-      what: `${what} ${name} out of range`,
+      problem: `${what} ${name} out of range`,
       value: weight,
       limit: '0..1',
       remedy: `write e.g. ${name}=0.5`,
@@ -184,7 +184,7 @@ function hasNone(what: string, value: string): FurrowError {
   return new FurrowError({
     code: 'unknown-name',
     who: WHO,
-    what: `the face has no ${what}s`,
+    problem: `the face has no ${what}s`,
     value,
     remedy: what === 'area' ? 'make wrinkles with furrow auto, or leave --activation out' : 'leave --set out',
   })

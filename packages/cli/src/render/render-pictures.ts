@@ -158,7 +158,7 @@ function drawingFailed(face: string, problem: string): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who: 'furrow render',
-    what: `${face} cannot be drawn (${problem})`,
+    problem: `${face} cannot be drawn (${problem})`,
     remedy: 'correct the input, or try the other --renderer',
   })
 }

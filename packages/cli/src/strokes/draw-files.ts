@@ -121,7 +121,7 @@ const frameOf = ({ hasTangents }: FaceMesh): TangentFrame => (hasTangents ? 'ort
 function oddSize(size: number): FurrowError {
   return new FurrowError({
     who: WHO,
-    what: 'heights, occlusion and blood have half the side of the normals, which is odd',
+    problem: 'heights, occlusion and blood have half the side of the normals, which is odd',
     value: size,
     remedy: `choose --size ${size + 1}`,
   })

@@ -87,6 +87,6 @@ export function noTriangles(path: string, who: string): FurrowError {
   return fault(who, `no triangles in ${path}`, 'a mesh of triangles', 'export it as a mesh')
 }
 
-export function fault(who: string, what: string, limit: string, remedy: string): FurrowError {
-  return new FurrowError({ who, what, limit, remedy })
+export function fault(who: string, problem: string, limit: string, remedy: string): FurrowError {
+  return new FurrowError({ who, problem, limit, remedy })
 }

@@ -21,9 +21,9 @@ export function withCommandErrors<T>(who: string, work: () => T): T {
 function errorOf(who: string, error: unknown): unknown {
   if (error instanceof FurrowError) return error.reportedBy(who)
   if (!(error instanceof RangeError)) return error
-  const what = 'not enough memory for maps of this size'
+  const problem = 'not enough memory for maps of this size'
   return new FurrowError(
-    { code: 'unsupported', who, what, remedy: 'choose a smaller --size' },
+    { code: 'unsupported', who, problem, remedy: 'choose a smaller --size' },
     { cause: error },
   )
 }
@@ -63,10 +63,10 @@ export function cannotRead(
   hints: { limit?: string; remedy?: string } = {},
 ): FurrowError {
   const known = fileError(cause)
-  const what = `cannot read ${name} (${known?.reason ?? firstLine(cause)})`
+  const problem = `cannot read ${name} (${known?.reason ?? firstLine(cause)})`
   const isMissing = known?.remedy === 'check the path'
   const remedy = (isMissing ? undefined : known?.remedy) ?? hints.remedy ?? 'check the path'
-  return new FurrowError({ code: 'unreadable', who, what, ...hints, remedy }, { cause })
+  return new FurrowError({ code: 'unreadable', who, problem, ...hints, remedy }, { cause })
 }
 
 /** The error for a file or folder that cannot be written; see `cannotRead`. */
@@ -77,8 +77,8 @@ export function cannotWrite(
   remedy = 'choose another path',
 ): FurrowError {
   const known = fileError(cause)
-  const what = `cannot write ${name} (${known?.reason ?? firstLine(cause)})`
-  return new FurrowError({ code: 'unwritable', who, what, remedy: known?.remedy ?? remedy }, { cause })
+  const problem = `cannot write ${name} (${known?.reason ?? firstLine(cause)})`
+  return new FurrowError({ code: 'unwritable', who, problem, remedy: known?.remedy ?? remedy }, { cause })
 }
 
 function fileError(cause: unknown) {

@@ -17,7 +17,7 @@ export function checkFileBytes(bytes: number, name: string, who: string, most = 
   throw new FurrowError({
     code: 'out-of-range',
     who,
-    what: `${name} is too large`,
+    problem: `${name} is too large`,
     value: `${Math.ceil(bytes / 2 ** 20)} MiB`,
     limit: `${most / 2 ** 20} MiB${most === MAX_JSON_BYTES ? ' of JSON' : ''}`,
     remedy: 'make it smaller',

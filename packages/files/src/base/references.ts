@@ -41,7 +41,7 @@ export function pathOf(file: string, uri: string, who: string): string {
   throw new FurrowError({
     code: 'unreadable',
     who,
-    what: `${file} refers to a file that is not on this computer`,
+    problem: `${file} refers to a file that is not on this computer`,
     value: uri,
     limit: 'paths relative to the file',
     remedy: 'download it, and put it beside the file',
@@ -73,7 +73,7 @@ export function outside(file: string, uri: string, who: string): FurrowError {
   return new FurrowError({
     code: 'unreadable',
     who,
-    what: `${file} refers to a file outside its folder`,
+    problem: `${file} refers to a file outside its folder`,
     value: uri,
     limit: 'files in the same folder, or below it',
     remedy: 'move it there, or trust the file with --allow-outside',
@@ -93,7 +93,7 @@ function noAddress(file: string, uri: string, who: string, what: string): Furrow
   return new FurrowError({
     code: 'unreadable',
     who,
-    what: `${file} has ${what}`,
+    problem: `${file} has ${what}`,
     value: uri,
     limit: 'paths relative to the file',
     remedy: 'correct the address',

@@ -77,7 +77,7 @@ function embedImages(glb: Glb, path: string, who: string): void {
       throw new FurrowError({
         code: 'unreadable',
         who,
-        what: `an image of ${path} is in an unknown format`,
+        problem: `an image of ${path} is in an unknown format`,
         value: uri,
         limit: 'PNG, JPEG, WebP, AVIF, KTX 2',
         remedy: 'convert it to PNG',

@@ -45,7 +45,7 @@ export function unusable(
   return new FurrowError({
     code: 'unreadable',
     who,
-    what: `${path} is not usable: ${problem}`,
+    problem: `${path} is not usable: ${problem}`,
     value,
     limit: 'a whole glTF 2.0 file (.glb, .vrm, .gltf)',
     remedy,

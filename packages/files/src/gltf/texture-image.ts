@@ -29,7 +29,7 @@ export function imageOf({ json, bin }: Glb, texture: number, who: string): Textu
   ) {
     throw new FurrowError({
       who,
-      what: `texture ${texture} has no image in the file`,
+      problem: `texture ${texture} has no image in the file`,
       value: image?.uri,
       remedy: 'export the file as one .glb with its images inside',
     })

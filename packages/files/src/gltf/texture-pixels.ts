@@ -34,7 +34,7 @@ export async function pixelsOf(
   throw new FurrowError({
     code: 'out-of-range',
     who,
-    what: `texture ${index} has no such slice`,
+    problem: `texture ${index} has no such slice`,
     value: slice,
     limit: `0 to ${layers.length - 1}`,
     remedy: 'pack the file again',

@@ -68,7 +68,7 @@ export function checkImageSize(
     throw new FurrowError({
       code: 'out-of-range',
       who,
-      what: `${name} is too large`,
+      problem: `${name} is too large`,
       value: `${width} x ${height}`,
       limit: `${MAX_IMAGE_SIDE} texels a side`,
       remedy: 'scale it down',

@@ -12,7 +12,7 @@ export function checkDecodedBytes(bytes: number, name: string, who: string): voi
   throw new FurrowError({
     code: 'out-of-range',
     who,
-    what: `${name} would decode to too many bytes`,
+    problem: `${name} would decode to too many bytes`,
     value: megabytes(bytes),
     limit: megabytes(MAX_IMAGE_BYTES),
     remedy: 'scale it down',

@@ -32,7 +32,7 @@ export async function readHeightImage(path: string, who: string): Promise<Height
   if (depth !== 'uchar' && depth !== 'ushort') {
     throw new FurrowError({
       who,
-      what: `unsupported bit depth of ${path}`,
+      problem: `unsupported bit depth of ${path}`,
       value: depth,
       limit: '8 or 16 bits per channel',
       remedy: 'save it as 16-bit gray PNG',
@@ -49,7 +49,7 @@ export async function readHeightImage(path: string, who: string): Promise<Height
     if (Math.max(r, g, b) - Math.min(r, g, b) > GRAY_TOLERANCE * full) {
       throw new FurrowError({
         who,
-        what: `${path} has colours`,
+        problem: `${path} has colours`,
         value: `${r}, ${g}, ${b} at ${i % width}, ${Math.floor(i / width)}`,
         limit: 'gray heights',
         remedy: 'save the height map in gray; a normal map is not a height map',

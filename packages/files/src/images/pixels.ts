@@ -55,7 +55,7 @@ export function channelOf(pixels: Pixels, channel: number): GrayImage {
 export function transparencyError(path: string, who: string, remedy: string): FurrowError {
   return new FurrowError({
     who,
-    what: `${path} has transparent texels`,
+    problem: `${path} has transparent texels`,
     limit: 'alpha 255 throughout',
     remedy,
   })

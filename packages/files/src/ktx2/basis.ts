@@ -163,7 +163,7 @@ export function checkBasisSize({ width, height, layers }: NamedArray, who: strin
     throw new FurrowError({
       code: 'out-of-range',
       who,
-      what: 'too many texels for this compression',
+      problem: 'too many texels for this compression',
       value: `${layers.length} x ${width} x ${height}`,
       limit: `${MAX_TEXELS} in total`,
       remedy,
@@ -172,7 +172,7 @@ export function checkBasisSize({ width, height, layers }: NamedArray, who: strin
   if (width % 4 === 0 && height % 4 === 0) return
   throw new FurrowError({
     who,
-    what: 'this compression does not support the size',
+    problem: 'this compression does not support the size',
     value: `${width} x ${height}`,
     limit: 'multiples of 4 texels',
     remedy,
@@ -182,7 +182,7 @@ export function checkBasisSize({ width, height, layers }: NamedArray, who: strin
 function encoderError({ width, height, layers }: NamedArray): FurrowError {
   return new FurrowError({
     who: 'furrow array',
-    what: 'the Basis Universal encoder rejected the images',
+    problem: 'the Basis Universal encoder rejected the images',
     value: `${layers.length} x ${width} x ${height}`,
     remedy: 'use --compress zstd, or smaller images',
   })

@@ -93,6 +93,6 @@ function isGray(rgba: Uint8Array): boolean {
   return true
 }
 
-function fail(what: string, value: unknown, limit: string, remedy: string, code?: ErrorCode): never {
-  throw new FurrowError({ code, who: WHO, what, value, limit, remedy })
+function fail(problem: string, value: unknown, limit: string, remedy: string, code?: ErrorCode): never {
+  throw new FurrowError({ code, who: WHO, problem, value, limit, remedy })
 }

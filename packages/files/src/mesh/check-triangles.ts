@@ -32,7 +32,7 @@ export function checkTriangles({ json, fileBytes }: Glb, who: string, meshName?:
       new FurrowError({
         code: 'out-of-range',
         who,
-        what: `the mesh "${mesh.name ?? index}" has too many ${what}`,
+        problem: `the mesh "${mesh.name ?? index}" has too many ${what}`,
         value,
         limit,
         remedy: 'decimate it (the maps keep the detail), or name another mesh with --mesh',

@@ -58,7 +58,7 @@ export function pickMesh(document: Document, path: string, who: string, meshName
     throw new FurrowError({
       code: 'unknown-name',
       who,
-      what: wanted === undefined ? `several meshes in ${path}` : `no such mesh in ${path}`,
+      problem: wanted === undefined ? `several meshes in ${path}` : `no such mesh in ${path}`,
       value: wanted,
       limit: names.length === 0 ? 'none of its meshes has texture coordinates' : names.join(', '),
       remedy: didYouMean(wanted, names, 'name one with --mesh'),

@@ -45,7 +45,7 @@ export function findSkin(
   throw new FurrowError({
     code: meshName === undefined ? 'invalid' : 'unknown-name',
     who,
-    what:
+    problem:
       meshName === undefined ? `no mesh in ${path} can wrinkle` : `no such mesh in ${path} that can wrinkle`,
     value: meshName,
     limit: 'triangles with texture coordinates and a material',

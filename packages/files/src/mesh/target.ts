@@ -52,7 +52,8 @@ function notFound(
   return new FurrowError({
     code: 'unknown-name',
     who,
-    what: wanted !== undefined || all.length === 0 ? `no such ${what}` : `several candidates for the ${what}`,
+    problem:
+      wanted !== undefined || all.length === 0 ? `no such ${what}` : `several candidates for the ${what}`,
     value: wanted,
     limit: all.length === 0 ? 'the file has none with texture coordinates' : all.join(', '),
     remedy: didYouMean(wanted, all, `name one with ${option}`),

@@ -25,7 +25,7 @@ export async function withBlood<L extends { name: string } & Partial<Record<MapN
   if (isScaled && width !== height) {
     throw new FurrowError({
       who,
-      what: `the blood map of layer "${name}" differs in size from its occlusion`,
+      problem: `the blood map of layer "${name}" differs in size from its occlusion`,
       value: `${blood.width} x ${blood.height}`,
       limit: `${width} x ${height}: they share an image`,
       remedy: 'scale them to one size',

@@ -53,7 +53,7 @@ export function checkOneSize(images: readonly CheckedImage[], kind: string, who:
   if (new Set(sizes).size <= 1) return
   throw new FurrowError({
     who,
-    what: `the ${kind} maps of the layers differ in size`,
+    problem: `the ${kind} maps of the layers differ in size`,
     value: sizes.join(', '),
     limit: 'one size for all layers',
     remedy: 'scale them to one size',

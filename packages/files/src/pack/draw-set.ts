@@ -61,13 +61,13 @@ export function layersToDraw(
 }
 
 function noLayer(
-  what: string,
+  problem: string,
   value: string | undefined,
   names: readonly string[],
   who: string,
 ): FurrowError {
   const remedy = didYouMean(value, names, 'name one of them in the document')
-  return new FurrowError({ code: 'unknown-name', who, what, value, limit: names.join(', '), remedy })
+  return new FurrowError({ code: 'unknown-name', who, problem, value, limit: names.join(', '), remedy })
 }
 
 /** Paths of the maps of a layer that strokes draw, relative to the folder of its set. */
@@ -177,7 +177,7 @@ function millimetresOf({ width, height, data }: GrayImage, amplitude: number): H
 function otherSize(image: GrayImage, path: string, { width, height }: GrayImage, who: string): FurrowError {
   return new FurrowError({
     who,
-    what: `${path} has another size than what is drawn, and its flushes would be lost`,
+    problem: `${path} has another size than what is drawn, and its flushes would be lost`,
     value: `${image.width} x ${image.height}`,
     limit: `${width} x ${height}, half the side of the normals`,
     remedy: 'choose another --size, or scale it',

@@ -148,7 +148,7 @@ function layerIndex({ layers }: SetToPack, name: string | undefined, area: strin
   throw new FurrowError({
     code: 'unknown-name',
     who,
-    what: `area "${area}" is on an unknown layer`,
+    problem: `area "${area}" is on an unknown layer`,
     value: name,
     limit: names.join(', '),
     remedy: didYouMean(name, names, 'name one of the layers'),

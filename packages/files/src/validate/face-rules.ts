@@ -54,7 +54,7 @@ export function faceWarnings(
   const fault = findings.find(({ severity }) => severity === 'error')
   if (fault) {
     const [what, remedy] = fault.message.split('; ')
-    throw new FurrowError({ who, what: `the material "${name}" can show no wrinkles: ${what}`, remedy })
+    throw new FurrowError({ who, problem: `the material "${name}" can show no wrinkles: ${what}`, remedy })
   }
   return findings.map(({ message }) => `the material "${name}": ${message}`)
 }

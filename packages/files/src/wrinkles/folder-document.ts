@@ -89,7 +89,7 @@ function checkAmplitudes(layer: Json, files: readonly string[], who: string): vo
     const entry = JSON.stringify({ name: layer.name, [amplitude]: usual })
     throw new FurrowError({
       who,
-      what: `${file} needs the ${amplitude} of its layer, which is not in ${WRINKLES_FILE}`,
+      problem: `${file} needs the ${amplitude} of its layer, which is not in ${WRINKLES_FILE}`,
       limit,
       remedy: `write it into "layers" there, such as ${entry}, or move the file elsewhere`,
     })
@@ -104,7 +104,7 @@ function noneIn(folder: string, kind: 'layers' | 'areas', who: string): FurrowEr
   const file = kind === 'layers' ? 'layers/NAME/normal.png' : 'areas/NAME.png'
   return new FurrowError({
     who,
-    what: `no ${kind} in ${folder}`,
+    problem: `no ${kind} in ${folder}`,
     limit: `at least one ${file}`,
     remedy: 'put the images there, or name them in wrinkles.json',
   })

@@ -56,7 +56,7 @@ function isFile(path: string, who: string): FurrowError {
   const isDocument = basename(path) === WRINKLES_FILE
   return new FurrowError({
     who,
-    what: `${path} is a file`,
+    problem: `${path} is a file`,
     limit: 'a folder with layers/NAME/normal.png, areas/NAME.png and optionally wrinkles.json',
     remedy: isDocument
       ? `name its folder, ${dirname(path)}`

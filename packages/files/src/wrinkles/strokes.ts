@@ -81,7 +81,7 @@ function noLayer(index: number, layer: string | undefined, layers: readonly stri
   return new FurrowError({
     code: 'unknown-name',
     who,
-    what: `strokes[${index}] ${layer === undefined ? 'names no layer' : 'is on an unknown layer'}`,
+    problem: `strokes[${index}] ${layer === undefined ? 'names no layer' : 'is on an unknown layer'}`,
     value: layer,
     limit: layers.join(', '),
     remedy: didYouMean(layer, layers, 'name one of the layers'),

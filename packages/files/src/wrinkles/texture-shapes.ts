@@ -24,7 +24,7 @@ async function readShape(glb: Glb, index: number): Promise<TextureShape> {
   if (isKtx2(imageOf(glb, index, WRINKLE_MAPS))) {
     throw new FurrowError({
       who: WRINKLE_MAPS,
-      what: `texture ${index} has a KTX 2 image without KHR_texture_basisu`,
+      problem: `texture ${index} has a KTX 2 image without KHR_texture_basisu`,
       remedy: 'pack the file again',
     })
   }

@@ -30,7 +30,7 @@ export function wrinkledFile(glb: Glb, path: string, who: string, materialName?:
   if (all.length === 0) {
     const limit = `a material with ${WRINKLE_MAPS}`
     const remedy = 'make them with furrow auto, or add painted ones with furrow pack'
-    throw new FurrowError({ who, what: `${path} has no wrinkles`, limit, remedy })
+    throw new FurrowError({ who, problem: `${path} has no wrinkles`, limit, remedy })
   }
   const found =
     materialName === undefined ? all : all.filter((index) => materials[index].name === materialName)
@@ -39,7 +39,7 @@ export function wrinkledFile(glb: Glb, path: string, who: string, materialName?:
     throw new FurrowError({
       code: 'unknown-name',
       who,
-      what: `${found.length === 0 ? 'no such material' : 'several materials'} with wrinkles in ${path}`,
+      problem: `${found.length === 0 ? 'no such material' : 'several materials'} with wrinkles in ${path}`,
       value: materialName,
       limit: names.join(', '),
       remedy: didYouMean(materialName, names, 'name one with --material'),

@@ -72,7 +72,7 @@ export function surfaceMetric(
   if (!metric.inside.includes(1)) {
     throw new FurrowError({
       who: 'surfaceMetric',
-      what: 'no triangle of the mesh covers a texel of the map',
+      problem: 'no triangle of the mesh covers a texel of the map',
       limit: 'texture coordinates within 0..1 and triangles with area',
       remedy: 'check that the mesh is unwrapped',
     })
@@ -170,7 +170,7 @@ function checkSize(side: number): void {
   throw new FurrowError({
     code: 'out-of-range',
     who: 'surfaceMetric',
-    what: 'invalid map size',
+    problem: 'invalid map size',
     value: side,
     limit: `whole numbers, 1..${MAX_IMAGE_SIDE} texels`,
     remedy: 'choose a common size such as 1024',
@@ -179,8 +179,14 @@ function checkSize(side: number): void {
 
 function checkMesh({ positions, uvs, indices }: MetricMesh): void {
   const vertices = positions.length / 3
-  const fail = (what: string, value: unknown, limit: string) => {
-    throw new FurrowError({ who: 'surfaceMetric', what, value, limit, remedy: 'check how the mesh was read' })
+  const fail = (problem: string, value: unknown, limit: string) => {
+    throw new FurrowError({
+      who: 'surfaceMetric',
+      problem,
+      value,
+      limit,
+      remedy: 'check how the mesh was read',
+    })
   }
   if (!Number.isInteger(vertices) || vertices < 3) {
     fail('positions must have x, y and z per vertex', positions.length, 'a multiple of 3, at least 9')

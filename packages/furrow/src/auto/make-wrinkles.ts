@@ -75,7 +75,7 @@ function packed(wrinkles: AutoWrinkles): Omit<CharacterWrinkles, 'mesh'> {
 function withoutAreas(reason: string): FurrowError {
   return new FurrowError({
     who: 'WrinkleLoaderPlugin',
-    what: `no wrinkles can be made: ${reason}`,
+    problem: `no wrinkles can be made: ${reason}`,
     remedy: 'draw them with `npx furrow strokes`, or load the file without the option auto',
   })
 }

@@ -79,7 +79,7 @@ function withoutWorkers(who: string): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who,
-    what: 'there are no web workers here',
+    problem: 'there are no web workers here',
     remedy: 'call autoWrinkles of furrow/author, which runs anywhere',
   })
 }
@@ -87,7 +87,7 @@ function withoutWorkers(who: string): FurrowError {
 function notSent(who: string, message: string | undefined): FurrowError {
   return new FurrowError({
     who,
-    what: 'the skin cannot be sent to the worker',
+    problem: 'the skin cannot be sent to the worker',
     value: message,
     remedy: 'pass arrays of numbers that were not transferred before',
   })
@@ -97,7 +97,7 @@ function cannotStart(who: string, message: string | undefined): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who,
-    what: 'the worker cannot be started',
+    problem: 'the worker cannot be started',
     value: message,
     remedy: 'allow `worker-src blob:` in the Content-Security-Policy of the page',
   })
@@ -107,7 +107,7 @@ function died(who: string, message?: string): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who,
-    what: 'the worker ended before its work was done',
+    problem: 'the worker ended before its work was done',
     value: message,
     remedy: 'close other pages to free memory, or choose a smaller size',
   })

@@ -29,7 +29,7 @@ export function checkMesh(mesh: AbstractMesh): void {
     if (mesh.isVerticesDataPresent(data)) continue
     throw new FurrowError({
       who: 'Wrinkles',
-      what: `mesh without ${data}`,
+      problem: `mesh without ${data}`,
       value: mesh.name,
       limit: 'a mesh with positions, normals and UVs',
       remedy,
@@ -52,7 +52,7 @@ export function checkMaterial({ material, name }: AbstractMesh): {
     throw new FurrowError({
       code: 'unsupported',
       who: 'Wrinkles',
-      what: `mesh "${name}" has a material that cannot show wrinkles`,
+      problem: `mesh "${name}" has a material that cannot show wrinkles`,
       value: className ?? 'none',
       limit: Object.keys(KINDS).join(', '),
       remedy: 'give the mesh one of these',
@@ -63,7 +63,7 @@ export function checkMaterial({ material, name }: AbstractMesh): {
     throw new FurrowError({
       code: 'unsupported',
       who: 'Wrinkles',
-      what: `material "${(material as Material).name}" has normals in object space`,
+      problem: `material "${(material as Material).name}" has normals in object space`,
       limit: 'a normal map in tangent space',
       remedy: 'bake it again in tangent space',
     })

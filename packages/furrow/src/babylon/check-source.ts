@@ -22,7 +22,7 @@ export function checkSource(source: WrinkleSet<ArraySlice>): WrinkleSet<ArraySli
   throw new FurrowError({
     code: 'unsupported',
     who: 'Wrinkles',
-    what: 'maps in a texture array',
+    problem: 'maps in a texture array',
     limit: 'images',
     remedy: 'pack the file without --ktx2',
   })

@@ -47,7 +47,7 @@ export function checkOptions(options: WrinklesOptions, who: string): Required<Wr
     throw new FurrowError({
       code: 'unsupported',
       who,
-      what: 'an option that Babylon.js does not have',
+      problem: 'an option that Babylon.js does not have',
       value: unknown,
       limit: known.join(', '),
       remedy: didYouMean(unknown, known, 'leave it out; docs/babylon.md lists what only three.js shows'),

@@ -32,7 +32,7 @@ export function patchMaterial(
   if (plugin.shared && plugin.shared !== shared) {
     throw new FurrowError({
       who: 'Wrinkles',
-      what: `material "${material.name}" shows the wrinkles of another set`,
+      problem: `material "${material.name}" shows the wrinkles of another set`,
       limit: 'one set for all meshes with a material',
       remedy: 'give the mesh a clone of the material, or the wrinkles of the other mesh',
     })

@@ -15,7 +15,7 @@ export function warnIfUnregistered(): void {
   console.warn(
     sentence({
       who: 'wrinklesOf',
-      what: 'no file has wrinkles before registerWrinkleMaps is called',
+      problem: 'no file has wrinkles before registerWrinkleMaps is called',
       remedy: 'call it before loading',
     }),
   )

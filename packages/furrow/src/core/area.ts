@@ -24,7 +24,7 @@ export function areaWeights(
     throw new FurrowError({
       code: 'out-of-range',
       who,
-      what: 'an area one texel wide or high cannot say where its wrinkles are',
+      problem: 'an area one texel wide or high cannot say where its wrinkles are',
       value: `${image.width} x ${image.height}`,
       limit: 'at least 2 x 2',
       remedy: 'paint it in the UV layout of the mesh, at 128 x 128 or so',

@@ -6,8 +6,8 @@ import { FurrowError } from './error.ts'
  * @param who the function, as its caller knows it.
  * @param what names the argument, or what is wrong with it.
  */
-export function wrongArgument(who: string, what: string, value: unknown, limit: string): FurrowError {
-  return new FurrowError({ who, what, value: value ?? String(value), limit, remedy: 'correct the call' })
+export function wrongArgument(who: string, problem: string, value: unknown, limit: string): FurrowError {
+  return new FurrowError({ who, problem, value: value ?? String(value), limit, remedy: 'correct the call' })
 }
 
 /** Whether a value is an object, and not null. */
@@ -16,6 +16,7 @@ export function isObject(value: unknown): value is object {
 }
 
 /** @throws FurrowError when a number is given that is not finite. */
-export function checkFinite(value: number | undefined, what: string, who: string): void {
-  if (value !== undefined && !Number.isFinite(value)) throw wrongArgument(who, what, value, 'a finite number')
+export function checkFinite(value: number | undefined, problem: string, who: string): void {
+  if (value !== undefined && !Number.isFinite(value))
+    throw wrongArgument(who, problem, value, 'a finite number')
 }

@@ -56,7 +56,7 @@ export function layerIndex(
     throw new FurrowError({
       code: 'unknown-name',
       who,
-      what: `area "${area.name}" is on an unknown layer`,
+      problem: `area "${area.name}" is on an unknown layer`,
       value: area.layer,
       limit: listNames(layers),
       remedy: didYouMean(area.layer, namesOf(layers), 'name one of the layers of the set'),
@@ -70,7 +70,7 @@ export function unknownArea(name: string, areas: readonly string[], who: string)
   return new FurrowError({
     code: 'unknown-name',
     who,
-    what: 'unknown area',
+    problem: 'unknown area',
     value: name,
     limit: areas.map((area) => `"${area}"`).join(', '),
     remedy: didYouMean(name, areas, 'use the name of an area of this set, or add the area first'),
@@ -91,7 +91,7 @@ export function checkCount(count: number, what: string, most: number, who: strin
   throw new FurrowError({
     code: 'out-of-range',
     who,
-    what: `${count === 0 ? 'no' : 'too many'} ${what}`,
+    problem: `${count === 0 ? 'no' : 'too many'} ${what}`,
     value: count,
     limit: `1 to ${most} ${what}`,
     remedy: count === 0 ? 'give at least one' : 'merge those that always move together',
@@ -105,7 +105,7 @@ export function checkNames(named: readonly { name: string }[], what: string, who
     if (seen.has(name)) {
       throw new FurrowError({
         who,
-        what: `two ${what}s with the same name`,
+        problem: `two ${what}s with the same name`,
         value: name,
         remedy: `give every ${what} a distinct name`,
       })
@@ -118,7 +118,8 @@ function checkName(name: unknown, what: string, who: string): void {
   if (isName(name)) return
   throw new FurrowError({
     who,
-    what: name === undefined || name === '' ? `a ${what} without a name` : `a ${what} with an unusable name`,
+    problem:
+      name === undefined || name === '' ? `a ${what} without a name` : `a ${what} with an unusable name`,
     value: name,
     limit: NAME_RULE,
     remedy: `give every ${what} a distinct name`,

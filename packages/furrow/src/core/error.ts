@@ -27,7 +27,7 @@ export interface ErrorParts {
   /** Who reports it: the class, function or command that the caller used. */
   who: string
   /** What is wrong. */
-  what: string
+  problem: string
   /** The value that was given. */
   value?: unknown
   /** What would have been accepted. */
@@ -41,7 +41,7 @@ export class FurrowError extends Error implements ErrorParts {
   override readonly name = 'FurrowError'
   declare readonly code: ErrorCode
   declare readonly who: string
-  declare readonly what: string
+  declare readonly problem: string
   readonly value: unknown
   readonly limit: string | undefined
   declare readonly remedy: string
@@ -58,10 +58,10 @@ export class FurrowError extends Error implements ErrorParts {
 }
 
 /** One problem as one line, for errors and warnings alike. */
-export function sentence({ who, what, value, limit, remedy }: ErrorParts): string {
+export function sentence({ who, problem, value, limit, remedy }: ErrorParts): string {
   const given = value === undefined ? '' : `, got ${printable(value)}`
   const allowed = limit === undefined ? '' : `, allowed: ${limit}`
-  return `${who}: ${what}${given}${allowed}; ${remedy}`
+  return `${who}: ${problem}${given}${allowed}; ${remedy}`
 }
 
 /** At most 120 characters. */

@@ -22,7 +22,7 @@ export function checkImage(
   if (image.data.length !== expected) {
     throw new FurrowError({
       who,
-      what: `${layout} image data of the wrong length`,
+      problem: `${layout} image data of the wrong length`,
       value: `${image.data.length} bytes`,
       limit: `${expected} bytes for ${image.width} x ${image.height}`,
       remedy: 'give one byte per texel and channel',
@@ -41,7 +41,7 @@ function checkSides(width: number, height: number, who: string): void {
     throw new FurrowError({
       code: 'out-of-range',
       who,
-      what: 'image side out of range',
+      problem: 'image side out of range',
       value: `${width} x ${height}`,
       limit: `1 to ${MAX_IMAGE_SIDE} texels`,
       remedy: 'scale the image',

@@ -122,7 +122,7 @@ export class JsonReader {
   /** Throws FurrowError. Of a field that is missing it says so: `undefined` would not be printed. */
   fail(what: string, value: unknown, limit: string | undefined, remedy: string, code?: ErrorCode): never {
     const problem = value === undefined ? `${what}, got nothing` : what
-    throw new FurrowError({ code, who: this.#who, what: problem, value, limit, remedy })
+    throw new FurrowError({ code, who: this.#who, problem: problem, value, limit, remedy })
   }
 }
 

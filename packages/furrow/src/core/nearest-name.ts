@@ -39,7 +39,7 @@ export function checkOptionNames(options: object, known: readonly string[], who:
   throw new FurrowError({
     code: 'unknown-name',
     who,
-    what: 'unknown option',
+    problem: 'unknown option',
     value: unknown,
     limit: known.join(', '),
     remedy: didYouMean(unknown, known, 'correct the name or leave it out'),

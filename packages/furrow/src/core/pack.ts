@@ -58,7 +58,13 @@ export function checkSizes(
   who: string,
 ): void {
   if (images.length === 0) {
-    throw new FurrowError({ who, what: 'no images', value: 0, limit: 'at least 1', remedy: 'give an image' })
+    throw new FurrowError({
+      who,
+      problem: 'no images',
+      value: 0,
+      limit: 'at least 1',
+      remedy: 'give an image',
+    })
   }
   const { width, height } = images[0]
   for (const [index, image] of images.entries()) {
@@ -66,7 +72,7 @@ export function checkSizes(
     if (image.width === width && image.height === height) continue
     throw new FurrowError({
       who,
-      what: `image ${index} differs in size from image 0`,
+      problem: `image ${index} differs in size from image 0`,
       value: `${image.width} x ${image.height}`,
       limit: `${width} x ${height}, as all images of one array`,
       remedy: 'scale them to one size',

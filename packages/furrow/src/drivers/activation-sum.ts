@@ -136,7 +136,7 @@ export class ActivationSum {
     console.warn(
       sentence({
         who: 'Wrinkles',
-        what: `the input "${name}" of a driver is NaN`,
+        problem: `the input "${name}" of a driver is NaN`,
         value: Number.NaN,
         remedy: 'it counts as 0; this warning is not repeated',
       }),

@@ -79,7 +79,7 @@ export function registerDriver<D extends { type: string }>(definition: DriverDef
   if (definitions.has(definition.type)) {
     throw new FurrowError({
       who: 'registerDriver',
-      what: 'a driver of that type exists',
+      problem: 'a driver of that type exists',
       value: definition.type,
       remedy: 'choose another name, and register it only once',
     })

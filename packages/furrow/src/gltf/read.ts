@@ -89,7 +89,7 @@ function textureOf(context: ReaderContext, index: number, who: string): Texture 
   throw new FurrowError({
     code: 'unreadable',
     who,
-    what: 'a texture has no image that can be read',
+    problem: 'a texture has no image that can be read',
     value: index,
     remedy: 'register the extension of its image format, or export the file again',
   })
@@ -105,7 +105,11 @@ function readTextureInfo(context: ReaderContext, info: TextureInfo, def: { index
     (extras !== undefined && !isObject(extras) && 'extras are not an object') ||
     (sampler !== undefined && !context.jsonDoc.json.samplers?.[sampler] && 'sampler is missing')
   if (wrong) {
-    throw new FurrowError({ who, what: `${wrong} at texture ${def.index}`, remedy: 'export the file again' })
+    throw new FurrowError({
+      who,
+      problem: `${wrong} at texture ${def.index}`,
+      remedy: 'export the file again',
+    })
   }
   context.setTextureInfo(info, def as GLTF.ITextureInfo)
 }

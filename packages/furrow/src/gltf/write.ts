@@ -84,7 +84,7 @@ function textureInfo(context: WriterContext, texture: Texture | null, info: Text
 function missing(who: string, kind: string, property: Property, what: string): FurrowError {
   return new FurrowError({
     who,
-    what: `${kind} "${property.getName()}" has no ${what}`,
+    problem: `${kind} "${property.getName()}" has no ${what}`,
     remedy: `give it one, or remove the ${kind}`,
   })
 }

@@ -110,7 +110,7 @@ export class Activations {
     console.warn(
       sentence({
         who: this.#who,
-        what: `activation of "${name}" out of range`,
+        problem: `activation of "${name}" out of range`,
         value,
         limit: '0 to 1',
         remedy: `clamped to ${value > 1 ? 1 : 0}; this warning is not repeated`,

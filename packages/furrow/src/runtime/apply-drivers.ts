@@ -20,7 +20,7 @@ export function applyDrivers(drivers: readonly WrinkleDriver[], who: string, app
     throw new FurrowError(
       {
         who,
-        what: 'a driver lacks fields, or they have the wrong type',
+        problem: 'a driver lacks fields, or they have the wrong type',
         value: drivers.map(({ type }) => type).join(', '),
         remedy: 'read them by parseDrivers, which fills in defaults and says what is wrong',
       },

@@ -143,7 +143,7 @@ export class AtlasCells {
       throw new FurrowError({
         code: 'out-of-range',
         who: 'Wrinkles',
-        what: 'too many faces with influence maps of this size',
+        problem: 'too many faces with influence maps of this size',
         value: `${count} of ${this.width} x ${this.height} texels`,
         limit: `one texture of ${LARGEST_SIDE} x ${LARGEST_SIDE} for all`,
         remedy: 'give the faces of a crowd smaller areas (areaSize)',

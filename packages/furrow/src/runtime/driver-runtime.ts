@@ -196,7 +196,7 @@ export class DriverRuntime<Engine> {
     console.warn(
       sentence({
         who: 'Wrinkles',
-        what: `drivers of mesh "${this.#label}" use what is not available`,
+        problem: `drivers of mesh "${this.#label}" use what is not available`,
         value: missing.join(', '),
         remedy: 'all other drivers work',
       }),

@@ -60,7 +60,7 @@ export class ExpressionMix {
     if (expressions.length === 0) {
       throw new FurrowError({
         who: 'ExpressionMix',
-        what: 'no expressions',
+        problem: 'no expressions',
         value: 0,
         limit: 'at least 1',
         remedy: 'give a list such as EXPRESSIONS',
@@ -115,7 +115,7 @@ export class ExpressionMix {
       throw new FurrowError({
         code: 'out-of-range',
         who: 'ExpressionMix',
-        what: 'time out of range',
+        problem: 'time out of range',
         value: seconds,
         limit: '0 seconds or more',
         remedy: 'give the duration of the transition, e.g. 0.3',
@@ -175,7 +175,7 @@ export class ExpressionMix {
       throw new FurrowError({
         code: 'unknown-name',
         who: 'ExpressionMix',
-        what: 'unknown expression',
+        problem: 'unknown expression',
         value: name,
         limit: names.join(', '),
         remedy: didYouMean(name, names, 'use one of these, or pass your own list of expressions'),
@@ -185,7 +185,7 @@ export class ExpressionMix {
     throw new FurrowError({
       code: 'out-of-range',
       who: 'ExpressionMix',
-      what: `weight of "${name}" out of range`,
+      problem: `weight of "${name}" out of range`,
       value: weight,
       limit: '0 to 1',
       remedy: 'correct it',

@@ -118,7 +118,7 @@ function warnOfMissing(names: string[]): void {
   console.warn(
     sentence({
       who: 'ExpressionPlayer',
-      what: 'this face lacks blendshapes or areas',
+      problem: 'this face lacks blendshapes or areas',
       value: names.join(', '),
       remedy: 'expressions play without them',
     }),

@@ -194,7 +194,7 @@ export abstract class FaceGroup<Engine = unknown> {
     if (!this.#isDisposed) return
     throw new FurrowError({
       who: `Wrinkles.${method}`,
-      what: 'the wrinkles were disposed of',
+      problem: 'the wrinkles were disposed of',
       remedy: 'create new ones for the mesh',
     })
   }

@@ -59,7 +59,7 @@ export class FaceScoresBase {
     console.warn(
       sentence({
         who: 'FaceScores',
-        what: 'this face lacks blendshapes',
+        problem: 'this face lacks blendshapes',
         value: missing.join(', '),
         remedy: 'the others are set',
       }),

@@ -42,7 +42,7 @@ export class NamedInputs {
     if (!Number.isFinite(value)) {
       throw new FurrowError({
         who: 'Wrinkles.inputs',
-        what: `value of "${name}" is NaN or infinite`,
+        problem: `value of "${name}" is NaN or infinite`,
         value,
         limit: 'a finite number',
         remedy: 'set one, e.g. inputs.set("age", 40)',
@@ -92,7 +92,7 @@ export class NamedInputs {
     console.warn(
       sentence({
         who: 'Wrinkles.inputs',
-        what: 'no driver of this face reads the input',
+        problem: 'no driver of this face reads the input',
         value: name,
         limit: names.join(', '),
         remedy: didYouMean(name, names, 'it has no effect'),
@@ -106,7 +106,7 @@ export function checkInstance(instance: number, count: number, who: string): voi
   if (Number.isInteger(instance) && instance >= 0 && instance < count) return
   throw new FurrowError({
     who,
-    what: 'no such instance',
+    problem: 'no such instance',
     value: instance,
     limit: `0 to ${count - 1}`,
     remedy: 'use the index of an instance of the mesh',

@@ -21,7 +21,7 @@ export type BindTargets = (names: readonly string[]) => TargetBinding[]
 export function noTargets(who: string, face: string): FurrowError {
   return new FurrowError({
     who,
-    what: 'no morph targets',
+    problem: 'no morph targets',
     value: face,
     limit: 'at least one mesh with named blendshapes',
     remedy: 'export the blendshapes with the face, or set activations yourself',

@@ -13,7 +13,7 @@ export function groupOf(wrinkles: WrinkleFaces): FaceGroup<never> {
   if (group) return group
   throw new FurrowError({
     who: 'Wrinkles',
-    what: 'wrinkles that another copy of furrow made',
+    problem: 'wrinkles that another copy of furrow made',
     remedy: 'install one version of furrow, and import it from one place',
   })
 }

@@ -28,7 +28,7 @@ function animatedArea(group: FaceGroup<never>, name: string): { activation: numb
         console.warn(
           sentence({
             who: 'Wrinkles',
-            what: 'an animation moves an area that was removed',
+            problem: 'an animation moves an area that was removed',
             value: name,
             remedy: 'the rest of the animation plays',
           }),

@@ -57,7 +57,7 @@ function problemOf(renderer: AnyRenderer, entry: Entry, who: string): FurrowErro
   return new FurrowError({
     code: 'unsupported',
     who: `${who} of ${entry}`,
-    what: 'cannot draw with this renderer',
+    problem: 'cannot draw with this renderer',
     value: isWebGPURenderer ? 'WebGPURenderer' : 'WebGLRenderer',
     limit: isWebGPURenderer ? 'WebGLRenderer' : 'WebGPURenderer',
     remedy: `take it from ${right} instead, and the loader plugin too; until then the face has no wrinkles`,

@@ -24,7 +24,7 @@ export function checkThree(entry: Entry, revision: string): void {
     throw new FurrowError({
       code: 'unsupported',
       who: `Wrinkles of ${entry}`,
-      what: 'three.js is too old',
+      problem: 'three.js is too old',
       value: `r${releaseOf(revision)}`,
       limit: `r${oldest} or later`,
       remedy: `npm install three@^0.${oldest}.0, or a later release`,
@@ -50,7 +50,7 @@ export function requireInternal<T>(
   throw new FurrowError({
     code: 'unsupported',
     who,
-    what: `three.js lacks ${name}`,
+    problem: `three.js lacks ${name}`,
     value: `r${revision}`,
     limit: `up to r${NEWEST_THREE}`,
     remedy: 'install a release of three.js that Furrow is tested with',

@@ -70,7 +70,7 @@ function warnUnregistered({ parser }: LoadedFile): void {
   console.warn(
     sentence({
       who: 'wrinklesOf',
-      what: `the file has ${WRINKLE_MAPS}, but was loaded without WrinkleLoaderPlugin: its faces stay plain`,
+      problem: `the file has ${WRINKLE_MAPS}, but was loaded without WrinkleLoaderPlugin: its faces stay plain`,
       remedy: 'call extendLoader(loader) before loading it',
     }),
   )

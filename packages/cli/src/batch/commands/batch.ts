@@ -186,14 +186,14 @@ interface Listed extends Entry {
 
 function wrongOutput(input: string, problem: string, value?: string): FurrowError {
   const remedy = 'name a folder with -o, or an output ending in .glb or .vrm in the manifest'
-  return new FurrowError({ code: 'usage', who: WHO, what: `${input}: ${problem}`, value, remedy })
+  return new FurrowError({ code: 'usage', who: WHO, problem: `${input}: ${problem}`, value, remedy })
 }
 
 function wrongInputs(count: number): FurrowError {
   return new FurrowError({
     code: 'usage',
     who: WHO,
-    what: count === 0 ? 'no inputs' : 'inputs both on the command line and in a manifest',
+    problem: count === 0 ? 'no inputs' : 'inputs both on the command line and in a manifest',
     remedy: "name files, a pattern in quotes such as 'avatars/**/*.glb', or --manifest",
   })
 }

@@ -74,7 +74,7 @@ function nothing(pattern: string, problem: string): FurrowError {
   return new FurrowError({
     code: 'unreadable',
     who: WHO,
-    what: `no input at ${pattern} (${problem})`,
+    problem: `no input at ${pattern} (${problem})`,
     remedy: "name files, a pattern in quotes such as 'avatars/**/*.glb', or an address",
   })
 }

@@ -55,7 +55,7 @@ function parseLine(line: string, where: string, command: JobCommandName, shared:
 function wrongLine(where: string, problem: string): FurrowError {
   return new FurrowError({
     who: WHO,
-    what: `${where} ${problem}`,
+    problem: `${where} ${problem}`,
     limit: '{ "input": "a.glb", "output": "out/a.glb", "options": { "age": 40 } }',
     remedy: 'correct the line',
   })

@@ -49,7 +49,7 @@ export function manifestWords(options: unknown, where: string): string[] {
   if (!isObject || wrong) {
     throw new FurrowError({
       who: 'furrow batch',
-      what: `${where}: ${wrong ? `the option ${wrong[0]} has no such value` : '"options" is no object'}`,
+      problem: `${where}: ${wrong ? `the option ${wrong[0]} has no such value` : '"options" is no object'}`,
       value: wrong ? wrong[1] : options,
       limit: '{ "age": 40, "furrows": true, "regions": ["neck", "chin"] }, names as on the command line',
       remedy: 'correct the line',

@@ -63,7 +63,7 @@ export function parseJob(json: unknown, who: string): Job {
 function wrongOutput(value: unknown, who: string): FurrowError {
   return new FurrowError({
     who,
-    what: 'output is not one of its command',
+    problem: 'output is not one of its command',
     value,
     limit: 'a .glb or .vrm for auto and pack, nothing for others',
     remedy: 'correct the job',

@@ -39,7 +39,7 @@ export function changed(address: string): FurrowError {
   return new FurrowError({
     code: 'unreadable',
     who: WHO,
-    what: `${address} has changed since the batch began`,
+    problem: `${address} has changed since the batch began`,
     remedy: 'run the batch again',
   })
 }

@@ -77,7 +77,7 @@ function objectOf(address: string): { Bucket: string; Key: string } {
   throw new FurrowError({
     code: 'usage',
     who: WHO,
-    what: 'not an address of S3',
+    problem: 'not an address of S3',
     value: address,
     limit: 's3://bucket/key',
     remedy: 'correct the address',

@@ -33,7 +33,7 @@ export const web: Place = {
     throw new FurrowError({
       code: 'unwritable',
       who: WHO,
-      what: `cannot write to ${address}`,
+      problem: `cannot write to ${address}`,
       limit: 'paths and s3 addresses',
       remedy: 'name another output',
     })

@@ -28,7 +28,7 @@ export async function connectRedis(url: string, who: string, onBack: () => void 
     throw new FurrowError({
       code: 'usage',
       who,
-      what: 'not an address of Redis',
+      problem: 'not an address of Redis',
       value: url,
       limit: 'redis://host:6379/0, rediss://user:password@host',
       remedy: 'correct --redis',

@@ -188,7 +188,7 @@ function stylised(odd: readonly OddMeasure[]): string[] {
 function withoutLayer(): FurrowError {
   return new FurrowError({
     who: 'autoWrinkles',
-    what: 'fine furrows need a layer besides those of lines',
+    problem: 'fine furrows need a layer besides those of lines',
     value: '1 layer',
     limit: '2 to 4',
     remedy: 'allow one more layer, or leave the furrows out',
@@ -198,7 +198,7 @@ function withoutLayer(): FurrowError {
 function regionsWithoutFace(regions: readonly string[]): FurrowError {
   return new FurrowError({
     who: 'autoWrinkles',
-    what: 'regions cannot be chosen, since no face was found by what the blendshapes move',
+    problem: 'regions cannot be chosen, since no face was found by what the blendshapes move',
     value: regions.join(', '),
     remedy: 'leave the regions out, or name the mesh of the face',
   })

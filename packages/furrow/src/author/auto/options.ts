@@ -90,7 +90,7 @@ function checkNumber(
   throw new FurrowError({
     code: 'out-of-range',
     who,
-    what: name,
+    problem: name,
     value: value ?? String(value),
     limit: `${what}, ${low} to ${high}`,
     remedy: 'correct the option',
@@ -102,7 +102,7 @@ function checkRegion(region: string, who: string): void {
   throw new FurrowError({
     code: 'unknown-name',
     who,
-    what: 'unknown region',
+    problem: 'unknown region',
     value: region,
     limit: AUTO_REGIONS.join(', '),
     remedy: didYouMean(region, AUTO_REGIONS, 'name one of them'),

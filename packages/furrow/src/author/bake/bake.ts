@@ -236,8 +236,8 @@ function encode(normals: Float32Array, bits: 8 | 16): Uint8Array | Uint16Array {
 }
 
 function check(mesh: BakeMesh, { size, cage, samples }: Required<BakeOptions>): void {
-  const fail = (what: string, value: unknown, limit: string, remedy: string) => {
-    throw new FurrowError({ who: 'bakeMaps', what, value, limit, remedy })
+  const fail = (problem: string, value: unknown, limit: string, remedy: string) => {
+    throw new FurrowError({ who: 'bakeMaps', problem, value, limit, remedy })
   }
   const corners = mesh.positions.length / 3
   if (corners < 3 || corners % 3 !== 0) fail('no triangles', corners, 'three corners each', 'check the mesh')
@@ -262,7 +262,7 @@ function check(mesh: BakeMesh, { size, cage, samples }: Required<BakeOptions>): 
 function nothingHit(samples: number, cage: number): FurrowError {
   return new FurrowError({
     who: 'bakeMaps',
-    what: samples === 0 ? 'no triangle covers a texel' : 'no ray hit the detailed surface',
+    problem: samples === 0 ? 'no triangle covers a texel' : 'no ray hit the detailed surface',
     value: `${samples} rays`,
     limit: `surfaces within ${1000 * cage} mm of each other`,
     remedy: 'align both meshes in position and scale, or widen the cage',

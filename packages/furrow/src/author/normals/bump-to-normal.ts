@@ -48,7 +48,7 @@ export function bumpToNormal(
   if (bump.data.length !== width * height) {
     throw new FurrowError({
       who: 'bumpToNormal',
-      what: 'wrong number of heights',
+      problem: 'wrong number of heights',
       value: bump.data.length,
       limit: `${width * height} for ${width} x ${height}`,
       remedy: 'give one height per texel',

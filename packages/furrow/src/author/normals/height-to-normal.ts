@@ -50,7 +50,7 @@ export function turnedNormals(
   if (metric.width !== width || metric.height !== height) {
     throw new FurrowError({
       who: 'heightToNormal',
-      what: 'height map and metric differ in size',
+      problem: 'height map and metric differ in size',
       value: `${width} x ${height}`,
       limit: `${metric.width} x ${metric.height}, the metric's`,
       remedy: 'measure the mesh at the size of the height map',

@@ -22,7 +22,7 @@ export function checkCoverage({ uvs, indices }: Pick<Skin, 'uvs' | 'indices'>, w
   throw new FurrowError({
     code: 'out-of-range',
     who,
-    what: 'too many triangles of the skin lie on top of each other in its texture',
+    problem: 'too many triangles of the skin lie on top of each other in its texture',
     value: `${Math.round(sum)} times its size`,
     limit: `${MOST_COVERAGE} times`,
     remedy: 'unwrap the mesh such that each triangle has texels of its own',

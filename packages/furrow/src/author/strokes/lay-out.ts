@@ -66,7 +66,7 @@ export function layOutStrokes(strokes: readonly Stroke[], skin: LocatedSkin): La
     throw new FurrowError({
       code: 'out-of-range',
       who: 'layOutStrokes',
-      what: 'the strokes are too long together',
+      problem: 'the strokes are too long together',
       value: `${strokes.length} strokes`,
       limit: `${MOST_MILLIMETRES / 1000} m`,
       remedy: 'leave some of them out, or check the scale of the document',

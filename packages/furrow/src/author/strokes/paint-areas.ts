@@ -31,7 +31,7 @@ export function paintAreas(document: StrokesDocument, canvas: SkinCanvas): Paint
   if (definitions.length === 0) {
     throw new FurrowError({
       who: 'paintAreas',
-      what: 'the document has no areas, and no stroke has a group',
+      problem: 'the document has no areas, and no stroke has a group',
       limit: 'at least one of them',
       remedy: 'give the strokes a group, or add "areas"',
     })

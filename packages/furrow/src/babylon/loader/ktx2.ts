@@ -31,7 +31,7 @@ export async function loadKtx2(
   if (!bytes) {
     throw new FurrowError({
       who,
-      what: 'a slice of an image that is not KTX 2',
+      problem: 'a slice of an image that is not KTX 2',
       limit: 'a texture with KHR_texture_basisu',
       remedy: 'pack the file again',
     })
@@ -40,7 +40,7 @@ export async function loadKtx2(
     throw new FurrowError({
       code: 'unsupported',
       who: WRINKLE_MAPS,
-      what: 'the maps are KTX 2, and there is no transcoder',
+      problem: 'the maps are KTX 2, and there is no transcoder',
       limit: 'registerWrinkleMaps with transcoderPath',
       remedy: 'name the folder of basis_transcoder.js, or pack the file without --ktx2; see docs/babylon.md',
     })

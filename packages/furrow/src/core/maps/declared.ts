@@ -13,7 +13,7 @@ export function checkDeclared({ extensionsUsed }: { extensionsUsed?: unknown }, 
   if (Array.isArray(extensionsUsed) && extensionsUsed.includes(WRINKLE_MAPS)) return
   throw new FurrowError({
     who,
-    what: `extensionsUsed lacks ${WRINKLE_MAPS}`,
+    problem: `extensionsUsed lacks ${WRINKLE_MAPS}`,
     remedy: 'add it: tools drop extensions that are not declared',
   })
 }

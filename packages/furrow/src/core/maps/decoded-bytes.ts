@@ -26,7 +26,7 @@ export class DecodedBytes {
     throw new FurrowError({
       code: 'out-of-range',
       who,
-      what: 'the images of the wrinkles are too large together',
+      problem: 'the images of the wrinkles are too large together',
       value: `${Math.ceil(this.#sum / MIB)} MiB decoded`,
       limit: `${MAX_WRINKLE_BYTES / MIB} MiB for all of a file`,
       remedy: 'scale them down',

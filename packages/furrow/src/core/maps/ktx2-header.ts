@@ -48,7 +48,7 @@ export interface Ktx2Header extends TextureShape {
 }
 
 /** Throws an error with what is wrong with a file, and the numbers that are. */
-export type Ktx2Fault = (what: string, value?: string) => never
+export type Ktx2Fault = (problem: string, value?: string) => never
 
 /**
  * Reads the header of a KTX 2 file and checks it before anything is decoded: a 2D image or array of at most 8192 texels on a side, 256
@@ -91,11 +91,11 @@ export function readKtx2Image(bytes: Uint8Array, fail: Ktx2Fault): Ktx2Image {
  * @throws FurrowError when it is anything else.
  */
 export function readKtx2Header(bytes: Uint8Array, who: string): Ktx2Header {
-  const fail: Ktx2Fault = (what, value) => {
+  const fail: Ktx2Fault = (problem, value) => {
     throw new FurrowError({
       code: 'unreadable',
       who,
-      what,
+      problem,
       value,
       limit: 'KTX 2: a 2D image or array in UASTC or ETC1S',
       remedy: 'pack the file again',

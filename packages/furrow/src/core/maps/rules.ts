@@ -89,7 +89,7 @@ function textureProblems(
       rule: 'IMAGE_SIZE',
       code: 'out-of-range',
       who,
-      what: `the image of texture ${index} is too large`,
+      problem: `the image of texture ${index} is too large`,
       value: `${width} x ${height}`,
       limit: `${MAX_IMAGE_SIDE} texels on a side`,
       remedy: 'scale it down',
@@ -99,7 +99,7 @@ function textureProblems(
     problems.push({
       rule: 'ARRAY_AS_IMAGE',
       who,
-      what: `texture ${index} is an array of ${slices}, and a texture info without a slice refers to it`,
+      problem: `texture ${index} is an array of ${slices}, and a texture info without a slice refers to it`,
       remedy: 'name a slice, or give the plain face an image of its own',
     })
   }
@@ -119,7 +119,7 @@ function sliceProblem(
     rule: 'NO_SLICE',
     code: 'out-of-range',
     who,
-    what: `${called}: no such slice`,
+    problem: `${called}: no such slice`,
     value: slice,
     limit: count === 0 ? 'no slice: the image is not KTX 2' : `0 to ${count - 1}`,
     remedy: 'pack the file again',
@@ -138,7 +138,7 @@ function kindProblem(
   const compressed = shapes.filter(({ slices }) => slices !== undefined)
   if (compressed.length > 0 && compressed.length < shapes.length) {
     const remedy = 'pack them in the same way'
-    return { rule: 'MIXED_FORMATS', who, what: `some ${kind} are KTX 2, and others are not`, remedy }
+    return { rule: 'MIXED_FORMATS', who, problem: `some ${kind} are KTX 2, and others are not`, remedy }
   }
   // Areas in images are resampled to one size.
   const mayDiffer = kind === 'areas' && compressed.length === 0
@@ -147,7 +147,7 @@ function kindProblem(
     return {
       rule: 'LAYER_SIZES',
       who,
-      what: `${kind} differ in size`,
+      problem: `${kind} differ in size`,
       value: texts.join(', '),
       limit,
       remedy: 'scale them to one size',
@@ -158,7 +158,7 @@ function kindProblem(
   return {
     rule: 'KTX2_LAYOUTS',
     who,
-    what: `${kind} are encoded differently`,
+    problem: `${kind} are encoded differently`,
     value: layouts.join(', '),
     limit: 'one encoding and number of levels',
     remedy: 'let `furrow pack --ktx2` encode them',

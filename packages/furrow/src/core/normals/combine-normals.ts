@@ -27,7 +27,7 @@ export function checkSizes(base: RgbaImage, detail: RgbaImage): void {
   if (detail.width === width && detail.height === height) return
   throw new FurrowError({
     who: 'combineNormals',
-    what: 'the two normal maps differ in size',
+    problem: 'the two normal maps differ in size',
     value: `${detail.width} x ${detail.height}`,
     limit: `${width} x ${height}, the base's`,
     remedy: 'render the detail at the size of the base, or scale the base',

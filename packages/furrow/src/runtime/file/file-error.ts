@@ -5,12 +5,12 @@ import { FurrowError } from '../../core/error.ts'
  *
  * @param who, what of the error; a `FurrowError` remains as it is.
  */
-export function fileError(thrown: unknown, who: string, what: string): FurrowError {
+export function fileError(thrown: unknown, who: string, problem: string): FurrowError {
   if (thrown instanceof FurrowError) return thrown
   return new FurrowError({
     code: 'unreadable',
     who,
-    what,
+    problem,
     value: thrown instanceof Error ? thrown.message : thrown,
     remedy: 'check the file with `npx furrow validate`',
   })

@@ -11,7 +11,7 @@ export function unreadable(bytes: Uint8Array, who: string, value = `${bytes.leng
     return new FurrowError({
       code: 'unreadable',
       who,
-      what: 'empty file',
+      problem: 'empty file',
       value: '0 bytes',
       remedy: 'export the image again',
     })
@@ -19,7 +19,7 @@ export function unreadable(bytes: Uint8Array, who: string, value = `${bytes.leng
   return new FurrowError({
     code: 'unreadable',
     who,
-    what: 'not a readable image',
+    problem: 'not a readable image',
     value,
     limit: 'a whole PNG, JPEG, WebP or AVIF file',
     remedy: 'export the image again; it may be cut off',
@@ -35,7 +35,7 @@ export function notFetched(address: string, who: string): FurrowError {
   return new FurrowError({
     code: 'unreadable',
     who,
-    what: 'an image that cannot be fetched',
+    problem: 'an image that cannot be fetched',
     value: address,
     remedy: 'check that the server serves it at this address',
   })
@@ -46,7 +46,7 @@ export function tooLarge({ width, height }: { width: number; height: number }, w
   return new FurrowError({
     code: 'out-of-range',
     who,
-    what: 'image too large',
+    problem: 'image too large',
     value: `${width} x ${height}`,
     limit: `${MAX_IMAGE_SIDE} texels on a side`,
     remedy: 'scale it down; areas need 128 texels, normal maps 1024 to 4096',
@@ -57,7 +57,7 @@ export function tooLarge({ width, height }: { width: number; height: number }, w
 export function transparent(alpha: number, who: string): FurrowError {
   return new FurrowError({
     who,
-    what: 'image with transparent texels',
+    problem: 'image with transparent texels',
     value: `alpha ${alpha}`,
     limit: 'alpha 255 throughout',
     remedy: 'flatten it onto white (an area) or onto 128, 128, 255 (a normal map)',

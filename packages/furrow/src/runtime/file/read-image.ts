@@ -30,7 +30,7 @@ export function readImage(image: Drawable): RgbaImage {
   throw new FurrowError({
     code: 'unsupported',
     who: 'readImage',
-    what: 'image that WebGL cannot read',
+    problem: 'image that WebGL cannot read',
     value: `${width} x ${height}, WebGL error ${fault}`,
     limit: `${gl.getParameter(gl.MAX_TEXTURE_SIZE)} texels on a side`,
     remedy: 'scale it down',
@@ -73,7 +73,7 @@ function noWebGL(): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who: 'readImage',
-    what: 'no WebGL 2 context to read an image with alpha',
+    problem: 'no WebGL 2 context to read an image with alpha',
     limit: 'a browser with WebGL 2, in workers too',
     remedy: 'close other pages that use WebGL, update the browser, or save the image without alpha',
   })

@@ -142,7 +142,7 @@ function boundsOf(
 function noTriangles(face: Object3D): FurrowError {
   return new FurrowError({
     who: 'frameFace',
-    what: 'nothing to frame',
+    problem: 'nothing to frame',
     value: face.name,
     limit: 'an object with triangles',
     remedy: 'call it after the face is loaded',

@@ -173,7 +173,7 @@ class SkinsInUse {
 function withoutBlendshapes(): FurrowError {
   return new FurrowError({
     who: WHO,
-    what: 'no wrinkles can be made: no mesh has blendshapes and texture coordinates',
+    problem: 'no wrinkles can be made: no mesh has blendshapes and texture coordinates',
     remedy: 'export the face with its blendshapes, or load the file without the option auto',
   })
 }

@@ -62,7 +62,7 @@ function concatenate(arrays: readonly Compressed[], what: string): Compressed {
   if (other) {
     throw new FurrowError({
       who: WRINKLE_MAPS,
-      what: `${what} with different layouts`,
+      problem: `${what} with different layouts`,
       value: layoutOf(other),
       limit: layoutOf(first),
       remedy: 'give all of a kind one size and one encoding, or let `furrow pack --ktx2` do it',

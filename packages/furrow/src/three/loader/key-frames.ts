@@ -83,7 +83,7 @@ function pointerOf(channel: AnimationJson['channels'][number] | null): Activatio
 function broken(what: string, value: unknown): FurrowError {
   return new FurrowError({
     who: WRINKLE_MAPS,
-    what: `an area is animated by ${what}`,
+    problem: `an area is animated by ${what}`,
     value,
     limit: `times that increase from 0, and as many activations; at most ${MAX_KEY_FRAMES} key frames`,
     remedy: 'export the animation again',

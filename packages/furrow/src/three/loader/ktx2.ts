@@ -151,7 +151,7 @@ async function readFile(parser: GLTFParser, index: number, check: ShapeCheck): P
   }
   throw new FurrowError({
     who,
-    what: 'a slice of an image that is not KTX 2',
+    problem: 'a slice of an image that is not KTX 2',
     limit: 'a texture with KHR_texture_basisu',
     remedy: 'pack the file again',
   })
@@ -189,7 +189,7 @@ function ktx2LoaderOf(parser: GLTFParser): KTX2Loader {
   throw new FurrowError({
     code: 'unsupported',
     who: WRINKLE_MAPS,
-    what: 'the maps are KTX 2, which the loader cannot read',
+    problem: 'the maps are KTX 2, which the loader cannot read',
     limit: 'a GLTFLoader with a KTX2Loader',
     remedy: 'call loader.setKTX2Loader(new KTX2Loader().setTranscoderPath(...).detectSupport(renderer))',
   })

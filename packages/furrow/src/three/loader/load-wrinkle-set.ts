@@ -81,7 +81,7 @@ async function readJson(address: URL): Promise<unknown> {
     throw new FurrowError({
       code: 'unreadable',
       who: address.pathname,
-      what: 'not JSON',
+      problem: 'not JSON',
       value: (error as Error).message,
       remedy: 'check the address and the file',
     })
@@ -94,7 +94,7 @@ async function fetchFile(address: URL): Promise<Blob> {
   throw new FurrowError({
     code: 'unreadable',
     who: address.pathname,
-    what: 'file not found',
+    problem: 'file not found',
     value: `HTTP status ${response.status}`,
     remedy: 'check that the server serves it at this address',
   })

@@ -16,7 +16,7 @@ export function readTexture(texture: Texture, who: string): RgbaImage {
     throw new FurrowError({
       code: 'unsupported',
       who,
-      what: 'texture without readable pixels',
+      problem: 'texture without readable pixels',
       value: texture.name || texture.uuid,
       limit: 'an image that is loaded and not GPU-compressed',
       remedy: 'await the loader first, or use the default mode',

@@ -236,7 +236,7 @@ function separatedFaces({ faces }: WrinkledMaterial, read: FileWrinkles): [Mesh,
 function withoutParser(given: unknown): FurrowError {
   return new FurrowError({
     who: 'WrinkleLoaderPlugin',
-    what: 'a parser',
+    problem: 'a parser',
     value: given === null || given === undefined ? String(given) : (given as object).constructor?.name,
     limit: 'the GLTFParser that GLTFLoader passes to what is registered',
     remedy: 'call extendLoader(loader), or loader.register((parser) => new WrinkleLoaderPlugin(parser))',

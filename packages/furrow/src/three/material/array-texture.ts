@@ -20,7 +20,7 @@ export function arrayOf(maps: readonly object[], who: string, what: string): Arr
   if (maps.every((map) => isSlice(map) && map.array === first.array)) return first.array as ArrayTexture
   throw new FurrowError({
     who,
-    what: `${what} that are in different arrays`,
+    problem: `${what} that are in different arrays`,
     limit: 'all images, or all slices of one array',
     remedy: 'pack them in the same way',
   })

@@ -18,19 +18,19 @@ export function checkMaterial(mesh: Mesh): WrinkleMaterial {
   throw new FurrowError({ who: 'Wrinkles', value: mesh.name, ...problem })
 }
 
-function problemOf(material: WrinkleMaterial): { what: string; remedy: string } | null {
+function problemOf(material: WrinkleMaterial): { problem: string; remedy: string } | null {
   if (!readsNormalMap(material)) {
     return {
-      what: `material ${(material as Material | undefined)?.type} does not support normal maps`,
+      problem: `material ${(material as Material | undefined)?.type} does not support normal maps`,
       remedy: 'use a lit material such as MeshStandardMaterial',
     }
   }
   if (material.normalMap && material.normalMapType === ObjectSpaceNormalMap) {
-    return { what: 'object-space normal map', remedy: 'bake it to tangent space' }
+    return { problem: 'object-space normal map', remedy: 'bake it to tangent space' }
   }
   if (patchedMaterials.has(material)) {
     return {
-      what: 'the material already shows wrinkles',
+      problem: 'the material already shows wrinkles',
       remedy: 'give the mesh its own: mesh.material = mesh.material.clone(), or dispose the other wrinkles',
     }
   }

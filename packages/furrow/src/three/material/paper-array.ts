@@ -34,7 +34,7 @@ export function packPaperArray(
     throw new FurrowError({
       code: 'unsupported',
       who: 'Wrinkles.mode',
-      what: "the paper's mode has one wrinkled normal map",
+      problem: "the paper's mode has one wrinkled normal map",
       value: layers.map(({ name }) => name).join(', '),
       limit: 'one layer',
       remedy: 'use the default mode',
@@ -45,7 +45,7 @@ export function packPaperArray(
     throw new FurrowError({
       code: 'unsupported',
       who: 'Wrinkles.mode',
-      what: "compressed maps cannot be packed for the paper's mode",
+      problem: "compressed maps cannot be packed for the paper's mode",
       value: layers[0].name,
       remedy: 'use the default mode, or a file with PNG or WebP maps',
     })

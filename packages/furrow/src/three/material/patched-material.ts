@@ -86,7 +86,7 @@ export class PatchedMaterial {
       throw new FurrowError({
         code: 'unsupported',
         who: 'Wrinkles.mode',
-        what: "the material's shader cannot be patched",
+        problem: "the material's shader cannot be patched",
         value: mode,
         limit: 'composed or off',
         remedy: 'use the composed mode',
@@ -253,7 +253,7 @@ function warnOfFault({ name }: Mesh, mode: WrinkleMode, fault: string): void {
   const { message } = new FurrowError({
     code: 'unsupported',
     who: 'Wrinkles',
-    what: `the shader of mesh "${name}" does not compile in the ${mode} mode, so it is shown without wrinkles`,
+    problem: `the shader of mesh "${name}" does not compile in the ${mode} mode, so it is shown without wrinkles`,
     value: fault,
     remedy:
       mode === 'composed'

@@ -23,7 +23,7 @@ function warn({ name, material }: Mesh): void {
   console.warn(
     sentence({
       who: 'Wrinkles',
-      what: `mesh "${name}" has another material than the one that shows its wrinkles`,
+      problem: `mesh "${name}" has another material than the one that shows its wrinkles`,
       value: [material].flat()[0]?.name,
       remedy: 'move them with new Wrinkles(mesh, wrinkles), then call wrinkles.dispose()',
     }),

@@ -18,7 +18,7 @@ export function checkMesh(mesh: Mesh): void {
     if (mesh.geometry.hasAttribute(attribute)) continue
     throw new FurrowError({
       who: 'Wrinkles',
-      what: `mesh without ${attribute}`,
+      problem: `mesh without ${attribute}`,
       value: mesh.name,
       limit: 'a mesh with positions, normals and UVs',
       remedy,
@@ -48,7 +48,7 @@ export function checkNotInstanced(mesh: Mesh, mode: string): void {
   if (!instancesOf(mesh)) return
   throw new FurrowError({
     who: 'Wrinkles.mode',
-    what: 'instances cannot wrinkle independently in this mode',
+    problem: 'instances cannot wrinkle independently in this mode',
     value: mode,
     limit: 'default or off for an InstancedMesh or BatchedMesh',
     remedy: 'use the default mode',

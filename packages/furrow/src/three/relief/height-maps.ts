@@ -76,7 +76,7 @@ export function checkReach({ reach }: HeightMaps, radius: number): void {
   throw new FurrowError({
     code: 'out-of-range',
     who: 'Wrinkles.relief',
-    what: 'the heights of the layers reach too far',
+    problem: 'the heights of the layers reach too far',
     value: `${reach} m`,
     limit: `${limit.toPrecision(2)} m for a mesh of this size`,
     remedy: 'give the heights their amplitude in metres',

@@ -16,7 +16,7 @@ export function limitationOf(mesh: Mesh): FurrowError | null {
     return new FurrowError({
       code: 'out-of-range',
       who,
-      what: 'the mesh has too many triangles to split',
+      problem: 'the mesh has too many triangles to split',
       value: count,
       limit: `${MOST_TRIANGLES} triangles`,
       remedy: 'reduce it; fine detail belongs into its normal map',
@@ -26,7 +26,7 @@ export function limitationOf(mesh: Mesh): FurrowError | null {
     return new FurrowError({
       code: 'unsupported',
       who,
-      what: 'three.js is too old for relief',
+      problem: 'three.js is too old for relief',
       value: `r${REVISION}`,
       limit: `r${OLDEST_THREE_WITH_RELIEF} or later`,
       remedy: 'install a later release of three.js, or show it without relief',
@@ -37,7 +37,7 @@ export function limitationOf(mesh: Mesh): FurrowError | null {
   return new FurrowError({
     code: 'unsupported',
     who,
-    what: morphTexture ? 'instances with blendshapes of their own' : 'a BatchedMesh',
+    problem: morphTexture ? 'instances with blendshapes of their own' : 'a BatchedMesh',
     limit: 'meshes, and instances that move as one',
     remedy: 'show it without relief',
   })

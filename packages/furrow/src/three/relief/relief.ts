@@ -184,7 +184,7 @@ function checkPositions(mesh: Mesh): void {
   if (Number.isFinite(radiusOf(mesh))) return
   throw new FurrowError({
     who: `Wrinkles.relief of mesh "${mesh.name}"`,
-    what: 'the mesh has positions that are not numbers',
+    problem: 'the mesh has positions that are not numbers',
     remedy: 'export it again; it is shown without relief until then',
   })
 }
@@ -216,7 +216,7 @@ function longEdges(splits: readonly MeshSplit[]): FurrowError | null {
   return new FurrowError({
     code: 'out-of-range',
     who: `Wrinkles.relief of mesh "${long.mesh.name}"`,
-    what: `more than ${SPLIT_DEFAULTS.budget} triangles, so their edges are longer`,
+    problem: `more than ${SPLIT_DEFAULTS.budget} triangles, so their edges are longer`,
     value: millimetres(long.edge),
     limit: millimetres(SPLIT_DEFAULTS.edge),
     remedy: 'let fewer areas be on layers with heights',

@@ -5,7 +5,7 @@ export function compressed(who: string): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who,
-    what: 'textures of KTX 2 files cannot be changed',
+    problem: 'textures of KTX 2 files cannot be changed',
     remedy: 'use a file with PNG or WebP maps',
   })
 }

@@ -6,7 +6,7 @@ export function unknownLayer(name: string, layers: readonly { name: string }[], 
   return new FurrowError({
     code: 'unknown-name',
     who,
-    what: 'unknown layer',
+    problem: 'unknown layer',
     value: name,
     limit: listNames(layers),
     remedy: didYouMean(

@@ -145,7 +145,7 @@ function missing(who: string, layer: Layer<ArraySlice>): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who,
-    what: 'the layer has no such map',
+    problem: 'the layer has no such map',
     limit: MAP_KINDS.filter((kind) => layer[kind]).join(', '),
     remedy: 'create the wrinkles anew, from layers with it',
   })

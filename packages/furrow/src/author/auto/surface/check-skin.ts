@@ -65,8 +65,8 @@ export function checkSkin(skin: Skin): { skin: Skin; warnings: string[] } {
   return { skin: usable.length < targets.length ? { ...skin, targets: usable } : skin, warnings }
 }
 
-function fail(what: string, value: unknown, limit: string | undefined, remedy: string): never {
-  throw new FurrowError({ who: 'autoWrinkles', what, value, limit, remedy })
+function fail(problem: string, value: unknown, limit: string | undefined, remedy: string): never {
+  throw new FurrowError({ who: 'autoWrinkles', problem, value, limit, remedy })
 }
 
 function faultOf({ offsets }: SkinTarget, size: number): string | undefined {

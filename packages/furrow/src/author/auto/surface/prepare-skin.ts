@@ -118,7 +118,7 @@ function checkScale(scale: number): void {
   throw new FurrowError({
     code: 'out-of-range',
     who: 'autoWrinkles',
-    what: `the skin is far too ${scale < least ? 'large' : 'small'} for a character`,
+    problem: `the skin is far too ${scale < least ? 'large' : 'small'} for a character`,
     value: `${scale.toPrecision(3)} mm per unit of its positions`,
     limit: `${least} to ${most}`,
     remedy: 'check the scale and the positions of its vertices',

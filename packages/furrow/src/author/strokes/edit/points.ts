@@ -44,7 +44,7 @@ export function removePoint<S extends Stroke>(stroke: S, index: number, skin: Lo
   if (spline.points.length <= 2) {
     throw new FurrowError({
       who: 'removePoint',
-      what: 'a stroke needs two points',
+      problem: 'a stroke needs two points',
       value: spline.points.length,
       limit: '3 points or more',
       remedy: 'remove the stroke',
@@ -99,7 +99,7 @@ export function checkIndex(who: string, index: number, lowest: number, highest: 
   throw new FurrowError({
     code: 'out-of-range',
     who,
-    what: 'the stroke has no such point',
+    problem: 'the stroke has no such point',
     value: index,
     limit: lowest <= highest ? `${lowest}..${highest}` : 'a stroke of 3 points or more',
     remedy: 'name one of its points',

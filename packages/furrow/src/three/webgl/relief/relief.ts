@@ -110,7 +110,7 @@ function unpatchable(missing: string): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who: 'Wrinkles',
-    what: `material whose shader cannot be patched in three.js r${REVISION}, it lacks`,
+    problem: `material whose shader cannot be patched in three.js r${REVISION}, it lacks`,
     value: missing,
     limit: `the built-in lit materials of three.js up to r${NEWEST_THREE}`,
     remedy: 'use one of them, or the composed mode',

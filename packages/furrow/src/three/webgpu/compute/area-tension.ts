@@ -92,7 +92,7 @@ export class AreaTension {
     console.warn(
       sentence({
         who: 'Wrinkles',
-        what: 'tension could not be read back from the graphics card',
+        problem: 'tension could not be read back from the graphics card',
         value: String(error),
         remedy: 'the processor measures it on a sample of triangles',
       }),
