@@ -1,0 +1,126 @@
+import MarkdownIt from 'markdown-it'
+import { parseSync } from 'vite'
+
+/** Words at most in a sentence. */
+const LONGEST = 30
+
+/** Openings that leave a comment without a subject. */
+const NO_SUBJECT = /^(Of|What|That|Those|In which|For which)\s/
+
+/** A comment's line: its marks and what follows them. */
+const MARKS = /^\s*(\/\*\*?|\*\/|\*|\/\/|#)?\s?(.*?)\s*(\*\/)?$/
+
+/** Lines that are not prose: rules, commands to tools, commented-out tables. */
+const NOT_PROSE = /^(\s*[-=|]{3,}|biome-ignore|@ts-|@vitest|eslint-|region|endregion|!|type:|noqa)/
+
+const markdown = new MarkdownIt({ html: true })
+const sentences = new Intl.Segmenter('en', { granularity: 'sentence' })
+
+/**
+ * Finds sentences that are too long, and comments that begin without a subject.
+ *
+ * @param {string} path file name, whose ending names the language.
+ * @param {string} text
+ * @returns {{ line: number, fault: string, sentence: string }[]} `line` counts from 1.
+ */
+export function faultsOf(path, text) {
+  const isPage = path.endsWith('.md')
+  const paragraphs = isPage
+    ? paragraphsOfPage(text)
+    : path.endsWith('.py')
+      ? commentsOfPython(text)
+      : commentsOfScript(path, text)
+  return paragraphs.flatMap(({ line, prose }) => {
+    const found = []
+    if (!isPage && NO_SUBJECT.test(prose))
+      found.push({ line, fault: 'begins without a subject', sentence: prose })
+    for (const { segment } of sentences.segment(prose)) {
+      const words = countWords(segment)
+      if (words > LONGEST)
+        found.push({ line, fault: `${words} words, at most ${LONGEST}`, sentence: segment.trim() })
+    }
+    return found
+  })
+}
+
+/** Paragraphs, list items, headings and table cells of a Markdown page. */
+function paragraphsOfPage(text) {
+  const tokens = markdown.parse(
+    text.replace(/^---\n.*?\n---\n/s, (front) => front.replace(/[^\n]/g, '')),
+    {},
+  )
+  return tokens.flatMap((token, i) => {
+    if (token.type !== 'inline') return []
+    const line = (token.map ?? tokens[i - 1].map ?? [0])[0] + 1
+    return [{ line, prose: token.children.map(textOf).join('') }]
+  })
+}
+
+function textOf({ type, content }) {
+  if (type === 'code_inline') return '`code`'
+  return type.endsWith('break') ? ' ' : type === 'text' ? content : ''
+}
+
+function commentsOfScript(path, text) {
+  const { comments } = parseSync(path, text)
+  return blocksOf(text, comments)
+}
+
+/** Comments and docstrings of a Python file. */
+function commentsOfPython(text) {
+  const found = text.matchAll(/("""|''')(.*?)\1|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'|#[^\n]*/gs)
+  const comments = [...found].filter(([all, quotes]) => quotes || all.startsWith('#'))
+  return blocksOf(
+    text,
+    comments.map(({ 0: all, index }) => ({ start: index, end: index + all.length })),
+  )
+}
+
+/** Joins comments on neighbouring lines, and splits them into paragraphs. */
+function blocksOf(text, comments) {
+  const blocks = []
+  let end = -1
+  for (const comment of comments) {
+    const between = text.slice(Math.max(end, 0), comment.start)
+    const isTrailing = text.slice(text.lastIndexOf('\n', comment.start - 1) + 1, comment.start).trim() !== ''
+    const line = text.slice(0, comment.start).split('\n').length
+    const lines = text
+      .slice(comment.start, comment.end)
+      .replace(/^("""|''')|("""|''')$/g, '')
+      .split('\n')
+    if (end >= 0 && !isTrailing && /^\n[^\S\n]*$/.test(between)) blocks.at(-1).lines.push(...lines)
+    else blocks.push({ line, lines })
+    end = comment.end
+  }
+  return blocks.flatMap(paragraphsOfComment)
+}
+
+/** A paragraph ends at an empty line, a list item or a tag such as `@param`. */
+function paragraphsOfComment({ line, lines }) {
+  const paragraphs = []
+  let isCode = false
+  let open
+  for (const [i, raw] of lines.entries()) {
+    const content = MARKS.exec(raw)[2]
+    if (content.startsWith('```')) isCode = !isCode
+    const isBreak = isCode || content === '' || content.startsWith('```') || NOT_PROSE.test(content)
+    if (isBreak) open = undefined
+    else if (open && !/^(@\w|[-*] |\d+\. |:\w+)/.test(content)) open.prose += ` ${content}`
+    else paragraphs.push((open = { line: line + i, prose: content }))
+  }
+  return paragraphs.map(({ line, prose }) => ({ line, prose: withoutCode(prose) }))
+}
+
+/** Code, addresses and tags each count as one word, or none. */
+function withoutCode(prose) {
+  return prose
+    .replace(/^@\w+\s+(\{.*?\}\s+)?(\[?[\w.]+(=[^\]]*)?\]?\s+(-\s+)?)?/, '')
+    .replace(/^[-*] |^\d+\. /, '')
+    .replace(/`[^`]*`/g, '`code`')
+    .replace(/\{@\w+ ([^}]*)\}/g, '$1')
+    .replace(/https?:\S+/g, 'address')
+}
+
+function countWords(sentence) {
+  return sentence.split(/\s+/).filter((word) => /[\p{L}\p{N}]/u.test(word)).length
+}
