@@ -1,5 +1,8 @@
-/** WebKitGTK's own browser. */
+/** The browser that ships with WebKitGTK. */
 export const MINI_BROWSER: string
 
-/** Debian packages that must still be installed for tests in a browser. */
+/** Programs that tests in each browser need, with the Debian package of each. */
+export const PROGRAMS: Record<'firefox' | 'webkit', Record<string, string>>
+
+/** Lists the missing Debian packages for tests in a browser. */
 export function missingPackages(browser: 'firefox' | 'webkit'): string[]

