@@ -1,13 +1,12 @@
-// Tests the extension for Blender with Blender itself: `npm run test:blender`, on all versions, or `-- --version 4.5`. What follows goes to
-// the tests as a pattern of file names, e.g. `-- test_drivers.py`. Ctrl-C ends it.
+// `npm run test:blender`: tests the Blender extension in Blender. `-- --version 4.5` selects a version, `-- test_drivers.py` test files.
 
 import { existsSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { parseArgs } from 'node:util'
-import { pythonNamed } from './lib/python.mjs'
+import { findPython } from './lib/python.mjs'
 import { Failure, main, must, ROOT, run, say } from './lib/run.mjs'
 
-/** The long-term release, and the newest that PyPI has for the same Python. */
+/** The LTS release, and PyPI's newest release for the same Python version. */
 const VERSIONS = ['4.5', '5.0']
 
 await main(async () => {
@@ -18,7 +17,7 @@ await main(async () => {
   for (const version of values.version) {
     if (VERSIONS.includes(version)) continue
     throw new Failure(
-      `--version is unknown, got "${version}", allowed: ${VERSIONS.join(' or ')}; write e.g. --version 4.5`,
+      `--version is unsupported, got "${version}", allowed: ${VERSIONS.join(' or ')}; write e.g. --version 4.5`,
     )
   }
   if (!existsSync(join(ROOT, 'packages/cli/dist'))) await must(['npm', 'run', '--silent', 'build'])
@@ -31,20 +30,20 @@ await main(async () => {
   if (failed.length > 0) throw new Failure(`failed on Blender ${failed.join(', ')}`)
 })
 
-/** A virtual environment with Blender as a Python module, in blender/.venv-VERSION; path of its Python. */
+/** Installs Blender as a Python module in blender/.venv-VERSION. Returns the path of its Python. */
 async function setUp(version) {
   const folder = join(ROOT, `blender/.venv-${version}`)
   const python = join(folder, process.platform === 'win32' ? 'Scripts/python.exe' : 'bin/python')
-  // Written last, so that an installation that was interrupted begins anew.
+  // Written last, so that an interrupted installation restarts.
   const installed = join(folder, 'installed')
   if (existsSync(installed)) return python
-  const found = await pythonNamed(
+  const found = await findPython(
     ['python3.11', 'python3', 'python'],
     ([major, minor]) => major === 3 && minor === 11,
   )
-  if (!found) throw new Failure("Python 3.11 is missing, which is Blender's own; install it, allowed: 3.11")
+  if (!found) throw new Failure('Python 3.11 is missing, which bpy requires; install it')
   say(
-    `installing Blender ${version} as a Python module: about 350 MB are fetched, 950 MB on disk (blender/.venv-${version})`,
+    `installing Blender ${version} as a Python module: downloads about 350 MB, takes 950 MB (blender/.venv-${version})`,
   )
   await must([found, '-m', 'venv', '--clear', folder])
   await must([python, '-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', `bpy==${version}.*`])

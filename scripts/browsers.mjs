@@ -1,10 +1,10 @@
-// Measures what Chromium, Firefox ESR and WebKitGTK can do, and writes the table of README.md: `npm run browsers`.
+// `npm run browsers`: measures the capabilities of Chromium, Firefox ESR and WebKitGTK, and writes the table of README.md.
 
 import { mkdtemp, readFile, rm } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { ensureBrowser } from './lib/browser.mjs'
-import { browserTable, measuredOf, writeBrowsers } from './lib/browser-table.mjs'
+import { browserTable, readReport, writeBrowsers } from './lib/browser-table.mjs'
 import { missingPackages } from './lib/other-browsers.mjs'
 import { Failure, main, run, say } from './lib/run.mjs'
 import { setUp } from './lib/set-up.mjs'
@@ -12,7 +12,10 @@ import { VITEST } from './lib/test-files.mjs'
 
 await main(async () => {
   const missing = [...new Set(['firefox', 'webkit'].flatMap(missingPackages))]
-  if (missing.length > 0) throw new Failure(`browsers: missing; apt-get install ${missing.join(' ')}`)
+  if (missing.length > 0)
+    throw new Failure(
+      `browsers: missing packages, got none of ${missing.join(', ')}; run apt-get install ${missing.join(' ')}`,
+    )
   await setUp()
   const folder = await mkdtemp(join(tmpdir(), 'furrow-browsers-'))
   try {
@@ -22,7 +25,7 @@ await main(async () => {
     await run([...VITEST, 'run', '--project', 'browsers', 'test/browsers/capabilities', ...reporters], {
       env,
     })
-    const measured = measuredOf(JSON.parse(await readFile(file, 'utf8')))
+    const measured = readReport(JSON.parse(await readFile(file, 'utf8')))
     writeBrowsers(measured)
     say(browserTable(measured).join('\n'))
   } finally {

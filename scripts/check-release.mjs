@@ -1,4 +1,4 @@
-// Whether what is here can be released under a tag: `node scripts/check-release.mjs v0.1.0`. The release workflow asks first.
+// `node scripts/check-release.mjs v0.1.0` checks that versions and changelog match a release tag.
 
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -9,7 +9,8 @@ const PACKAGES = ['packages/furrow', 'packages/cli']
 await main(async () => {
   const [tag = ''] = process.argv.slice(2)
   const [, version] = /^v(\d+\.\d+\.\d+(?:-[\w.]+)?)$/.exec(tag) ?? []
-  if (!version) throw new Failure(`tag, got "${tag}", allowed: v and a semantic version; write e.g. v0.1.0`)
+  if (!version)
+    throw new Failure(`invalid tag, got "${tag}", allowed: v and a semantic version; write e.g. v0.1.0`)
   for (const folder of PACKAGES) {
     const found = JSON.parse(readFileSync(join(ROOT, folder, 'package.json'), 'utf8')).version
     if (found === version) continue

@@ -1,5 +1,5 @@
-// Makes the sample files of the conformance suite, reads them with all engines, and writes the table of docs/conformance.md:
-// `npm run conformance`. `--files` only makes the files.
+// `npm run conformance`: writes the conformance samples, tests all engines with them, and updates the table of docs/conformance.md.
+// `-- --files` only writes the samples.
 
 import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
@@ -27,7 +27,7 @@ await main(async () => {
 })
 
 async function makeFiles() {
-  // It needs what the set-up installs.
+  // Imports packages that `setUp` installs.
   const { serve } = await import('../bench/serve.mjs')
   const server = await serve()
   try {
@@ -46,7 +46,7 @@ async function makeFiles() {
 }
 
 async function runEngines() {
-  const report = await reported((file) => {
+  const report = await readReport((file) => {
     const reporters = ['--reporter=default', '--reporter=json', `--outputFile.json=${file}`]
     const env = { ...process.env, FURROW_TESTS: 'all' }
     return run(['npx', 'vitest', 'run', '--project', 'gpu', 'test/gpu/conformance', ...reporters], { env })
@@ -54,17 +54,17 @@ async function runEngines() {
   return resultsOf(report)
 }
 
-/** Of each sample whether it passed; those that Blender leaves out are missing. */
+/** Returns whether each sample passed. Samples that Blender skips are missing. */
 async function runBlender() {
   const words = ['node', 'scripts/blender.mjs', '--version', '4.5', 'test_conformance.py']
-  const report = await reported((file) => {
+  const report = await readReport((file) => {
     return run(words, { env: { ...process.env, FURROW_CONFORMANCE_REPORT: file } })
   })
   return new Map(Object.entries(report))
 }
 
-/** The JSON that a program writes into a file. */
-async function reported(write) {
+/** Runs a program with the path of a report to write; returns the parsed report. */
+async function readReport(write) {
   const folder = await mkdtemp(join(tmpdir(), 'furrow-conformance-'))
   const file = join(folder, 'report.json')
   try {

@@ -1,5 +1,5 @@
-// Renders the pictures of the README and the docs into docs/figures/: `npm run figures`, or only some: `npm run figures -- ktx2`.
-// With FURROW_BEFORE=../checkout, the close-ups also show the faces and automatic wrinkles of an earlier version, built there.
+// `npm run figures`: renders the README's and the docs' pictures into docs/figures/. `-- ktx2` selects figures.
+// FURROW_BEFORE=../checkout adds the faces and automatic wrinkles of an earlier, built version to the close-ups.
 
 import { existsSync } from 'node:fs'
 import { mkdtemp, rm } from 'node:fs/promises'
@@ -35,7 +35,7 @@ await main(async () => {
   }
 })
 
-/** Figures of these names; all of them if there are no names. */
+/** Selects figures by name, all by default. */
 function selectFigures(names) {
   const unknown = names.find((name) => !(name in FIGURES))
   if (unknown === undefined)
@@ -54,8 +54,8 @@ async function renderFaces(shots) {
   const folder = await mkdtemp(join(tmpdir(), 'furrow-figures-'))
   try {
     const files = await makeFaces(shots, folder)
-    // One page draws all pictures of a face that follow each other.
-    const order = [...shots.keys()].sort((a, b) => compare(shots[a].face, shots[b].face) || a - b)
+    // Consecutive pictures of one face share a page.
+    const order = [...shots.keys()].sort((a, b) => compareNames(shots[a].face, shots[b].face) || a - b)
     const requests = order.map((i) => {
       const { crop, scale, face, beginsRow, ...picture } = shots[i]
       return { input: files.get(face) ?? FACE, ...picture }
@@ -69,12 +69,11 @@ async function renderFaces(shots) {
   }
 }
 
-/** For sorting. */
-function compare(a = '', b = '') {
+function compareNames(a = '', b = '') {
   return a < b ? -1 : Number(a > b)
 }
 
-/** Writes the `FACES` that appear in some pictures; returns their files by name. */
+/** Writes the `FACES` that the pictures show. Returns their paths by name. */
 async function makeFaces(shots, folder) {
   const files = new Map()
   for (const { face } of shots) {

@@ -1,4 +1,4 @@
-// Tries damaged files with the commands: `npm run fuzz -- --count 5000 --seed 1 --command auto`. The same numbers give the same files.
+// `npm run fuzz -- --count 5000 --seed 1 --command auto`: runs commands on damaged files. The same seed gives the same files.
 
 import { mkdirSync, rmdirSync } from 'node:fs'
 import { availableParallelism, tmpdir } from 'node:os'

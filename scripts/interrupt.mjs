@@ -1,4 +1,4 @@
-// Interrupts every command that writes, at many moments: `npm run interrupt -- --moments 20 --command render`.
+// `npm run interrupt -- --moments 20 --command render`: interrupts every command that writes files, at many moments.
 
 import { parseArgs } from 'node:util'
 import { ensureBrowser } from './lib/browser.mjs'

@@ -1,4 +1,4 @@
-// Writes the licences of all packages that furrow-cli installs to a file: `npm run notices`.
+// `npm run notices`: writes the licences of all packages that furrow-cli installs to a file.
 
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -7,7 +7,7 @@ import { Failure, main, ROOT } from './lib/run.mjs'
 const PACKAGE = 'packages/cli'
 const TARGET = join(ROOT, PACKAGE, 'THIRD_PARTY_NOTICES.md')
 
-/** Licences of packages that ship none, from their repositories; named as the package. */
+/** Licences from the repositories of packages that ship none, named after the package. */
 const LICENCES = join(ROOT, 'scripts/licences')
 
 /** Longer than any fence inside a licence. */
@@ -20,7 +20,7 @@ await main(() => {
   writeFileSync(target, notices(listInstalled()))
 })
 
-/** All packages that come with ours, sorted by name and version: `path` in node_modules, and the lock file's entry. */
+/** Lists all direct and indirect dependencies, sorted by name and version: `path` in node_modules, and the lock file's entry. */
 function listInstalled() {
   const found = new Map()
   const visit = (from) => {
@@ -38,7 +38,7 @@ function listInstalled() {
   return [...found.values()].sort((a, b) => (key(a) < key(b) ? -1 : 1))
 }
 
-/** Where a package finds another: in its own node_modules, or in those of a folder around it. */
+/** Resolves a dependency as Node does: in the package's own node_modules, then in those of its parent folders. */
 function resolvePackage(name, from) {
   for (let folder = from; ; folder = folder.replace(/\/?[^/]*$/, '')) {
     const path = join(folder, 'node_modules', name).replaceAll('\\', '/')
@@ -64,7 +64,7 @@ function notices(installed) {
   return `${lines.join('\n\n')}\n`
 }
 
-/** Licence texts, each with the names of its packages. */
+/** Groups package names by licence text. */
 function byText(entries) {
   const texts = new Map()
   for (const entry of entries) {
@@ -74,7 +74,7 @@ function byText(entries) {
   return texts
 }
 
-/** A package's licence and notices as it ships them, otherwise from `scripts/licences`. */
+/** Reads a package's licence and notices from the package, or from `scripts/licences`. */
 function readLicence({ name, path }) {
   const folder = join(ROOT, path)
   const files = readdirSync(folder)

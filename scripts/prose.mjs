@@ -1,9 +1,9 @@
-// `npm run prose` lists sentences of over 30 words and comments without a subject, in all files or in those named after `--`.
+// `npm run prose`: lists sentences of over 30 words and comments without a subject. `-- PATH...` selects files.
 
 import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { faultsOf } from './lib/prose.mjs'
+import { findProblems } from './lib/prose.mjs'
 import { Failure, main, ROOT } from './lib/run.mjs'
 
 const CHECKED = /\.(ts|tsx|mjs|js|py|md)$/
@@ -15,13 +15,11 @@ await main(() => {
   }).split('\n')
   let count = 0
   for (const path of paths.filter((path) => CHECKED.test(path))) {
-    for (const { line, fault, sentence } of faultsOf(path, readFileSync(join(ROOT, path), 'utf8'))) {
-      console.error(`${path}:${line}: ${fault}: ${sentence}`)
+    for (const { line, problem, sentence } of findProblems(path, readFileSync(join(ROOT, path), 'utf8'))) {
+      console.error(`${path}:${line}: ${problem}: ${sentence}`)
       count++
     }
   }
   if (count > 0)
-    throw new Failure(
-      `prose: ${count} sentences to write again, allowed: none; docs have the rules in CONTRIBUTING.md`,
-    )
+    throw new Failure(`prose: ${count} unclear sentences, allowed: none; see CONTRIBUTING.md for the rules`)
 })

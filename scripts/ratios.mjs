@@ -1,12 +1,12 @@
-// What a frame with wrinkles costs compared with the plain face, beside the figures in bench/ratios.json: `npm run ratios`, and
-// `npm run ratios -- --write` to keep what is measured as the figures. Growth is a warning and no failure: machines are noisy.
+// `npm run ratios`: compares the frame time with wrinkles, relative to the plain face, with bench/ratios.json. `-- --write` updates the
+// file. Growth only warns, because machines are noisy.
 
 import { main, say } from './lib/run.mjs'
 import { setUp } from './lib/set-up.mjs'
 
 await main(async () => {
   await setUp()
-  // These need what it installs.
+  // Imports packages that `setUp` installs.
   const { measureTwice, readFigures, warnings, writeFigures } = await import('../bench/ratios.mjs')
   const figures = readFigures()
   const ratios = await measureTwice(figures)

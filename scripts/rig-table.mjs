@@ -1,4 +1,4 @@
-// Writes the table of docs/auto-formats.md: which areas `furrow auto` makes under the names of each rig. `npm run rig-table`.
+// `npm run rig-table`: writes the table of docs/auto-formats.md, the areas that `furrow auto` makes with each rig's names.
 
 import { importSource } from './lib/import-source.mjs'
 import { writeTable } from './lib/marked-table.mjs'

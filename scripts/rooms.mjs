@@ -1,4 +1,4 @@
-// Draws the rooms of docs/architecture.md from the imports of the sources: `npm run rooms`.
+// `npm run rooms`: draws the module graph of docs/architecture.md.
 
 import { writeFile } from 'node:fs/promises'
 import { join } from 'node:path'

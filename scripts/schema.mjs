@@ -1,4 +1,4 @@
-// Publishes the drivers' schemas in docs/schema: a copy of each driver's file, and the list of all.
+// `npm run schema`: copies the drivers' schemas to docs/schema, and lists them in the common schema.
 
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'

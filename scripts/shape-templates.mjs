@@ -1,5 +1,4 @@
-// Derives the table of typical shapes that recognition compares with: `npm run shape-templates`. The builder's faces are in the repository, the
-// scan beside it.
+// `npm run shape-templates`: derives the typical shapes for shape recognition from the shipped faces and a scan outside the repository.
 
 import { existsSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -13,7 +12,7 @@ await main(async () => {
   const entries = []
   for (const [name, faces] of Object.entries(source.TEMPLATE_FACES)) {
     const missing = faces.find((face) => !existsSync(face))
-    if (missing) throw new Failure(`the table needs ${missing}`)
+    if (missing) throw new Failure(`missing face, got no ${missing}; add the file`)
     entries.push(`  ${name}:\n    '${await source.templateText(faces)}',\n`)
   }
   const text = `/*!

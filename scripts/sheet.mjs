@@ -1,6 +1,5 @@
-// Draws faces whose blendshapes lost their names, with the wrinkles that `furrow auto` makes of them: `npm run sheet -- FACE.glb... --output
-// sheet.jpg`. Each face gives two rows of five expressions: without wrinkles and with them. The files have ARKit's names, which only pose
-// the face.
+// `npm run sheet -- FACE.glb... --output sheet.jpg`: draws automatic wrinkles of faces after removing their blendshapes' names.
+// Each face fills two rows of five expressions, without and with wrinkles. ARKit's names in the files only pose the faces.
 
 import { mkdtemp, rm } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
@@ -23,7 +22,7 @@ const POSES = {
   speech: { jawOpen: 0.35, mouthFunnel: 0.7, ...both('mouthUpperUp', 0.3) },
 }
 const PICTURE = { width: 800, height: 800 }
-/** The middle, which the face fills. */
+/** Crop around the face. */
 const SHOWN = { crop: { left: 190, top: 40, width: 420, height: 520 }, scale: 0.55 }
 
 await main(async () => {
@@ -50,12 +49,12 @@ await main(async () => {
   }
 })
 
-/** The requests for the pictures of a face. Its files begin with `stem`. */
+/** Returns the render requests of a face. Writes its files to `stem`*.glb. */
 async function shots(face, stem) {
   const io = new NodeIO().registerExtensions(ALL_EXTENSIONS)
   const document = await io.read(face)
-  const { nameless } = await importSource('scripts/lib/nameless.ts')
-  const standIns = nameless(document)
+  const { stripTargetNames } = await importSource('scripts/lib/strip-target-names.ts')
+  const standIns = stripTargetNames(document)
   await io.write(`${stem}.glb`, document)
   const furrow = ['node', 'packages/cli/bin/furrow.js']
   await must([...furrow, 'auto', `${stem}.glb`, '-o', `${stem}-wrinkled.glb`], { quiet: true })

@@ -1,4 +1,4 @@
-// Serves the studio with the shipped faces: `npm start`. Ctrl-C stops it.
+// `npm start`: serves the studio with the shipped faces.
 
 import { join } from 'node:path'
 import { main, ROOT, say } from './lib/run.mjs'
@@ -22,7 +22,7 @@ await main(async () => {
   say('Ctrl-C stops it')
   let stopping = false
   const stop = async () => {
-    // npm forwards the signal that the terminal has already sent.
+    // The terminal and npm both send the signal.
     if (stopping) return
     stopping = true
     await server.close()
@@ -32,7 +32,7 @@ await main(async () => {
   if (process.env.npm_lifecycle_event) stopWithParent(stop)
 })
 
-/** A signal sent to npm alone does not reach this process: only the shell in between is terminated. */
+/** Stops with npm: a signal sent to npm alone only terminates the shell in between. */
 function stopWithParent(stop) {
   const parent = process.ppid
   setInterval(() => process.ppid !== parent && stop(), 500).unref()

@@ -1,5 +1,4 @@
-// Runs the tests of a project again as files change: `npm run watch` (unit), `npm run watch:gpu`. What follows `--` goes to
-// Vitest, e.g. `npm run watch:gpu -- tension`.
+// `npm run watch` (unit) and `npm run watch:gpu`: rerun a project's tests as files change. Arguments after `--` go to Vitest, e.g. `-- tension`.
 
 import { ensureBrowser } from './lib/browser.mjs'
 import { main, must } from './lib/run.mjs'

@@ -2,7 +2,7 @@ import { AGES, BEFORE } from './faces.mjs'
 
 export const both = (name, weight = 1) => ({ [`${name}Left`]: weight, [`${name}Right`]: weight })
 
-/** Close-ups of 1600 x 1200 pixels, of which the middle of the face is shown. */
+/** Rendered size, pixels; the figures show a crop. */
 const SIZE = { width: 1600, height: 1200 }
 const VIEWS = {
   profile: { yaw: 90, pitch: 2, zoom: 1.9 },
@@ -10,14 +10,13 @@ const VIEWS = {
 }
 const SHOWN = { width: 880, height: 1100 }
 
-/** The faces, and where the shown part begins: from the top, and from the left in each view. */
+/** Crop origins, pixels: `top` for all views, `left` by view. */
 const FACES = {
   human: { top: 100, left: { profile: 60, 'three-quarter': 230 } },
   'human-2': { top: 100, left: { profile: 60, 'three-quarter': 230 } },
   scan: { mesh: 'face', top: 40, left: { profile: 160, 'three-quarter': 330 } },
 }
 
-/** Each row is one of them. */
 const EXPRESSIONS = [
   { browInnerUp: 1, ...both('browOuterUp'), ...both('eyeWide', 0.6) },
   { ...both('browDown'), ...both('noseSneer', 0.3), ...both('eyeSquint', 0.4) },
@@ -25,7 +24,7 @@ const EXPRESSIONS = [
   { ...both('mouthSmile', 0.9), ...both('cheekSquint', 0.8), ...both('eyeSquint', 0.3) },
 ]
 
-/** A row of pictures for each expression: at 70 years by the version before, if there is one, and now at each age. */
+/** One row per expression: the earlier version at 70 years if given, then each age. */
 function closeUps(name, view) {
   const { mesh, top, left } = FACES[name]
   const columns = [

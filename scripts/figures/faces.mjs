@@ -4,29 +4,29 @@ import { promisify } from 'node:util'
 import { ROOT } from '../lib/run.mjs'
 
 export const FACE = join(ROOT, 'faces/human.glb')
-/** A scanned face that is not in this repository; without it, its figures are not rendered. */
+/** A scanned face outside the repository; its figures are skipped without it. */
 export const SCAN = join(ROOT, '../shared/real-face/ict-face.glb')
 
-/** Faces that get automatic wrinkles; relative to a checkout. */
+/** Faces that get automatic wrinkles, relative to a checkout. */
 const SOURCES = { human: 'faces/human.glb', 'human-2': 'faces/human-2.glb', scan: SCAN }
 
-/** Years for which automatic wrinkles are made. */
+/** Ages of automatic wrinkles, years. */
 export const AGES = [30, 50, 70]
 
-/** A checkout of an earlier version, built, whose faces and automatic wrinkles are shown beside those of now. */
+/** A built checkout of an earlier version, for comparison. */
 export const BEFORE = process.env.FURROW_BEFORE && resolve(process.env.FURROW_BEFORE)
 
-/** The shipped face and two darker ones: what its base colour is multiplied by, in linear sRGB. */
+/** Base colour factors, linear sRGB. */
 export const SKINS = { light: [1, 1, 1], medium: [0.62, 0.55, 0.48], dark: [0.18, 0.15, 0.13] }
-/** The file of the shipped face with automatic wrinkles, which is made once. */
+/** The shipped face with automatic wrinkles, cached. */
 let wrinkled
 
-/** The files that appear in figures, and the functions that write them. */
+/** Functions that write the faces of figures. */
 export const FACES = {
   images: (file) => pack(file),
   arrays: (file) => pack(file, '--ktx2'),
-  lossless: (file) => shrink(file, true),
-  lossy: (file) => shrink(file, false),
+  lossless: (file) => compress(file, true),
+  lossy: (file) => compress(file, false),
   furrows: (file) => auto(FACE, file, 70, '--furrows', '--size', '2048'),
   ...Object.fromEntries(
     Object.entries(SKINS).flatMap(([name, factor]) => [
@@ -54,14 +54,14 @@ async function auto(face, file, age, ...options) {
   await autoCommand.parseAsync(args, { from: 'user' })
 }
 
-/** Wrinkles for the greatest age by the earlier version. */
+/** Makes wrinkles for the greatest age with the earlier version. */
 async function autoBefore(face, file) {
   const command = join(BEFORE, 'packages/cli/dist/main.js')
   const options = ['-o', file, '--age', String(Math.max(...AGES)), '--replace']
   await promisify(execFile)(process.execPath, [command, 'auto', face, ...options])
 }
 
-/** @param isPale whether the blood stays as it is at rest. */
+/** @param isPale whether expressions leave the blood unchanged. */
 async function tint(file, factor, isPale) {
   const { transformFile } = await import('../lib/transform.mjs')
   if (!wrinkled) {
@@ -80,7 +80,7 @@ async function tint(file, factor, isPale) {
   ])
 }
 
-async function shrink(file, lossless) {
-  const { shrinking, transformFile } = await import('../lib/transform.mjs')
-  await transformFile(FACE, file, shrinking(lossless))
+async function compress(file, lossless) {
+  const { compressing, transformFile } = await import('../lib/transform.mjs')
+  await transformFile(FACE, file, compressing(lossless))
 }

@@ -1,11 +1,11 @@
-/** What the figures of the README and the docs show. Figures 8, 9 and 10 are the paper's. */
+/** Contents of the README's and the docs' figures. Figures 8, 9 and 10 are numbered as in the paper. */
 
 import { both, CLOSE_UPS } from './close-ups.mjs'
 import { AGES, SKINS } from './faces.mjs'
 import { FURROWS } from './furrows.mjs'
 import { MOVING, movingPictures } from './moving.mjs'
 
-/** Crops of larger pictures, in which the face fills the frame. */
+/** Crops in which the face fills the frame. */
 const PORTRAIT = { width: 900, height: 1050, crop: { left: 180, top: 50, width: 540, height: 720 } }
 const EYE = {
   width: 1600,
@@ -23,9 +23,9 @@ const BROW = {
 }
 const FOREHEAD = { ...PORTRAIT, expression: 'surprised', crop: { ...PORTRAIT.crop, height: 480 } }
 
-/** Pictures of example pages. */
+/** Crop of example pages. */
 const PAGE = { width: 720, height: 900, crop: { left: 135, top: 20, width: 450, height: 540 } }
-/** Drawn on WebGL 2, since a WebGPU canvas cannot be captured without a GPU. */
+/** Uses WebGL 2: a WebGPU canvas cannot be captured without a GPU. */
 const CHEEKS = { width: 1100, height: 1300, crop: { left: 300, top: 400, width: 500, height: 500 } }
 const HAND = { width: 900, height: 900, crop: { left: 190, top: 130, width: 490, height: 660 } }
 const FIST = { width: 1300, height: 1300, crop: { left: 440, top: 540, width: 460, height: 420 } }
@@ -43,7 +43,7 @@ const POSES = [
   { browOuterUpLeft: 1, browInnerUp: 0.2 },
   { mouthSmileRight: 1, cheekSquintRight: 0.8 },
 ]
-/** A row without wrinkles, and one for each age. */
+/** One row without wrinkles, and one per age. */
 const agesOf = (name, picture) =>
   [undefined, ...AGES].flatMap((age) =>
     POSES.map((targets, i) => ({
@@ -61,7 +61,7 @@ const FLUSHES = [
   { ...both('noseSneer'), ...both('browDown', 0.8) },
 ]
 
-/** A row for each skin: each expression without blood and with it. */
+/** One row per skin: each expression without and with blood. */
 const bloodOfSkins = () =>
   Object.keys(SKINS).flatMap((skin) =>
     FLUSHES.flatMap((targets, i) =>
@@ -75,8 +75,8 @@ const bloodOfSkins = () =>
   )
 
 /**
- * The file and the pictures of each figure: from left to right, in rows of which each begins with a picture that says so. A picture is
- * the request for it, the part of it that is shown, and how much that is enlarged; or an example page. `face` is one of `FACES`, by default the shipped one.
+ * Pictures of each figure, row by row; `beginsRow` starts a row. A picture is a render request or an example page, with its crop and
+ * scale. `face` names one of `FACES`; default: the shipped face.
  */
 export const FIGURES = {
   'figure-8': [
@@ -129,7 +129,7 @@ export const FIGURES = {
   [MOVING]: movingPictures(),
 }
 
-/** Formats of files other than PNG: many faces are smaller as JPEG. */
+/** File formats, default PNG. Figures with many faces are smaller as JPEG. */
 export const FORMATS = {
   ...Object.fromEntries(
     ['auto-human', 'auto-scan', 'blood', 'skin/furrows', ...Object.keys(CLOSE_UPS)].map((name) => [

@@ -1,6 +1,6 @@
 import { both } from './close-ups.mjs'
 
-/** The moving picture at the head of the README. */
+/** The animation at the top of the README. */
 export const MOVING = 'expressions'
 
 const FRAME = {
@@ -14,12 +14,12 @@ const EXPRESSIONS = [
   { ...both('browDown'), ...both('noseSneer', 0.8), ...both('eyeSquint', 0.4), ...both('mouthUpperUp', 0.2) },
   { ...both('mouthSmile', 0.9), ...both('cheekSquint', 0.8), ...both('eyeSquint', 0.3), jawOpen: 0.05 },
 ]
-/** Pictures of an expression from rest to full. */
+/** Number of pictures per expression, from rest to full. */
 const STEPS = 8
-/** Milliseconds: of a picture while the face moves, and while it holds an expression or is at rest. */
+/** Frame durations, milliseconds. */
 const DELAY = { moving: 60, full: 900, rest: 400 }
 
-/** The pictures, each drawn once: without wrinkles, and with them. */
+/** Lists all pictures without wrinkles, then all with wrinkles. */
 export function movingPictures() {
   const poses = EXPRESSIONS.flatMap((targets) =>
     Array.from({ length: STEPS }, (_, i) => scaled(targets, ease((i + 1) / STEPS))),
@@ -31,7 +31,7 @@ export function movingPictures() {
   ]
 }
 
-/** The frames of the moving picture: which pictures stand side by side, and for how many milliseconds. */
+/** Lists the animation's frames: indices of the pictures side by side, and durations in milliseconds. */
 export function movingFrames() {
   const count = 1 + EXPRESSIONS.length * STEPS
   const frame = (picture, delay) => ({ pictures: [picture, picture + count], delay })

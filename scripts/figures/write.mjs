@@ -1,10 +1,10 @@
 import { mkdir, rename } from 'node:fs/promises'
 import { dirname } from 'node:path'
 
-/** Pixels between the pictures of a figure. */
+/** Gap between pictures, pixels. */
 const GAP = 8
 
-/** Writes rows of pictures of equal size. The gaps are transparent, or white in JPEG. */
+/** Writes rows of equally sized pictures. Gaps are transparent, or white in JPEG. */
 export async function writeSheet(pictures, file) {
   const image = await arrange(pictures)
   await write(
@@ -15,7 +15,7 @@ export async function writeSheet(pictures, file) {
   )
 }
 
-/** Writes an animated WebP that repeats for ever; in each frame some of the pictures stand side by side. */
+/** Writes an endlessly looping animated WebP. Each frame shows some of the pictures side by side. */
 export async function writeMoving(pictures, frames, file) {
   const { default: sharp } = await import('sharp')
   const drawn = new Map()
@@ -38,8 +38,8 @@ async function arrange(pictures) {
   const layers = []
   for (const [i, { beginsRow, crop, pixels, ...size }] of pictures.entries()) {
     if (i > 0 && beginsRow) [left, top] = [0, top + height + GAP]
-    const whole = sharp(pixels, { raw: { width: size.width, height: size.height, channels: 4 } })
-    layers.push({ input: await whole.extract(crop).resize(width, height).png().toBuffer(), left, top })
+    const full = sharp(pixels, { raw: { width: size.width, height: size.height, channels: 4 } })
+    layers.push({ input: await full.extract(crop).resize(width, height).png().toBuffer(), left, top })
     right = Math.max(right, left + width)
     left += width + GAP
   }

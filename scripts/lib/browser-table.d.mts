@@ -6,6 +6,6 @@ export interface Measured {
   studio: boolean
 }
 
-/** The lines of the table of what was measured in each browser. */
+/** Formats the table's lines. */
 export function browserTable(measured: Record<string, Measured>): string[]
 export function readMeasured(): Record<string, Measured>

@@ -1,4 +1,4 @@
-// The table of browsers in README.md: what tests found in each.
+// The table of browsers in README.md.
 
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -9,7 +9,7 @@ const MEASURED = join(ROOT, 'docs', 'browsers.json')
 
 const TITLES = { chromium: 'Chromium', firefox: 'Firefox ESR', webkit: 'WebKitGTK' }
 
-/** Columns by what was measured, with the words for what a browser lacks. */
+/** Column titles by capability, with the cell text when it is missing. */
 const COLUMNS = {
   webgl2: ['WebGL 2', 'no: faces are not drawn'],
   webgpu: ['WebGPU', 'no: `WebGPURenderer` draws with WebGL 2'],
@@ -18,26 +18,27 @@ const COLUMNS = {
 }
 
 /**
- * @param report JSON of Vitest for `test/browsers/capabilities.test.ts`.
- * @returns what was found in each browser.
+ * Reads the capabilities of each browser.
+ *
+ * @param report Vitest's JSON report of `test/browsers/capabilities.test.ts`.
  */
-export function measuredOf(report) {
+export function readReport(report) {
   const tests = report.testResults.flatMap((file) => file.assertionResults)
   return Object.fromEntries(
     Object.keys(TITLES).map((name) => {
-      const own = tests.filter(({ ancestorTitles: [suite] }) => suite === `in ${name}`)
-      const { version, ...found } = Object.assign({}, ...own.map(({ meta }) => meta.browser))
+      const measuring = tests.filter(({ ancestorTitles: [suite] }) => suite === `in ${name}`)
+      const { version, ...found } = Object.assign({}, ...measuring.map(({ meta }) => meta.browser))
       const { webgl2 = false, webgpu = false, auto = false, studio = false } = found
       return [name, { version: version.split('.').slice(0, 2).join('.'), webgl2, webgpu, auto, studio }]
     }),
   )
 }
 
-/** The lines of the table of what was measured. */
+/** Formats the table's lines. */
 export function browserTable(measured) {
   const columns = Object.values(COLUMNS)
   const rows = Object.entries(measured).map(([name, found]) => {
-    const cells = Object.entries(COLUMNS).map(([key, [, lacking]]) => (found[key] ? 'yes' : lacking))
+    const cells = Object.entries(COLUMNS).map(([key, [, missing]]) => (found[key] ? 'yes' : missing))
     return `| ${TITLES[name]} ${found.version} | ${cells.join(' | ')} |`
   })
   return [
@@ -49,7 +50,7 @@ export function browserTable(measured) {
 
 export const readMeasured = () => JSON.parse(readFileSync(MEASURED, 'utf8'))
 
-/** Keeps what was measured, and writes the table into the page. */
+/** Stores the measurements and updates the table in the README. */
 export function writeBrowsers(measured) {
   writeFileSync(MEASURED, `${JSON.stringify(measured, null, 2)}\n`)
   writeTable('README.md', 'browsers', browserTable(measured))

@@ -2,15 +2,16 @@ import { existsSync } from 'node:fs'
 import { must, run, say } from './run.mjs'
 
 /**
- * Path of a Chromium-based browser. Where none is installed, one is: Debian's by its package manager when we may,
- * otherwise Playwright's. Call it after `setUp`.
+ * Finds a Chromium-based browser. If none is installed, installs Debian's as root, otherwise Playwright's. Call `setUp` first.
+ *
+ * @returns {Promise<string>} its path.
  */
 export async function ensureBrowser() {
   const { findBrowser } = await import('../../packages/cli/dist/browser.js')
   try {
     return await findBrowser()
   } catch (error) {
-    // A variable that points nowhere is for its owner to mend.
+    // The user has to fix an invalid FURROW_CHROMIUM.
     if (process.env.FURROW_CHROMIUM) throw error
   }
   if (process.getuid?.() === 0 && existsSync('/usr/bin/apt-get') && (await installByApt(findBrowser))) {
@@ -21,7 +22,7 @@ export async function ensureBrowser() {
   return findBrowser()
 }
 
-/** Whether it could be installed: some relatives of Debian have a `chromium` that is not the browser. */
+/** Installs Debian's browser. Returns false if that fails: some derivatives' `chromium` package is not the browser. */
 async function installByApt(findBrowser) {
   say("installing Debian's chromium (apt-get)")
   const env = { ...process.env, DEBIAN_FRONTEND: 'noninteractive' }
@@ -35,7 +36,7 @@ async function installByApt(findBrowser) {
   }
 }
 
-/** What the browser draws with, by API. Throws where WebGL 2 or WebGPU is missing: nothing is left out in silence. */
+/** Returns the names of the browser's GPUs by API, null for a missing API. */
 export async function readAdapters() {
   const { launchBrowser, newPage } = await import('../../packages/cli/dist/browser.js')
   const { startLocalServer } = await import('../../packages/cli/dist/render/local-server.js')
@@ -43,7 +44,7 @@ export async function readAdapters() {
   const browser = await launchBrowser()
   try {
     const page = await newPage(browser)
-    // WebGPU is there for secure addresses alone, of which this computer's own are.
+    // WebGPU needs a secure origin; localhost is one.
     await page.goto(`${server.origin}/page/index.html`)
     return await page.evaluate(adaptersOfPage)
   } finally {

@@ -4,10 +4,10 @@ import { ROOT } from './run.mjs'
 import { SOURCES } from './sources.mjs'
 
 /**
- * Bundles a TypeScript file and the sources of the packages that it imports, for Node.
+ * Bundles a TypeScript file with the sources of the workspace's packages, for Node.
  *
- * @param {string} entry relative to the root of the repository.
- * @returns {Promise<string>} path of the module.
+ * @param {string} entry path relative to the repository's root.
+ * @returns {Promise<string>} path of the bundle.
  */
 export async function bundle(entry) {
   const name = entry.replaceAll(/\W+/g, '-')

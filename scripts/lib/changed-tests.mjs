@@ -4,18 +4,18 @@ import { dirname, join, relative, resolve } from 'node:path'
 import { ROOT } from './run.mjs'
 import { SOURCES } from './sources.mjs'
 
-/** On the main branch itself what its last commits changed counts as changed. */
+/** Number of recent commits to compare with on the main branch. */
 const COMMITS = 20
 
-/** Tests in these folders run what was built or is served, which their imports do not tell. */
-const RUN_EVERYTHING = ['pages', 'packages', 'batch', 'site']
+/** Folders of tests that run builds or served pages, so their imports do not show their dependencies. */
+const RUN_BUILDS = ['pages', 'packages', 'batch', 'site']
 
-/** Files that those do not run. */
-const NOT_RUN = /^(test|docs|bench|blender|conformance|\.github|\.ci)\/|\.md$/
+/** Files that are not part of builds. */
+const NOT_BUILT = /^(test|docs|bench|blender|conformance|\.github|\.ci)\/|\.md$/
 
 /**
- * Tests whose files import what changed lately, then all others. Both begin elsewhere with each commit, so that all of them
- * run once in a while where there is no time for all.
+ * Sorts tests that import recently changed files before all others. Each commit starts both groups elsewhere, so that every test
+ * runs now and then even if time is limited.
  *
  * @template {{ file: string }} T
  * @param {T[]} tests
@@ -23,31 +23,31 @@ const NOT_RUN = /^(test|docs|bench|blender|conformance|\.github|\.ci)\/|\.md$/
  */
 export function changedFirst(tests) {
   const changed = changedFiles()
-  const turned = turn(tests, commitNumber())
-  const isChanged = changedTests(changed)
-  return [...turned.filter(isChanged), ...turned.filter((test) => !isChanged(test))]
+  const rotated = rotate(tests, commitNumber())
+  const isChanged = testsImporting(changed)
+  return [...rotated.filter(isChanged), ...rotated.filter((test) => !isChanged(test))]
 }
 
-/** All elements in strides, which mix what stands together, and with another one first for each number. */
-function turn(list, number) {
-  // Strides of a prime visit all of a list that is no multiple of it.
+/** Visits the list in strides, which separates neighbours. The number selects the first element. */
+function rotate(list, number) {
+  // A prime stride visits every element unless it divides the length.
   const stride = list.length % 61 === 0 ? 59 : 61
   return list.map((_, i) => list[((number + i) * stride) % list.length])
 }
 
-/** Whether a test imports a changed file, by other files or not. */
-function changedTests(changed) {
-  const reach = reader()
-  const runsChanged = changed.some((file) => !NOT_RUN.test(file))
+/** Returns a predicate for tests that import a changed file, directly or indirectly. */
+function testsImporting(changed) {
+  const importsOfTest = importCollector()
+  const isBuildChanged = changed.some((file) => !NOT_BUILT.test(file))
   const paths = new Set(changed)
   return ({ file }) => {
-    if (runsChanged && RUN_EVERYTHING.includes(file.split('/')[1])) return true
-    return [...reach(file)].some((path) => paths.has(path))
+    if (isBuildChanged && RUN_BUILDS.includes(file.split('/')[1])) return true
+    return [...importsOfTest(file)].some((path) => paths.has(path))
   }
 }
 
-/** A function from a file to all that it imports, itself included. */
-function reader() {
+/** Returns a function that collects a file and its direct and indirect imports. */
+function importCollector() {
   const imports = new Map()
   return (start) => {
     const found = new Set([start])
@@ -65,7 +65,7 @@ const EXPORTS = new Map([
   ...Object.entries(SOURCES.resolve.alias).map(([name, path]) => [name, relative(ROOT, path)]),
 ])
 
-/** Sources of a package, by what others import: `furrow/three`. */
+/** Lists a package's entry points, such as `furrow/three`, with their sources. */
 function exportsOf(folder) {
   const { name, exports = {} } = JSON.parse(
     readFileSync(join(ROOT, 'packages', folder, 'package.json'), 'utf8'),
@@ -76,7 +76,7 @@ function exportsOf(folder) {
   })
 }
 
-/** Files of the repository that a file names: modules, and others by their relative paths. */
+/** Lists the repository's files that a file names in quotes, by specifier or relative path. */
 function importsOf(file) {
   if (!/\.(ts|tsx|mjs|mts|js|html)$/.test(file)) return []
   const text = readFileSync(join(ROOT, file), 'utf8')
@@ -89,16 +89,16 @@ function importsOf(file) {
   })
 }
 
-/** Files that changed since this branch left the main one, or, on that, in its last commits. */
+/** Lists files changed on this branch, or by the last commits on the main branch. */
 function changedFiles() {
   const head = git('rev-parse', 'HEAD')
   const base = git('merge-base', 'HEAD', 'origin/main')
   const start = base && base !== head ? base : git('rev-parse', '--verify', '--quiet', `HEAD~${COMMITS}`)
-  // In a clone without so many commits everything counts as changed.
+  // In a shallow clone every file counts as changed.
   return start ? git('diff', '--name-only', start).split('\n') : git('ls-files').split('\n')
 }
 
-/** Grows by one with each commit; in a shallow clone, which cannot count, it is any number. */
+/** Returns the number of commits, or a number derived from the hash in a shallow clone. */
 function commitNumber() {
   const isShallow = git('rev-parse', '--is-shallow-repository') === 'true'
   return isShallow
@@ -106,7 +106,7 @@ function commitNumber() {
     : Number(git('rev-list', '--count', 'HEAD'))
 }
 
-/** Output of git; empty where it fails. */
+/** Returns git's output, empty if git fails. */
 function git(...words) {
   return spawnSync('git', words, { cwd: ROOT, encoding: 'utf8' }).stdout.trim()
 }

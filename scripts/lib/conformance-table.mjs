@@ -1,16 +1,18 @@
-// The table of docs/conformance.md: what each engine's runner found, rule by rule.
+// The table of docs/conformance.md: results by rule and engine.
 
 import { writeTable } from './marked-table.mjs'
 
-/** An engine that lacks what a sample needs has no test for it. */
+/** A missing result means that the engine does not support a feature the sample needs. */
 const CELLS = { true: 'yes', false: '**no**', undefined: 'not supported' }
 
-/** Suites of tests whose names say of which engine they are; each has one test for each sample. */
+/** Test suites named after their engine, with one test per sample. */
 const SUITE = /conformance of (.+)$/
 
 /**
- * @param report JSON of Vitest.
- * @returns of each engine, the samples and whether they passed.
+ * Reads whether each engine passed each sample.
+ *
+ * @param report Vitest's JSON report.
+ * @returns {Map<string, Map<string, boolean>>} results by engine and sample.
  */
 export function resultsOf(report) {
   const engines = new Map()
@@ -25,7 +27,7 @@ export function resultsOf(report) {
   return engines
 }
 
-/** Writes the table into the page. */
+/** Updates the table in the page. */
 export function writeConformance(samples, engines) {
   const names = [...engines.keys()]
   const rows = samples.map(({ name, rule, section }) => {
@@ -40,7 +42,7 @@ export function writeConformance(samples, engines) {
   writeTable('docs/conformance.md', 'table', table)
 }
 
-/** A heading of the specification, as GitHub links to it. */
+/** Links to a heading of the specification with GitHub's anchor. */
 function link(section) {
   const anchor = section
     .toLowerCase()

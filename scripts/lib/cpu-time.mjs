@@ -1,34 +1,33 @@
 import { readdirSync, readFileSync } from 'node:fs'
 
-/** How often processes are looked at, in milliseconds. What one does after the last look is counted where its parent waits for it. */
-const EVERY = 500
-/** Units of processor time in a second, as Linux tells programs. */
+/** Sampling interval, milliseconds. Linux adds a process's remaining time to its parent when it exits. */
+const INTERVAL = 500
+/** Clock ticks per second of /proc on Linux. */
 const TICKS = 100
 
 /**
- * Watches the processor time of all processes, as Linux counts it.
+ * Samples the processor time of all processes. Only Linux is supported.
  *
- * @returns `seconds`, of a process and all that it started so far, undefined on other systems; and `look`, to count what happened
- *   since the last look.
+ * @returns `seconds(id)`: processor time of a process and its descendants, undefined on other systems; `sample()`: updates now.
  */
 export function watchCpuTime() {
-  if (process.platform !== 'linux') return { seconds: () => undefined, look() {} }
-  /** By process id, ended ones included. Times are in ticks; `waited` is that of ended children which it waited for. */
+  if (process.platform !== 'linux') return { seconds: () => undefined, sample() {} }
+  /** Running and ended processes by id. Times in ticks; `waited` is the time of ended children. */
   const seen = new Map()
-  const look = () => {
+  const sample = () => {
     for (const entry of seen.values()) entry.isAlive = false
-    for (const id of readdirSync('/proc')) if (/^\d+$/.test(id)) lookAt(Number(id))
+    for (const id of readdirSync('/proc')) if (/^\d+$/.test(id)) readProcess(Number(id))
   }
-  const lookAt = (id) => {
+  const readProcess = (id) => {
     try {
-      // The name before it is in brackets and may have spaces.
+      // The process name is in brackets and may have spaces.
       const words = readFileSync(`/proc/${id}/stat`, 'utf8').split(') ').at(-1).split(' ').map(Number)
       const [user, system, waitedUser, waitedSystem] = words.slice(11, 15)
-      // A process whose parent has ended still belongs to it.
+      // Orphans stay with their first parent.
       const parent = seen.get(id)?.parent ?? words[1]
       seen.set(id, { parent, own: user + system, waited: waitedUser + waitedSystem, isAlive: true })
     } catch {
-      // It ended meanwhile.
+      // The process has ended.
     }
   }
   const ticksOf = (id) => {
@@ -39,8 +38,7 @@ export function watchCpuTime() {
     }
     return own + Math.max(waited, sums.ended) + sums.running
   }
-  // It keeps no process alive.
-  setInterval(look, EVERY).unref()
-  look()
-  return { seconds: (id) => ticksOf(id) / TICKS, look }
+  setInterval(sample, INTERVAL).unref()
+  sample()
+  return { seconds: (id) => ticksOf(id) / TICKS, sample }
 }

@@ -4,7 +4,7 @@ export interface Size {
 }
 
 export interface Row {
-  what: string
+  name: string
   size: Size
   figure: Size | undefined
   hasGrown: boolean
@@ -15,5 +15,5 @@ export function compare(sizes: Record<string, Size>, figures: Record<string, Siz
 export function writeFigures(rows: readonly Row[]): void
 export function warnings(rows: readonly Row[]): string[]
 export function readFigures(): Record<string, Size>
-/** The lines of the table of sizes, in kB. */
+/** Formats the table of sizes, in kB. */
 export function sizeTable(figures: Record<string, Size>): string[]

@@ -6,46 +6,46 @@ import { ROOT } from './run.mjs'
 
 const FIGURES = join(ROOT, 'bench/sizes.json')
 
-/** Growth above which a warning is printed. */
+/** Relative growth without a warning. */
 const ALLOWED = 0.02
 
-/** Bytes of each page and of what it fetches later, as they are now and as the repository's figures say. */
+/** Measures the bytes of each page and its lazy chunks, and compares them with the repository's figures. */
 export async function compareDownload() {
   return compare(await measureSizes(), readFigures())
 }
 
-/** Each size beside its figure, and whether it has grown by more than is allowed. What has no figure is new, and has not grown. */
+/** Pairs each size with its figure. A size without a figure has not grown. */
 export function compare(sizes, figures) {
-  return Object.entries(sizes).map(([what, size]) => {
-    const figure = figures[what]
-    return { what, size, figure, hasGrown: figure !== undefined && size.gzip > figure.gzip * (1 + ALLOWED) }
+  return Object.entries(sizes).map(([name, size]) => {
+    const figure = figures[name]
+    return { name, size, figure, hasGrown: figure !== undefined && size.gzip > figure.gzip * (1 + ALLOWED) }
   })
 }
 
-/** Makes what is measured now the figures, and writes the table of docs/download.md. */
+/** Stores the sizes as figures, and updates the table of docs/download.md. */
 export function writeFigures(rows) {
-  const figures = Object.fromEntries(rows.map(({ what, size }) => [what, size]))
+  const figures = Object.fromEntries(rows.map(({ name, size }) => [name, size]))
   writeFileSync(FIGURES, `${JSON.stringify(figures, null, 2)}\n`)
   writeTable('docs/download.md', 'sizes', sizeTable(figures))
 }
 
 export const readFigures = () => JSON.parse(readFileSync(FIGURES, 'utf8'))
 
-/** The lines of the table of sizes, in kB. */
+/** Formats the table of sizes, in kB. */
 export function sizeTable(figures) {
-  const rows = Object.entries(figures).map(([what, { gzip, brotli }]) => {
+  const rows = Object.entries(figures).map(([name, { gzip, brotli }]) => {
     const cells = [gzip, brotli].map((bytes) => (bytes / 1000).toFixed(1))
-    return `| ${what.replace(/furrow\/\w+/, '`$&`')} | ${cells.join(' | ')} |`
+    return `| ${name.replace(/furrow\/\w+/, '`$&`')} | ${cells.join(' | ')} |`
   })
   return ['| | gzip | Brotli |', '| --- | --- | --- |', ...rows]
 }
 
-/** One line about each that has grown. */
+/** Returns one warning per size that has grown. */
 export function warnings(rows) {
   return rows
     .filter(({ hasGrown }) => hasGrown)
-    .map(({ what, size, figure }) => {
+    .map(({ name, size, figure }) => {
       const percent = (100 * (size.gzip / figure.gzip - 1)).toFixed(1)
-      return `download: ${what} has grown by ${percent}%, from ${figure.gzip} to ${size.gzip} bytes by gzip; if it must, run \`npm run size -- --write\``
+      return `download: ${name} has grown by ${percent}%, from ${figure.gzip} to ${size.gzip} bytes by gzip; if intended, run \`npm run size -- --write\``
     })
 }

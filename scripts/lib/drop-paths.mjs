@@ -1,4 +1,4 @@
-/** Drops files and folders of the disk on a page, as the system does. */
+/** Drops files and folders on a page through the DevTools protocol. */
 export async function dropPaths(page, files) {
   const session = await page.context().newCDPSession(page)
   const data = { items: [], files, dragOperationsMask: 1 }

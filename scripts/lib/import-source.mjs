@@ -3,7 +3,7 @@ import { runnerImport } from 'vite'
 import { ROOT } from './run.mjs'
 import { SOURCES } from './sources.mjs'
 
-/** Imports a TypeScript file of the repository, with the workspace's packages from their sources. */
+/** Imports a TypeScript file of the repository with the sources of the workspace's packages. */
 export async function importSource(path) {
   const { module } = await runnerImport(join(ROOT, path), {
     ...SOURCES,

@@ -3,14 +3,14 @@ import { dirname, join, relative, resolve, sep } from 'node:path'
 import { parseSync, Visitor } from 'vite'
 import { Failure, ROOT } from './run.mjs'
 
-/** Folders of builds and installed packages. */
+/** Build outputs and installed packages. */
 const SKIPPED = /(^|\/)(node_modules|dist|cache|\.venv[^/]*)$|^site\/pages$/
 
 /**
- * Reads what each code file of some folders imports, types included.
+ * Reads the imports of all code files in some folders, including type imports.
  *
- * @param {string[]} folders relative to the root of the repository.
- * @returns {{ path: string, imports: string[] }[]} paths and imported files relative to the root; packages by their specifiers.
+ * @param {string[]} folders paths relative to the repository's root.
+ * @returns {{ path: string, imports: string[] }[]} paths relative to the repository's root; packages by specifier.
  */
 export function readImports(folders) {
   return folders.flatMap(codeIn).map((path) => ({ path, imports: importsOf(path) }))
@@ -33,9 +33,9 @@ function importsOf(path) {
 }
 
 /**
- * Reads the imports of a module, types included.
+ * Reads the imports of a module, including type imports.
  *
- * @param {string} name file name, whose ending names the language.
+ * @param {string} name file name; its extension selects the language.
  * @param {string} text
  * @returns {{ specifier: string, isDynamic: boolean }[]}
  */

@@ -1,3 +1,4 @@
-/** The lines of a table that a command writes. It stands between the comments `NAME` and `end of NAME`; the page is relative to the root. */
+/** Reads the lines of a generated table between the comments `NAME` and `end of NAME`. The page is relative to the repository's root. */
 export function readTable(page: string, name: string): string[]
+/** Replaces the lines of a generated table. */
 export function writeTable(page: string, name: string, lines: readonly string[]): void

@@ -2,12 +2,12 @@ import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { ROOT } from './run.mjs'
 
-/** The lines of a table that a command writes. It stands between the comments `NAME` and `end of NAME`; the page is relative to the root. */
+/** Reads the lines of a generated table between the comments `NAME` and `end of NAME`. The page is relative to the repository's root. */
 export function readTable(page, name) {
   return partsOf(page, name)[1].trim().split('\n')
 }
 
-/** Replaces the lines of a table in its page. */
+/** Replaces the lines of a generated table. */
 export function writeTable(page, name, lines) {
   const [before, , after] = partsOf(page, name)
   const [begin, end] = marksOf(name)
@@ -20,6 +20,6 @@ function partsOf(page, name) {
   const [begin, end] = marksOf(name)
   const [before, rest = ''] = readFileSync(join(ROOT, page), 'utf8').split(begin)
   const [table, after] = rest.split(end)
-  if (after === undefined) throw new Error(`${page}: no table between ${begin} and ${end}`)
+  if (after === undefined) throw new Error(`${page}: missing table, got none between ${begin} and ${end}`)
   return [before, table, after]
 }

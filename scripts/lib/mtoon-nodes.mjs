@@ -1,16 +1,16 @@
-// `@pixiv/three-vrm/nodes` on r187 of three.js, which removed `transformedNormalView` after ten releases as another name of `normalView`
-// (https://github.com/mrdoob/three.js/pull/34517). docs/vrm.md says how pages do the same.
+// Adapts `@pixiv/three-vrm/nodes` to three.js r187, which removed `transformedNormalView`, an alias of `normalView`
+// (https://github.com/mrdoob/three.js/pull/34517). docs/vrm.md explains the same for pages.
 
-/** Names in three-vrm 3.5, and names of three.js in their place. */
+/** Names in three-vrm 3.5 and their replacements in three.js. */
 const NAMES = [
   ['transformedNormalView', 'normalView'],
-  // Extending it warns.
+  // Extending TempNode warns.
   ['THREE2.TempNode', 'THREE2.Node'],
-  // For releases before r168: bundlers warn that it does not exist.
+  // Only used before r168; bundlers warn that it is missing.
   ['THREE_WEBGPU.tslFn', 'THREE_TSL.Fn'],
 ]
 
-/** A plugin of Vite that replaces these names. */
+/** Vite plugin that replaces these names. */
 export function mtoonNodes() {
   return {
     name: 'mtoon-nodes',

@@ -1,12 +1,12 @@
 import { ROOT } from './run.mjs'
 
-/** Milliseconds that a face takes to come to rest, from its first picture. */
-const SETTLED = 3000
+/** Time for a face to reach its pose after the first frame, milliseconds. */
+const SETTLE_TIME = 3000
 
 /**
- * Pictures of the canvas of example pages, in their order.
+ * Takes pictures of the canvases of example pages.
  *
- * @param {{ page: string, width: number, height: number }[]} pages names with whatever they are asked; size of the window.
+ * @param {{ page: string, width: number, height: number }[]} pages file names with queries; window sizes, pixels.
  * @returns {Promise<{ width: number, height: number, pixels: Uint8Array }[]>} RGBA bytes.
  */
 export async function shootPages(pages) {
@@ -23,9 +23,9 @@ export async function shootPages(pages) {
       const page = await newPage(browser, { viewport: { width, height } })
       await page.goto(new URL(`/examples/${name}`, server.resolvedUrls.local[0]).href)
       const canvas = await page.waitForSelector('canvas')
-      await drawn(page)
-      await page.waitForTimeout(SETTLED)
-      await drawn(page)
+      await nextFrame(page)
+      await page.waitForTimeout(SETTLE_TIME)
+      await nextFrame(page)
       const picture = sharp(await canvas.screenshot())
         .ensureAlpha()
         .raw()
@@ -40,7 +40,7 @@ export async function shootPages(pages) {
   return pictures
 }
 
-/** Waits until the page has drawn once more, however long that takes. */
-function drawn(page) {
+/** Waits until the page has drawn another frame. */
+function nextFrame(page) {
   return page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))))
 }

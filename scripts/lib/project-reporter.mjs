@@ -3,13 +3,13 @@ import { relative } from 'node:path'
 import { ROOT } from './run.mjs'
 
 /**
- * A reporter of Vitest: writes what became of the tests, as JSON, to the file named by FURROW_TEST_REPORT:
- * `{ passed, failed, leftOut, failedFiles, isCutOff }`, where `leftOut` lists tests and `failedFiles` files.
+ * Vitest reporter that writes results as JSON to the file named by FURROW_TEST_REPORT:
+ * `{ passed, failed, skipped, failedFiles, isCutOff }`. `skipped` lists tests, `failedFiles` files.
  *
- * Where FURROW_TEST_UNTIL has a time in milliseconds, tests are cut off then, which is no failure; the rest are left out.
+ * Cancels the run at FURROW_TEST_UNTIL (Unix time, milliseconds). The remaining tests are skipped, not failed.
  */
 export default class ProjectReporter {
-  #counts = { passed: 0, failed: 0, leftOut: [], failedFiles: [] }
+  #counts = { passed: 0, failed: 0, skipped: [], failedFiles: [] }
   #timer
 
   onInit(vitest) {
@@ -28,7 +28,7 @@ export default class ProjectReporter {
       const { state } = test.result()
       if (state === 'passed') counts.passed++
       else if (state === 'failed') counts.failed++
-      else counts.leftOut.push(`${file}: ${test.fullName}`)
+      else counts.skipped.push(`${file}: ${test.fullName}`)
       if (state === 'failed') failed++
     }
     if (failed > 0) counts.failedFiles.push(file)

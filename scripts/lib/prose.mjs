@@ -1,16 +1,16 @@
 import MarkdownIt from 'markdown-it'
 import { parseSync } from 'vite'
 
-/** Words at most in a sentence. */
+/** Maximum number of words in a sentence. */
 const LONGEST = 30
 
-/** Openings that leave a comment without a subject. */
+/** Openings of comments without a subject. */
 const NO_SUBJECT = /^(Of|What|That|Those|In which|For which)\s/
 
-/** A comment's line: its marks and what follows them. */
+/** Comment markers of a line, and the text after them. */
 const MARKS = /^\s*(\/\*\*?|\*\/|\*|\/\/|#)?\s?(.*?)\s*(\*\/)?$/
 
-/** Lines that are not prose: rules, commands to tools, commented-out tables. */
+/** Lines that are not prose: horizontal rules, directives to tools, tables. */
 const NOT_PROSE = /^(\s*[-=|]{3,}|biome-ignore|@ts-|@vitest|eslint-|region|endregion|!|type:|noqa)/
 
 const markdown = new MarkdownIt({ html: true })
@@ -19,11 +19,11 @@ const sentences = new Intl.Segmenter('en', { granularity: 'sentence' })
 /**
  * Finds sentences that are too long, and comments that begin without a subject.
  *
- * @param {string} path file name, whose ending names the language.
+ * @param {string} path file name; its extension selects the language.
  * @param {string} text
- * @returns {{ line: number, fault: string, sentence: string }[]} `line` counts from 1.
+ * @returns {{ line: number, problem: string, sentence: string }[]} `line` starts at 1.
  */
-export function faultsOf(path, text) {
+export function findProblems(path, text) {
   const isPage = path.endsWith('.md')
   const paragraphs = isPage
     ? paragraphsOfPage(text)
@@ -33,17 +33,17 @@ export function faultsOf(path, text) {
   return paragraphs.flatMap(({ line, prose }) => {
     const found = []
     if (!isPage && NO_SUBJECT.test(prose))
-      found.push({ line, fault: 'begins without a subject', sentence: prose })
+      found.push({ line, problem: 'begins without a subject', sentence: prose })
     for (const { segment } of sentences.segment(prose)) {
       const words = countWords(segment)
       if (words > LONGEST)
-        found.push({ line, fault: `${words} words, at most ${LONGEST}`, sentence: segment.trim() })
+        found.push({ line, problem: `${words} words, at most ${LONGEST}`, sentence: segment.trim() })
     }
     return found
   })
 }
 
-/** Paragraphs, list items, headings and table cells of a Markdown page. */
+/** Lists paragraphs, list items, headings and table cells of a Markdown page. */
 function paragraphsOfPage(text) {
   const tokens = markdown.parse(
     text.replace(/^---\n.*?\n---\n/s, (front) => front.replace(/[^\n]/g, '')),
@@ -66,7 +66,7 @@ function commentsOfScript(path, text) {
   return blocksOf(text, comments)
 }
 
-/** Comments and docstrings of a Python file. */
+/** Lists comments and docstrings of a Python file. */
 function commentsOfPython(text) {
   const found = text.matchAll(/("""|''')(.*?)\1|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'|#[^\n]*/gs)
   const comments = [...found].filter(([all, quotes]) => quotes || all.startsWith('#'))
@@ -76,7 +76,7 @@ function commentsOfPython(text) {
   )
 }
 
-/** Joins comments on neighbouring lines, and splits them into paragraphs. */
+/** Joins comments on adjacent lines, and splits them into paragraphs. */
 function blocksOf(text, comments) {
   const blocks = []
   let end = -1
@@ -95,7 +95,7 @@ function blocksOf(text, comments) {
   return blocks.flatMap(paragraphsOfComment)
 }
 
-/** A paragraph ends at an empty line, a list item or a tag such as `@param`. */
+/** Splits a comment at empty lines, list items and tags such as `@param`. */
 function paragraphsOfComment({ line, lines }) {
   const paragraphs = []
   let isCode = false
@@ -106,12 +106,15 @@ function paragraphsOfComment({ line, lines }) {
     const isBreak = isCode || content === '' || content.startsWith('```') || NOT_PROSE.test(content)
     if (isBreak) open = undefined
     else if (open && !/^(@\w|[-*] |\d+\. |:\w+)/.test(content)) open.prose += ` ${content}`
-    else paragraphs.push((open = { line: line + i, prose: content }))
+    else {
+      open = { line: line + i, prose: content }
+      paragraphs.push(open)
+    }
   }
   return paragraphs.map(({ line, prose }) => ({ line, prose: withoutCode(prose) }))
 }
 
-/** Code, addresses and tags each count as one word, or none. */
+/** Replaces code and addresses by one word each, and removes tags. */
 function withoutCode(prose) {
   return prose
     .replace(/^@\w+\s+(\{.*?\}\s+)?(\[?[\w.]+(=[^\]]*)?\]?\s+(-\s+)?)?/, '')

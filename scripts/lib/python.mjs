@@ -5,18 +5,18 @@ import { join } from 'node:path'
 import { promisify } from 'node:util'
 import { ROOT, run, say } from './run.mjs'
 
-/** As `requires-python` in faces/pyproject.toml has it. */
+/** Matches `requires-python` in faces/pyproject.toml. */
 const OLDEST = [3, 11]
 const isAllowed = ([major, minor]) => major > OLDEST[0] || (major === OLDEST[0] && minor >= OLDEST[1])
 const NAMES = ['python3', 'python', 'python3.14', 'python3.13', 'python3.12', 'python3.11']
 const FOLDER = join(ROOT, 'faces/.venv')
-/** Where the hash of what was installed is kept; written last. */
+/** File with the hash of the installed pyproject.toml; written last. */
 const INSTALLED = join(FOLDER, 'installed')
 
 /**
- * Makes a virtual environment in faces/.venv with what faces/pyproject.toml asks for, unless it is there.
+ * Creates or updates the virtual environment faces/.venv with the dependencies of faces/pyproject.toml.
  *
- * @returns {Promise<string | undefined>} path of its Python; undefined, and it is said why, where it cannot be made.
+ * @returns {Promise<string | undefined>} path of its Python; undefined, with a message printed, if that fails.
  */
 export async function setUpPython() {
   const wanted = createHash('sha256')
@@ -25,7 +25,7 @@ export async function setUpPython() {
   const python = join(FOLDER, process.platform === 'win32' ? 'Scripts/python.exe' : 'bin/python')
   if (existsSync(INSTALLED) && readFileSync(INSTALLED, 'utf8') === wanted && (await versionOf(python)))
     return python
-  const found = await pythonNamed(NAMES, isAllowed)
+  const found = await findPython(NAMES, isAllowed)
   if (!found) {
     say(`python   missing, allowed: ${OLDEST.join('.')} or later; install it to check faces/`)
     return undefined
@@ -43,7 +43,7 @@ export async function setUpPython() {
   ]
   for (const words of [[found, '-m', 'venv', '--clear', FOLDER], pip]) {
     if ((await run(words, { quiet: true })) === 0) continue
-    say('python   faces/.venv cannot be made; see above, Debian has venv in the package python3-venv')
+    say('python   faces/.venv cannot be created, see above; Debian needs the package python3-venv')
     return undefined
   }
   writeFileSync(INSTALLED, wanted)
@@ -51,17 +51,17 @@ export async function setUpPython() {
 }
 
 /**
- * The first Python of these names whose version is allowed; undefined if there is none.
+ * Finds the first Python with an allowed version. Returns undefined if there is none.
  *
- * @param {string[]} names
- * @param {(version: [number, number]) => boolean} allows major and minor number.
+ * @param {string[]} names programs to try.
+ * @param {(version: [number, number]) => boolean} isAllowed takes the major and minor version.
  */
-export async function pythonNamed(names, allows) {
-  for (const name of names) if (allows((await versionOf(name)) ?? [0, 0])) return name
+export async function findPython(names, isAllowed) {
+  for (const name of names) if (isAllowed((await versionOf(name)) ?? [0, 0])) return name
   return undefined
 }
 
-/** Major and minor number; undefined where there is no such program. */
+/** Returns the major and minor version, or undefined if the program is missing. */
 async function versionOf(python) {
   try {
     const { stdout } = await promisify(execFile)(python, ['-c', 'import sys; print(*sys.version_info[:2])'])

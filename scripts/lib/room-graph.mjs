@@ -6,49 +6,49 @@ import { ROOT } from './run.mjs'
 
 const LIBRARY = 'packages/furrow/src'
 
-/** Rooms inside `three`, which each serve one renderer. */
+/** Rooms inside `three`, one per renderer. */
 const RENDERERS = ['three/webgl', 'three/webgpu']
 
-/** Folders outside the library, which import it as a whole: through its entries. */
+/** Folders outside the library, which import its entry points. */
 const OUTSIDE = ['packages/files', 'packages/cli', 'studio', 'stage']
 
-/** Specifiers of workspace packages, by the folder they lead to. */
+/** Patterns of workspace packages' specifiers, with their folders. */
 const PACKAGES = [
   [/^furrow-files(\/|$)/, 'packages/files/'],
   [/^furrow(\/|$)/, `${LIBRARY}/`],
 ]
 
-/** Draws the rooms and their imports as an SVG. */
+/** Draws the rooms and their imports as SVG. */
 export async function drawRooms() {
   const viz = await instance()
   return viz.renderString(toDot(libraryImports(), outsideImports()), { format: 'svg' })
 }
 
-/** For each room of the library, the rooms it imports. */
+/** Maps each room of the library to the rooms it imports. */
 function libraryImports() {
   const folders = readdirSync(join(ROOT, LIBRARY), { withFileTypes: true }).filter((entry) =>
     entry.isDirectory(),
   )
   const names = [...folders.map(({ name }) => name), ...RENDERERS]
   const imports = importsBetween(new Map(names.map((name) => [name, `${LIBRARY}/${name}`])))
-  // An entry may export from rooms within its own, as `furrow/three` does from `three/webgl`.
+  // An entry point may export from its inner rooms, as `furrow/three` does from `three/webgl`.
   for (const [room, others] of imports) {
     for (const other of others) if (other.startsWith(`${room}/`)) others.delete(other)
   }
   return imports
 }
 
-/** For each folder outside the library, the others it imports; `furrow` is the library. */
+/** Maps each folder outside the library to those it imports; `furrow` is the library. */
 function outsideImports() {
   const folders = OUTSIDE.map((folder) => [folder.split('/').at(-1), folder])
   return importsBetween(new Map([...folders, ['furrow', LIBRARY]]))
 }
 
 /**
- * Reads which folder imports which.
+ * Reads the imports between folders.
  *
- * @param {Map<string, string>} folders path of each, by its name.
- * @returns {Map<string, Set<string>>} names of the folders that each imports.
+ * @param {Map<string, string>} folders paths by name.
+ * @returns {Map<string, Set<string>>} imported folders' names by importing folder.
  */
 function importsBetween(folders) {
   const roomOf = (path) => {
@@ -67,7 +67,7 @@ function importsBetween(folders) {
   return imports
 }
 
-/** The graph in Graphviz's language. */
+/** Formats the graph in Graphviz's DOT language. */
 function toDot(library, outside) {
   const inner = edgesOf(library).map(([from, to]) => `"${from}" -> "${to}"`)
   const outer = edgesOf(outside).map(([from, to]) =>
@@ -85,7 +85,7 @@ function toDot(library, outside) {
 }`
 }
 
-/** Imports as pairs, without those that others imply. */
+/** Lists imports as pairs, without those implied by transitivity. */
 function edgesOf(imports) {
   const reaches = (from, to, skip) =>
     [...imports.get(from)].some((next) => next !== skip && (next === to || reaches(next, to)))

@@ -1,27 +1,27 @@
 import { spawn } from 'node:child_process'
 import { fileURLToPath } from 'node:url'
 
-/** Root of the repository, where every command runs. */
+/** Root of the repository; working directory of all commands. */
 export const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 
-/** One line about what a script is doing. */
+/** Prints a line of progress. */
 export function say(text) {
   console.info(`furrow: ${text}`)
 }
 
 /**
- * Runs a program to its end.
+ * Runs a program and waits for its end.
  *
  * @param {string[]} words program and arguments.
  * @param {{ quiet?: boolean, env?: NodeJS.ProcessEnv, input?: 'ignore' | 'inherit', started?: (id: number) => void }} [options]
- *   quiet: what it prints is shown only if it fails. input: whether it reads our standard input. started: gets its process id.
- * @returns {Promise<number>} its exit code; 1 where it was killed or could not be started.
+ *   quiet: print output only if the program fails. input: standard input. started: called with the process id.
+ * @returns {Promise<number>} exit code; 1 if it was killed or could not be started.
  */
 export function run([program, ...parameters], options = {}) {
   const { quiet = false, env = process.env, input = 'ignore', started } = options
   return new Promise((done) => {
     const output = []
-    // On Windows npm and npx are scripts, which only a shell can start.
+    // On Windows npm and npx are scripts and need a shell.
     const shell = process.platform === 'win32'
     const stdio = [input, quiet ? 'pipe' : 'inherit', quiet ? 'pipe' : 'inherit']
     const child = spawn(program, parameters, { cwd: ROOT, env, shell, stdio })
@@ -36,16 +36,16 @@ export function run([program, ...parameters], options = {}) {
   })
 }
 
-/** Like `run`, but a failure ends the script. */
+/** Like `run`, but throws if the program fails. */
 export async function must(words, options) {
   const code = await run(words, options)
   if (code !== 0) throw new Failure(`"${words.join(' ')}" failed with exit code ${code}`)
 }
 
-/** Something the user can read and act upon: printed as one line, without a stack. */
+/** Expected error, printed as one line without a stack. */
 export class Failure extends Error {}
 
-/** Runs a script's main function; what fails ends it with exit code 1. */
+/** Runs a script's main function; an error sets exit code 1. */
 export async function main(work) {
   try {
     await work()

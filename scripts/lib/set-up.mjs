@@ -2,13 +2,10 @@ import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs'
 import { join } from 'node:path'
 import { Failure, must, ROOT, say } from './run.mjs'
 
-/** The oldest Node that runs everything here, as `engines` in package.json has it. */
+/** Oldest supported Node; matches `engines` in package.json. */
 const NODE = [20, 19]
 
-/**
- * Packages are built in this order. `result` is what a build writes last, so that a build which was cut off is
- * not taken for whole.
- */
+/** Packages in build order. `result` is the file written last, so that an interrupted build counts as stale. */
 const BUILDS = [
   {
     name: 'furrow',
@@ -27,9 +24,9 @@ const BUILDS = [
     ],
   },
 ]
-const EVERYONES_SOURCES = ['package-lock.json', 'tsconfig.base.json']
+const SHARED_SOURCES = ['package-lock.json', 'tsconfig.base.json']
 
-/** Makes a clone ready to run: packages installed, library and command built. Does only what is missing. */
+/** Installs packages and builds the library and the CLI, unless up to date. */
 export async function setUp() {
   checkNode()
   if (!isInstalled()) {
@@ -38,7 +35,7 @@ export async function setUp() {
   }
   let stale = false
   for (const build of BUILDS) {
-    // Each builds upon the ones before it.
+    // Each depends on the previous ones.
     stale ||= isStale(build)
     if (!stale) continue
     say(`building ${build.name}`)
@@ -54,7 +51,7 @@ function checkNode() {
   )
 }
 
-/** Whether what npm last installed is what the lock file asks for. */
+/** Whether the installed packages match the lock file. */
 function isInstalled() {
   const installed = readLock('node_modules/.package-lock.json')
   if (!installed) return false
@@ -75,10 +72,10 @@ function isStale({ result, sources }) {
   const file = join(ROOT, result)
   if (!existsSync(file)) return true
   const built = statSync(file).mtimeMs
-  return [...sources, ...EVERYONES_SOURCES].some((source) => newest(join(ROOT, source)) > built)
+  return [...sources, ...SHARED_SOURCES].some((source) => newest(join(ROOT, source)) > built)
 }
 
-/** When a file, or anything in a folder, last changed; a folder itself changes when a file of it goes. */
+/** Returns the last modification time of a file or a folder's contents. Removing a file changes its folder's time. */
 function newest(path) {
   const status = statSync(path)
   if (!status.isDirectory()) return status.mtimeMs

@@ -14,12 +14,12 @@ import { unlabelledShapes } from '../../test/unlabelled-shapes.ts'
 import { TEMPLATE_FACES } from './shape-templates.ts'
 
 /** Shapes that wrinkles depend on. */
-const MATTER =
+const KEY_SHAPES =
   /^(brow(Down|OuterUp|InnerUp)|eye(Blink|Squint)|cheek(Squint|Puff)|noseSneer|mouth(Smile|Frown|Pucker)|jawOpen)/
 
-/** Sizes of random parts of a set. */
-const PARTS = [5, 10, 20, 30]
-/** The full set, and shapes outside ARKit's set. */
+/** Sizes of random subsets. */
+const SUBSET_SIZES = [5, 10, 20, 30]
+/** The full set with shapes outside ARKit's set. */
 const MIXED = 'full, with sliders and composites'
 
 /** Counts of shapes. */
@@ -28,8 +28,8 @@ interface Counts {
   right: number
   unknown: number
   wrong: number
-  matter: number
-  matterRight: number
+  key: number
+  keyRight: number
   /** Shapes above `SURE`. */
   sure: number
   sureWrong: number
@@ -43,7 +43,7 @@ interface Row {
   counts: Counts
 }
 
-/** Recognises heads without names: all of their shapes, and random parts of them. */
+/** Counts recognised shapes of heads without names, for all shapes and for random subsets. */
 export async function* accuracyOf(folder: string, seeds: readonly [first: number, last: number]) {
   const [builder, scan] = templateHeads()
   const [human, human2] = TEMPLATE_FACES.builder
@@ -69,21 +69,21 @@ async function* rowsOf(
   templates: string,
   heads: readonly TemplateHead[],
 ): AsyncGenerator<Row> {
-  const sets = (['full', MIXED, ...PARTS] as const).map((set) => ({ set, counts: noCounts() }))
+  const sets = (['full', MIXED, ...SUBSET_SIZES] as const).map((set) => ({ set, counts: noCounts() }))
   for (const path of paths) {
     const { skin } = findSkin(await readDocument(path, 'accuracy'), path, 'accuracy')
     const random = seeded(hashOf(basename(path)))
     const moving = [...skin.targets.keys()].filter((i) => isMoving(skin, i))
     for (const { set, counts } of sets) {
-      const isPart = typeof set === 'number'
-      const chosen = isPart ? shuffled(moving, random).slice(0, set) : moving
+      const isSubset = typeof set === 'number'
+      const chosen = isSubset ? shuffled(moving, random).slice(0, set) : moving
       count(counts, skin, chosen, heads, set === MIXED ? unlabelledShapes(skin) : [])
     }
   }
   for (const { set, counts } of sets) yield { head, templates, set, counts }
 }
 
-/** A random seed of its own for each head. */
+/** Hashes a name to a random seed. */
 function hashOf(name: string): number {
   return [...name].reduce((sum, c) => (Math.imul(31, sum) + c.charCodeAt(0)) >>> 0, 0)
 }
@@ -120,9 +120,9 @@ function add(counts: Counts, found: RecognisedShape, truth: string): void {
   const { shape } = found
   counts.all++
   counts[shape === undefined ? 'unknown' : shape === truth ? 'right' : 'wrong']++
-  if (MATTER.test(truth)) {
-    counts.matter++
-    if (shape === truth) counts.matterRight++
+  if (KEY_SHAPES.test(truth)) {
+    counts.key++
+    if (shape === truth) counts.keyRight++
   }
   addSure(counts, found, truth)
 }
@@ -140,14 +140,14 @@ function addSure(counts: Counts, { shape, confidence }: RecognisedShape, truth: 
 }
 
 function noCounts(): Counts {
-  return { all: 0, right: 0, unknown: 0, wrong: 0, matter: 0, matterRight: 0, sure: 0, sureWrong: 0 }
+  return { all: 0, right: 0, unknown: 0, wrong: 0, key: 0, keyRight: 0, sure: 0, sureWrong: 0 }
 }
 
 const number = (value: number) => value.toLocaleString('en')
 
-/** A row of the table in Markdown. */
-export function lineOf({ head, templates, set, counts }: Row): string {
-  const { all, right, unknown, wrong, matter, matterRight, sure, sureWrong } = counts
+/** Formats a row of the Markdown table. */
+export function formatRow({ head, templates, set, counts }: Row): string {
+  const { all, right, unknown, wrong, key, keyRight, sure, sureWrong } = counts
   const cells = [
     head,
     templates,
@@ -155,7 +155,7 @@ export function lineOf({ head, templates, set, counts }: Row): string {
     `${number(right)} of ${number(all)}`,
     number(unknown),
     number(wrong),
-    `${number(matterRight)} of ${number(matter)}`,
+    `${number(keyRight)} of ${number(key)}`,
     `${number(sureWrong)} of ${number(sure)}`,
   ]
   return `| ${cells.join(' | ')} |`

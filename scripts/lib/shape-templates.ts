@@ -14,7 +14,7 @@ import {
 
 const fromRoot = (path: string) => fileURLToPath(new URL(`../../${path}`, import.meta.url))
 
-/** Faces of each head of the table; targets have ARKit's names. */
+/** Faces of each head in the table, with ARKit's target names. */
 export const TEMPLATE_FACES: Readonly<Record<string, readonly string[]>> = {
   builder: ['faces/human.glb', 'faces/human-2.glb'].map(fromRoot),
   scan: [fromRoot('../shared/real-face/ict-face.glb')],
@@ -25,18 +25,18 @@ export async function readTemplateHead(path: string): Promise<TemplateHead> {
   const { skin } = findSkin(await readDocument(path, 'shape templates'), path, 'shape templates')
   const surface = movingSurface(skin)
   const frame = surface && faceFrame(surface)
-  if (!frame) throw new Error(`no face in ${path}`)
+  if (!frame) throw new Error(`shape templates: missing face, got none in ${path}`)
   const names = skin.targets.map(({ name }) => canonicalTargetName(name))
   return templateHead(shapeFields(surface, frame), names)
 }
 
-/** The mean of some faces, as the table has it. */
+/** Encodes the mean of some faces for the table, as base64. */
 export async function templateText(faces: readonly string[]): Promise<string> {
   const heads = await Promise.all(faces.map(readTemplateHead))
   return Buffer.from(encodeHead(meanHead(heads))).toString('base64')
 }
 
-/** The licence of the scan, which its templates carry. */
+/** Licence of the scan, repeated with its templates. */
 export const SCAN_LICENCE = [
   'MIT License',
   '',

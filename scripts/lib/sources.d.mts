@@ -1,4 +1,4 @@
-/** Options of Vite that resolve the workspace's packages to their sources instead of their builds, in browsers and in Node. */
+/** Vite options that resolve the workspace's packages to sources instead of builds, in browsers and in Node. */
 export const SOURCES: {
   resolve: { alias: Record<string, string>; conditions: string[] }
   ssr: { resolve: { conditions: string[] } }

@@ -3,18 +3,18 @@ import { canonicalTargetName } from 'furrow/internal'
 import { removeNames } from '../../test/heads.ts'
 
 /**
- * Removes the names of all blendshapes.
+ * Replaces the names of all blendshapes with meaningless ones.
  *
- * @returns what stands in place of each name, by ARKit's names.
+ * @returns the new names by ARKit's names.
  */
-export function nameless(document: Document): Map<string, string> {
+export function stripTargetNames(document: Document): Map<string, string> {
   const names = targetNames(document).map(canonicalTargetName)
   removeNames(document)
-  const left = targetNames(document)
-  return new Map(names.map((name, i) => [name, left[i]!]))
+  const replacements = targetNames(document)
+  return new Map(names.map((name, i) => [name, replacements[i]!]))
 }
 
-/** Names of the blendshapes of all meshes, each once. */
+/** Lists the distinct blendshape names of all meshes. */
 function targetNames(document: Document): string[] {
   const meshes = document.getRoot().listMeshes()
   return [...new Set(meshes.flatMap((mesh) => (mesh.getExtras().targetNames as string[]) ?? []))]

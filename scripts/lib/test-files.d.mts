@@ -1,4 +1,4 @@
-/** A file of tests, by its path in the repository, and the project that runs it. */
+/** A test file's path in the repository, and the Vitest project that runs it. */
 export interface TestFile {
   project: string
   file: string

@@ -4,10 +4,10 @@ import { tmpdir } from 'node:os'
 import { join, relative } from 'node:path'
 import { must, ROOT } from './run.mjs'
 
-/** How unit tests are named that `npm test` leaves out. */
+/** Suffix of unit tests that `npm test` skips. */
 const HEAVY = '.heavy.test.ts'
 
-/** Tests in browsers that `npm test` runs: those that hold the promises of README. It leaves out all others. */
+/** Browser tests that `npm test` runs: the README's promises. It skips all others. */
 export const PROMISES = [
   'test/gpu/influence.test.ts',
   'test/gpu/layers.test.ts',
@@ -31,7 +31,7 @@ export const PROMISES = [
   'test/pages/studio-path.test.ts',
 ]
 
-/** Unit tests that have more random cases in `npm run test:all`. */
+/** Unit tests with more random cases in `npm run test:all`. */
 export const MORE_CASES = [
   'test/unit/author/strokes-schema.test.ts',
   'test/unit/cli/fuzz.test.ts',
@@ -40,17 +40,17 @@ export const MORE_CASES = [
   'test/unit/gltf/specification.test.ts',
 ]
 
-/** Whether `npm test` runs a file in a project. */
+/** Whether `npm test` runs a file. */
 export function isQuick({ project, file }) {
   return project === 'unit' ? !file.endsWith(HEAVY) : project === folderOf(file) && PROMISES.includes(file)
 }
 
-/** Whether `npm run test:all` runs it: what is left out, and what has more renderers or more random cases there. */
+/** Whether `npm run test:all` runs a file: one that `npm test` skips, or runs with fewer renderers or random cases. */
 export function isInAll(test) {
   return !isQuick(test) || folderOf(test.file) === 'gpu' || MORE_CASES.includes(test.file)
 }
 
-/** All files of tests with the project that runs each, in a lasting order: `{ project, file }[]`. */
+/** Lists all test files as `{ project, file }`, in a deterministic order. */
 export async function listTests() {
   const folder = await mkdtemp(join(tmpdir(), 'furrow-tests-'))
   const list = join(folder, 'list.json')
@@ -69,10 +69,10 @@ export async function listTests() {
   }
 }
 
-/** Vitest's command, without npx, which takes half a second. */
+/** Vitest's command. Skips npx, which takes half a second. */
 export const VITEST = [process.execPath, 'node_modules/vitest/vitest.mjs']
 
-/** The browser that Vitest adds to a project's name: `gpu (chromium)`. */
+/** Browser name that Vitest appends to a project's name: `gpu (chromium)`. */
 export const BROWSER = / \(.*\)$/
 
 const folderOf = (file) => file.split('/')[1]

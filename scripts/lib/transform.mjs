@@ -1,4 +1,4 @@
-// Files as users make them smaller before they publish them, with glTF-Transform.
+// Compresses files with glTF-Transform, as users do before publishing.
 
 import { Logger, NodeIO } from '@gltf-transform/core'
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
@@ -8,8 +8,8 @@ import { FurrowWrinkleMaps } from 'furrow/gltf'
 import { MeshoptDecoder, MeshoptEncoder } from 'meshoptimizer'
 import sharp from 'sharp'
 
-/** What docs/transform.md recommends, and the same with losses. */
-export function shrinking(lossless) {
+/** The transforms that docs/transform.md recommends, with lossless or lossy textures. */
+export function compressing(lossless) {
   return [
     dedup(),
     prune(),
@@ -18,7 +18,7 @@ export function shrinking(lossless) {
   ]
 }
 
-/** Reads a face, has it transformed and writes it. */
+/** Reads, transforms and writes a file. */
 export async function transformFile(input, output, transforms) {
   await MeshoptEncoder.ready
   const io = new NodeIO()

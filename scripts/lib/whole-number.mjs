@@ -1,16 +1,16 @@
 import { Failure } from './run.mjs'
 
 /**
- * The whole number that an option of a script gives.
+ * Parses a whole number from a script's option.
  *
- * @param {string} option its name.
+ * @param {string} option option name, for the error.
  * @param {string} text
- * @param {number} least
+ * @param {number} least smallest allowed value.
  * @returns {number}
  */
 export function wholeNumber(option, text, least) {
   if (/^\d{1,15}$/.test(text) && Number(text) >= least) return Number(text)
   throw new Failure(
-    `--${option} is not a whole number, got "${text}", allowed: ${least} or more; write e.g. --${option} 20`,
+    `--${option} is not a whole number, got "${text}", allowed: at least ${least}; write e.g. --${option} 20`,
   )
 }

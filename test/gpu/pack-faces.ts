@@ -6,7 +6,7 @@ import { draco, quantize, textureCompress } from '@gltf-transform/functions'
 import type { Command } from 'commander'
 import { ktx2 } from 'ktx2-encoder/gltf-transform'
 import sharp from 'sharp'
-import { shrinking, transformFile } from '../../scripts/lib/transform.mjs'
+import { compressing, transformFile } from '../../scripts/lib/transform.mjs'
 import { BARE_FACES } from '../bare-faces/bare-faces.ts'
 import { drawAndPack } from '../bare-faces/draw-and-pack.ts'
 import { type CommandName, commandOf } from '../commands.ts'
@@ -17,8 +17,8 @@ const FACES = fileURLToPath(new URL('../../faces', import.meta.url))
 
 /** What users do to files before they publish them, and to which file. */
 const TRANSFORMED: Record<string, [from: string, ...transforms: Transform[]]> = {
-  transformed: ['shipped', ...shrinking(true)],
-  'transformed-lossy': ['shipped', ...shrinking(false)],
+  transformed: ['shipped', ...compressing(true)],
+  'transformed-lossy': ['shipped', ...compressing(false)],
   draco: ['images', draco()],
   quantized: ['images', quantize()],
   // One image each, as tools write them that know of no arrays.
@@ -29,7 +29,7 @@ const TRANSFORMED: Record<string, [from: string, ...transforms: Transform[]]> = 
     basis(/.*/, false),
   ],
   ...Object.fromEntries(
-    BARE_FACES.map((_, i) => [`drawn-${i}-transformed`, [`drawn-${i}`, ...shrinking(true)]]),
+    BARE_FACES.map((_, i) => [`drawn-${i}-transformed`, [`drawn-${i}`, ...compressing(true)]]),
   ),
 }
 
