@@ -6,16 +6,16 @@ import { type Plugin, transformWithOxc } from 'vite'
 const WORKER = fileURLToPath(new URL('./src/offline/service-worker.ts', import.meta.url))
 
 /**
- * Writes `service-worker.js` into a build, which keeps the page in the browser: `FILES` in it becomes the list of what the page needs to
- * start and to make faces, `VERSION` the hash of their contents. Workbox writes such a worker too, with 250 packages.
+ * Writes `service-worker.js`, which caches the page, into a build. Replaces `FILES` by the list of files to cache, and `VERSION` by the
+ * hash of all files. Workbox does the same, with 250 packages.
  *
- * @param isKept whether a file is kept before it is asked for; others are kept from then on.
+ * @param isKept whether a file is cached in advance. Other files are cached at their first request.
  */
 export function offline(isKept: (path: string) => boolean): Plugin {
   return {
     name: 'furrow-offline',
     apply: 'build',
-    // After all others have added their files.
+    // After all other plugins have added their files.
     enforce: 'post',
     async generateBundle(_, bundle) {
       const files = Object.keys(bundle).filter(isKept).sort()

@@ -6,7 +6,7 @@ import type { Plugin } from 'vite'
 export function serveExamples(folder: string): Plugin {
   return {
     name: 'furrow-examples',
-    // An inline script is a virtual module, so its relative imports are resolved against the examples folder.
+    // An inline script is a virtual module, so resolve its relative imports against the examples folder.
     resolveId(source, importer) {
       return source.startsWith('./') && importer?.includes('/examples/') && importer.includes('html-proxy')
         ? join(folder, source)

@@ -15,9 +15,7 @@ const TYPES: Record<string, string> = {
 /** Prints a warning. */
 type Warn = (text: string) => void
 
-/**
- * Serves the shipped faces under `/faces/` and copies them into a build. `/faces/index.json` lists their names.
- */
+/** Serves the shipped faces under `/faces/` and copies them into a build. `/faces/index.json` lists their names. */
 export function serveFaces(folder: string): Plugin {
   return {
     name: 'furrow-faces',
@@ -55,7 +53,7 @@ export function serveFaces(folder: string): Plugin {
   }
 }
 
-/** The path in a URL, without the slash at its beginning; undefined where it is malformed. */
+/** Returns the path of a URL without leading slash, or undefined if it is malformed. */
 function pathOf(url: string): string | undefined {
   try {
     return decodeURIComponent(url.split('?')[0]).slice(1)
@@ -64,7 +62,7 @@ function pathOf(url: string): string | undefined {
   }
 }
 
-/** Models with blendshapes: a hand is not a face. */
+/** Lists models with blendshapes, which excludes a hand, for example. */
 async function faceNames(folder: string, warn: Warn): Promise<string[]> {
   const files = (await facePaths(folder)).filter((path) => extname(path) === '.glb' && !path.includes('/'))
   const areFaces = await Promise.all(
@@ -82,10 +80,10 @@ async function faceNames(folder: string, warn: Warn): Promise<string[]> {
 }
 
 /**
- * In a .glb the length of the file is at byte 8, that of the JSON at byte 12, and the JSON itself at byte 20 (glTF 2.0,
- * section 4.4).
+ * Whether a .glb has blendshapes. The file length is at byte 8, the JSON length at byte 12, and the JSON at byte 20 (glTF 2.0, section
+ * 4.4).
  *
- * @throws Error of any kind if the file is not a whole .glb.
+ * @throws Error if the file is not a complete .glb.
  */
 async function hasBlendshapes(path: string): Promise<boolean> {
   const bytes = await readFile(path)
@@ -96,10 +94,7 @@ async function hasBlendshapes(path: string): Promise<boolean> {
   return meshes.some(({ primitives }) => primitives.some(({ targets }) => (targets?.length ?? 0) > 0))
 }
 
-/**
- * Files that a page may request, with slashes: the faces, not the scripts that build them. No links, which may lead out of the
- * folder.
- */
+/** Lists files that a page can request, with slashes. Excludes the scripts that build faces, and links, which can leave the folder. */
 async function facePaths(folder: string): Promise<string[]> {
   const entries = await readdir(folder, { recursive: true, withFileTypes: true })
   return entries

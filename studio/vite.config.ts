@@ -8,7 +8,7 @@ import { serveFaces } from './serve-faces.ts'
 
 const folder = (path: string) => fileURLToPath(new URL(path, import.meta.url))
 
-/** What the page may need at any time; of the faces, the list and the one that it opens first. */
+/** Whether a file is cached in advance: everything except most faces. */
 const isKept = (path: string) => !path.startsWith('faces/') || /^faces\/(index\.json|human\.glb)$/.test(path)
 
 export default defineConfig({
@@ -25,7 +25,7 @@ export default defineConfig({
   ],
   resolve: SOURCES.resolve,
   optimizeDeps: {
-    // What is found late is optimised then, and reloads the page in the middle of work: what is not listed is served as it is.
+    // A dependency found late would reload the page during work, so all are listed. Others are served unbundled.
     noDiscovery: true,
     include: [
       'three',
@@ -38,7 +38,7 @@ export default defineConfig({
       'three/addons/loaders/GLTFLoader.js',
       'three/addons/loaders/KTX2Loader.js',
       '@pixiv/three-vrm',
-      // Of the examples.
+      // For the examples.
       '@pixiv/three-vrm-core',
       'meshoptimizer/simplifier',
       'preact',
@@ -49,7 +49,7 @@ export default defineConfig({
       'three-mesh-bvh',
       'fflate',
       'idb',
-      // Of the worker that packs faces.
+      // For the worker that packs faces.
       'comlink',
       '@gltf-transform/core',
       '@gltf-transform/extensions',
@@ -59,18 +59,18 @@ export default defineConfig({
       'gltf-validator',
       'meshoptimizer/decoder',
     ],
-    // They find their WebAssembly beside their own modules.
+    // These packages load WebAssembly relative to their modules.
     exclude: ['ktx2-encoder', '@bokuweb/zstd-wasm'],
   },
-  // Workers load parts of theirs when they are needed.
+  // Workers use dynamic imports.
   worker: { format: 'es' },
   server: { fs: { allow: [folder('..')] } },
-  // The page bundles three.js with both of its renderers.
+  // The page bundles three.js with both renderers.
   build: {
     outDir: folder('dist'),
     emptyOutDir: true,
     chunkSizeWarningLimit: 2500,
-    // The first with `light-dark()`, whose substitute for older ones knows no dark stage on a light page.
+    // First versions with `light-dark()`. Its polyfill does not support a dark stage on a light page.
     cssTarget: ['chrome123', 'firefox120', 'safari17.5'],
   },
 })

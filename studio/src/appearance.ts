@@ -1,27 +1,27 @@
 import { signal } from '@preact/signals'
 
-/** Whether the page is light or dark; `system` follows the system. */
+/** Colour scheme of the page. `system` follows the system. */
 export type Appearance = 'system' | 'light' | 'dark'
 
-/** In the browser's storage, which a script in `index.html` reads before the page is drawn. */
+/** Storage key, also read by a script in `index.html` before the first paint. */
 const KEY = 'appearance'
 
 const { dataset } = document.documentElement
 const appearance = signal(isAppearance(dataset.appearance) ? dataset.appearance : 'system')
 
-/** What was chosen, now or on an earlier visit. */
+/** Returns the chosen colour scheme. */
 export function chosenAppearance(): Appearance {
   return appearance.value
 }
 
-/** Draws the page so, now and on the next visit. */
+/** Sets and stores the colour scheme. */
 export function chooseAppearance(next: Appearance): void {
   appearance.value = next
   dataset.appearance = next
   try {
     localStorage.setItem(KEY, next)
   } catch {
-    // Where nothing may be kept, it is chosen for this visit.
+    // Without storage, the choice applies to this visit.
   }
 }
 

@@ -1,10 +1,10 @@
 import { displayName } from './display-name.ts'
 
-/** A row of buttons, of which at most one is pressed. */
+/** Row of buttons, at most one of which is pressed. */
 export class Buttons<T extends string> {
   readonly #buttons: Map<T, HTMLButtonElement>
 
-  /** @param shortLabels labels of buttons whose names are too long. */
+  /** @param shortLabels replacements for long labels. */
   constructor(
     root: HTMLElement,
     names: readonly T[],

@@ -1,17 +1,17 @@
 import { type ShortcutName, shortcutOf } from './shortcuts.ts'
 
-/** Movement per key press, near and far, in fractions of the width. */
+/** Movement per key press, small and large, in fractions of the width. */
 const STEP = 0.02
 const LARGE_STEP = 0.1
 
-/** The line between the two sides, a slider for pointer and keyboard. */
+/** Divider between the two sides, a slider for pointer and keyboard. */
 export class Divider {
   readonly #element: HTMLElement
   readonly #stage: HTMLElement
   readonly #onMove: (position: number) => void
   #position = 0.5
 
-  /** @param element of role slider, positioned by the custom property `--split` of `stage`. */
+  /** @param element element of role slider, positioned by the custom property `--split` of `stage`. */
   constructor(element: HTMLElement, stage: HTMLElement, onMove: (position: number) => void) {
     this.#element = element
     this.#stage = stage
@@ -43,7 +43,7 @@ export class Divider {
     this.#element.focus({ preventScroll: true })
     this.#element.setPointerCapture(event.pointerId)
     const { left, width } = this.#stage.getBoundingClientRect()
-    // Keeps the distance between the line and the point where it was grabbed.
+    // Keeps the grabbed point of the line under the pointer.
     const grabOffset = event.clientX - left - this.#position * width
     const drag = (move: PointerEvent) => this.move((move.clientX - left - grabOffset) / width)
     const drop = () => {

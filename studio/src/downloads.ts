@@ -5,7 +5,7 @@ import type { Saving } from './session/saving.ts'
 import type { Workspace } from './session/workspace.ts'
 import type { Viewer } from './viewer/viewer.ts'
 
-/** Files and text that the page gives to the user. Errors are shown. */
+/** Saves files and copies text for the user. Shows errors. */
 export class Downloads {
   readonly #workspace: Workspace
   readonly #saving: Saving
@@ -17,7 +17,7 @@ export class Downloads {
     this.#messages = messages
   }
 
-  /** The exported face, once it is made. */
+  /** Saves the exported face. */
   export(): void {
     const state = this.#workspace.exporting.state.peek()
     if (state?.kind === 'done') saveFile(new Blob([state.face.bytes as BlobPart]), state.name)
@@ -30,7 +30,7 @@ export class Downloads {
     })
   }
 
-  /** The project in its folder on the disk; see `Saving`. */
+  /** Saves the project to its folder on disk; see `Saving`. */
   folder(isOther: boolean): Promise<unknown> {
     return this.#messages.attempt(async () => {
       const name = await this.#saving.toFolder(isOther)
@@ -38,12 +38,12 @@ export class Downloads {
     })
   }
 
-  /** The project in its folder, or else as a file. */
+  /** Saves the project to its folder, or else as a file. */
   save(): Promise<unknown> {
     return this.#saving.folder.peek() ? this.folder(false) : this.project()
   }
 
-  /** To the clipboard. */
+  /** Copies text to the clipboard. */
   copyCode(text: string): Promise<unknown> {
     return this.#messages.attempt(async () => {
       await navigator.clipboard.writeText(text)
@@ -51,7 +51,7 @@ export class Downloads {
     })
   }
 
-  /** What the stage shows. */
+  /** Saves a picture of the stage. */
   picture(viewer: Viewer | null, expression: string | null): Promise<unknown> {
     return this.#messages.attempt(async () => {
       if (!viewer) return
@@ -62,7 +62,7 @@ export class Downloads {
     })
   }
 
-  /** The skin's UV layout, to paint over. */
+  /** Saves the skin's UV layout as a template for painting. */
   uvLayout(viewer: Viewer | null): Promise<unknown> {
     return this.#messages.attempt(async () => {
       if (!viewer) return

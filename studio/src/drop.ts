@@ -1,7 +1,7 @@
 /**
- * Accepts files dropped or pasted anywhere on the page; `overlay` is visible while files are dragged over it.
+ * Accepts files dropped or pasted on the page. `overlay` is visible while files are dragged over it.
  *
- * @param onFiles must read what it gets at once.
+ * @param onFiles must read its argument synchronously.
  */
 export function acceptFiles(overlay: HTMLElement, onFiles: (files: DataTransfer) => void): void {
   const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false
@@ -12,13 +12,13 @@ export function acceptFiles(overlay: HTMLElement, onFiles: (files: DataTransfer)
     overlay.hidden = false
   })
   addEventListener('dragleave', (event) => {
-    // Null when the pointer leaves the page, an element when it moves from one to another.
+    // relatedTarget is null when the pointer leaves the page, and an element when it moves between elements.
     if (event.relatedTarget === null) overlay.hidden = true
   })
   addEventListener('drop', (event) => {
     if (!hasFiles(event)) return
     overlay.hidden = true
-    // Something on the page took them.
+    // An element of the page handled the drop.
     if (event.defaultPrevented) return
     event.preventDefault()
     onFiles(event.dataTransfer!)

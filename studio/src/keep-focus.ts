@@ -2,10 +2,10 @@ const FOCUSABLE =
   'button:not(:disabled), input:not(:disabled), select:not(:disabled), textarea, summary, [tabindex="0"]'
 
 /**
- * Keeps the focus of the keyboard on the page. Where what has it is removed (a row that is deleted, a form that undo takes away, a message
- * that is dismissed), it goes to what stands there then; where there is nothing, to what had it before.
+ * Keeps the keyboard focus on the page. If the focused element is removed, the focus moves to the element in its place, or else to the
+ * previously focused one. Examples: a deleted row, a form removed by undo, a dismissed message.
  *
- * @param page holds all that can have the focus, in landmarks.
+ * @param page root of all focusable elements, in landmarks.
  */
 export function keepFocus(page: HTMLElement): void {
   let held: Held | null = null
@@ -19,7 +19,7 @@ export function keepFocus(page: HTMLElement): void {
   })
   page.addEventListener('focusout', ({ target, relatedTarget }) => {
     const { isConnected } = target as HTMLElement
-    // Left for nothing by the user, and not by its removal, before or during which browsers tell this.
+    // The user left the element. Browsers send the same event before or during the removal of an element.
     queueMicrotask(() => {
       if (!relatedTarget && isConnected && (target as HTMLElement).isConnected) held = null
     })
@@ -37,7 +37,7 @@ export function keepFocus(page: HTMLElement): void {
   })
 }
 
-/** What has the focus, and where it stands: each of its ancestors up to the landmark, with the index of the child that it is in. */
+/** Focused element and its position: its ancestors up to the landmark, each with the index of the child that contains it. */
 interface Held {
   readonly element: HTMLElement
   readonly path: readonly (readonly [ancestor: Element, index: number])[]
@@ -50,7 +50,7 @@ function hold(element: HTMLElement): Held {
     path.push([child.parentElement, [...child.parentElement.children].indexOf(child)])
     child = child.parentElement
   }
-  // The landmark has too much in it to be beside anything.
+  // Exclude the landmark: its children are unrelated.
   return { element, path: path.slice(0, -1) }
 }
 
@@ -58,7 +58,7 @@ function isFocusable(element: HTMLElement): boolean {
   return element.isConnected && !element.matches(':disabled') && element.checkVisibility()
 }
 
-/** What stands now where an element stood: of its own kind in the row that has moved up, or else what is nearest. */
+/** Finds the element at a former position: of the same class in the next row if possible, or else the nearest. */
 function successorOf({ element, path }: Held): HTMLElement | null {
   for (const [ancestor, index] of path) {
     if (!ancestor.isConnected || !ancestor.checkVisibility()) continue

@@ -1,15 +1,15 @@
-/** After the messages and events that have come. */
+/** Waits for a new task, after pending messages and events. */
 export function nextTask(): Promise<void> {
   return new Promise((resolve) => setTimeout(resolve))
 }
 
-/** Milliseconds after which work begins although the page is busy: a face that moves leaves it no rest. */
+/** Maximum wait for an idle page, milliseconds: a moving face is never idle. */
 const PATIENCE = 200
 
-/** Waits until the page has nothing else to do: what follows is a task of its own. */
+/** Waits for an idle page. */
 export function whenIdle(): Promise<void> {
   return new Promise((resolve) => {
-    // Safari has none.
+    // Safari lacks requestIdleCallback.
     if (typeof requestIdleCallback === 'undefined') setTimeout(resolve, PATIENCE)
     else requestIdleCallback(() => resolve(), { timeout: PATIENCE })
   })
@@ -17,7 +17,7 @@ export function whenIdle(): Promise<void> {
 
 let last = Promise.resolve()
 
-/** Runs a task once the page has nothing else to do and all that came before are done, each in a task of its own. Returns what cancels it. */
+/** Queues a task for an idle page, after all queued tasks. Returns a function that cancels it. */
 export function runInTurn(task: () => void): () => void {
   let isWanted = true
   last = last

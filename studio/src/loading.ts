@@ -1,6 +1,6 @@
 import type { Page } from './page.ts'
 
-/** The progress bar over the stage while a face loads or a renderer starts. */
+/** Progress bar over the stage while a face loads or a renderer starts. */
 export class Loading {
   readonly #page: Page
 
@@ -8,7 +8,7 @@ export class Loading {
     this.#page = page
   }
 
-  /** @param fraction of the work that is done, null if unknown. */
+  /** @param fraction completed fraction of the work, or null if unknown. */
   show(text: string, fraction: number | null = null): void {
     const { stage, loading, loadingText, progress } = this.#page
     stage.ariaBusy = 'true'
@@ -24,7 +24,7 @@ export class Loading {
   }
 }
 
-/** Lets the browser paint before work that blocks it, or gives up after 100 ms in a hidden page, which is never painted. */
+/** Lets the browser paint before blocking work. Resolves after 100 ms in a hidden page, which is not painted. */
 export function nextPaint(): Promise<void> {
   return new Promise((resolve) => {
     requestAnimationFrame(() => setTimeout(resolve))

@@ -1,16 +1,16 @@
-/** What a loop advances and draws. */
+/** Content of a render loop. */
 export interface Animated {
   /** @param delta seconds since the last frame, 0 after a pause. */
   advance(delta: number): void
   draw(): void
-  /** Whether the next frame differs from this one without any input. */
+  /** Whether the next frame changes without input. */
   moving(): boolean
 }
 
-/** Longest step in seconds, so that nothing jumps after a stall. */
+/** Maximum step in seconds, to avoid jumps after a stall. */
 const LONGEST_STEP = 0.1
 
-/** Draws only when something has changed or moves: an idle page costs nothing. */
+/** Render loop that draws only changes and motion. */
 export class Loop {
   readonly #animated: Animated
   readonly #onFrame: (cpu: number, interval: number | null) => void
@@ -18,7 +18,7 @@ export class Loop {
   #last: number | null = null
   #running = false
 
-  /** @param onFrame called with each frame's CPU time and, while moving, the time since the last frame, in milliseconds. */
+  /** @param onFrame receives the CPU time of each frame and, while moving, the time since the last frame, in milliseconds. */
   constructor(animated: Animated, onFrame: (cpu: number, interval: number | null) => void) {
     this.#animated = animated
     this.#onFrame = onFrame

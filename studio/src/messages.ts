@@ -1,4 +1,4 @@
-/** Milliseconds that a note stays. */
+/** Milliseconds before a note disappears. */
 const NOTE_DURATION = 6000
 
 /** Shows notes and errors, and announces them to screen readers. Errors stay until dismissed. */
@@ -7,7 +7,7 @@ export class Messages {
   readonly #notes: HTMLElement
   #noteTimer = 0
 
-  /** @param errors live region of role alert; `notes` is one of role status. */
+  /** @param errors live region of role alert; `notes` has role status. */
   constructor(errors: HTMLElement, notes: HTMLElement) {
     this.#errors = errors
     this.#notes = notes

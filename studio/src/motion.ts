@@ -1,2 +1,2 @@
-/** Whether the user has asked the system for less motion: then nothing moves in transitions. */
+/** Whether the system requests reduced motion, which disables transitions. */
 export const reducedMotion = matchMedia('(prefers-reduced-motion: reduce)')

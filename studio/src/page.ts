@@ -1,4 +1,4 @@
-/** The elements of index.html that the studio uses. */
+/** Elements of index.html. */
 export interface Page {
   stage: HTMLElement
   viewport: HTMLElement

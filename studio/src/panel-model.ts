@@ -16,7 +16,7 @@ import type { Painting } from './tools/painting.ts'
 import type { ShownFace } from './viewer/shown-face.ts'
 import type { ViewerHost } from './viewer/viewer-host.ts'
 
-/** The parts of the application that panels show, and those that do what a user requests there. */
+/** Parts of the application that panels show and control. */
 export interface PanelParts {
   workspace: Workspace
   saving: Saving
@@ -34,11 +34,11 @@ export interface PanelParts {
   messages: Messages
   /** Names of the shipped faces. */
   faces: ReadonlySignal<readonly string[]>
-  /** Whether the list of shortcuts is shown. */
+  /** Whether the list of shortcuts is open. */
   isListOpen: Signal<boolean>
 }
 
-/** Gives panels what they show, and passes on what they request. */
+/** Connects the panels with the application. */
 export function panelModel(parts: PanelParts): PanelModel {
   const { workspace, saving, face, lines, areas, faceAreas, layers, shapes, painting } = parts
   const { opening, host, downloads, link, messages, faces, isListOpen } = parts

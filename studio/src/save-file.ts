@@ -1,4 +1,4 @@
-/** Lets the browser save a file where the user's downloads go. */
+/** Downloads a file. */
 export function saveFile(file: Blob, name: string): void {
   const link = document.createElement('a')
   link.href = URL.createObjectURL(file)

@@ -1,9 +1,9 @@
 import { saveFile } from './save-file.ts'
 
 /**
- * Saves a canvas as a PNG file. Call it in the task that draws: a WebGPU canvas is blank afterwards.
+ * Saves a canvas as a PNG file. Call it in the task that draws, because a WebGPU canvas is blank afterwards.
  *
- * @throws Error if the browser cannot encode it.
+ * @throws Error if the browser cannot encode the picture.
  */
 export async function savePicture(canvas: HTMLCanvasElement, name: string): Promise<void> {
   const file = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'))

@@ -1,11 +1,11 @@
-/** A shortcut: any of its keys, and what they do. */
+/** Shortcut: alternative keys and their description. */
 interface Shortcut {
-  /** As in `KeyboardEvent.key`, after `Mod+` (Control, on a Mac Command) and `Shift+`. */
+  /** As in `KeyboardEvent.key`, after `Mod+` (Control, or Command on a Mac) and `Shift+`. */
   readonly keys: readonly string[]
   readonly does: string
 }
 
-/** All shortcuts, by where they work: what handles keys and what lists them read this table. */
+/** All shortcuts by scope, for handling keys and for the list of shortcuts. */
 export const SHORTCUTS = {
   everywhere: {
     undo: { keys: ['Mod+z'], does: 'Undo' },
@@ -71,7 +71,7 @@ export const SHORTCUTS = {
 export type Scope = keyof typeof SHORTCUTS
 export type ShortcutName<S extends Scope> = keyof (typeof SHORTCUTS)[S] & string
 
-/** The shortcut of a scope that a key is; undefined where it is none, or text. */
+/** Returns the shortcut of a key event in a scope, or undefined for other keys and for text input. */
 export function shortcutOf<S extends Scope>(scope: S, event: KeyboardEvent): ShortcutName<S> | undefined {
   const pressed = keyOf(event)
   if (isTyped(pressed, event.target)) return undefined
@@ -79,23 +79,23 @@ export function shortcutOf<S extends Scope>(scope: S, event: KeyboardEvent): Sho
   return entries.find(([, { keys }]) => keys.includes(pressed))?.[0] as ShortcutName<S> | undefined
 }
 
-/** Calls actions by the shortcuts that work everywhere; the browser's own are left out then. */
+/** Handles the shortcuts that work everywhere, and prevents the browser's own. */
 export function addShortcuts(
   actions: Record<Exclude<ShortcutName<'everywhere'>, 'cancel'>, () => void>,
 ): void {
   addEventListener('keydown', (event) => {
     const name = shortcutOf('everywhere', event)
-    // What a pointer is doing knows the tool that it does it with.
+    // The tool host handles `cancel`.
     if (!name || name === 'cancel') return
     event.preventDefault()
     actions[name]()
   })
 }
 
-/** A key as in the table. Shift is told where it does not make another character. */
+/** Returns a key as in the table. Includes Shift only if it does not change the character. */
 function keyOf(event: KeyboardEvent): string {
   const { key, altKey, ctrlKey, metaKey, shiftKey } = event
-  // Keyboards that have brackets on AltGr report Control and Alt with it.
+  // Keyboards with brackets on AltGr also report Control and Alt.
   const isCharacter = event.getModifierState('AltGraph')
   const isModified = !isCharacter && (ctrlKey || metaKey)
   const name = key.length === 1 ? key.toLowerCase() : key
@@ -104,7 +104,7 @@ function keyOf(event: KeyboardEvent): string {
   return `${isModified ? 'Mod+' : ''}${alt}${shift}${name}`
 }
 
-/** Whether an element takes a key for itself: as text, or to choose from a list. */
+/** Whether an element handles a key itself, as text or to choose from a list. */
 function isTyped(pressed: string, target: EventTarget | null): boolean {
   if (typeof HTMLInputElement === 'undefined') return false
   if (target instanceof HTMLTextAreaElement) return true

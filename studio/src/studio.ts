@@ -35,7 +35,7 @@ import { ShownFace } from './viewer/shown-face.ts'
 import type { Viewer } from './viewer/viewer.ts'
 import { ViewerHost } from './viewer/viewer-host.ts'
 
-/** The application: applies what the controls request, and shows the result. */
+/** The application: connects the parts of the page. */
 export class Studio {
   readonly #page: Page
   readonly #messages: Messages
@@ -149,7 +149,7 @@ export class Studio {
       viewer: this.#face.viewer,
       attempt,
     })
-    // One tool at a time.
+    // Only one tool at a time.
     effect(() => {
       if (this.#painting.area.value !== null) this.#lines.editor.mode.value = 'off'
     })
@@ -184,7 +184,7 @@ export class Studio {
       const hovered = this.#face.hovered.value
       this.#face.perform(this.#isEdited ? null : hovered)
     })
-    // The face holds still while it is edited.
+    // Pause the clip while the face is edited.
     effect(() => {
       if (this.#isEdited) this.#face.player.pause()
     })
@@ -209,7 +209,7 @@ export class Studio {
     acceptFiles(page.dropping, (files) => this.#opening.files(() => filesOfTransfer(files)))
   }
 
-  /** Lists the faces and opens the first, or the one that the URL names: `?renderer=webgpu&face=human-2`. */
+  /** Lists the faces and opens the first, or the one in the URL: `?renderer=webgpu&face=human-2`. */
   async start(): Promise<void> {
     this.#loading.show('Listing faces')
     await this.#messages.attempt(async () => {
@@ -230,7 +230,7 @@ export class Studio {
   }
 
   #show(viewer: Viewer): void {
-    // Together: the last document is never shown on the next face.
+    // Batched, so that the old document is never shown on the new face.
     batch(() => {
       void this.#messages.attempt(() => this.#workspace.open(viewer.avatar))
       this.#face.show(viewer)
@@ -239,7 +239,7 @@ export class Studio {
     this.#meter.reset()
   }
 
-  /** Shows what is worked on; a face that has wrinkles of its own and no document is left as it is. */
+  /** Shows the document. A face with its own wrinkles and without a document is left as is. */
   #showDocument(viewer: Viewer | null, drawn: DrawnDocument | null): void {
     if (!viewer || (!drawn && viewer.avatar.skins[viewer.avatar.skin].wrinkles)) return
     const wasPlain = !viewer.wrinkles
@@ -247,7 +247,7 @@ export class Studio {
       .attempt(() => this.#view.show(viewer, drawn))
       .then(async () => {
         const isOther = wasPlain === !!viewer.wrinkles
-        // In a task of its own: all blendshapes are looked at.
+        // Yield first: framing reads all blendshapes.
         if (isOther) await nextTask()
         if (isOther && viewer === this.#viewer) this.#host.orbit?.frame()
         this.#face.refresh()
@@ -266,7 +266,7 @@ export class Studio {
     return this.#face.moving || (this.#host.orbit?.moving ?? false)
   }
 
-  /** Whether the pointer paints or draws on the face, which then holds still. */
+  /** Whether the pointer paints or draws, which pauses the face. */
   get #isEdited(): boolean {
     return this.#painting.area.value !== null || this.#lines.editor.mode.value !== 'off'
   }
@@ -276,7 +276,7 @@ export class Studio {
     this.#loop.wake()
   }
 
-  /** Leaves muted areas out. Painting needs the whole face: what is painted is shown on the side with wrinkles. */
+  /** Hides muted areas. While editing, shows the complete face with wrinkles. */
   #arrange(viewer: Viewer | null, hidden: readonly string[], isEdited: boolean): void {
     if (!viewer) return
     viewer.hidden = hidden
@@ -284,7 +284,7 @@ export class Studio {
     this.#loop.wake()
   }
 
-  /** Says on the page what the stage shows, and on which device. */
+  /** Updates the labels of look, renderer and device. */
   #label(): void {
     const viewer = this.#viewer
     if (!viewer) return

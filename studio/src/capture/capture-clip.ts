@@ -4,9 +4,9 @@ import { AnimationClip, type Mesh, NumberKeyframeTrack, type Object3D } from 'th
 import type { Capture } from './live-link-face.ts'
 
 /**
- * A capture as key frames of a face: of every mesh that has its blendshapes, in any spelling that drivers know.
+ * Converts a capture to key frames for every mesh that has its blendshapes, in any spelling that drivers accept.
  *
- * @throws FurrowError when the face has none of them.
+ * @throws FurrowError if the face has none of the blendshapes.
  */
 export function captureClip({ name, times, weights }: Capture, face: Object3D): AnimationClip {
   const tracks: NumberKeyframeTrack[] = []

@@ -1,7 +1,7 @@
 /**
  * Replaces each NaN. Gaps between two numbers are interpolated; gaps at either end continue from the nearest number by `step`.
  *
- * @returns a new array; it counts from 0 by `step` if all values are NaN.
+ * @returns new array. If all values are NaN, it counts from 0 by `step`.
  */
 export function fillGaps(values: readonly number[], step: number): number[] {
   const filled = [...values]

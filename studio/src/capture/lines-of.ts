@@ -1,7 +1,7 @@
 /**
- * The lines of a text file as it is read, without their ends (`\n`, `\r\n` or `\r`) and without a byte order mark.
+ * Streams the lines of a text file, without line endings (`\n`, `\r\n` or `\r`) and byte order mark.
  *
- * @param longest characters of a line; one that is longer is given in pieces of at least that many.
+ * @param longest characters after which a line is split.
  */
 export async function* linesOf(file: Blob, longest: number): AsyncGenerator<string> {
   const decoder = new TextDecoder()
@@ -12,7 +12,7 @@ export async function* linesOf(file: Blob, longest: number): AsyncGenerator<stri
       const { done, value } = await reader.read()
       isLast = done
       const text = rest + decoder.decode(value, { stream: !done })
-      // A line that ends in `\r` may go on with `\n`.
+      // The next chunk may begin with the `\n` of this `\r`.
       const lines = text.split(/\r\n|\n|\r(?!$)/)
       rest = isLast ? '' : lines.pop()!
       yield* lines
@@ -21,7 +21,7 @@ export async function* linesOf(file: Blob, longest: number): AsyncGenerator<stri
       rest = ''
     }
   } finally {
-    // Where nobody asks for the others.
+    // Release the file if the caller stops early.
     await reader.cancel()
   }
 }

@@ -3,29 +3,29 @@ import { fillGaps } from './fill-gaps.ts'
 import { linesOf } from './lines-of.ts'
 import { parseTimecode, secondsSinceFirst, type Timecode } from './timecode.ts'
 
-/** A face's blendshapes over time, as a camera has captured them. */
+/** Blendshapes of a face over time, captured by a camera. */
 export interface Capture {
-  /** Of its file, without the extension. */
+  /** File name without extension. */
   readonly name: string
-  /** Seconds since the first frame, increasing; at least two. */
+  /** Seconds since the first frame, strictly increasing; at least two. */
   readonly times: Float32Array
-  /** Weights, 0..1, one per time, by the names of blendshapes in the file. */
+  /** Weights, 0..1, one per time, by blendshape name as in the file. */
   readonly weights: ReadonlyMap<string, Float32Array>
 }
 
-/** Largest file in bytes, most characters of a line, and most frames: over half an hour at 60 per second. */
+/** Maximum file size in bytes, characters per line, and frames (over half an hour at 60 fps). */
 const MOST = { bytes: 128 * 2 ** 20, line: 65_536, frames: 120_000 } as const
 const SEPARATORS = [',', ';', '\t'] as const
-/** Columns that are not blendshapes: the head's and the eyes' rotations. The app gives the eyes' gaze as blendshapes as well. */
+/** Rotations of the head and the eyes. Skipped: the app also exports the gaze as blendshapes. */
 const ROTATION = /^(Head|LeftEye|RightEye)(Yaw|Pitch|Roll)$/i
 
 /**
- * Reads what the iOS app Live Link Face exports: a row of names (`Timecode,BlendShapeCount,EyeBlinkLeft, ...,HeadYaw, ...`), then a row of
- * numbers per frame. Columns may be missing and in any order; numbers may have a decimal comma where it does not separate columns. A frame
- * that is not later than the one before it is left out, and so is a last row that is cut off. A blank cell, and a timecode that is a whole
- * number, is skipped: its value lies between those before and after it.
+ * Reads a CSV export of the iOS app Live Link Face: a header (`Timecode,BlendShapeCount,EyeBlinkLeft, ...,HeadYaw, ...`), then one
+ * row per frame. Columns can be missing and in any order. Decimal commas are accepted if another character separates columns.
+ * Drops frames that are not later than the previous one, and a truncated last row. Interpolates blank cells, and timecodes that are
+ * integers.
  *
- * Rejects with a FurrowError when it is no such file, or a number in it cannot be used.
+ * Rejects with a FurrowError if the file has another format or contains an invalid number.
  */
 export async function readLiveLinkFace(file: File): Promise<Capture> {
   if (file.size > MOST.bytes) {
@@ -47,18 +47,18 @@ export async function readLiveLinkFace(file: File): Promise<Capture> {
   return table.finish()
 }
 
-/** The rows as they are read. */
+/** Parser state: the rows read so far. */
 class Table {
   readonly #file: File
   readonly #separator: string
   readonly #names: readonly string[]
-  /** Index of the column of timecodes; -1 where there is none. */
+  /** Index of the timecode column, or -1. */
   readonly #timecode: number
-  /** A value is NaN where its cell is blank. */
+  /** Columns of blendshapes; NaN for blank cells. */
   readonly #columns: readonly { name: string; index: number; values: number[] }[]
   readonly #timecodes: (Timecode | null)[] = []
   #rows = 0
-  /** The last row where cells are missing from it. */
+  /** Row with missing cells. Allowed only as the last row. */
   #short: number | null = null
 
   constructor(file: File, header: string) {
@@ -76,7 +76,7 @@ class Table {
     if (this.#columns.length === 0) throw unusable(file, 'it has no blendshapes')
   }
 
-  /** Adds a row. Throws FurrowError when it cannot be used. */
+  /** Adds a row. Throws FurrowError if it is invalid. */
   add(line: string): void {
     this.#rows++
     if (this.#short !== null) throw this.#wrong(this.#short, 'cells are missing')
@@ -112,7 +112,7 @@ class Table {
     }
   }
 
-  /** Without timecodes, frames are as far apart as the app takes them. Null for a cell that is blank or a whole number. */
+  /** Reads the frame's timecode, or counts at 60 fps if there is no such column. Returns null for a blank cell or an integer. */
   #timecodeOf(cells: readonly string[]): Timecode | null {
     if (this.#timecode < 0)
       return { seconds: Math.floor((this.#rows - 1) / 60), frames: (this.#rows - 1) % 60 }
@@ -123,7 +123,7 @@ class Table {
     return timecode
   }
 
-  /** Null for a cell that is blank. */
+  /** Returns null for a blank cell. */
   #weightOf(cell: string, name: string): number | null {
     if (cell === '') return null
     const text = this.#separator === ',' ? cell : cell.replace(',', '.')
@@ -137,7 +137,7 @@ class Table {
   }
 }
 
-/** A cell without what programs put round it. */
+/** Strips whitespace and quotes from a cell. */
 function plain(cell: string): string {
   return cell.trim().replace(/^"(.*)"$/, '$1')
 }

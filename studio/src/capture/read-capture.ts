@@ -1,9 +1,9 @@
 import { type Capture, readLiveLinkFace } from './live-link-face.ts'
 
 /**
- * Reads the capture among the tables of a take, the longest where there are several: the app adds its calibration and logs.
+ * Reads the longest capture among the tables of a take. The app adds tables of calibration and logs.
  *
- * @param tables at least one. Rejects with the first one's FurrowError where none is a capture.
+ * @param tables at least one. Rejects with the first table's FurrowError if none is a capture.
  */
 export async function readCapture(tables: readonly File[]): Promise<Capture> {
   const results = await Promise.allSettled(tables.map(readLiveLinkFace))

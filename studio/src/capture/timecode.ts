@@ -1,19 +1,19 @@
 import { fillGaps } from './fill-gaps.ts'
 
-/** Frames per second that cameras count in; the last is what the app counts in unless it is told otherwise. */
+/** Frame rates of cameras. The last one is the app's default. */
 const RATES = [24, 25, 30, 48, 50, 60] as const
-/** Seconds of a day, after which timecodes begin anew. */
+/** Seconds per day, after which timecodes wrap around. */
 const DAY = 86_400
 
-/** A moment as cameras count it. */
+/** Timecode of a frame. */
 export interface Timecode {
-  /** Whole seconds since midnight. */
+  /** Integer seconds since midnight. */
   seconds: number
-  /** Frames in that second, with what is between two frames as a fraction. */
+  /** Frames within the second, with a fraction. */
   frames: number
 }
 
-/** Reads `HH:MM:SS:FF` or `HH:MM:SS:FF.fraction`; `;` before the frames tells of dropped frame numbers. Null where it is none. */
+/** Parses `HH:MM:SS:FF` or `HH:MM:SS:FF.fraction`; `;` before the frames marks drop-frame timecode. Returns null if invalid. */
 export function parseTimecode(text: string): Timecode | null {
   const parts = /^(\d{1,2}):(\d{1,2}):(\d{1,2})[:;](\d{1,3}(?:\.\d+)?)$/.exec(text)
   if (!parts) return null
@@ -22,8 +22,8 @@ export function parseTimecode(text: string): Timecode | null {
 }
 
 /**
- * The moments in seconds since the first one, also over midnight. Frames are as many in a second as the largest frame asks for. A moment that is
- * unknown lies between those before and after it.
+ * Converts timecodes to seconds since the first one, across midnight. Infers the frame rate from the largest frame number.
+ * Interpolates unknown timecodes.
  */
 export function secondsSinceFirst(timecodes: readonly (Timecode | null)[]): number[] {
   const known = timecodes.filter((timecode) => timecode !== null)
@@ -43,7 +43,7 @@ export function secondsSinceFirst(timecodes: readonly (Timecode | null)[]): numb
 function rateOf(timecodes: readonly Timecode[]): number {
   const [first] = timecodes
   const isWithinSecond = timecodes.every(({ seconds }) => seconds === first.seconds)
-  // What does not see a second end may be of any rate.
+  // Within one second, the frame rate is unknown.
   if (isWithinSecond) return RATES.at(-1)!
   const largest = timecodes.reduce((most, { frames }) => Math.max(most, Math.floor(frames)), 0)
   return RATES.find((rate) => largest < rate) ?? largest + 1

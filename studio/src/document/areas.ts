@@ -8,10 +8,10 @@ import { otherSide } from './sides.ts'
 import { renameInShapes, withoutShapes } from './stroke-areas.ts'
 import { edited } from './strokes.ts'
 
-/** Fields of an area that are set as they are. */
+/** Area fields that are set without further changes. */
 export type AreaFields = Partial<Pick<StudioArea, 'layer' | 'combine' | 'activation'>>
 
-/** @throws FurrowError when its name is taken, its layer unknown, its weights are of another size, or there are 256. */
+/** @throws FurrowError if the name is taken, the layer is unknown, the weights have another size, or there are 256 areas. */
 export function addArea(document: StudioDocument, area: StudioArea): StudioDocument {
   checkNewName(document.areas, area.name, 'area')
   named(document.layers, area.layer, 'layer')
@@ -20,7 +20,7 @@ export function addArea(document: StudioDocument, area: StudioArea): StudioDocum
   return { ...document, areas: [...document.areas, area] }
 }
 
-/** A new area that is empty, on the first layer. */
+/** Adds an empty area on the first layer. */
 export function addEmptyArea(document: StudioDocument, name: string): StudioDocument {
   const { areaSize: side, layers } = document
   const weights = { width: side, height: side, data: new Uint8Array(side * side) }
@@ -28,7 +28,7 @@ export function addEmptyArea(document: StudioDocument, name: string): StudioDocu
   return addArea(document, { name, layer: layers[0].name, combine, activation: 0, weights })
 }
 
-/** Removes an area, and the drivers that activate it; those that read it read it no more. */
+/** Removes an area and the drivers that activate it. Drivers that read the area lose that input. */
 export function removeArea(document: StudioDocument, name: string): StudioDocument {
   named(document.areas, name, 'area')
   return {
@@ -39,13 +39,13 @@ export function removeArea(document: StudioDocument, name: string): StudioDocume
   }
 }
 
-/** Renames an area, in drivers, strokes and their shapes too. */
+/** Renames an area, also in drivers, strokes and stroke areas. */
 export function renameArea(document: StudioDocument, name: string, newName: string): StudioDocument {
   if (newName === name) return document
   checkNewName(document.areas, newName, 'area')
   return {
     ...document,
-    // Under another name, an automatic area would not be found again.
+    // A renamed area is no longer automatic: `remake` finds automatic areas by name.
     areas: withNamed(document.areas, name, 'area', ({ isAutomatic: _, ...area }) => ({
       ...area,
       name: newName,
@@ -58,7 +58,7 @@ export function renameArea(document: StudioDocument, name: string, newName: stri
   }
 }
 
-/** Copies an area with the drivers that activate it, under another name. */
+/** Copies an area and the drivers that activate it, under a free name. */
 export function duplicateArea(document: StudioDocument, name: string): StudioDocument {
   const copy = freeName(document.areas, name)
   const { isAutomatic: _, ...area } = named(document.areas, name, 'area')
@@ -67,10 +67,10 @@ export function duplicateArea(document: StudioDocument, name: string): StudioDoc
 }
 
 /**
- * Shows an area on the other side of the face too: the area that is called so gets these weights; where there is none it is added, with the
- * drivers of the first one reading the blendshapes of the other side.
+ * Mirrors an area to the other side of the face. Replaces the weights of the area with the mirrored name, or adds that area, with
+ * drivers that read the blendshapes of the other side.
  *
- * @param weights the mirror image of the area's.
+ * @param weights mirror image of the area's weights.
  */
 export function mirrorArea(document: StudioDocument, name: string, weights: GrayImage): StudioDocument {
   const other = mirroredName(document, name)
@@ -81,20 +81,20 @@ export function mirrorArea(document: StudioDocument, name: string, weights: Gray
   return { ...added, drivers: [...document.drivers, ...drivers] }
 }
 
-/** What the mirror image of an area is called. */
+/** Returns the name of an area's mirror image. */
 export function mirroredName({ areas }: StudioDocument, name: string): string {
   const other = otherSide(name)
   return other === name ? freeName(areas, name) : other
 }
 
-/** @throws FurrowError when the layer is unknown or the activation outside 0..1. */
+/** @throws FurrowError if the layer is unknown or the activation is outside 0..1. */
 export function setArea(document: StudioDocument, name: string, fields: AreaFields): StudioDocument {
   if (fields.layer !== undefined) named(document.layers, fields.layer, 'layer')
   checkRange(`activation of ${name} at rest`, fields.activation, 0, 1)
   return { ...document, areas: withNamed(document.areas, name, 'area', (area) => ({ ...area, ...fields })) }
 }
 
-/** Replaces the weights of an area: what was painted. It is automatic no more. */
+/** Replaces the weights of an area with painted ones. The area is then no longer automatic. */
 export function paintArea(document: StudioDocument, name: string, weights: GrayImage): StudioDocument {
   checkSize(document, weights)
   const paint = ({ isAutomatic: _, ...area }: StudioArea) => ({ ...area, weights })

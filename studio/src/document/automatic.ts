@@ -13,14 +13,14 @@ import {
 import { areaOf } from './drivers.ts'
 import { shapesOf } from './stroke-areas.ts'
 
-/** Names that `autoWrinkles` gives to layers. */
+/** Layer names that `autoWrinkles` assigns. */
 const AUTOMATIC_LAYER = /^auto\d$/
 
 /**
- * A document of automatic wrinkles: their lines as strokes, which draw the maps; blood, areas, drivers and expressions.
+ * Makes a document of automatic wrinkles: lines as strokes, areas, blood, drivers and expressions.
  *
- * @param names of the mesh and the material.
- * @param bloodMaps of the layers, as files; none for a preview, whose maps are never drawn from it.
+ * @param names names of the mesh and the material.
+ * @param bloodMaps one encoded map per layer; omitted for previews, which never draw from the document.
  */
 export function automaticDocument(
   wrinkles: AutoWrinkles,
@@ -54,8 +54,8 @@ export function automaticDocument(
 }
 
 /**
- * Replaces the automatic wrinkles of a document by others, and keeps what an artist has made or changed: areas that were painted with the
- * strokes of their group, strokes that were bent, layers with images, blood maps among them, and drivers of areas that stay.
+ * Replaces the automatic wrinkles of a document and keeps an artist's work. Kept are painted areas with the strokes of their group, bent
+ * strokes, layers with images such as blood maps, and the drivers of kept areas.
  */
 export function remake(document: StudioDocument, made: StudioDocument): StudioDocument {
   const keptAreas = document.areas.filter((area) => !area.isAutomatic)
@@ -63,7 +63,7 @@ export function remake(document: StudioDocument, made: StudioDocument): StudioDo
   const keptStrokes = document.strokes.filter(
     ({ isAutomatic, group }) => !isAutomatic || (group !== undefined && keptNames.has(group)),
   )
-  // Where one line of a group was bent, the others of the group stay as they are beside it.
+  // If one line of a group was bent, the group keeps its other lines too.
   const keptGroups = new Set(keptStrokes.map(({ group }) => group))
   const stays = ({ group }: LayerStroke) => keptGroups.has(group)
   const strokes = [
@@ -71,7 +71,7 @@ export function remake(document: StudioDocument, made: StudioDocument): StudioDo
     ...made.strokes.filter((stroke) => !stays(stroke) && !keptNames.has(stroke.group ?? '')),
   ]
   const areas = [...keptAreas, ...made.areas.filter(({ name }) => !keptNames.has(name))]
-  // Strokes are drawn over images of layers, which keep their size.
+  // Images keep their size, and strokes are drawn over them.
   const hasImages = document.layers.some(hasOwnMaps)
   return {
     ...made,
@@ -93,7 +93,7 @@ export function remake(document: StudioDocument, made: StudioDocument): StudioDo
   }
 }
 
-/** How many layers automatic wrinkles may have: those that an artist has made stay. Throws FurrowError where none is left. */
+/** Returns the number of layers available to automatic wrinkles, beside an artist's own. Throws FurrowError if there is none. */
 export function layersLeft(document: StudioDocument | null): number {
   const own = (document?.layers ?? []).filter(({ name }) => !AUTOMATIC_LAYER.test(name)).length
   if (own < MAX_LAYERS) return MAX_LAYERS - own
@@ -107,7 +107,7 @@ export function layersLeft(document: StudioDocument | null): number {
   })
 }
 
-/** Areas on the layer where their lines are: those whose lines stay do not move to another. */
+/** Moves automatic areas to the layer of their kept lines. */
 function withOldLayers(
   areas: readonly StudioArea[],
   document: StudioDocument,
@@ -120,17 +120,17 @@ function withOldLayers(
   })
 }
 
-/** Left and right may have their lines in common, in a group without a side. */
+/** Left and right areas can share one group without a side. */
 function isOf({ group }: LayerStroke, area: string): boolean {
   return group === area || group === area.replace(/(Left|Right)$/, '')
 }
 
-/** Whether a layer has maps that are not automatic. */
+/** Whether a layer has maps other than automatic blood. */
 function hasOwnMaps({ maps, isBloodAutomatic }: StudioLayer): boolean {
   return Object.keys(maps).some((map) => map !== 'blood' || !isBloodAutomatic)
 }
 
-/** The layers of both that are in use, those of the document as they are but for automatic blood. */
+/** Merges the used layers of both documents. Existing layers change only in their automatic blood. */
 function joinedLayers(
   document: StudioDocument,
   made: StudioDocument,
@@ -152,7 +152,7 @@ function joinedLayers(
   )
 }
 
-/** A layer with the blood of another one, unless it has a map of its own. @param isAsStrong whether its amplitude stays. */
+/** Copies blood to a layer that has no blood map of its own. @param isAsStrong keeps the layer's amplitude. */
 function withBloodOf(
   { maps: { blood }, bloodAmplitude }: StudioLayer,
   layer: StudioLayer,

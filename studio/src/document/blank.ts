@@ -1,10 +1,10 @@
 import { DEFAULT_AREA_SIZE } from 'furrow/internal'
 import { type AutoSettings, LAYER_DEFAULTS, type StudioDocument } from './document.ts'
 
-/** Of a face in metres, as glTF has them. */
+/** Millimetres per unit: glTF positions are in metres. */
 const MILLIMETRES = 1000
 
-/** A document of smooth skin, to paint and draw on. */
+/** Makes a document of smooth skin to paint and draw on. */
 export function blankDocument(auto: AutoSettings | undefined): StudioDocument {
   return {
     scale: MILLIMETRES,

@@ -1,28 +1,28 @@
 import type { Curve } from 'furrow'
 import { curveAt } from 'furrow/internal'
 
-/** Numbers from the least to the greatest. */
+/** Numeric range. */
 export type Range = readonly [low: number, high: number]
 
-/** What a curve is drawn over, and how far its points go. */
+/** Axis ranges of a curve editor. */
 export interface CurveRanges {
   readonly input: Range
   readonly output: Range
 }
 
-/** Parts of an axis by which arrow keys move a point, and which numbers are rounded to. */
+/** Steps per axis, for arrow keys and rounding. */
 const STEPS = 100
 
-/** A neat number that is about a hundredth of a range: 0.01 of 0..1, 0.5 of 20..80. */
+/** Returns a round number near a hundredth of a range: 0.01 for 0..1, 0.5 for 20..80. */
 export function stepOf([low, high]: Range): number {
   const step = (high - low) / STEPS
   const power = 10 ** Math.floor(Math.log10(step))
   const digit = step / power
-  // Only just below the next neat number is still that number.
+  // Tolerates rounding just below the next round number.
   return power * (digit > 4.999 ? 5 : digit > 1.999 ? 2 : 1)
 }
 
-/** The curve with one of its points elsewhere: within the ranges, and between its neighbours. */
+/** Moves one point of a curve, clamped to the ranges and between its neighbours. */
 export function movePoint(
   curve: Readonly<Curve>,
   index: number,
@@ -42,7 +42,7 @@ export function movePoint(
   return curve.map((point, i) => (i === index ? moved : point))
 }
 
-/** The curve with a point more on its line; as it is where the next one is nearer than a step. */
+/** Adds a point on the curve, unless another point is within one step. */
 export function addPoint(curve: Readonly<Curve>, input: number, ranges: CurveRanges): Curve {
   const step = stepOf(ranges.input)
   const place = clamp(rounded(input, step), ranges.input)
@@ -51,7 +51,7 @@ export function addPoint(curve: Readonly<Curve>, input: number, ranges: CurveRan
   return [...curve, [place, output] as Curve[number]].sort(([a], [b]) => a - b)
 }
 
-/** The middle of the widest gap between points: where one more has most room. */
+/** Returns the middle of the widest gap between points. */
 export function widestGap(curve: Readonly<Curve>): number {
   const gaps = curve
     .slice(1)
@@ -59,12 +59,12 @@ export function widestGap(curve: Readonly<Curve>): number {
   return gaps.reduce((widest, gap) => (gap.width > widest.width ? gap : widest)).middle
 }
 
-/** The curve without one of its points; as it is where only two are left. */
+/** Removes a point, unless only two are left. */
 export function removePoint(curve: Readonly<Curve>, index: number): Curve {
   return curve.length > 2 ? curve.filter((_, i) => i !== index) : [...curve]
 }
 
-/** A range that holds the inputs of a curve, with room to drag its ends. */
+/** Returns `usual` if it holds all inputs of a curve, else a rounded range with room to drag the ends. */
 export function rangeAround(curve: Readonly<Curve>, usual?: Range): Range {
   const [first, last] = [curve[0][0], curve[curve.length - 1][0]]
   if (usual && first >= usual[0] && last <= usual[1]) return usual
@@ -85,7 +85,7 @@ function rounded(value: number, step: number): number {
   return exact(Math.round(value / step) * step)
 }
 
-/** Without the digits that floating point adds. */
+/** Removes floating-point noise. */
 function exact(value: number): number {
   return Number(value.toPrecision(12))
 }

@@ -2,15 +2,15 @@ import { type ConflictDriver, driversOf, findTargets, type MorphDriver, type Wri
 import { canonicalTargetName, isKnownDriver, planDrivers } from 'furrow/internal'
 import { areaOf } from './drivers.ts'
 
-/** Why a driver has less effect than it says, and what to do about it. */
+/** Why a driver has less effect than it states, and the remedy. */
 export interface DriverFault {
   readonly text: string
   readonly remedy: string
-  /** Index of a driver whose removal mends it. */
+  /** Index of the driver whose removal fixes the problem. */
   readonly removes?: number
 }
 
-/** Faults of the drivers of one area, by the driver's index. */
+/** Finds problems of one area's drivers, by driver index. */
 export function driverFaults(
   drivers: readonly WrinkleDriver[],
   area: string,
@@ -30,7 +30,7 @@ export function driverFaults(
   return faults
 }
 
-/** Indices of the conflicts that concern an area: between blendshapes that drive it, or that drive no area yet. */
+/** Returns the indices of conflicts between blendshapes that drive the area, or that drive no area. */
 export function conflictsOf(drivers: readonly WrinkleDriver[], area: string): number[] {
   const morphs = driversOf('morph', drivers)
   const read = (names: readonly MorphDriver[]) =>
@@ -61,7 +61,7 @@ function cycle(area: string, removes: number): DriverFault {
   }
 }
 
-/** Of several delays of one area, the last counts. */
+/** The last delay of an area takes effect. */
 function earlierDelay(
   drivers: readonly WrinkleDriver[],
   driver: WrinkleDriver,

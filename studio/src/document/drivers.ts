@@ -11,15 +11,15 @@ import type { StudioDocument } from './document.ts'
 import { changed, kept, named } from './names.ts'
 import { otherSide } from './sides.ts'
 
-/** A weight below which a blendshape counts as not set. */
+/** Weights up to this value count as unset. */
 const UNSET = 0.01
 
 /**
- * Records that the present pose fully shows an area: one driver that reads the blendshapes which are set, as a weighted sum that is 1 in
- * this pose. It replaces the drivers that read blendshapes for this area.
+ * Records that the current pose fully shows an area. One driver reads the set blendshapes as a weighted sum that is 1 in this pose.
+ * It replaces the area's drivers that read blendshapes.
  *
- * @param weights of the blendshapes by name, 0..1.
- * @throws FurrowError when conflicts leave nothing of the blendshapes that are set.
+ * @param weights blendshape weights by name, 0..1.
+ * @throws FurrowError if conflicts cancel every set blendshape.
  */
 export function recordPose(
   document: StudioDocument,
@@ -38,7 +38,7 @@ export function recordPose(
   return addDriver({ ...document, drivers: others }, { type: 'morph', area, targets, rule: 'sum' })
 }
 
-/** The weights as drivers read them: of two blendshapes that cancel each other, what remains. */
+/** Applies conflicts: two blendshapes that cancel each other keep their difference. */
 function afterConflicts(
   drivers: readonly WrinkleDriver[],
   weights: ReadonlyMap<string, number>,
@@ -62,13 +62,13 @@ function cancelled(set: readonly (readonly [string, number])[]): FurrowError {
   })
 }
 
-/** @throws FurrowError when the driver is malformed. */
+/** @throws FurrowError if the driver is invalid. */
 export function setDriver(document: StudioDocument, index: number, driver: WrinkleDriver): StudioDocument {
   const [checked] = read(document, driver)
   return { ...document, drivers: document.drivers.map((old, i) => (i === index ? checked : old)) }
 }
 
-/** @throws FurrowError when the driver is malformed. */
+/** @throws FurrowError if the driver is invalid. */
 export function addDriver(document: StudioDocument, driver: WrinkleDriver): StudioDocument {
   return { ...document, drivers: [...document.drivers, ...read(document, driver)] }
 }
@@ -85,7 +85,7 @@ export function removeDriver(document: StudioDocument, index: number): StudioDoc
   return { ...document, drivers: document.drivers.filter((_, i) => i !== index) }
 }
 
-/** The drivers with another name for an area, wherever they name it. */
+/** Renames an area in all drivers. */
 export function renameInDrivers(
   drivers: readonly WrinkleDriver[],
   name: string,
@@ -95,7 +95,7 @@ export function renameInDrivers(
   return changed(drivers, (driver) => withAreas(driver, (area) => [rename(area)]))
 }
 
-/** The drivers without those that activate an area, and without its name in the others. A muscle goes on moving the skin. */
+/** Removes an area from drivers, and the drivers that activate it. A muscle stays and moves the skin. */
 export function withoutArea(drivers: readonly WrinkleDriver[], name: string): readonly WrinkleDriver[] {
   const free = changed(drivers, (driver) => {
     if (driver.type !== 'muscle' || areaOf(driver) !== name) return driver
@@ -107,7 +107,7 @@ export function withoutArea(drivers: readonly WrinkleDriver[], name: string): re
   return kept(unread, (driver) => driver.type !== 'area' || (driver as { areas: Link[] }).areas.length > 0)
 }
 
-/** Copies of the drivers that activate an area, for another. */
+/** Copies an area's drivers for another area. */
 export function driversOfNewArea(
   drivers: readonly WrinkleDriver[],
   name: string,
@@ -116,13 +116,13 @@ export function driversOfNewArea(
   return drivers.flatMap((driver) => {
     if (areaOf(driver) !== name) return []
     if (driver.type !== 'muscle') return [{ ...driver, area: newName }]
-    // A second muscle of that name would pull the skin twice: the copy reads the first one's blendshape.
+    // A second muscle of the same name would pull the skin twice, so the copy reads the muscle's blendshape.
     const targets = [{ name: (driver as MuscleDriver).name }]
     return parseDrivers([{ type: 'morph', area: newName, targets }], [newName], 'Studio')
   })
 }
 
-/** A driver that reads the blendshapes of the other side. */
+/** Makes a blendshape driver read the blendshapes of the other side. */
 export function onOtherSide(driver: WrinkleDriver): WrinkleDriver {
   if (driver.type !== 'morph') return driver
   const { targets } = driver as WrinkleDriver & { targets: Link[] }
@@ -133,8 +133,8 @@ export function onOtherSide(driver: WrinkleDriver): WrinkleDriver {
 }
 
 /**
- * Maps every area that a driver names: the one it activates, those that it reads, and those of an expression. The driver itself where nothing
- * changes.
+ * Maps every area that a driver names: the activated one, inputs, and activations of an expression. Returns the same driver if
+ * nothing changes.
  */
 function withAreas(driver: WrinkleDriver, map: (area: string) => string[]): WrinkleDriver {
   const fields: Record<string, unknown> = { ...driver }
@@ -151,7 +151,7 @@ function withAreas(driver: WrinkleDriver, map: (area: string) => string[]): Wrin
   return JSON.stringify(fields) === JSON.stringify(driver) ? driver : (fields as WrinkleDriver)
 }
 
-/** The area that a driver activates; undefined where it activates none. */
+/** Returns the area that a driver activates, or undefined. */
 export function areaOf(driver: WrinkleDriver): string | undefined {
   return 'area' in driver && typeof driver.area === 'string' ? driver.area : undefined
 }

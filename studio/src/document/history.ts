@@ -1,25 +1,22 @@
 import type { StudioDocument } from './document.ts'
 
-/** Steps that are kept however many bytes they hold, and bytes up to which more are kept. */
+/** Number of steps kept regardless of size, maximum number of steps, and bytes allowed for the additional ones. */
 const LEAST_STEPS = 200
 const MOST_STEPS = 2000
 const BYTES = 64 * 2 ** 20
 
 interface Step {
-  /** What was done, for the tooltip of undo. */
+  /** Action name, shown in the undo tooltip. */
   label: string
   before: StudioDocument
   after: StudioDocument
-  /** What this step keeps from being forgotten; see `lostBytes`. */
+  /** Bytes that this step keeps in memory; see `lostBytes`. */
   bytes: number
-  /** Changes with the same key in a row are one step, as those of a slider that is dragged. */
+  /** Consecutive changes with the same key are one step, such as those of a dragged slider. */
   key?: string | undefined
 }
 
-/**
- * The present document, and the steps that led to it. Old documents are kept as they are: they hold what was changed, and nothing twice, since
- * documents have in common what a step left alone.
- */
+/** The current document with undo and redo. Documents share unchanged parts, so old ones are kept as they are. */
 export class History {
   #document: StudioDocument
   #done: Step[] = []
@@ -33,7 +30,7 @@ export class History {
     return this.#document
   }
 
-  /** What undo and redo would do; undefined where there is nothing. */
+  /** Label of the next undo step, if any. */
   get undoLabel(): string | undefined {
     return this.#done.at(-1)?.label
   }
@@ -43,7 +40,7 @@ export class History {
   }
 
   /**
-   * Moves on to another document.
+   * Adds a step.
    *
    * @param key merges this step with the last one of the same key, until `settle` is called.
    */
@@ -60,7 +57,7 @@ export class History {
     this.#trim()
   }
 
-  /** Ends a series of changes that are one step: the next one is a step of its own. */
+  /** Ends a series of merged changes. */
   settle(): void {
     const last = this.#done.at(-1)
     if (last) last.key = undefined
@@ -89,7 +86,7 @@ export class History {
   }
 }
 
-/** Bytes of the images of a document that another does not have, and about those of its strokes. */
+/** Bytes of the images in `before` that `after` does not share, plus an estimate for strokes. */
 function lostBytes(before: StudioDocument, after: StudioDocument): number {
   const [old, next] = [partsOf(before), partsOf(after)]
   const isLost = (part: object) => !next.has(part)

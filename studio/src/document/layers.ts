@@ -10,22 +10,22 @@ import {
 import { changed, checkCount, checkNewName, kept, named, withNamed } from './names.ts'
 import { checkRange } from './ranges.ts'
 
-/** Largest scale or amplitude that files may hold. */
+/** Maximum scale and amplitude in files. */
 const LARGEST = 1000
 
-/** Fields of a layer that are set as they are. */
+/** Layer fields that are set without further changes. */
 export type LayerFields = Partial<
   Pick<StudioLayer, 'kind' | 'normalScale' | 'occlusionStrength' | 'heightAmplitude' | 'bloodAmplitude'>
 >
 
-/** A new layer without maps: strokes are drawn on it. Throws FurrowError when its name is taken or there are 4. */
+/** Adds a layer without maps. Throws FurrowError if the name is taken or there are 4 layers. */
 export function addLayer(document: StudioDocument, name: string): StudioDocument {
   checkNewName(document.layers, name, 'layer')
   checkCount(document.layers, MAX_LAYERS, 'layer')
   return { ...document, layers: [...document.layers, { ...LAYER_DEFAULTS, name }] }
 }
 
-/** Removes a layer with its strokes and furrows. Throws FurrowError when areas still show it. */
+/** Removes a layer with its strokes and furrows. Throws FurrowError if areas still use it. */
 export function removeLayer(document: StudioDocument, name: string): StudioDocument {
   named(document.layers, name, 'layer')
   const shown = document.areas.filter(({ layer }) => layer === name)
@@ -46,7 +46,7 @@ export function removeLayer(document: StudioDocument, name: string): StudioDocum
   }
 }
 
-/** Renames a layer, in areas, strokes and furrows too. */
+/** Renames a layer, also in areas, strokes and furrows. */
 export function renameLayer(document: StudioDocument, name: string, newName: string): StudioDocument {
   if (newName === name) return document
   checkNewName(document.layers, newName, 'layer')
@@ -61,14 +61,14 @@ export function renameLayer(document: StudioDocument, name: string, newName: str
   }
 }
 
-/** Moves a layer to another position. Only the order in files and lists changes: layers do not cover each other. */
+/** Moves a layer to another index. The order matters only in files and lists: layers do not cover each other. */
 export function moveLayer(document: StudioDocument, name: string, index: number): StudioDocument {
   const layer = named(document.layers, name, 'layer')
   const others = document.layers.filter((each) => each !== layer)
   return { ...document, layers: [...others.slice(0, index), layer, ...others.slice(index)] }
 }
 
-/** @throws FurrowError when the layer is unknown or a number outside what files may hold. */
+/** @throws FurrowError if the layer is unknown or a number is outside the range that files allow. */
 export function setLayer(document: StudioDocument, name: string, fields: LayerFields): StudioDocument {
   checkRange(`normal scale of ${name}`, fields.normalScale, -LARGEST, LARGEST)
   checkRange(`strength of the occlusion of ${name}`, fields.occlusionStrength, 0, 1)
@@ -80,7 +80,7 @@ export function setLayer(document: StudioDocument, name: string, fields: LayerFi
   }
 }
 
-/** Sets a map of a layer, or removes it. */
+/** Sets or removes a map of a layer. */
 export function setMap(
   document: StudioDocument,
   name: string,

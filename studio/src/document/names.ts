@@ -1,12 +1,12 @@
 import { FurrowError } from 'furrow'
 import { isName, LONGEST_NAME } from 'furrow/internal'
 
-/** What has a name of its own among its kind. */
+/** Item with a unique name among its kind. */
 interface Named {
   readonly name: string
 }
 
-/** The item with a name. Throws FurrowError where there is none. */
+/** Finds an item by name. Throws FurrowError if the name is unknown. */
 export function named<T extends Named>(items: readonly T[], name: string, kind: string): T {
   const item = items.find((each) => each.name === name)
   if (item) return item
@@ -20,18 +20,18 @@ export function named<T extends Named>(items: readonly T[], name: string, kind: 
   })
 }
 
-/** The items as `change` makes them; the same array where it changes none. */
+/** Maps items. Returns the same array if no item changes. */
 export function changed<T>(items: readonly T[], change: (item: T) => T): readonly T[] {
   const others = items.map(change)
   return others.every((item, i) => item === items[i]) ? items : others
 }
 
-/** The items that pass a test; the same array where all do. */
+/** Filters items. Returns the same array if all pass. */
 export function kept<T>(items: readonly T[], test: (item: T) => boolean): readonly T[] {
   return items.every(test) ? items : items.filter(test)
 }
 
-/** The items with one of them replaced. */
+/** Replaces the item with this name. */
 export function withNamed<T extends Named>(
   items: readonly T[],
   name: string,
@@ -42,7 +42,7 @@ export function withNamed<T extends Named>(
   return items.map((item) => (item === old ? change(item) : item))
 }
 
-/** Throws FurrowError where there are as many items as there may be. */
+/** Throws FurrowError if the maximum number of items is reached. */
 export function checkCount(items: readonly Named[], most: number, kind: string): void {
   if (items.length < most) return
   throw new FurrowError({
@@ -55,7 +55,7 @@ export function checkCount(items: readonly Named[], most: number, kind: string):
   })
 }
 
-/** Throws FurrowError where a name is malformed or taken. */
+/** Throws FurrowError if a name is invalid or taken. */
 export function checkNewName(items: readonly Named[], name: string, kind: string): void {
   if (!isName(name)) {
     throw new FurrowError({
@@ -75,7 +75,7 @@ export function checkNewName(items: readonly Named[], name: string, kind: string
   })
 }
 
-/** A name that is not taken: `name`, `name 2`, `name 3`... */
+/** Returns a free name: `name`, `name 2`, `name 3`... */
 export function freeName(items: readonly Named[], name: string): string {
   const isTaken = (candidate: string) => items.some((item) => item.name === candidate)
   if (!isTaken(name)) return name
@@ -86,7 +86,7 @@ export function freeName(items: readonly Named[], name: string): string {
   }
 }
 
-/** No longer than a name may be. */
+/** Shortens the stem to stay within the longest allowed name. */
 function withNumber(stem: string, number: number): string {
   const end = ` ${number}`
   return [...stem].slice(0, LONGEST_NAME - end.length).join('') + end

@@ -4,32 +4,32 @@ import { type Pixels, withoutAlpha } from 'furrow-files'
 import { type ImageFile, MAP_NAMES, type MapName, type StudioDocument, type StudioLayer } from './document.ts'
 import type { DrawnMaps } from './drawn-maps.ts'
 
-/** A document with the maps that were drawn from its strokes. */
+/** Document with the maps drawn from its strokes. */
 export interface DocumentToPack {
   document: StudioDocument
-  /** By the names of layers with strokes. */
+  /** Maps by name of each layer with strokes. */
   drawn: ReadonlyMap<string, StrokeMaps>
 }
 
-/** The maps of a layer that are drawn from strokes, with their heights. */
+/** Maps and heights drawn from the strokes of a layer. */
 export interface StrokeMaps extends DrawnMaps {
   readonly heights: HeightMap
 }
 
-/** A map as it is in a file, or pixels that are not encoded yet. */
+/** Encoded map, or pixels to encode. */
 export type LayerMap = ImageFile | Pixels
 
-/** A layer with the maps that a file holds. */
+/** Layer with the maps to write to a file. */
 export interface PackedLayer {
   layer: StudioLayer
-  /** At least a normal map. */
+  /** Contains at least a normal map. */
   maps: { [Name in MapName]?: LayerMap }
-  /** Maps that are drawn and stand in the place of the layer's own. */
+  /** Drawn maps, which replace the layer's own. */
   drawn: MapName[]
   heightAmplitude?: number
 }
 
-/** The layers of a document as files hold them: with the maps of their strokes, and with flat normals where they have none. */
+/** Prepares layers for writing: adds the maps of their strokes, or flat normals if a layer has no normal map. */
 export function packedLayers({ document: { layers, mapSize }, drawn }: DocumentToPack): PackedLayer[] {
   let flat: Pixels | undefined
   return layers.map((layer): PackedLayer => {
@@ -51,8 +51,8 @@ export function packedLayers({ document: { layers, mapSize }, drawn }: DocumentT
 }
 
 /**
- * Occlusion and heights have half the side of the normals, as automatic wrinkles write them: only normals show how steep a crease is. Heights
- * of the layer's own stay.
+ * Occlusion and heights have half the side of the normals, as automatic wrinkles write them: only normals show how steep a crease
+ * is. The layer's own height map has precedence.
  */
 function mapsOf(
   { normal, occlusion, heights }: StrokeMaps,

@@ -1,6 +1,6 @@
 import { FurrowError } from 'furrow'
 
-/** Throws FurrowError where a number is not finite or outside a range; undefined passes. */
+/** Throws FurrowError if a number is not finite or outside a range. Accepts undefined. */
 export function checkRange(problem: string, value: number | undefined, low: number, high: number): void {
   if (value === undefined || (value >= low && value <= high)) return
   throw new FurrowError({

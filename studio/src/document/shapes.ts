@@ -2,9 +2,9 @@ import type { ShapeCorrection } from 'furrow/internal'
 import type { StudioDocument } from './document.ts'
 
 /**
- * Corrects what a blendshape is. Of several corrections that name it the first counts, so that this one is first.
+ * Corrects the meaning of a blendshape. Inserts the correction first, because the first one that matches takes effect.
  *
- * @param correction names mesh and blendshape as they are spelled in the file.
+ * @param correction names the mesh and the blendshape as spelled in the file.
  */
 export function correctShape(document: StudioDocument, correction: ShapeCorrection): StudioDocument {
   const { shapes = [] } = document
@@ -13,7 +13,7 @@ export function correctShape(document: StudioDocument, correction: ShapeCorrecti
   return { ...document, shapes: [correction, ...others] }
 }
 
-/** Removes the corrections for which a function says so. */
+/** Removes matching corrections. */
 export function removeCorrections(
   document: StudioDocument,
   isOne: (correction: ShapeCorrection) => boolean,
@@ -24,7 +24,7 @@ export function removeCorrections(
   return left.length === 0 ? others : { ...others, shapes: left }
 }
 
-/** Whether the automatic wrinkles were made with other corrections than the document has now. */
+/** Whether the corrections changed after the automatic wrinkles were made. */
 export function areWrinklesOutdated({ shapes = [], auto }: Pick<StudioDocument, 'shapes' | 'auto'>): boolean {
   const made = auto?.shapes ?? []
   const isMade = (correction: ShapeCorrection) => made.some((other) => isSame(other, correction))

@@ -1,4 +1,4 @@
-/** What the other side of the face is called; the same name where it tells no side. */
+/** Returns the name with its side swapped, or the same name if it has no side. */
 export function otherSide(name: string): string {
   for (const [side, other] of SIDES) {
     const swapped = name.replace(side, other)
@@ -7,13 +7,13 @@ export function otherSide(name: string): string {
   return name
 }
 
-/** The end of a name that tells its side, with what is before it. */
+/** Splits a name into its stem and its side suffix. */
 export function splitSide(name: string): [start: string, side: string] {
   const side = name.match(/(Left|Right|[_. -][LRlr])$/)?.[0] ?? ''
   return [name.slice(0, name.length - side.length), side]
 }
 
-/** `browLeft`, `leftBrow`, `brow_left`, `brow_L`, as blendshapes and areas are named. */
+/** Side markers of blendshape and area names: `browLeft`, `leftBrow`, `brow_left`, `brow_L`. */
 const SIDES = [
   [/Left(?![a-z])/, 'Right'],
   [/Right(?![a-z])/, 'Left'],

@@ -5,7 +5,7 @@ import { changed, kept } from './names.ts'
 
 type Shapes = Pick<StudioDocument, 'strokeAreas'>
 
-/** The shapes of areas with another name for one of them, and for the group of strokes that has its name. */
+/** Renames an area and its stroke group in the stroke areas. */
 export function renameInShapes({ strokeAreas }: StudioDocument, name: string, newName: string): Shapes {
   if (!strokeAreas) return {}
   const rename = (shape: AreaShape): AreaShape =>
@@ -19,12 +19,12 @@ export function renameInShapes({ strokeAreas }: StudioDocument, name: string, ne
   return { strokeAreas: renamed as AreaDefinition[] }
 }
 
-/** The shapes of areas without those of one. */
+/** Removes the shapes of one area. */
 export function withoutShapes(document: StudioDocument, name: string): Shapes {
   return shapesWhere(document, (area) => area !== name)
 }
 
-/** The shapes of some areas. */
+/** Keeps the shapes of the named areas. */
 export function shapesOf(document: StudioDocument, names: ReadonlySet<string>): Shapes {
   return shapesWhere(document, (area) => names.has(area))
 }

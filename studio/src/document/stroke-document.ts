@@ -3,8 +3,8 @@ import { isFileName } from 'furrow/internal'
 import type { StudioDocument } from './document.ts'
 
 /**
- * The strokes of a document as `strokes.json` has them; undefined where there are none. Shapes that it could not have are left out: names no file
- * can have, no strokes.
+ * Returns the strokes as stored in `strokes.json`, or undefined if there are none. Omits shapes that the file cannot hold: area names
+ * that are invalid file names, and groups without strokes.
  */
 export function strokesDocument(document: StudioDocument): StrokesDocument | undefined {
   if (document.strokes.length === 0) return undefined

@@ -7,7 +7,7 @@ export function addStroke(document: StudioDocument, stroke: LayerStroke): Studio
   return { ...document, strokes: [...document.strokes, stroke] }
 }
 
-/** Replaces a stroke by others: none removes it, two split it. */
+/** Replaces a stroke: no strokes remove it, two split it. */
 export function replaceStroke(
   document: StudioDocument,
   stroke: LayerStroke,
@@ -17,12 +17,12 @@ export function replaceStroke(
   return { ...document, strokes: document.strokes.flatMap((each) => (each === stroke ? replaced : [each])) }
 }
 
-/** A stroke that is automatic no more. */
+/** Marks a stroke as hand-edited. */
 export function edited({ isAutomatic: _, ...stroke }: LayerStroke): LayerStroke {
   return stroke
 }
 
-/** The strokes of a layer, in order. */
+/** Returns the strokes of a layer, in order. */
 export function strokesOf({ strokes }: StudioDocument, layer: string): LayerStroke[] {
   return strokes.filter((stroke) => stroke.layer === layer)
 }

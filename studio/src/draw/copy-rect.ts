@@ -5,7 +5,7 @@ interface Pixels {
   data: Uint8Array
 }
 
-/** The texels of a rectangle, row by row. */
+/** Copies the texels of a rectangle, row by row. */
 export function copyRect(
   { width, data }: Pixels,
   { x0, y0, x1, y1 }: Bounds,

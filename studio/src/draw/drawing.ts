@@ -9,14 +9,14 @@ import { changesOf } from './changes.ts'
 import { pasteRect } from './copy-rect.ts'
 import type { DrawingService, DrawingSurface } from './messages.ts'
 
-/** Maps of a layer, and the strokes that they show. */
+/** Maps of a layer and the strokes drawn in them. */
 interface Sheet {
   maps: DrawnMaps
   strokes: readonly Stroke[]
   base: RgbaImage | null
 }
 
-/** The maps that a worker draws from strokes. Calls are answered in their order. */
+/** Draws strokes into maps, in a worker. Calls run in order. */
 export class Drawing {
   readonly #worker: Worker
   readonly #service: Remote<DrawingService>
@@ -31,28 +31,28 @@ export class Drawing {
     this.#service = wrap<DrawingService>(this.#worker)
   }
 
-  /** Rejects with a FurrowError when the worker ends by itself; so does all that is asked of it then. */
+  /** Rejects with a FurrowError if the worker dies. Pending calls then reject too. */
   get end(): Promise<never> {
     return this.#end
   }
 
-  /** Begins with another skin, or maps of another size. */
+  /** Starts with another skin or map size. */
   async begin(surface: DrawingSurface): Promise<void> {
     this.#surface = surface
     this.#sheets.clear()
     await this.#ask((service) => service.begin(surface))
   }
 
-  /** The maps of a layer, which `draw` changes in place; undefined before they were drawn. */
+  /** Returns the maps of a layer, which `draw` updates in place. Undefined before the first draw. */
   mapsOf(layer: string): DrawnMaps | undefined {
     return this.#sheets.get(layer)?.maps
   }
 
   /**
-   * Draws what changed since the last call for this layer.
+   * Draws the changes of a layer since the last call.
    *
-   * @param base smooth normal map under the strokes.
-   * @returns the rectangles that changed; null where all did.
+   * @param base smooth normal map below the strokes.
+   * @returns changed rectangles, or null if everything changed.
    */
   async draw(layer: string, strokes: readonly Stroke[], base: RgbaImage | null): Promise<Bounds[] | null> {
     const known = this.#sheets.get(layer)
@@ -67,19 +67,16 @@ export class Drawing {
     return sheet === known ? patches.map(({ bounds }) => bounds) : null
   }
 
-  /** Takes maps that show these strokes already; the worker draws them too, so that it can draw the next edit. */
+  /** Takes over maps that already show these strokes. The worker draws them too, to prepare for edits. */
   async adopt(layer: string, strokes: readonly Stroke[], maps: DrawnMaps): Promise<void> {
     this.#sheets.set(layer, { maps, strokes, base: null })
-    // Both at once: whatever is asked next comes after them.
+    // Sent together, so that later calls run after both.
     await this.#ask((service) =>
       Promise.all([service.addLayer(layer, null), service.draw(layer, [...strokes])]),
     )
   }
 
-  /**
-   * Lets the worker find, while nothing else is asked of it, what it needs when a stroke is edited; null for none. A stroke that it was not told of
-   * changes nothing.
-   */
+  /** Prepares the edit of a stroke while the worker is idle. Null cancels the preparation. Ignores unknown strokes. */
   async prepare(stroke: LayerStroke | null): Promise<void> {
     const index = stroke ? (this.#sheets.get(stroke.layer)?.strokes.indexOf(stroke) ?? -1) : -1
     if (stroke && index < 0) return
@@ -87,7 +84,7 @@ export class Drawing {
     await this.#ask((service) => service.prepare(known))
   }
 
-  /** The heights of a layer's strokes alone; undefined before they were drawn. */
+  /** Returns the heights of a layer's strokes. Undefined before the first draw. */
   async heightsOf(layer: string): Promise<HeightMap | undefined> {
     const maps = this.mapsOf(layer)
     if (!maps) return undefined
@@ -123,7 +120,7 @@ function died(reason: string | undefined): FurrowError {
   })
 }
 
-/** Maps of skin without strokes: normals that point outwards, or those of the base. */
+/** Makes maps without strokes: flat normals, or those of the base. */
 function flatMaps(size: number, base: RgbaImage | null): DrawnMaps {
   const data = base ? base.data.slice() : new Uint8Array(4 * size * size)
   if (!base) new Uint32Array(data.buffer).fill(FLAT)
@@ -133,5 +130,5 @@ function flatMaps(size: number, base: RgbaImage | null): DrawnMaps {
   }
 }
 
-/** 128, 128, 255, 255 in the order of memory: all browsers run on little-endian machines. */
+/** RGBA 128, 128, 255, 255 as a little-endian number: all browsers run on little-endian machines. */
 const FLAT = 0xffff8080

@@ -9,10 +9,10 @@ import type { SkinSource } from '../open/skin-source.ts'
 import type { LayerMaps } from '../viewer/document-view.ts'
 import { Drawing } from './drawing.ts'
 
-/** Rectangles of texels that changed in maps which are the same objects as before. */
+/** Changed rectangles of maps updated in place. */
 export type MapChanges = ReadonlyMap<LayerMaps, readonly Bounds[]>
 
-/** Makes the maps of a document's layers: a worker draws their strokes, over their images. */
+/** Makes the maps of a document's layers. A worker draws strokes over the images. */
 export class MapMaker {
   #drawing: Drawing | null = null
   #source: SkinSource | null = null
@@ -21,14 +21,14 @@ export class MapMaker {
   readonly #combined = new WeakMap<DrawnMaps, LayerMaps>()
   readonly #onEnd: (error: unknown) => void
 
-  /** @param onEnd is told when the worker ends by itself; the next call starts another. */
+  /** @param onEnd called when the worker dies. The next call starts another one. */
   constructor(onEnd: (error: unknown) => void) {
     this.#onEnd = onEnd
   }
 
   /**
-   * The maps of each layer, in their order: the same objects where they were not made anew. Call one after the other. Where the worker ends
-   * meanwhile, another one draws all of them.
+   * Makes the maps of each layer, in layer order. Returns the same objects for unchanged or updated maps. Calls must not overlap. If the
+   * worker dies, another one draws everything.
    */
   async make(document: StudioDocument, source: SkinSource): Promise<LayerMaps[]> {
     try {
@@ -50,9 +50,9 @@ export class MapMaker {
   }
 
   /**
-   * Takes the maps that automatic wrinkles came with, which show the strokes of the document.
+   * Takes over the maps of automatic wrinkles, which already show the strokes of the document.
    *
-   * @param bloods of the layers, as their images hold them.
+   * @param bloods blood maps of the layers, equal to their images.
    */
   async adopt(
     document: StudioDocument,
@@ -63,7 +63,7 @@ export class MapMaker {
     for (const [i, { maps }] of document.layers.entries()) {
       decodedImages.set(maps, Promise.resolve({ blood: bloods[i] }))
     }
-    // Where the worker ends or is ended, `make` draws everything.
+    // If the worker ends, `make` draws everything.
     const drawing = await this.#begin(document, source).catch(() => null)
     if (!drawing) return
     for (const { name, normal, occlusion } of layers) {
@@ -71,15 +71,15 @@ export class MapMaker {
     }
   }
 
-  /** Prepares the next edit of a stroke, so that the first one is as quick as those that follow; null for none. */
+  /** Prepares the next edit of a stroke, so that the first change is as fast as later ones. Null cancels. */
   prepare(stroke: LayerStroke | null): void {
-    // Where the worker ends, `make` starts another.
+    // If the worker ends, `make` starts another one.
     this.#drawing?.prepare(stroke).catch(() => {})
   }
 
-  /** The heights of the strokes of a document that was made, by the names of layers that have some. */
+  /** Returns the heights of drawn strokes, by name of each layer with strokes. */
   async heights(document: StudioDocument, source: SkinSource): Promise<ReadonlyMap<string, HeightMap>> {
-    // Its worker may have ended since.
+    // The worker may have ended meanwhile.
     if (!this.#drawing) await this.make(document, source)
     const heights = new Map<string, HeightMap>()
     for (const { name } of document.layers) {
@@ -90,14 +90,14 @@ export class MapMaker {
     return heights
   }
 
-  /** What changed since the last call. */
+  /** Returns the changes since the last call. */
   takeChanges(): MapChanges {
     const changes = this.#changes
     this.#changes = new Map()
     return changes
   }
 
-  /** Ends the worker; what it is drawing is rejected with an AbortError. */
+  /** Stops the worker. Pending draws reject with an AbortError. */
   close(): void {
     this.#drawing?.dispose()
     this.#drawing = null
@@ -138,7 +138,7 @@ export class MapMaker {
     return maps
   }
 
-  /** The maps that are drawn, with those of the layer that are not: the same object as long as both are. */
+  /** Adds the layer's other maps to the drawn ones. Returns the same object while the maps are the same. */
   #withOthers(drawn: DrawnMaps, { baseColor, roughness, blood }: OwnMaps): LayerMaps {
     if (!baseColor && !roughness && !blood) return drawn
     const fitting = blood && scaledBlood(blood, drawn.occlusion.width)
@@ -156,17 +156,17 @@ export class MapMaker {
   }
 }
 
-/** The decoded images of a layer, which may have no normals. */
+/** Decoded images of a layer. The normal map can be missing. */
 type OwnMaps = Partial<LayerMaps>
 
 function hasNormals(maps: OwnMaps): maps is LayerMaps {
   return maps.normal !== undefined
 }
 
-/** Blood maps by those they were scaled from: the same object as long as both sizes stay. */
+/** Cache of scaled blood maps. */
 const scaledBloods = new WeakMap<GrayImage, GrayImage>()
 
-/** Blood has the size of the occlusion, which strokes draw anew. */
+/** Scales a blood map to the size of the drawn occlusion map. */
 function scaledBlood(blood: GrayImage, size: number): GrayImage {
   const known = scaledBloods.get(blood)
   if (known?.width === size) return known
@@ -177,7 +177,7 @@ function scaledBlood(blood: GrayImage, size: number): GrayImage {
 
 const fittingMaps = new WeakMap<LayerMaps, LayerMaps>()
 
-/** The maps of a layer without strokes. @param size of maps that strokes draw. */
+/** Scales the blood map of a layer without strokes. @param size side of drawn maps, texels. */
 function withFittingBlood(own: LayerMaps, size: number): LayerMaps {
   if (!own.blood) return own
   const blood = scaledBlood(own.blood, own.occlusion?.width ?? size)
@@ -190,7 +190,7 @@ function withFittingBlood(own: LayerMaps, size: number): LayerMaps {
 
 const decodedImages = new WeakMap<StudioLayer['maps'], Promise<OwnMaps>>()
 
-/** The images of a layer, decoded once. Rejects with a FurrowError where one cannot be. */
+/** Decodes the images of a layer. Cached. Rejects with a FurrowError if an image is invalid. */
 function decoded({ name, maps }: StudioLayer): Promise<OwnMaps> {
   const known = decodedImages.get(maps)
   if (known) return known

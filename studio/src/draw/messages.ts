@@ -3,35 +3,35 @@ import type { MetricMesh, Stroke, TangentFrame } from 'furrow/author'
 import type { Bounds } from 'furrow/internal'
 import type { ListChanges } from './changes.ts'
 
-/** The skin that strokes are drawn on, and how. */
+/** Skin for drawing strokes, and the maps' properties. */
 export interface DrawingSurface {
   readonly mesh: MetricMesh
-  /** Side of the maps in texels. */
+  /** Side of the maps, texels. */
   readonly size: number
   /** Millimetres per unit of the mesh's positions. */
   readonly scale: number
   readonly frame: TangentFrame
 }
 
-/** Texels of the maps of a layer that changed. */
+/** Changed texels of a layer's maps. */
 export interface MapPatch {
   bounds: Bounds
   /** RGBA, row by row. */
   normal: Uint8Array
-  /** 255 = open to the light. */
+  /** One byte per texel, 255 = not occluded. */
   occlusion: Uint8Array
 }
 
-/** What the drawing worker does. */
+/** API of the drawing worker. */
 export interface DrawingService {
-  /** Begins with another skin, or maps of another size: all layers are without strokes. */
+  /** Starts with another skin or map size. Removes all layers. */
   begin(surface: DrawingSurface): void
-  /** Begins a layer, or begins it again, over a normal map of the same size where there is one. */
+  /** Adds or resets a layer, over an optional normal map of the same size. */
   addLayer(name: string, base: RgbaImage | null): void
-  /** Draws what changed of a layer's strokes. */
+  /** Draws changes of a layer's strokes. */
   draw(name: string, changes: ListChanges<Stroke>): MapPatch[]
-  /** Prepares the next edit of a stroke of a layer, given by its index, until another one is asked for; null for none. */
+  /** Prepares the edit of a stroke, given by its index in the layer, until the next call. Null cancels. */
   prepare(stroke: { layer: string; index: number } | null): Promise<void>
-  /** A copy of the heights of a layer's strokes; see `HeightMap`. */
+  /** Copies the heights of a layer's strokes; see `HeightMap`. */
   heights(name: string): Float32Array
 }

@@ -1,13 +1,13 @@
 import { nextTask } from '../later.ts'
 
-/** Steps of a preparation between which a worker answers calls: 500 texels, which take a few milliseconds. */
+/** Steps between checks for messages: 500 texels, a few milliseconds. */
 const SLICE = 8
 
-/** Work that may be needed soon, done in slices: whatever is asked of the worker comes between them. */
+/** Speculative work in slices, so that the worker can answer calls in between. */
 export class Preparation {
   #steps: Iterator<unknown> | null = null
 
-  /** Does some steps, instead of those that are left of the last call; null for none. */
+  /** Runs steps and discards those of the previous call. Null only discards. */
   async run(steps: Iterator<unknown> | null): Promise<void> {
     this.#steps = steps
     while (steps && steps === this.#steps) {

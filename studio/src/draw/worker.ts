@@ -1,4 +1,4 @@
-/** Draws strokes into maps, away from the page. */
+/** Worker that draws strokes into maps. */
 
 import { expose, transfer } from 'comlink'
 import { type SkinCanvas, type Stroke, StrokeLayer, skinCanvas } from 'furrow/author'

@@ -16,21 +16,20 @@ import type { OnProgress } from './export-document.ts'
 
 const WHO = 'Studio'
 
-/** The skin that a sculpt is baked for. */
+/** Skin that receives a baked sculpt. */
 export interface BakeTarget {
   face: FaceFiles
-  /** Name of its mesh; by default the first one with texture coordinates. */
+  /** Mesh name. Default: the first mesh with texture coordinates. */
   mesh?: string | undefined
-  /** Side of the map in texels. */
+  /** Side of the map, texels. */
   size: number
 }
 
 /**
- * Bakes a sculpt into a normal map of a face, as `furrow bake --tangents derivative` does: three.js derives the tangents of a mesh that has
- * none.
+ * Bakes a sculpt into a normal map of a face, like `furrow bake --tangents derivative`, because three.js derives missing tangents.
  *
- * @returns a PNG file.
- * @throws FurrowError when either cannot be read, or they do not coincide.
+ * @returns PNG file.
+ * @throws FurrowError if a model is invalid, or if the models do not coincide.
  */
 export async function bakeSculpt(
   sculpt: FaceFiles,

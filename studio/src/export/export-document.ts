@@ -14,19 +14,19 @@ import { type FaceFiles, openFace } from '../files/face-files.ts'
 import { setToPack } from './set-to-pack.ts'
 import { findingsOf } from './validate-face.ts'
 
-/** How a face is written; all as the options of `furrow pack` of these names. */
+/** Export options, as the options of `furrow pack` with these names. */
 export interface ExportOptions extends TargetNames {
-  /** Maps and areas as KTX 2 arrays, which stay compressed on the GPU. */
+  /** Whether maps and areas are KTX 2 arrays, which stay compressed on the GPU. */
   ktx2?: boolean
-  /** Side in texels that the layers' maps are scaled to; by default they keep their size. */
+  /** Side of the layers' maps, texels. Default: unchanged. */
   size?: number
-  /** Side of the areas in texels; by default the document's. */
+  /** Side of the areas, texels. Default: the document's. */
   areaSize?: number
 }
 
-/** A face with its wrinkles. */
+/** Face with its wrinkles. */
 export interface ExportedFace {
-  /** As a `.glb`, whose name a `.vrm` may have too. */
+  /** `.glb` file, also valid as `.vrm`. */
   bytes: Uint8Array
   /** Findings of `furrow validate`. */
   findings: Finding[]
@@ -35,15 +35,15 @@ export interface ExportedFace {
   warnings: string[]
 }
 
-/** Called with the number of steps that are done, and of all. */
+/** Receives the number of completed steps and their total. */
 export type OnProgress = (done: number, total: number) => void
 
 const WHO = 'Studio'
 
 /**
- * Adds the wrinkles of a document to a face and validates the result. The bytes are those of `furrow pack` on the folder of the document.
+ * Adds the wrinkles of a document to a face and validates the result. Produces the same bytes as `furrow pack` on the document's folder.
  *
- * @throws FurrowError when the face or the wrinkles cannot be used.
+ * @throws FurrowError if the face or the wrinkles are invalid.
  */
 export async function exportDocument(
   face: FaceFiles,

@@ -10,18 +10,17 @@ import type { BakeTarget } from './bake-sculpt.ts'
 import type { ExportedFace, ExportOptions, OnProgress } from './export-document.ts'
 import type { Tasks } from './worker.ts'
 
-/** How the page follows a task. */
+/** Progress callback and abort signal of a task. */
 export interface Following {
   onProgress?: OnProgress
-  /** Ends the worker when it is aborted. */
+  /** Aborting ends the worker. */
   signal?: AbortSignal | undefined
 }
 
 /**
- * `exportDocument` in a worker of its own. What it is given is copied and stays the page's.
+ * Runs `exportDocument` in a new worker, on copies of the arguments.
  *
- * @throws Error with the message of what `exportDocument` throws, FurrowError when the worker dies, and the signal's reason when
- *   that is aborted.
+ * @throws Error with the message of `exportDocument`'s error, FurrowError if the worker dies, and the signal's reason if aborted.
  */
 export function exportDocumentInWorker(
   face: FaceFiles,
@@ -32,7 +31,7 @@ export function exportDocumentInWorker(
   return run((tasks) => tasks.exportDocument(face, source, options, proxy(onProgress)), signal)
 }
 
-/** `folderFiles` in a worker of its own; see `exportDocumentInWorker`. */
+/** Runs `folderFiles` in a new worker; see `exportDocumentInWorker`. */
 export function folderFilesInWorker(
   source: DocumentToPack,
   face: readonly AvatarFile[],
@@ -40,17 +39,17 @@ export function folderFilesInWorker(
   return run((tasks) => tasks.folderFiles(source, face))
 }
 
-/** `readDocument` in a worker of its own; see `exportDocumentInWorker`. */
+/** Runs `readDocument` in a new worker; see `exportDocumentInWorker`. */
 export function readDocumentInWorker(face: FaceFiles, material?: string): Promise<StudioDocument | null> {
   return run((tasks) => tasks.readDocument(face, material))
 }
 
-/** `readProject` in a worker of its own; see `exportDocumentInWorker`. */
+/** Runs `readProject` in a new worker; see `exportDocumentInWorker`. */
 export function readProjectInWorker({ name, files }: WrinklesFolder): Promise<ReadFolder> {
   return run((tasks) => tasks.readProject(files, name))
 }
 
-/** `bakeSculpt` in a worker of its own; see `exportDocumentInWorker`. */
+/** Runs `bakeSculpt` in a new worker; see `exportDocumentInWorker`. */
 export function bakeInWorker(
   sculpt: FaceFiles,
   target: BakeTarget,

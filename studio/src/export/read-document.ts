@@ -8,8 +8,8 @@ import { readFace } from './read-face.ts'
 /**
  * Reads the wrinkles of a face as a document.
  *
- * @param material name of the material with the wrinkles, where several have some.
- * @returns null where the face has none.
+ * @param material name of the wrinkled material, required if there are several.
+ * @returns null if the face has no wrinkles.
  * @throws FurrowError as `readFace` and `readFolder` do.
  */
 export async function readDocument(file: FaceFiles, material?: string): Promise<StudioDocument | null> {
@@ -20,7 +20,7 @@ export async function readDocument(file: FaceFiles, material?: string): Promise<
   return document
 }
 
-/** Reads a folder that `furrow pack` reads; see `readFolder`. */
+/** Reads a project folder for `furrow pack`; see `readFolder`. */
 export function readProject(files: readonly AvatarFile[], name: string): Promise<ReadFolder> {
   return readFolder(files, name, decodeGray)
 }

@@ -2,22 +2,21 @@ import { encodeGlb, stripWrinkles, unpackWrinkles, wrinkledFile, wrinkledMateria
 import { type FaceFiles, type Files, openFace } from '../files/face-files.ts'
 import type { OnProgress } from './export-document.ts'
 
-/** A face and its wrinkles, apart. */
+/** Face and wrinkles, separated. */
 export interface ReadFace {
-  /** The face without wrinkles, as a `.glb`. */
+  /** `.glb` of the face without wrinkles. */
   face: Uint8Array
-  /** Its wrinkles as a project; undefined where it has none. */
+  /** Project folder of the wrinkles. Undefined if the face has none. */
   folder?: Files
 }
 
 const WHO = 'Studio'
 
 /**
- * Takes the wrinkles of a face out of it, as `furrow unpack` does. `exportDocument` makes the face again.
+ * Separates a face and its wrinkles, like `furrow unpack`. Inverse of `exportDocument`.
  *
- * @param options.material its name, where several materials have wrinkles.
- * @throws FurrowError when the face cannot be read, several materials have wrinkles and none is named, or the wrinkles are
- *   damaged.
+ * @param options.material name of the wrinkled material, required if there are several.
+ * @throws FurrowError if the face is invalid, the wrinkles are damaged, or the material is ambiguous.
  */
 export async function readFace(
   file: FaceFiles,

@@ -4,10 +4,10 @@ import { type DocumentToPack, type LayerMap, packedLayers } from '../document/pa
 import { strokesDocument } from '../document/stroke-document.ts'
 
 /**
- * The wrinkle set of a document, equal to the one that `furrow pack` reads in its folder.
+ * Converts a document to a wrinkle set, equal to the one that `furrow pack` reads from the document's folder.
  *
- * @param who for errors.
- * @throws FurrowError where there are no areas, or a driver is malformed.
+ * @param who module name for errors.
+ * @throws FurrowError if there are no areas, or a driver is invalid.
  */
 export function setToPack(source: DocumentToPack, who: string): SetToPack {
   const { document } = source

@@ -5,7 +5,7 @@ import { bakeSculpt } from './bake-sculpt.ts'
 import { exportDocument } from './export-document.ts'
 import { readDocument, readProject } from './read-document.ts'
 
-/** What the worker does; bytes that it made are handed over and not copied. */
+/** API of the worker. Results are transferred. */
 const tasks = {
   async exportDocument(...args: Parameters<typeof exportDocument>) {
     const exported = await exportDocument(...args)
@@ -29,7 +29,7 @@ export type Tasks = typeof tasks
 expose(tasks)
 holdLife()
 
-/** The buffers of arrays, each once. Maps that were copied from a face are parts of its buffer, which stays. */
+/** Collects the unique buffers of arrays. Skips arrays that share a larger buffer, because it must not be transferred. */
 function buffersOf(arrays: readonly Uint8Array[]): ArrayBuffer[] {
   const whole = arrays.filter(({ byteLength, buffer }) => byteLength === buffer.byteLength)
   return [...new Set(whole.map(({ buffer }) => buffer as ArrayBuffer))]

@@ -1,29 +1,29 @@
 import { FurrowError } from 'furrow'
 
-/** A file that a user gave the page. */
+/** File given by the user. */
 export interface DroppedFile {
-  /** Its path below what was dropped, with `/`; of a single file its name. */
+  /** Path relative to the dropped folder, with `/`, or the name of a single file. */
   path: string
   file: File
 }
 
-/** Most files that are listed, so that the page does not hang on a dropped home folder. */
+/** Maximum number of listed files, so that a dropped home folder does not block the page. */
 export const MOST_FILES = 5000
-/** Folders inside each other beyond which nothing is listed. */
+/** Maximum depth of nested folders. */
 const MOST_DEPTH = 32
 
-/** What systems and programs leave in folders. Names that begin with a dot are hidden as well. */
+/** Junk files of systems and programs. Names that begin with a dot are skipped as well. */
 const LEFT_BEHIND = new Set(['__MACOSX', 'Thumbs.db', 'desktop.ini', 'node_modules'])
 
 /**
- * The files of a drop or a paste. Folders are listed with all that is below them.
+ * Lists the files of a drop or a paste, including the contents of folders.
  *
- * @param transfer is read before this returns: after its event it is empty.
- * @throws FurrowError when there are too many.
+ * @param transfer read synchronously, because it is empty after its event.
+ * @throws FurrowError if there are too many files.
  */
 export async function filesOfTransfer(transfer: DataTransfer): Promise<DroppedFile[]> {
   const items = [...transfer.items].filter(({ kind }) => kind === 'file')
-  // What does not come from a disk, such as a pasted picture, has no entry.
+  // Files that are not on disk, such as a pasted picture, have no entry.
   const sources = items.map((item) => item.webkitGetAsEntry?.() ?? item.getAsFile())
   const files = new Listing()
   for (const source of sources) {
@@ -33,7 +33,7 @@ export async function filesOfTransfer(transfer: DataTransfer): Promise<DroppedFi
   return files.list
 }
 
-/** The files of an `<input type="file">`, with `multiple` or `webkitdirectory` too. Throws FurrowError when there are too many. */
+/** Lists the files of an `<input type="file">`, also with `webkitdirectory`. Throws FurrowError if there are too many. */
 export function filesOfInput(chosen: Iterable<File>): DroppedFile[] {
   const files = new Listing()
   for (const file of chosen) files.add(file.webkitRelativePath || file.name, file)
@@ -41,10 +41,10 @@ export function filesOfInput(chosen: Iterable<File>): DroppedFile[] {
 }
 
 /**
- * The bytes of a file, or of a part of it.
+ * Reads the bytes of a file, or of a part of it.
  *
- * @param name of the file, as the user knows it.
- * @throws FurrowError when it is no longer there, or may not be read.
+ * @param name file name for errors.
+ * @throws FurrowError if the file is gone or not readable.
  */
 export async function bytesOf(blob: Blob, name: string): Promise<Uint8Array<ArrayBuffer>> {
   try {
@@ -54,7 +54,7 @@ export async function bytesOf(blob: Blob, name: string): Promise<Uint8Array<Arra
   }
 }
 
-/** Files as they are found, without hidden ones. */
+/** List of files without hidden ones. */
 class Listing {
   readonly list: DroppedFile[] = []
 
@@ -81,7 +81,7 @@ async function addEntry(
     files.add(path, await fileOf(entry as FileSystemFileEntry))
   } else if (depth < MOST_DEPTH) {
     const reader = (entry as FileSystemDirectoryEntry).createReader()
-    // Browsers list a hundred at a time, and then none.
+    // Browsers return entries in batches of a hundred, and an empty batch at the end.
     for (let some = await nextEntries(reader); some.length > 0; some = await nextEntries(reader)) {
       for (const child of some) await addEntry(files, child, `${path}/`, depth + 1)
     }
@@ -110,7 +110,7 @@ function notReadable(name: string, { message }: Error): FurrowError {
   })
 }
 
-/** The error for a folder or an archive with too many files. */
+/** Returns the error for a folder or an archive with too many files. */
 export function tooManyFiles(name: string): FurrowError {
   return new FurrowError({
     code: 'out-of-range',

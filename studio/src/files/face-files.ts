@@ -10,17 +10,17 @@ import {
   type Reference,
 } from 'furrow-files'
 
-/** Files by their paths below a folder, with `/`. */
+/** Files by path relative to a folder, with `/`. */
 export type Files = ReadonlyMap<string, Uint8Array>
 
-/** A face as it was opened: its file, and those that it refers to, by their paths or by the URIs in it. */
+/** Original face file and the files that it references, by path or by URI. */
 export interface FaceFiles {
   name: string
   bytes: Uint8Array
   references?: Files
 }
 
-/** Opens a face as the commands read one. Throws FurrowError as `openGlb` does. */
+/** Opens a face like the commands. Throws FurrowError as `openGlb` does. */
 export async function openFace(
   { name, bytes, references = new Map() }: FaceFiles,
   who: string,
@@ -30,9 +30,9 @@ export async function openFace(
 }
 
 /**
- * Returns what reads the references of a file among other files.
+ * Returns a reader for the references of a file.
  *
- * @param files by their paths below the folder of the file, or by the URIs in it.
+ * @param files files by path relative to the folder of the file, or by URI.
  * @param file name of the file with the references, for errors.
  */
 export function referencesIn(files: Files, file: string, who: string): ReadReference {

@@ -1,20 +1,20 @@
 import type { DroppedFile } from './dropped-files.ts'
 
-/** A file of an avatar with its path, relative to what was dropped. */
+/** File of an avatar. `path` is relative to the dropped folder. */
 export interface AvatarFile {
   path: string
   file: Blob
 }
 
-/** A file of a project's folder, with its path in it. */
+/** File of a project folder, with its path there. */
 export interface FolderFile {
   path: string
   content: Uint8Array | Blob
 }
 
-/** A folder as `furrow pack` reads it. */
+/** Folder for `furrow pack`. */
 export interface WrinklesFolder {
   name: string
-  /** All that is below it, with paths relative to it. */
+  /** Contained files, with paths relative to the folder. */
   files: DroppedFile[]
 }

@@ -3,27 +3,27 @@ import { bytesOf } from './dropped-files.ts'
 
 const WHO = 'Studio'
 
-/** A folder as `furrow pack` reads it. Its files are read as they are asked for. */
+/** Folder for `furrow pack`. Files are read on demand. */
 export class Folder {
   readonly name: string
-  /** Of all files below it, relative to it, with `/`. */
+  /** Paths of all files, relative to the folder, with `/`. */
   readonly paths: readonly string[]
   readonly #files: ReadonlyMap<string, Blob>
 
-  /** @param name for errors. */
+  /** @param name folder name for errors. */
   constructor(files: readonly { path: string; file: Blob }[], name: string) {
     this.name = name
     this.#files = new Map(files.map(({ path, file }) => [path, file]))
     this.paths = [...this.#files.keys()]
   }
 
-  /** The JSON at an address; undefined where there is no file. Throws FurrowError when it is not JSON, or too deep. */
+  /** Reads JSON, or returns undefined if there is no file. Throws FurrowError if the JSON is invalid or too deeply nested. */
   async json(address: string): Promise<unknown> {
     const file = this.#at(address)
     return file && parseJson(await bytesOf(file, address), address, WHO)
   }
 
-  /** The file at an address in `wrinkles.json`. Throws FurrowError where there is none. */
+  /** Returns the file at an address in `wrinkles.json`. Throws FurrowError if it is missing. */
   file(address: string): Blob {
     const file = this.#at(address)
     if (file) return file

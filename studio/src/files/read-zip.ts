@@ -1,11 +1,11 @@
-/** An entry of a .zip archive, as its list at the end tells it. */
+/** Entry of a .zip archive, from the central directory. */
 export interface ZipEntry {
   path: string
-  /** 0 for stored, 8 for deflate. */
+  /** Compression method: 0 for stored, 8 for deflate. */
   method: number
-  /** Where the entry begins. */
+  /** Offset of the local header. */
   start: number
-  /** Bytes in the archive, and unpacked. */
+  /** Compressed and uncompressed bytes. */
   size: number
   length: number
 }
@@ -18,13 +18,13 @@ const END_64 = 0x06064b50
 const LOCATOR_64 = 0x07064b50
 const END_BYTES = 22
 const LONGEST_COMMENT = 0xffff
-/** Marks a number that is in the fields of zip64. */
+/** Marks a number stored in the zip64 field. */
 const MISSING = 0xffffffff
 
 const ENCRYPTED = 1
 const UTF_8 = 0x800
 
-/** Lists the entries of an archive. Throws an error where the list is damaged. */
+/** Lists the entries of an archive. Throws Error if the directory is damaged. */
 export function* zipEntries(bytes: Uint8Array): Generator<ZipEntry> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength)
   let { at, count } = listOf(view)
@@ -46,9 +46,9 @@ export function* zipEntries(bytes: Uint8Array): Generator<ZipEntry> {
 }
 
 /**
- * Unpacks an entry, in chunks: one that has more bytes than it says is found out before they are in memory.
+ * Unpacks an entry in chunks, so that an entry with more bytes than declared fails before it fills the memory.
  *
- * @throws Error where the entry is damaged, or lies about its size.
+ * @throws Error if the entry is damaged, or its size is wrong.
  */
 export async function unpackEntry(bytes: Uint8Array<ArrayBuffer>, entry: ZipEntry): Promise<Blob> {
   const { path, method, start, size, length } = entry
@@ -82,7 +82,7 @@ async function* inflated(packed: Uint8Array<ArrayBuffer>): AsyncGenerator<Uint8A
   }
 }
 
-/** Where the list of entries begins, and how many it has. */
+/** Finds the central directory and its number of entries. */
 function listOf(view: DataView): { at: number; count: number } {
   const last = view.byteLength - END_BYTES
   for (let end = last; end >= Math.max(0, last - LONGEST_COMMENT); end--) {
@@ -98,7 +98,7 @@ function listOf(view: DataView): { at: number; count: number } {
   throw new Error('it is not a .zip, or cut off')
 }
 
-/** Numbers with those that are too large for 32 bits from the field of zip64, which has them in this order. */
+/** Replaces marked numbers by those of the zip64 field, which has them in this order. */
 function wideNumbers(view: DataView, numbers: readonly number[], from: number, to: number): number[] {
   for (let at = from; at + 4 <= to; at += 4 + view.getUint16(at + 2, true)) {
     if (view.getUint16(at, true) !== 1) continue

@@ -4,13 +4,13 @@ import { bytesOf, MOST_FILES, tooManyFiles } from './dropped-files.ts'
 import type { AvatarFile, FolderFile } from './folder-files.ts'
 import { unpackEntry, type ZipEntry, zipEntries } from './read-zip.ts'
 
-/** Most bytes that the files of an archive may have when they are unpacked. */
+/** Maximum uncompressed bytes of an archive. */
 const MOST_BYTES = 2 ** 30
 
-/** What is text: images and faces are compressed already, or too large to compress while someone waits. */
+/** Text files, which are deflated. Images and faces are already compressed, or too large to compress quickly. */
 const TEXT = /\.(json|gltf)$/i
 
-/** A folder as one .zip file, with all files in a folder of its name. */
+/** Zips files into a folder of this name. */
 export async function zipFolder(files: readonly FolderFile[], name: string): Promise<Blob> {
   const parts: Uint8Array<ArrayBuffer>[] = []
   const zip = new Zip((error, chunk) => {
@@ -28,9 +28,9 @@ export async function zipFolder(files: readonly FolderFile[], name: string): Pro
 }
 
 /**
- * The files of a .zip, with their paths; a folder that all of them are in is left out of these.
+ * Unzips files. Removes a common root folder from their paths.
  *
- * @throws FurrowError when it is damaged or too large, has too many files, or one with more bytes than it says.
+ * @throws FurrowError if the archive is damaged, is too large, has too many files, or declares a wrong size.
  */
 export async function unzipFolder(file: Blob, name: string): Promise<AvatarFile[]> {
   if (file.size > MOST_BYTES) throw tooLarge(name)
@@ -45,7 +45,7 @@ export async function unzipFolder(file: Blob, name: string): Promise<AvatarFile[
   return [...files].map(([path, file]) => ({ path: path.slice(root.length), file }))
 }
 
-/** The entries to unpack. Throws FurrowError where there are too many, or they say that they are too large together. */
+/** Lists the entries to unpack. Throws FurrowError if there are too many, or if their declared size is too large. */
 function entriesOf(bytes: Uint8Array, name: string): ZipEntry[] {
   const entries: ZipEntry[] = []
   let total = 0
@@ -59,13 +59,13 @@ function entriesOf(bytes: Uint8Array, name: string): ZipEntry[] {
   return entries
 }
 
-/** The folder that all files are in, with its `/`; empty where there is none. */
+/** Returns the common root folder with its `/`, or an empty string. */
 function rootOf(paths: readonly string[]): string {
   const root = paths[0]?.match(/^[^/]+\//)?.[0] ?? ''
   return paths.every((path) => path.startsWith(root)) ? root : ''
 }
 
-/** What systems leave in archives. */
+/** Whether a file is junk of an operating system. */
 function isLeftBehind(path: string): boolean {
   return path.startsWith('__MACOSX/') || /(^|\/)\.[^/]*$/.test(path)
 }
@@ -81,7 +81,7 @@ function tooLarge(name: string): FurrowError {
 }
 
 function damaged(name: string, cause: Error): FurrowError {
-  // fflate reads past the end where offsets are wrong.
+  // fflate throws a RangeError for wrong offsets.
   const reason = cause instanceof RangeError ? 'it is cut off or damaged' : cause.message
   const problem = `cannot read ${name} (${reason})`
   return new FurrowError(

@@ -3,30 +3,30 @@ import type { FurrowError } from 'furrow'
 import type { StudioDocument } from '../document/document.ts'
 import { storageError } from './storage-error.ts'
 
-/** Milliseconds between the starts of two saves, and after a failure. */
+/** Milliseconds between the starts of two saves, and before a retry. */
 const INTERVAL = 1000
 const RETRY_INTERVAL = 5000
 
 export type SaveState =
   | { readonly kind: 'saved' }
-  /** Something is not saved yet, and will be at once. */
+  /** A save is pending or running. */
   | { readonly kind: 'saving' }
-  /** The work goes on in memory; saving is tried again. */
+  /** The work stays in memory, and saving is retried. */
   | { readonly kind: 'failed'; readonly reason: FurrowError }
 
-/** The page, as far as it tells that it may be closed. */
+/** Events that precede the page's closing. */
 type Page = Pick<Document, 'visibilityState' | 'addEventListener' | 'removeEventListener'>
 
 /**
- * Saves a document whenever it changes: at once, but at most once a second, and never twice at a time. It also saves when the page is hidden,
- * which is the last that many browsers tell a page.
+ * Saves a document after each change, at most once a second and one save at a time. Also saves when the page is hidden: the last
+ * event that many browsers send.
  */
 export class AutoSave {
   readonly #state = signal<SaveState>({ kind: 'saved' })
   readonly #save: (document: StudioDocument) => Promise<void>
   readonly #page: Page
   readonly #stopWatching: () => void
-  /** The last one that was seen: the signal may go on to another face's before all is saved. */
+  /** Last document seen: the signal may switch to another face before everything is saved. */
   #latest: StudioDocument
   #saved: StudioDocument | null
   #running: Promise<void> | undefined
@@ -36,7 +36,7 @@ export class AutoSave {
 
   /**
    * @param save stores a document.
-   * @param saved what is stored already; null where nothing is.
+   * @param saved document that is already stored, or null.
    */
   constructor(
     document: ReadonlySignal<StudioDocument>,
@@ -57,14 +57,14 @@ export class AutoSave {
     return this.#state
   }
 
-  /** Saves what is not saved yet, now. Resolves when it is saved or has failed, see `state`. */
+  /** Saves pending changes now. Resolves when saving has succeeded or failed; see `state`. */
   async flush(): Promise<void> {
-    // What runs may have begun before the last change.
+    // A running save may have started before the last change.
     while (this.#running) await this.#running
     if (this.#isDirty()) await this.#run()
   }
 
-  /** Stops watching, at once, and saves what is not saved yet. */
+  /** Stops watching immediately, and saves pending changes. */
   async dispose(): Promise<void> {
     this.#stopWatching()
     this.#page.removeEventListener('visibilitychange', this.#onVisibility)
@@ -79,7 +79,7 @@ export class AutoSave {
   }
 
   readonly #onPageHide = () => {
-    // What is being saved may be older than the last change, which is then saved right after it.
+    // A running save may be outdated; the next one then starts right after it.
     this.#nextStart = 0
     if (!this.#running && this.#isDirty()) void this.#run()
   }
@@ -103,7 +103,7 @@ export class AutoSave {
     this.#timer = setTimeout(() => void this.#run(), Math.max(0, this.#nextStart - Date.now()))
   }
 
-  /** Saves now: what `#save` does before it waits has been done when this returns. */
+  /** Saves now. The synchronous part of `#save` runs before this returns. */
   #run(): Promise<void> {
     clearTimeout(this.#timer)
     const document = this.#latest

@@ -3,20 +3,20 @@ import type { AvatarFile } from '../files/folder-files.ts'
 import type { DocumentRecord, ImageRecord } from './document-record.ts'
 import { storageError } from './storage-error.ts'
 
-/** Of the tables below. A record has a version of its own. */
+/** Schema version of the tables. Records have their own version. */
 const VERSION = 1
 
-/** The tables of projects. Keys begin with the project's id, so that one project is one range of keys. */
+/** Tables of projects. Keys begin with the project's id, so that the records of a project form one key range. */
 export interface Tables extends DBSchema {
   projects: { key: string; value: ProjectRecord }
-  /** What a save writes besides the document. */
+  /** Data that each save writes beside the document. */
   saves: { key: string; value: SaveRecord }
   documents: { key: string; value: DocumentRecord }
   images: { key: [project: string, image: number]; value: ImageRecord }
-  /** The avatar's files as they were dropped, the first of which is the face. */
+  /** The avatar's original files; the first is the face. */
   files: { key: [project: string, index: number]; value: AvatarFile }
   thumbnails: { key: string; value: Blob }
-  /** The folder on disk that a project is written to. */
+  /** Folder on disk that contains the project. */
   folders: { key: string; value: FileSystemDirectoryHandle }
 }
 
@@ -28,25 +28,25 @@ export interface ProjectRecord {
 
 export interface SaveRecord {
   changed: Date
-  /** Of images, files and document. */
+  /** Size of images and files, bytes. */
   bytes: number
 }
 
 type Table = StoreNames<Tables>
-/** Gives a table for writing. Requests of a transaction fail with it as a whole, so that none is waited for. */
+/** Returns a table for writing. A failed request fails its transaction, so that requests need not be awaited. */
 export type WritableTable = (name: Table) => IDBObjectStore
 
-/** Tables with one record per project, and those with several. */
+/** Tables with one record per project, and with several. */
 export const SINGLE = ['projects', 'saves', 'documents', 'thumbnails', 'folders'] as const satisfies Table[]
 export const SEVERAL = ['images', 'files'] as const satisfies Table[]
 
-/** The keys of one project in a table with several records of it. */
+/** Returns the key range of one project. */
 export function rangeOf(project: string): IDBKeyRange {
   // Arrays sort after numbers.
   return IDBKeyRange.bound([project], [project, []])
 }
 
-/** The connection to the browser's database, opened anew where the browser closed it. */
+/** Connection to the browser's database. Reopened after the browser closes it. */
 export class Database {
   readonly #name: string
   #opened: IDBPDatabase<Tables> | undefined
@@ -56,12 +56,12 @@ export class Database {
     this.#name = name
   }
 
-  /** The open connection; undefined where there is none at the moment. */
+  /** Open connection, if any. */
   get opened(): IDBPDatabase<Tables> | undefined {
     return this.#opened
   }
 
-  /** @throws FurrowError where the browser does not allow it. */
+  /** @throws FurrowError if the browser denies access. */
   async open(): Promise<IDBPDatabase<Tables>> {
     if (this.#opened) return this.#opened
     this.#opening ??= this.#open().finally(() => {
@@ -70,7 +70,7 @@ export class Database {
     return this.#opening
   }
 
-  /** Reads from the database. Throws FurrowError where that fails. */
+  /** Reads from the database. Throws FurrowError if that fails. */
   async read<T>(work: (database: IDBPDatabase<Tables>) => Promise<T>): Promise<T> {
     try {
       return await work(await this.open())
@@ -80,11 +80,11 @@ export class Database {
   }
 
   /**
-   * Writes in one transaction: all of it or, where any part fails, nothing. Where the database is open, everything is handed to the browser
-   * before this returns, so that a page which is being closed still writes.
+   * Writes in one transaction: everything or nothing. If the database is open, all requests are made before this returns, so that a
+   * closing page still writes.
    *
-   * @param work starts requests, and does not wait.
-   * @throws FurrowError where it fails.
+   * @param work starts requests without awaiting them.
+   * @throws FurrowError if writing fails.
    */
   async write(work: (table: WritableTable) => void): Promise<void> {
     let transaction: IDBPTransaction<Tables, Table[], 'readwrite'> | undefined
@@ -109,7 +109,7 @@ export class Database {
 
   async #open(): Promise<IDBPDatabase<Tables>> {
     try {
-      // Some browsers have none in private windows.
+      // Some browsers have no IndexedDB in private windows.
       if (globalThis.indexedDB === undefined) throw new DOMException('', 'SecurityError')
       const database = await openDB<Tables>(this.#name, VERSION, {
         upgrade: (created) => {
@@ -121,14 +121,14 @@ export class Database {
       this.#opened = database
       return database
     } catch (error) {
-      // Firefox, where a private window has no storage.
+      // Firefox throws this in private windows.
       const isPrivate = error instanceof DOMException && error.name === 'InvalidStateError'
       throw storageError(isPrivate ? new DOMException(error.message, 'SecurityError') : error)
     }
   }
 
   #failed(error: unknown): unknown {
-    // A connection that the browser closed: the next attempt opens another.
+    // The browser closed the connection; the next attempt opens a new one.
     if (error instanceof DOMException && error.name === 'InvalidStateError') this.close()
     return storageError(error)
   }
@@ -139,6 +139,6 @@ function abort(transaction: IDBPTransaction<Tables, Table[], 'readwrite'>): void
   try {
     transaction.abort()
   } catch {
-    // It has ended already.
+    // The transaction has already ended.
   }
 }

@@ -2,19 +2,19 @@ import { FurrowError } from 'furrow'
 import type { FolderFile } from '../files/folder-files.ts'
 import { parseStudioFile, STUDIO_FILE } from './studio-file.ts'
 
-/** What TypeScript's library does not have yet. */
+/** API that TypeScript's library lacks. */
 type Directory = FileSystemDirectoryHandle & {
   queryPermission?(mode: { mode: 'readwrite' }): Promise<PermissionState>
   requestPermission?(mode: { mode: 'readwrite' }): Promise<PermissionState>
 }
 type Picker = (options: { id: string; mode: 'readwrite' }) => Promise<FileSystemDirectoryHandle>
 
-/** Whether the browser can write to a folder of the disk; others download a .zip. */
+/** Whether the browser can write to folders on disk. Other browsers download a .zip. */
 export function canWriteFolders(): boolean {
   return 'showDirectoryPicker' in globalThis
 }
 
-/** Asks for a folder; undefined where the user chooses none. */
+/** Asks for a folder. Returns undefined if the user cancels. */
 export async function pickFolder(): Promise<FileSystemDirectoryHandle | undefined> {
   const picker = (globalThis as unknown as { showDirectoryPicker: Picker }).showDirectoryPicker
   try {
@@ -25,10 +25,7 @@ export async function pickFolder(): Promise<FileSystemDirectoryHandle | undefine
   }
 }
 
-/**
- * The folder for a project in one that was chosen: that itself where it is empty or has a project, else a new one in it, so that a project
- * is not strewn over other files.
- */
+/** Returns the chosen folder if it is empty or contains a project, else a new folder inside it, apart from unrelated files. */
 export async function projectFolder(
   chosen: FileSystemDirectoryHandle,
   name: string,
@@ -45,9 +42,9 @@ export async function projectFolder(
 }
 
 /**
- * Asks for the permission to write to a folder of an earlier visit, which browsers allow in answer to a click only.
+ * Asks for permission to write to a folder of an earlier visit. Requires a user gesture.
  *
- * @throws FurrowError where the user does not give it.
+ * @throws FurrowError if the user denies it.
  */
 export async function askToWrite(folder: FileSystemDirectoryHandle): Promise<void> {
   const { queryPermission, requestPermission } = folder as Directory
@@ -58,11 +55,11 @@ export async function askToWrite(folder: FileSystemDirectoryHandle): Promise<voi
 }
 
 /**
- * Writes a project's files to a folder: those that differ from what is there, each to a temporary file that then takes its place; and deletes
- * images that the studio wrote before and no longer needs. Other files stay as they are.
+ * Writes a project's changed files to a folder and deletes unused images of earlier writes. Leaves other files as is. Each file is
+ * replaced atomically.
  *
- * @returns the paths that were written or deleted.
- * @throws FurrowError where it cannot be written.
+ * @returns written and deleted paths.
+ * @throws FurrowError if writing fails.
  */
 export async function writeFolder(
   folder: FileSystemDirectoryHandle,
@@ -80,19 +77,19 @@ export async function writeFolder(
   }
 }
 
-/** Images that the studio wrote to a folder before. */
+/** Lists images that the studio wrote earlier. */
 async function filesOfStudio(folder: FileSystemDirectoryHandle): Promise<string[]> {
   try {
     const file = await (await folder.getFileHandle(STUDIO_FILE)).getFile()
     const { files = [] } = parseStudioFile(JSON.parse(await file.text())).studio
-    // Only images: a file that someone wrote cannot make the studio delete others.
+    // Restricted to images, so that an edited studio.json cannot delete other files.
     return files.filter((path) => /^(layers|areas|under)\/.*\.\w+$/.test(path))
   } catch {
     return []
   }
 }
 
-/** Whether the file was another. */
+/** Returns whether the content changed. */
 async function write(
   folder: FileSystemDirectoryHandle,
   path: string,
@@ -129,7 +126,7 @@ async function isSame(file: File, content: Uint8Array | Blob): Promise<boolean> 
     new Uint8Array(await file.arrayBuffer()),
     bytes ?? new Uint8Array(await (content as Blob).arrayBuffer()),
   ]
-  // An empty file may have been made just now.
+  // An empty file may be newly created.
   return file.size > 0 && a.every((value, i) => value === b[i])
 }
 
@@ -138,7 +135,7 @@ async function handleOf(folder: FileSystemDirectoryHandle, path: string, create:
   return parent?.getFileHandle(path.split('/').at(-1)!, { create })
 }
 
-/** The folder that a file is in; undefined where there is none and none is made. */
+/** Returns the parent folder of a file, or undefined if it is missing and `create` is false. */
 async function parentOf(folder: FileSystemDirectoryHandle, path: string, create: boolean) {
   let parent = folder
   for (const name of path.split('/').slice(0, -1)) {

@@ -2,19 +2,19 @@ import { FurrowError, type GrayImage } from 'furrow'
 import type { ImageFile, StudioDocument } from '../document/document.ts'
 import { parseStored, type StoredDocument } from './stored-document.ts'
 
-/** Of the record of a document. */
+/** Record format version. */
 const VERSION = 1
 
-/** A document with numbers in the place of its images, which are records of their own. */
+/** Document whose images are replaced by numbers of separate records. */
 export interface DocumentRecord {
   version: number
   document: StoredDocument
 }
 
-/** The weights of an area, or a map as in its file. */
+/** Weights of an area, or an encoded map. */
 export type ImageRecord = GrayImage | ImageFile
 
-/** The images of a document, each once. */
+/** Collects the unique images of a document. */
 export function imagesOf({ layers, areas }: StudioDocument): Set<ImageRecord> {
   return new Set([
     ...layers.flatMap(({ maps }) => Object.values(maps)),
@@ -22,7 +22,7 @@ export function imagesOf({ layers, areas }: StudioDocument): Set<ImageRecord> {
   ])
 }
 
-/** @param numberOf gives the number of an image. */
+/** @param numberOf returns the number of an image. */
 export function recordOf(document: StudioDocument, numberOf: (image: ImageRecord) => number): DocumentRecord {
   const layers = document.layers.map((layer) => ({
     ...layer,
@@ -33,11 +33,11 @@ export function recordOf(document: StudioDocument, numberOf: (image: ImageRecord
 }
 
 /**
- * The document of a record.
+ * Restores the document of a record.
  *
- * @param images by number.
- * @param name of the project, for errors.
- * @throws FurrowError where a later version wrote the record, or something in it is missing or malformed.
+ * @param images images by number.
+ * @param name project name, for errors.
+ * @throws FurrowError if a later version wrote the record, or if a part is missing or invalid.
  */
 export function documentOf(
   record: DocumentRecord | undefined,
@@ -64,7 +64,7 @@ export function documentOf(
   }
 }
 
-/** Throws FurrowError for records of a later version. */
+/** Throws FurrowError if a later version wrote the record. */
 export function checkVersion(version: unknown, name: string): void {
   if (version === VERSION) return
   throw new FurrowError({

@@ -17,9 +17,9 @@ import {
 const EXTENSIONS: Record<string, string> = { 'image/jpeg': 'jpg', 'image/webp': 'webp', 'image/avif': 'avif' }
 
 /**
- * The files of the folder that `furrow pack` reads: `wrinkles.json`, `layers/NAME/*.png`, `areas/NAME.png` in the paper's convention,
- * `strokes.json` and `face.glb`; and `studio.json` with what they cannot say. A face with files beside it is in `face/` with these, for
- * `furrow pack --face`.
+ * Makes the files of a project folder for `furrow pack`: `wrinkles.json`, `layers/NAME/*.png`, `areas/NAME.png` (paper's
+ * convention), `strokes.json` and `face.glb`. Adds `studio.json` with data that these cannot hold. A face with several files is
+ * written to `face/`, for `furrow pack --face`.
  *
  * @param face the avatar's files; the first is the face.
  */
@@ -62,7 +62,7 @@ export function folderFiles(source: DocumentToPack, face: readonly AvatarFile[])
     ...(face.length > 0 && { face: { path: faceFiles[0].path, name: face[0].path } }),
     files: images.map(({ path }) => path).sort(),
   }
-  // Documents last: what is interrupted leaves those that fit the old images.
+  // Documents last: an interrupted write leaves the old documents with the old images.
   return [
     ...faceFiles,
     ...images,

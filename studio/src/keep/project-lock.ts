@@ -1,22 +1,22 @@
-/** Milliseconds that a tab has to save before another one takes its project: one that hangs never answers. */
+/** Milliseconds before a project is taken from a tab that does not answer. */
 const PATIENCE = 3000
 
-/** The lock of a project, which one tab at a time has. It is released when the tab closes or crashes too. */
+/** Exclusive lock of a project. Closing or crashing the tab releases the lock. */
 export interface ProjectLock {
-  /** Called when another tab wants the project. It takes the lock when it is released, or after a few seconds. */
+  /** Called when another tab requests the project. That tab takes the lock on release, or after a timeout. */
   onWanted: () => void
-  /** Whether this tab still has the lock. */
+  /** Whether this tab holds the lock. */
   readonly isHeld: boolean
-  /** Resolves when another tab can take it. */
+  /** Releases the lock. Resolves when another tab can take it. */
   release(): Promise<void>
 }
 
-/** Takes the lock of a project; undefined where another tab has it. */
+/** Locks a project. Returns undefined if another tab holds the lock. */
 export function lockProject(id: string): Promise<ProjectLock | undefined> {
   return request(id, { ifAvailable: true })
 }
 
-/** Takes the lock of a project from the tab that has it. */
+/** Takes a project's lock over from another tab. */
 export async function takeLock(id: string): Promise<ProjectLock> {
   const channel = new BroadcastChannel(nameOf(id))
   channel.postMessage('wanted')
@@ -29,7 +29,7 @@ export async function takeLock(id: string): Promise<ProjectLock> {
 }
 
 async function request(id: string, options: LockOptions): Promise<ProjectLock | undefined> {
-  // Pages that are not served securely have no locks.
+  // The Web Locks API needs a secure context.
   if (globalThis.navigator?.locks === undefined) {
     return { onWanted() {}, isHeld: true, release: async () => {} }
   }
@@ -49,7 +49,7 @@ async function request(id: string, options: LockOptions): Promise<ProjectLock | 
           },
         }
         channel.onmessage = () => lock.onWanted()
-        // A tab that does not wait any longer takes it without asking.
+        // After its timeout, another tab steals the lock.
         const released: Promise<unknown> = held.catch(() => {
           if (!lock.isHeld) return
           lock.isHeld = false

@@ -6,20 +6,20 @@ import { checkVersion, documentOf } from './document-record.ts'
 import { openElsewhere, Project } from './project.ts'
 import { lockProject, takeLock } from './project-lock.ts'
 
-/** A project in the list of projects. */
+/** Entry in the list of projects. */
 export interface ProjectEntry {
   readonly id: string
   readonly name: string
-  /** Absent where the record is damaged. */
+  /** Time of the last save. Absent if the record is damaged. */
   readonly changed?: Date
-  /** Of images and files. */
+  /** Size of images and files, bytes. */
   readonly bytes: number
   readonly thumbnail?: Blob
-  /** Why it cannot be opened. */
+  /** Reason why the project cannot be opened. */
   readonly problem?: string
 }
 
-/** The projects that the browser keeps for this page. */
+/** Projects stored in the browser. */
 export class ProjectStore {
   readonly #database: Database
   #askedToPersist = false
@@ -28,7 +28,7 @@ export class ProjectStore {
     this.#database = new Database(name)
   }
 
-  /** All projects, the one that was changed last first. Those that are damaged are among them, with what is wrong. */
+  /** Lists all projects, latest first. Damaged ones have a `problem`. */
   async list(): Promise<ProjectEntry[]> {
     return this.#database.read(async (database) => {
       const transaction = database.transaction(['projects', 'saves', 'thumbnails'])
@@ -61,10 +61,10 @@ export class ProjectStore {
   }
 
   /**
-   * Makes a project, and stores it.
+   * Creates and stores a project.
    *
    * @param files the avatar's files; the first is the face.
-   * @throws FurrowError where the browser cannot store it.
+   * @throws FurrowError if the browser cannot store it.
    */
   async create(name: string, files: readonly AvatarFile[], document: StudioDocument): Promise<Project> {
     this.#askToPersist()
@@ -81,10 +81,10 @@ export class ProjectStore {
   }
 
   /**
-   * Opens a project: for reading only where another tab has it.
+   * Opens a project. It is read-only if another tab has it open.
    *
-   * @param take takes it from the other tab, once that has saved its work.
-   * @throws FurrowError when there is none of that id, it is damaged, or a later version of the studio stored it.
+   * @param take takes it over from the other tab, which saves first.
+   * @throws FurrowError if the project is missing or damaged, or if a later version of the studio stored it.
    */
   async open(id: string, take = false): Promise<Project> {
     const lock = await (take ? takeLock(id) : lockProject(id))
@@ -110,7 +110,7 @@ export class ProjectStore {
     }
   }
 
-  /** @throws FurrowError when there is no such project. */
+  /** @throws FurrowError if the project is missing. */
   async rename(id: string, name: string): Promise<void> {
     const record = await this.#database.read((database) => database.get('projects', id))
     nameOf(record)
@@ -118,10 +118,10 @@ export class ProjectStore {
   }
 
   /**
-   * Copies a project as it is stored.
+   * Copies a stored project.
    *
-   * @returns the id of the copy.
-   * @throws FurrowError when there is no such project, or no room for the copy.
+   * @returns id of the copy.
+   * @throws FurrowError if the project is missing, or if there is not enough space.
    */
   async duplicate(id: string, name: string): Promise<string> {
     const project = await this.open(id)
@@ -136,7 +136,7 @@ export class ProjectStore {
     }
   }
 
-  /** @throws FurrowError while a tab has it open. */
+  /** @throws FurrowError if a tab has the project open. */
   async delete(id: string): Promise<void> {
     const lock = await lockProject(id)
     if (!lock) throw openElsewhere('the project', 'close it there first')
@@ -150,16 +150,16 @@ export class ProjectStore {
     }
   }
 
-  /** Closes the connection; the next call opens it again. */
+  /** Closes the connection. The next call reopens it. */
   close(): void {
     this.#database.close()
   }
 
-  /** Asks the browser not to clear the projects when the disk is full. Some ask the user in turn. */
+  /** Asks the browser to keep the projects when the disk is full. Some browsers ask the user. */
   #askToPersist(): void {
     if (this.#askedToPersist) return
     this.#askedToPersist = true
-    // An answer is not needed, nor a browser that can be asked.
+    // Best effort: errors and missing support are ignored.
     navigator.storage?.persist?.().catch(() => {})
   }
 }

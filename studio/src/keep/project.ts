@@ -11,22 +11,22 @@ import {
 import { type ImageRecord, imagesOf, recordOf } from './document-record.ts'
 import type { ProjectLock } from './project-lock.ts'
 
-/** Images with the numbers that they are stored under. */
+/** Numbers of stored images. */
 type Numbers = ReadonlyMap<ImageRecord, number>
 
-/** What the database has of a project. */
+/** State of a project in the database. */
 interface Stored {
   readonly images: Numbers
-  /** The connection that wrote or read them: when there is another one, nothing is certain to be there. */
+  /** Connection that wrote or read the images. Under a new connection, nothing is known to be stored. */
   readonly by: unknown
 }
 
-/** A project that is open in this tab. */
+/** Project that is open in this tab. */
 export class Project {
   readonly id: string
   /** The avatar's files; the first is the face. */
   readonly files: readonly AvatarFile[]
-  /** The document as it was opened. */
+  /** Document at opening. */
   readonly opened: StudioDocument
   readonly #name: string
   readonly #database: Database
@@ -34,8 +34,8 @@ export class Project {
   #stored: Stored | undefined
 
   /**
-   * @param opened.stored absent where nothing is.
-   * @param lock undefined where another tab has it.
+   * @param opened.stored state in the database, absent for a new project.
+   * @param lock undefined if another tab has the project.
    */
   constructor(
     database: Database,
@@ -53,27 +53,26 @@ export class Project {
   }
 
   /**
-   * Whether another tab has the project: it can be looked at, changed and exported here, but is saved by the other tab alone. Two tabs that
-   * save in turn would each undo the other's work.
+   * Whether another tab has the project. This tab can then edit and export but not save, so that the tabs do not overwrite each
+   * other's work.
    */
   get isReadOnly(): boolean {
     return !this.#lock?.isHeld
   }
 
-  /** Calls a function when another tab wants the project, which is to be closed then. */
+  /** Sets the callback for a request of another tab. The callback should close the project. */
   whenWanted(call: () => void): void {
     if (this.#lock) this.#lock.onWanted = call
   }
 
   /**
-   * Stores the document: its images that are not stored yet, and what else there is; images that it no longer has are deleted. All of it or
-   * nothing. One call must end before the next begins.
+   * Stores the document in one transaction: writes new images and deletes unused ones. Calls must not overlap.
    *
-   * @throws FurrowError where another tab has the project, or the browser cannot store it.
+   * @throws FurrowError if another tab has the project, or if the browser cannot store it.
    */
   async save(document: StudioDocument): Promise<void> {
     if (this.isReadOnly) throw openElsewhere(this.#name, 'save a copy, or close this tab')
-    // Where a connection was closed, the browser's data may have been cleared: everything is written again.
+    // A closed connection can mean cleared data, so everything is written again.
     const connection = this.#database.opened ?? (await this.#database.open())
     const stored = this.#stored?.by === connection ? this.#stored.images : undefined
     const images = numbered(imagesOf(document), stored ?? new Map())
@@ -91,13 +90,13 @@ export class Project {
     this.#stored = { images, by: connection }
   }
 
-  /** Stores a small picture of the project for lists of projects. */
+  /** Stores a thumbnail for the list of projects. */
   async setThumbnail(thumbnail: Blob): Promise<void> {
     if (this.isReadOnly) return
     await this.#database.write((table) => table('thumbnails').put(thumbnail, this.id))
   }
 
-  /** The folder on disk that the project was last written to. */
+  /** Folder on disk of the last write. */
   async folder(): Promise<FileSystemDirectoryHandle | undefined> {
     return this.#database.read((database) => database.get('folders', this.id))
   }
@@ -106,12 +105,12 @@ export class Project {
     await this.#database.write((table) => table('folders').put(folder, this.id))
   }
 
-  /** Lets other tabs open it. */
+  /** Releases the project for other tabs. */
   async close(): Promise<void> {
     await this.#lock?.release()
   }
 
-  /** As stored, where it is: it may have another name by now. */
+  /** Returns the stored record, which may have been renamed, or a new one. */
   async #record(): Promise<ProjectRecord> {
     const stored = await this.#database.read((database) => database.get('projects', this.id))
     return stored ?? { version: 1, name: this.#name, created: new Date() }
@@ -130,13 +129,13 @@ export class Project {
   }
 }
 
-/** The error for a project that another tab has open. */
+/** Returns the error for a project that is open in another tab. */
 export function openElsewhere(name: string, remedy: string): FurrowError {
   const problem = `${name} is open in another tab`
   return new FurrowError({ code: 'unwritable', who: 'Studio', problem, remedy })
 }
 
-/** Images with the numbers that they are stored under, and with new numbers where they are not. */
+/** Assigns numbers to images. Stored images keep theirs. */
 function numbered(images: ReadonlySet<ImageRecord>, stored: Numbers): Map<ImageRecord, number> {
   let next = 1 + Math.max(-1, ...stored.values())
   return new Map([...images].map((image) => [image, stored.get(image) ?? next++]))
@@ -147,7 +146,7 @@ function writeImages(table: IDBObjectStore, id: string, stored: Numbers, images:
   for (const [image, number] of stored) if (!images.has(image)) table.delete([id, number])
 }
 
-/** An image whose bytes are not part of a larger buffer, such as a whole file's, which would be stored with them. */
+/** Copies the bytes out of a larger buffer, because IndexedDB would store the entire buffer. */
 function withOwnBuffer(image: ImageRecord): ImageRecord {
   const bytes = bytesOf(image)
   if (bytes.length === bytes.buffer.byteLength) return image

@@ -26,29 +26,29 @@ import {
 
 const WHO = 'Studio'
 
-/** Where `studio.json` does not say: millimetres per unit of a face in metres, and the side of maps. */
+/** Defaults without `studio.json`: millimetres per unit, and side of maps in texels. */
 const DEFAULTS = { scale: 1000, mapSize: 1024 } as const
-/** What strokes draw. */
+/** Maps drawn from strokes. */
 const DRAWN: readonly MapName[] = ['normal', 'occlusion', 'height']
 
-/** Decodes a gray image. Throws FurrowError where it cannot be. */
+/** Decodes a gray image. Throws FurrowError if it is invalid. */
 export type DecodeGray = (bytes: Uint8Array, path: string, who: string) => Promise<GrayImage>
 
-/** What a folder holds. */
+/** Contents of a folder. */
 export interface ReadFolder {
   document: StudioDocument
-  /** The avatar's files, the first of which is the face; none where there is no face. */
+  /** The avatar's files; the first is the face. Empty without a face. */
   face: AvatarFile[]
-  /** Omissions, a sentence each. */
+  /** Messages about omissions, one sentence each. */
   notes: string[]
 }
 
 /**
- * Reads a folder as `furrow pack` does, and as the studio writes it. Maps that strokes were drawn into are left out: they are drawn again.
+ * Reads a project folder by the rules of `furrow pack`. Omits maps that were drawn from strokes: they are drawn again.
  *
- * @param files all files of the folder, with paths relative to it.
- * @param name of the folder, for errors.
- * @throws FurrowError for the first file that is missing or malformed.
+ * @param files all files, with paths relative to the folder.
+ * @param name folder name, for errors.
+ * @throws FurrowError for the first missing or invalid file.
  */
 export async function readFolder(
   files: readonly AvatarFile[],
@@ -85,7 +85,7 @@ export async function readFolder(
   return { document, face: faceOf(files, studio), notes: note === undefined ? [] : [note] }
 }
 
-/** A `studio.json` that is no JSON is left out too. */
+/** Reads `studio.json`. Invalid JSON counts as missing. */
 async function readStudioFile(folder: Folder): Promise<ReadStudioFile> {
   try {
     return parseStudioFile(await folder.json(STUDIO_FILE))
@@ -98,7 +98,7 @@ function setOf(json: unknown, { paths, name }: Folder): WrinkleSetDocument {
   const areas = (json as { areas?: unknown } | undefined)?.areas
   const hasNoAreas = Array.isArray(areas) && areas.length === 0
   if (!hasNoAreas) return folderDocument(json, paths, name, 'paper', WHO)
-  // Nothing to pack yet, but a project that an artist has begun.
+  // A new project can have no areas, which `folderDocument` rejects.
   const begun = { ...(json as object), areas: [{ name: 'none' }] }
   return { ...folderDocument(begun, paths, name, 'paper', WHO), areas: [] }
 }
@@ -108,7 +108,7 @@ async function strokesOf(folder: Folder, set: WrinkleSetDocument): Promise<Strok
   return json === undefined ? undefined : parseStrokes(json)
 }
 
-/** The side of the layers' normal maps: strokes are drawn over them. Undefined where none is known. */
+/** Returns the side of the layers' normal maps, over which strokes are drawn, or undefined if unknown. */
 async function sideOf(folder: Folder, { layers }: WrinkleSetDocument): Promise<number | undefined> {
   const address = layers.find(({ normal }) => normal !== undefined)?.normal
   if (address === undefined) return undefined

@@ -2,7 +2,7 @@ import { FurrowError } from 'furrow'
 
 const FOLDER_REMEDY = 'save the project as a folder or a file'
 
-/** What errors of the browser's storage mean, by the names of their exceptions, and what helps. */
+/** Problems and remedies by exception name. */
 const REASONS: Readonly<Record<string, { problem: string; remedy: string }>> = {
   QuotaExceededError: {
     problem: 'the browser has no room left for this project',
@@ -16,7 +16,7 @@ const REASONS: Readonly<Record<string, { problem: string; remedy: string }>> = {
     problem: 'the projects were stored by a later version of the studio',
     remedy: 'reload the page',
   },
-  // What a connection gives that the browser closed: its data was cleared, or a later version of the page was opened.
+  // The browser closed the connection: data was cleared, or a later version of the page was opened.
   InvalidStateError: {
     problem: 'the browser closed its storage',
     remedy: `wait until saving is tried again, or ${FOLDER_REMEDY}`,
@@ -27,7 +27,7 @@ const REASONS: Readonly<Record<string, { problem: string; remedy: string }>> = {
   },
 }
 
-/** The error for what cannot be stored or read in the browser. */
+/** Converts an exception of the browser's storage to a FurrowError. */
 export function storageError(cause: unknown): FurrowError {
   if (cause instanceof FurrowError) return cause
   const { name, message } = cause instanceof Error ? cause : { name: '', message: String(cause) }

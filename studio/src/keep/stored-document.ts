@@ -21,7 +21,7 @@ import {
 import { strokesDocument } from '../document/stroke-document.ts'
 import { parseAuto } from './studio-file.ts'
 
-/** A document with numbers in the place of its images. */
+/** Document whose images are replaced by numbers. */
 export type StoredDocument = Omit<StudioDocument, 'layers' | 'areas'> & {
   layers: StoredLayer[]
   areas: StoredArea[]
@@ -33,10 +33,10 @@ type StoredArea = Omit<StudioArea, 'weights'> & { weights: number }
 const WHO = 'Studio'
 
 /**
- * Checks a document that was stored in the browser. Fields that the studio does not know are left out.
+ * Checks a document stored in the browser. Omits unknown fields.
  *
- * @param json a structured clone of anything.
- * @throws FurrowError for the first field that is missing or malformed.
+ * @param json unchecked structured clone.
+ * @throws FurrowError for the first missing or invalid field.
  */
 export function parseStored(json: unknown): StoredDocument {
   const reader = new JsonReader(WHO)
@@ -70,13 +70,13 @@ export function parseStored(json: unknown): StoredDocument {
   return document as StoredDocument
 }
 
-/** Throws FurrowError for strokes that no file may have. */
+/** Throws FurrowError for strokes that files do not allow. */
 function checkStrokes(reader: JsonReader, document: StudioDocument, layers: readonly string[]): void {
   for (const [i, stroke] of document.strokes.entries())
     reader.choice(reader.object(stroke, `strokes[${i}]`).layer, `strokes[${i}].layer`, layers)
   const strokes = strokesDocument(document)
   if (!strokes) return
-  // The size and the scale are the document's, checked above.
+  // The size and the scale are fields of the document and already checked.
   const { size, scale, ...others } = strokes
   parseStrokes(others)
 }

@@ -9,33 +9,30 @@ import {
   type StudioDocument,
 } from '../document/document.ts'
 
-/**
- * `studio.json`: what the studio knows of a folder beyond what `furrow pack` reads, which ignores it. A folder made by hand has none, and
- * everything in it is optional.
- */
+/** `studio.json`: project data beyond the files that `furrow pack` reads. Folders made by hand have none. All fields are optional. */
 export interface StudioFile {
   version: 1
-  /** As in `strokes.json`, for folders without strokes. */
+  /** Millimetres per unit, for folders without `strokes.json`. */
   scale?: number
   mapSize?: number
   auto?: AutoSettings
   /** Names of automatic areas, and indices of automatic strokes. */
   automaticAreas?: string[]
   automaticStrokes?: number[]
-  /** Names of layers whose blood map is automatic. */
+  /** Names of layers with automatic blood maps. */
   automaticBlood?: string[]
-  /** By the layer's name. */
+  /** Layers with drawn maps, by name. */
   layers?: Record<string, DrawnLayer>
   face?: FaceFile
-  /** Paths of the images that the studio wrote: those that it may delete. */
+  /** Paths of images written by the studio, which it may delete. */
   files?: string[]
 }
 
-/** A layer that has other maps in the document than in the folder. */
+/** Layer whose maps differ between document and folder. */
 export interface DrawnLayer {
-  /** Maps of the folder that were drawn from strokes. */
+  /** Maps drawn from strokes. */
   drawn: MapName[]
-  /** Addresses of the maps that strokes were drawn over. */
+  /** Addresses of the maps below the strokes. */
   under?: { [Name in MapName]?: string }
   heightAmplitude?: number
 }
@@ -43,17 +40,17 @@ export interface DrawnLayer {
 export interface FaceFile {
   /** Path of the face in the folder. */
   path: string
-  /** Path that it was opened from. */
+  /** Original path. */
   name: string
 }
 
 export const STUDIO_FILE = 'studio.json'
-/** Where maps are that strokes were drawn over. */
+/** Folder of the maps below strokes. */
 export const UNDER = 'under'
-/** Where a face is that has files beside it. */
+/** Folder of a face with several files. */
 export const FACE_FOLDER = 'face'
 
-/** What is automatic in a document. */
+/** Lists the automatic parts of a document. */
 export function automaticParts({ layers, areas, strokes }: StudioDocument) {
   return {
     automaticAreas: areas.flatMap(({ name, isAutomatic }) => (isAutomatic ? [name] : [])),
@@ -62,21 +59,21 @@ export function automaticParts({ layers, areas, strokes }: StudioDocument) {
   }
 }
 
-/** A `studio.json` that was read. */
+/** Result of reading `studio.json`. */
 export interface ReadStudioFile {
   studio: StudioFile
-  /** Its faults, in one line. */
+  /** Summary of its errors, in one line. */
   note?: string
 }
 
-/** Most characters of a path or an address. */
+/** Maximum characters of a path or an address. */
 const LONGEST_PATH = 2048
 const MOST_FILES = 5000
-/** More than a document can have of areas or layers. */
+/** Exceeds the limits of areas and layers in a document. */
 const MOST_NAMES = 4096
 const MOST_STROKES = 1_000_000
 
-/** Reads `studio.json`. A field that is wrong counts as absent, as the document is whole without it. */
+/** Reads `studio.json`. Invalid fields count as missing, because all fields are optional. */
 export function parseStudioFile(json: unknown): ReadStudioFile {
   const faults: string[] = []
   const right = <T>(read: () => T): T | undefined => {
@@ -109,7 +106,7 @@ export function parseStudioFile(json: unknown): ReadStudioFile {
 
 type ParseField<T> = (reader: JsonReader, value: unknown, path: string) => T
 
-/** The schema: each field by its name. */
+/** Schema: a parser per field. */
 const FIELDS: { [Name in Exclude<keyof StudioFile, 'version'>]-?: ParseField<StudioFile[Name]> } = {
   scale: (reader, value, path) => reader.number(value, path, ...SCALES, 'mm per unit'),
   mapSize: (reader, value, path) => reader.integer(value, path, 16, MAX_IMAGE_SIDE),
@@ -146,7 +143,7 @@ function listOf<T>(
   return reader.array(value, path, 0, most).map((item, i) => parse(item, `${path}[${i}]`))
 }
 
-/** Reads the settings of automatic wrinkles. Throws FurrowError at the first field that is malformed. */
+/** Reads the settings of automatic wrinkles. Throws FurrowError at the first invalid field. */
 export function parseAuto(reader: JsonReader, value: unknown, path: string): AutoSettings {
   const { age, strength, size, seed, seeds, regions, shapes } = reader.object(value, path)
   const seedAt = (value: unknown, path: string) => reader.integer(value, path, 0, 2 ** 32 - 1)

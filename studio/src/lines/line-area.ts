@@ -6,15 +6,15 @@ import type { LayerStroke, StudioArea, StudioDocument } from '../document/docume
 import { freeName } from '../document/names.ts'
 import { addStroke, edited } from '../document/strokes.ts'
 
-/** Name of the areas that are made for lines where there is none. */
+/** Name of areas added for lines without one. */
 const NEW_AREA = 'lines'
-/** Mean weight, 0..255, from which an area is under a line. */
+/** Minimum mean weight, 0..255, for a line to lie on an area. */
 const UNDER = 32
 
-/** A line that may not know yet which area shows it: its group and layer are then those of the area under it. */
+/** New line. Its group and layer default to those of the area below it. */
 export type NewLine = Omit<LayerStroke, 'layer'> & { readonly layer?: string }
 
-/** Adds a line, and makes sure that an area shows it. */
+/** Adds a line and extends or adds the area that shows it. */
 export function addLine(document: StudioDocument, line: NewLine, canvas: SkinCanvas): StudioDocument {
   const group = line.group ?? groupUnder(document, line.points) ?? freeName(document.areas, NEW_AREA)
   const layer = line.layer ?? areasOf(document, group)[0]?.layer ?? document.layers[0].name
@@ -22,33 +22,33 @@ export function addLine(document: StudioDocument, line: NewLine, canvas: SkinCan
   return withArea(addStroke(document, stroke), stroke, canvas)
 }
 
-/** Makes sure that the area of a line's group shows it: lays it round the line, and adds it where there is none. */
+/** Extends the area of a line's group to cover the line, or adds the area. */
 export function withArea(document: StudioDocument, stroke: LayerStroke, canvas: SkinCanvas): StudioDocument {
   const { group, layer } = stroke
   if (group === undefined) return document
   const [area] = areasOf(document, group)
-  // Of an area for each side, none shows the line alone.
+  // A line can span a left and a right area; neither is extended.
   if (area && area.name !== group) return document
   const weights = paintWeights({ name: group, shapes: [{ group, ...GROUP_SHAPE }] }, [stroke], canvas)
-  // No blendshape moves a new area: it is shown until its slider or a driver says otherwise.
+  // A new area has no driver yet, so it is active at rest.
   if (!area) return addArea(document, { name: group, layer, combine: 'sum', activation: 1, weights })
   const joined = greater(area.weights, weights)
   return joined === area.weights ? document : paintArea(document, group, joined)
 }
 
-/** Whether the area that shows a line shows it at a point too; true where none is made for the line alone. */
+/** Whether the area of a line covers a point. Always true for lines without an area of their own. */
 export function isShownAt({ areas }: StudioDocument, { group }: LayerStroke, point: Uv): boolean {
   const area = areas.find(({ name }) => name === group)
   return !area || meanWeight(area.weights, [point]) >= UNDER
 }
 
-/** The areas that show a group: that of its name, or else those of its left and right side. */
+/** Returns the area with the group's name, or else its left and right areas. */
 function areasOf({ areas }: StudioDocument, group: string): StudioArea[] {
   const own = areas.filter(({ name }) => name === group)
   return own.length > 0 ? own : areas.filter(({ name }) => withoutSide(name) === group)
 }
 
-/** The group that lines here belong to: of the area with the greatest weight, of both sides where a line crosses the middle. */
+/** Returns the group of the area with the greatest weight below the points, without its side if the points span both sides. */
 function groupUnder({ areas }: StudioDocument, points: readonly Uv[]): string | undefined {
   const under = areas
     .map(({ name, weights }) => ({ name, mean: meanWeight(weights, points) }))
@@ -70,7 +70,7 @@ function meanWeight({ width, height, data }: GrayImage, points: readonly Uv[]): 
   return sum / points.length
 }
 
-/** The greater of two weights in each texel; the first image where it is greater everywhere. */
+/** Returns the maximum per texel, or the first image if it is greater everywhere. */
 function greater(image: GrayImage, other: GrayImage): GrayImage {
   if (image.data.every((weight, i) => weight >= other.data[i])) return image
   return { ...image, data: image.data.map((weight, i) => Math.max(weight, other.data[i])) }

@@ -6,55 +6,55 @@ import { replaceStroke } from '../document/strokes.ts'
 import type { Session } from '../session/session.ts'
 import { addLine, isShownAt, type NewLine, withArea } from './line-area.ts'
 
-/** What the pointer does on the face: orbits only, edits lines, or draws new ones. */
+/** Pointer mode on the face: orbit only, edit lines, or draw lines. */
 export type LineMode = 'off' | 'edit' | 'draw'
 
-/** The cross-section of a line, and how it ends. */
+/** Cross-section and ends of a line. */
 export type LineShape = Pick<
   LayerStroke,
   'width' | 'depth' | 'softness' | 'shoulder' | 'bank' | 'lean' | 'taper'
 >
 
-/** A wrinkle of the forehead, about. */
+/** Default: similar to a forehead wrinkle. */
 const SHAPE: LineShape = { width: 3, depth: 0.6, softness: 0.4, shoulder: [0.6, 0.6], taper: [0.3, 0.3] }
 
-/** Fraction of the way that "Smooth" moves points. */
+/** Strength of "Smooth", 0..1. */
 const SMOOTHING = 0.5
 
-/** What lines are edited on. */
+/** Surface on which lines are edited. */
 export interface LineSurface {
   readonly canvas: SkinCanvas
   readonly middle: MirrorPlane | undefined
 }
 
-/** The line that is chosen, and what can be done with it: operations on the session's document. */
+/** Holds the chosen line and edits it through operations of the session. */
 export class LineEditor {
   readonly mode = signal<LineMode>('off')
-  /** Of lines that are drawn. */
+  /** Shape of new lines. */
   readonly shape = signal<LineShape>(SHAPE)
-  /** Group of lines that are drawn; empty for that of the area under them. */
+  /** Group of new lines; if empty, that of the area below them. */
   readonly group = signal('')
-  /** Layer of lines that are drawn; empty for that of their area. */
+  /** Layer of new lines; if empty, that of their area. */
   readonly layer = signal('')
-  /** Index of the chosen point of the chosen line; -1 for none. */
+  /** Index of the chosen point, or -1. */
   readonly point = signal(-1)
   readonly session: Session
   readonly #surface: () => LineSurface | null
-  /** Operations keep a line at its index in the document, and undo brings it back to it. */
+  /** Index of the chosen line. Operations and undo keep it. */
   readonly #index = signal(-1)
-  /** Whether the present gesture has moved a point. */
+  /** Whether the current gesture moved a point. */
   #hasMoved = false
 
-  /** Null while no line is chosen. */
+  /** Chosen line, or null. */
   readonly chosen: ReadonlySignal<LayerStroke | null> = computed(
     () => this.session.document.value?.strokes[this.#index.value] ?? null,
   )
 
-  /** @param surface of the present face; null where it has no document. */
+  /** @param surface surface of the current face, or null without a document. */
   constructor(session: Session, surface: () => LineSurface | null) {
     this.session = session
     this.#surface = surface
-    // Other automatic wrinkles are other lines.
+    // Remaking the automatic wrinkles replaces their lines.
     const auto = computed(() => session.document.value?.auto)
     effect(() => {
       auto.value
@@ -62,7 +62,7 @@ export class LineEditor {
     })
   }
 
-  /** How many points the chosen line has; 0 without one. */
+  /** Number of points of the chosen line, or 0. */
   get pointCount(): number {
     const [stroke, surface] = [this.chosen.value, this.#surface()]
     return stroke && surface ? splineOf(stroke, surface.canvas).points.length : 0
@@ -74,7 +74,7 @@ export class LineEditor {
     this.point.value = -1
   }
 
-  /** Moves the chosen point to another point of the skin; one step until `settle`. */
+  /** Moves the chosen point. Moves are one undo step until `settle`. */
   movePoint(uv: Uv): void {
     const index = this.point.peek()
     this.#hasMoved = true
@@ -88,7 +88,7 @@ export class LineEditor {
     )
   }
 
-  /** Adds a point to the chosen line, and chooses it: one step with the moves of it that follow, until `settle`. */
+  /** Adds a point to the chosen line and chooses it. Following moves belong to the same undo step until `settle`. */
   insertPoint(along: number): void {
     let index = -1
     this.#change(
@@ -103,7 +103,7 @@ export class LineEditor {
     if (index >= 0) this.point.value = index
   }
 
-  /** Removes the chosen point, or the line where no point is chosen or it has no more than two. */
+  /** Removes the chosen point, or the line if no point is chosen or only two are left. */
   remove(): void {
     const index = this.point.peek()
     const stroke = this.chosen.peek()
@@ -126,7 +126,7 @@ export class LineEditor {
     this.#change('Smooth a line', (stroke, { canvas }) => [smoothStroke(stroke, SMOOTHING, canvas)])
   }
 
-  /** Splits the chosen line at its chosen point, or else in its middle; the first part stays chosen. */
+  /** Splits the chosen line at its chosen point, or in the middle. The first part stays chosen. */
   split(): void {
     const index = this.point.peek()
     this.#change('Split a line', (stroke, { canvas }) => {
@@ -139,7 +139,7 @@ export class LineEditor {
     this.point.value = -1
   }
 
-  /** Adds the mirror image of the chosen line, and chooses it. */
+  /** Adds the mirror image of the chosen line and chooses it. */
   mirror(): void {
     const stroke = this.chosen.peek()
     const surface = this.#surface()
@@ -147,7 +147,7 @@ export class LineEditor {
     this.#add('Mirror a line', mirrorStroke(stroke, surface.canvas, surface.middle))
   }
 
-  /** Adds a line with the shape, group and layer that are set, and chooses it. */
+  /** Adds a line with the current shape, group and layer, and chooses it. */
   draw(points: Uv[]): void {
     const [group, layer] = [this.group.peek(), this.layer.peek()]
     this.#add('Draw a line', {
@@ -160,7 +160,7 @@ export class LineEditor {
     })
   }
 
-  /** Changes the cross-section of the chosen line, or of lines that are drawn; one step until `settle`. */
+  /** Changes the shape of the chosen line, or of new lines in draw mode. One undo step until `settle`. */
   setShape(fields: Partial<LineShape>): void {
     if (this.mode.peek() === 'draw') {
       this.shape.value = { ...this.shape.peek(), ...fields }
@@ -170,7 +170,7 @@ export class LineEditor {
     this.#change(`Change the ${Object.keys(fields)} of a line`, (stroke) => [{ ...stroke, ...fields }], key)
   }
 
-  /** Shows the line with another area; one of a new name is made round it. */
+  /** Assigns the line to another area. An area with a new name is added around the line. */
   setGroup(group: string): void {
     if (this.mode.peek() === 'draw') {
       this.group.value = group
@@ -190,14 +190,14 @@ export class LineEditor {
     else this.#change('Change the layer of a line', (stroke) => [{ ...stroke, layer }])
   }
 
-  /** Ends a gesture: the next change is another step. A point that was moved off its line's area takes the area along: nothing that is drawn fades. */
+  /** Ends a gesture and its undo step. Extends the line's area if a point was moved off it, so that the line stays visible. */
   settle(): void {
     if (this.#hasMoved) this.#coverPoint()
     this.#hasMoved = false
     this.session.settle()
   }
 
-  /** As part of the step that has moved the point. */
+  /** Extends the area in the same undo step as the move. */
   #coverPoint(): void {
     const [stroke, surface] = [this.chosen.peek(), this.#surface()]
     const document = this.session.document.peek()

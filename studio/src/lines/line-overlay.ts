@@ -7,26 +7,26 @@ const COLOURS = {
   chosen: '#ff9d2e',
   shadow: 'rgb(40 20 10 / 40%)',
 }
-/** CSS pixels between points of a curve that are drawn: the points of a line may be less than one apart. */
+/** Minimum distance of drawn points, CSS pixels: the points of a line can be less than a pixel apart. */
 const STEP = 3
-/** Radii of points in CSS pixels. */
+/** Point radii, CSS pixels. */
 const POINT = 4
 const CHOSEN_POINT = 6
 
-/** What is drawn over the face. */
+/** Content of the overlay. */
 export interface LinePicture {
   readonly lines: readonly ProjectedLine[]
   readonly chosen: LayerStroke | null
-  /** Index of the chosen point of the chosen line; -1 for none. */
+  /** Index of the chosen point, or -1. */
   readonly point: number
   readonly hovered: LayerStroke | null
   readonly path: readonly { x: number; y: number }[]
 }
 
-/** A canvas over the stage with thin curves: both renderers have the same, and pictures of the face do not. */
+/** Canvas over the stage with thin curves. Independent of the renderer, and not part of pictures of the face. */
 export class LineOverlay {
   readonly #canvas = document.createElement('canvas')
-  /** The lines that are not chosen, which stay while one is drawn, bent or hovered, and what they were drawn of. */
+  /** Cache of all lines except the chosen one. */
   readonly #others = document.createElement('canvas')
   #drawn: readonly unknown[] = []
   readonly #stage: HTMLElement
@@ -69,13 +69,13 @@ export class LineOverlay {
     for (const line of lines) drawLine(context, line, 'line')
   }
 
-  /** Makes a canvas as large as the stage, and empty. */
+  /** Clears a canvas and fits it to the stage. */
   #clear(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
     const ratio = Math.min(devicePixelRatio, 2)
     const [width, height] = this.size.map((side) => Math.round(side * ratio))
     canvas.width = width
     canvas.height = height
-    // Kept on the processor: hundreds of thin curves take a software rasteriser seconds, during which the page gets no events.
+    // CPU canvas: a software GPU needs seconds for hundreds of thin curves and blocks the page's events.
     const context = canvas.getContext('2d', { willReadFrequently: true })!
     context.scale(ratio, ratio)
     context.lineJoin = 'round'
@@ -84,7 +84,7 @@ export class LineOverlay {
   }
 }
 
-/** What is seen of a line: the indices of the points by which each part is drawn, from its first to its last. */
+/** Returns the visible parts of a line as indices of its drawn points. */
 export function seenParts({ x, y, isSeen }: Pick<ProjectedLine, 'x' | 'y' | 'isSeen'>): number[][] {
   const parts: number[][] = []
   for (let i = 0; i + 1 < x.length; i++) {
@@ -118,7 +118,7 @@ function drawPath(context: CanvasRenderingContext2D, path: LinePicture['path']):
   if (path.length > 1) stroke(context, 2, COLOURS.chosen)
 }
 
-/** With a shadow, so that it shows on light skin too. */
+/** Strokes with a shadow, for contrast on light skin. */
 function stroke(context: CanvasRenderingContext2D, width: number, colour: string): void {
   context.lineWidth = width + 2
   context.strokeStyle = COLOURS.shadow

@@ -6,25 +6,25 @@ import { makeCanvasInWorker } from '../paint/in-worker.ts'
 import type { SkinPicker } from '../paint/picker.ts'
 import { type PosedSkin, prepareSkin } from '../paint/posed-skin.ts'
 
-/** A stroke as a line on the skin, which follows the skin when that is deformed. */
+/** Stroke as a polyline bound to the skin's triangles, so that it follows deformation. */
 export interface SkinLine {
-  /** The triangle that each point is on, and its three barycentric coordinates in it. */
+  /** Triangle and barycentric coordinates per point. */
   triangles: readonly number[]
   weights: Float64Array
-  /** How far along the line each point is, as a fraction of its length, 0..1. */
+  /** Position along the line per point, 0..1. */
   along: Float64Array
-  /** For each point of the stroke as a spline, the point of the line there. */
+  /** Index of the polyline point at each spline point. */
   knots: readonly number[]
 }
 
-/** The skin of a face as lines are drawn on it. */
+/** Skin of a face, prepared for drawing lines. */
 export class LineSkin {
-  /** With texels of the document's areas. */
+  /** Canvas with texels of the document's areas. */
   readonly canvas: SkinCanvas
   readonly #posed: PosedSkin
   readonly #lines = new WeakMap<LayerStroke, SkinLine | null>()
 
-  /** @param canvas of the same skin. */
+  /** @param canvas canvas of the same skin. */
   constructor(posed: PosedSkin, canvas: SkinCanvas) {
     this.#posed = posed
     this.canvas = canvas
@@ -34,7 +34,7 @@ export class LineSkin {
     return this.#posed.picker
   }
 
-  /** Between the left and right half; undefined where blendshapes do not show it. */
+  /** Plane between left and right half. Undefined if blendshapes do not define it. */
   get middle(): MirrorPlane | undefined {
     return middleOf(this.#skin)
   }
@@ -48,7 +48,7 @@ export class LineSkin {
     return this.#posed.skin.skin
   }
 
-  /** The line of a stroke, found once; null where none of it is on the skin. */
+  /** Returns the cached polyline of a stroke, or null if the stroke misses the skin. */
   lineOf(stroke: LayerStroke): SkinLine | null {
     const known = this.#lines.get(stroke)
     if (known !== undefined) return known
@@ -79,9 +79,9 @@ export class LineSkin {
 }
 
 /**
- * Makes the skin of a face ready to be drawn on, in workers; on the page where they end. It rejects with a FurrowError where it cannot be drawn on.
+ * Prepares a skin for drawing lines, in workers, or on the main thread if a worker dies. Rejects with a FurrowError if that fails.
  *
- * @param size side of the face's areas in texels.
+ * @param size side of the face's areas, texels.
  */
 export async function readLineSkin(
   meshes: readonly [Mesh, ...Mesh[]],

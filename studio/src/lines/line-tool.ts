@@ -5,31 +5,31 @@ import { type PathPoint, reducePath } from '../lines/reduce-path.ts'
 import type { SkinPicker } from '../paint/picker.ts'
 import type { StagePointer, StageTool } from '../tools/stage-tool.ts'
 
-/** CSS pixels within which the pointer is on a line, and on a point, which comes first. */
+/** Hit distances of lines and points, CSS pixels. Points have precedence. */
 const ON_LINE = 8
 const ON_POINT = 10
 
-/** The lines on the stage. */
+/** Lines on the stage. */
 export interface LineStage {
-  /** Null while there is nothing to edit. */
+  /** Null while nothing can be edited. */
   readonly picker: Pick<SkinPicker, 'pick'> | null
-  /** As the camera sees them. */
+  /** Lines as seen by the camera. */
   readonly lines: readonly ProjectedLine[]
-  /** What makes the picker; null once that is done. */
+  /** Returns the preparation of the picker, or null once it is ready. */
   waitsFor(): Promise<unknown> | null
-  /** What the tool shows has changed. */
+  /** Called when the hovered line or the path changes. */
   changed(): void
 }
 
-/** Chooses lines and moves their points, or draws new ones. */
+/** Chooses lines, moves their points, and draws new lines. */
 export class LineTool implements StageTool {
-  /** The line under the pointer, and the way of the pointer that becomes one. */
+  /** Line under the pointer, and the pointer path of a new line. */
   hovered: LayerStroke | null = null
   path: { x: number; y: number }[] = []
   readonly #editor: LineEditor
   readonly #stage: LineStage
   #drawn: PathPoint[] = []
-  /** Whether the gesture has changed the document. */
+  /** Whether the gesture changed the document. */
   #isChanged = false
 
   constructor(editor: LineEditor, stage: LineStage) {
@@ -86,7 +86,7 @@ export class LineTool implements StageTool {
     this.#stage.changed()
   }
 
-  /** Adds a point to the chosen line where the pointer is. */
+  /** Adds a point to the chosen line at the pointer. */
   insert(pointer: Pick<StagePointer, 'x' | 'y'>): void {
     const hit = this.#lineAt(pointer)
     if (hit?.stroke !== this.#editor.chosen.peek() || this.#knotAt(pointer) >= 0) return
@@ -110,7 +110,7 @@ export class LineTool implements StageTool {
     return true
   }
 
-  /** Moves the chosen point to where the pointer is now; off the skin it stays. */
+  /** Moves the chosen point to the pointer, unless the pointer is off the skin. */
   #moveTo(pointers: readonly StagePointer[]): void {
     const last = pointers.at(-1)
     if (!last || this.#editor.point.peek() < 0) return
@@ -139,7 +139,7 @@ export class LineTool implements StageTool {
   #lineAt({ x, y }: Pick<StagePointer, 'x' | 'y'>) {
     const { lines } = this.#stage
     const chosen = lines.filter(({ stroke }) => stroke === this.#editor.chosen.peek())
-    // The chosen line comes before those that cross it.
+    // The chosen line has precedence over crossing lines.
     return nearestLine(chosen, x, y, ON_LINE) ?? nearestLine(lines, x, y, ON_LINE)
   }
 

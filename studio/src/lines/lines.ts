@@ -11,27 +11,27 @@ import { type LineSkin, readLineSkin } from './line-skin.ts'
 import { LineTool } from './line-tool.ts'
 import { LineProjection, type ProjectedLine } from './project-lines.ts'
 
-/** What lines need of the application. */
+/** Dependencies of `Lines`. */
 export interface LinesParts {
-  /** The element that the face is drawn on. */
+  /** Element that shows the face. */
   stage: HTMLElement
   session: Session
   viewer: ReadonlySignal<Viewer | null>
   tools: ToolHost
-  /** Runs a task, and shows its errors. */
+  /** Runs a task and shows its errors. */
   attempt(task: () => unknown): unknown
 }
 
-/** The lines of the document on the face: shows them, and lets the pointer edit them. */
+/** Shows the document's lines on the face and lets the pointer edit them. */
 export class Lines {
   readonly editor: LineEditor
   readonly #parts: LinesParts
   readonly #overlay: LineOverlay
   readonly #tool: LineTool
   readonly #skin = signal<LineSkin | null>(null)
-  /** Reads the skin; null once that is done. */
+  /** Pending reading of the skin, or null. */
   #reading: Promise<void> | null = null
-  /** What the skin was read of. */
+  /** Inputs of the last reading. */
   #source: readonly unknown[] = []
   readonly #projection = new LineProjection()
   #lines: ProjectedLine[] = []
@@ -79,17 +79,18 @@ export class Lines {
   }
 
   /**
-   * Moves the chosen point over the skin, as the camera sees it; beside the skin it stays.
+   * Moves the chosen point over the skin in screen space. Ignores moves off the skin.
    *
-   * @param right, down in CSS pixels.
-   * @throws FurrowError for a point that the camera does not see.
+   * @param right distance to the right, CSS pixels.
+   * @param down distance downwards, CSS pixels.
+   * @throws FurrowError if the point is hidden from the camera.
    */
   movePoint(right: number, down: number): void {
     const camera = this.#parts.viewer.peek()?.stage.camera
     const [stroke, skin] = [this.editor.chosen.peek(), this.#skin.peek()]
     if (!camera || !stroke || !skin) return
     const { size } = this.#overlay
-    // As it is now: keys may come faster than frames.
+    // Project now: keys can come faster than frames.
     const [line] = this.#projection.project([stroke], skin, camera, size)
     const i = line?.knots[this.editor.point.peek()]
     if (i === undefined) return
@@ -112,12 +113,12 @@ export class Lines {
     this.#lines = this.#projection.project(document.strokes, skin, camera, this.#overlay.size)
     const [chosen, point] = [this.editor.chosen.peek(), this.editor.point.peek()]
     const { hovered, path, isBending } = this.#tool
-    // Only what is bent, so that the wrinkles round it are seen.
+    // While bending, hide other lines to show the wrinkles.
     const lines = isBending ? this.#lines.filter(({ stroke }) => stroke === chosen) : this.#lines
     this.#overlay.draw({ lines, chosen, point, hovered, path })
   }
 
-  /** Draws the lines in the next frame. The face stays: it takes longer, and may have its own frame soon, with other wrinkles. */
+  /** Draws the lines in the next frame, without drawing the face. */
   #redraw(): void {
     this.#request ||= requestAnimationFrame(() => {
       this.#request = 0
@@ -125,7 +126,7 @@ export class Lines {
     })
   }
 
-  /** Reads the skin of the present face, once, while lines are edited. */
+  /** Reads the skin of the current face when line editing begins. */
   #readSkin(): void {
     const { session, viewer, attempt } = this.#parts
     const document = session.document.value

@@ -3,38 +3,38 @@ import type { LayerStroke } from '../document/document.ts'
 import type { Sight } from '../paint/seen-places.ts'
 import type { LineSkin } from './line-skin.ts'
 
-/** A line as the camera sees it. */
+/** Line in screen space. */
 export interface ProjectedLine {
   readonly stroke: LayerStroke
-  /** Of each point in CSS pixels from the stage's upper left corner. */
+  /** Screen coordinates per point, CSS pixels from the stage's upper left corner. */
   readonly x: Float32Array
   readonly y: Float32Array
-  /** Whether the camera sees each point. */
+  /** Visibility per point. */
   readonly isSeen: readonly boolean[]
-  /** How far along the line each point is, 0..1. */
+  /** Position along the line per point, 0..1. */
   readonly along: Float64Array
-  /** The points that are those of the stroke as a spline. */
+  /** Indices of the spline points. */
   readonly knots: readonly number[]
 }
 
-/** A point of a line under the pointer. */
+/** Point of a line under the pointer. */
 export interface LineHit {
   readonly stroke: LayerStroke
   readonly along: number
-  /** In CSS pixels. */
+  /** Distance to the pointer, CSS pixels. */
   readonly distance: number
 }
 
-/** Points between two that are asked for whether they are hidden: 2 mm. */
+/** Interval of visibility tests, points (2 mm). */
 const SIGHT_STEP = 4
 
-/** Where lines are on the stage, on the face as it is deformed now. Each is looked for once, until the camera or the face moves. */
+/** Projects lines on the deformed face to the stage. Cached until the camera or the face moves. */
 export class LineProjection {
-  /** What the lines were projected by. */
+  /** Inputs of the cached projections. */
   #view: readonly unknown[] = []
   #lines = new WeakMap<LayerStroke, ProjectedLine | null>()
 
-  /** @param size of the stage in CSS pixels. */
+  /** @param size stage size, CSS pixels. */
   project(
     strokes: readonly LayerStroke[],
     skin: LineSkin,
@@ -60,7 +60,7 @@ export class LineProjection {
   }
 }
 
-/** Null where none of the line is on the skin. */
+/** Returns null if the line misses the skin. */
 function projectLine(
   stroke: LayerStroke,
   skin: LineSkin,
@@ -84,7 +84,7 @@ function projectLine(
   return { stroke, x, y, isSeen, along, knots }
 }
 
-/** The visible line that is nearest to a point of the stage; undefined where none is within a distance. */
+/** Finds the visible line nearest to a point of the stage, within a distance. */
 export function nearestLine(
   lines: readonly ProjectedLine[],
   px: number,
@@ -105,7 +105,7 @@ export function nearestLine(
   return nearest
 }
 
-/** The index of the spline's point that is nearest to a point of the stage; -1 where none is within a distance. */
+/** Finds the spline point nearest to a point of the stage, within a distance. Returns -1 if there is none. */
 export function nearestKnot({ x, y, knots }: ProjectedLine, px: number, py: number, within: number): number {
   let [nearest, least] = [-1, within]
   for (const [index, i] of knots.entries()) {

@@ -1,24 +1,24 @@
 import { splineKnots } from 'furrow/internal'
 
-/** A point where a pointer was on the skin. */
+/** Pointer position on the skin. */
 export interface PathPoint {
-  /** At rest, in millimetres. */
+  /** Position at rest, millimetres. */
   readonly position: readonly [x: number, y: number, z: number]
   readonly uv: readonly [u: number, v: number]
 }
 
-/** Millimetres by which a line may miss the way of the pointer: less than a hand's tremor. */
+/** Maximum deviation from the pointer path, millimetres: less than a hand's tremor. */
 const TOLERANCE = 0.7
-/** Millimetres from point to point, at least: pointers report many in one texel. */
+/** Minimum distance of path points, millimetres: pointers send many events per texel. */
 const STEP = 0.3
-/** Millimetres below which a gesture is a click. */
+/** Minimum path extent, millimetres. A shorter gesture is a click. */
 const SHORTEST = 2
 
 /**
- * Reduces the way of a pointer to the few points that a spline needs to follow it: points are added where the spline misses it most, as
- * Ramer (1972) and Douglas and Peucker (1973) do with straight lines.
+ * Reduces a pointer path to the few points that a spline needs. Adds points where the spline deviates most, as Ramer (1972) and
+ * Douglas and Peucker (1973) do for straight lines.
  *
- * @returns none where the way is too short for a line.
+ * @returns an empty array if the path is too short.
  */
 export function reducePath(path: readonly PathPoint[]): PathPoint[] {
   const distinct: PathPoint[] = []
@@ -31,7 +31,7 @@ export function reducePath(path: readonly PathPoint[]): PathPoint[] {
   const farthest = away.indexOf(Math.max(...away))
   if (!(away[farthest] >= SHORTEST)) return []
   const positions = Float64Array.from(distinct.flatMap(({ position }) => position))
-  // The ends of a way that comes back are one point, through which no spline goes.
+  // The ends of a closed path are one point, which splines cannot interpolate.
   const ends = [...new Set([0, farthest, distinct.length - 1])]
   return splineKnots(positions, TOLERANCE, ends).map((i) => distinct[i])
 }

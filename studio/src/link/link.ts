@@ -4,32 +4,33 @@ import type { AutoRegion } from 'furrow/auto'
 import { AUTO_AGES, AUTO_SIZES, AUTO_STRENGTHS, type AutoSettings } from '../document/document.ts'
 import { type LightDirection, MOST_LIGHT } from '../viewer/light-direction.ts'
 
-/** What a link says: everything small, and never the model. */
+/** Contents of a link: small settings, never the model itself. */
 export interface Link {
-  /** Address of the model, where that is public. */
+  /** Model URL, if public. */
   model?: string | undefined
-  /** Weights of blendshapes, 0..1; those that are missing are 0. */
+  /** Blendshape weights, 0..1. Missing ones are 0. */
   pose?: ReadonlyMap<string, number> | undefined
-  /** Position and target in the units of the scene. */
+  /** Position and target in scene units. */
   camera?: readonly [x: number, y: number, z: number, tx: number, ty: number, tz: number] | undefined
-  /** Where the light comes from; absent where it is that of every face at first. */
+  /** Light direction. Absent for the default. */
   light?: LightDirection | undefined
-  /** What automatic wrinkles are made with. */
+  /** Settings of automatic wrinkles. */
   auto?: AutoSettings | undefined
 }
 
-/** Most characters of a link that are read, of an address and of a name in it, and most blendshapes. */
+/** Maximum characters of a link, of an address and of a name, and maximum number of blendshapes. */
 const MOST = { link: 20_000, address: 2000, name: 100, weights: 500 } as const
-/** Beyond it numbers of a camera are no place near a face. */
+/** Maximum absolute camera coordinate. */
 const FARTHEST = 1e6
-/** Seeds are 32 bits. */
+/** Maximum 32-bit seed. */
 const MOST_SEED = 2 ** 32 - 1
 
 /**
- * A link as the hash of an address, without `#`: `model=faces/human.glb&pose=jawOpen:0.25&camera=0,1.6,0.5,0,1.6,0&light=60,20&auto=45,1,1024,1`, the last
- * of which may go on with regions, and `lines=chin:2` with the seeds of some.
+ * Formats a link as a URL hash without `#`, for example
+ * `model=faces/human.glb&pose=jawOpen:0.25&camera=0,1.6,0.5,0,1.6,0&light=60,20&auto=45,1,1024,1`. Regions can follow in `auto`, and
+ * `lines=chin:2` has seeds per region.
  *
- * @param base address of the page; models beside it get a relative one.
+ * @param base page URL. Models below its folder get a relative address.
  */
 export function formatLink({ model, pose, camera, light, auto }: Link, base: string): string {
   const parts: string[] = []
@@ -51,11 +52,11 @@ export function formatLink({ model, pose, camera, light, auto }: Link, base: str
 }
 
 /**
- * Reads a link. Nothing in it is trusted: numbers outside their ranges and addresses that are neither secure nor of this page are refused.
+ * Parses an untrusted link. Rejects numbers out of range, and addresses that are neither https nor of the page's origin.
  *
  * @param hash with or without `#`.
- * @param base address of the page.
- * @throws FurrowError for the first part that cannot be used; parts of other names are ignored.
+ * @param base page URL.
+ * @throws FurrowError for the first invalid part. Unknown parts are ignored.
  */
 export function parseLink(hash: string, base: string): Link {
   const text = hash.replace(/^#/, '')
@@ -110,7 +111,7 @@ function cameraOf(text: string): Link['camera'] {
   const values = text.split(',').map((value) => numberIn(value, 'its camera', -FARTHEST, FARTHEST))
   const [x, y, z, tx, ty, tz] = values
   const distance = Math.hypot(x - tx, y - ty, z - tz)
-  // From straight above or below, which way is up?
+  // Looking straight up or down leaves the up direction undefined.
   const isUpright = Math.hypot(x - tx, z - tz) > 1e-3 * distance
   if (values.length !== 6 || !isUpright) throw unusable('its camera', text.slice(0, MOST.name), '6 numbers')
   return [x, y, z, tx, ty, tz]
@@ -167,13 +168,13 @@ function numberIn(text: string | undefined, what: string, low: number, high: num
   throw unusable(what, text?.slice(0, MOST.name), `${low} to ${high}`)
 }
 
-/** An address beside the page without what it has in common with the page's. */
+/** Makes an address relative if it is below the page's folder. */
 function relative(address: string, base: string): string {
   const folder = new URL('.', base).href
   return address.startsWith(folder) ? address.slice(folder.length) : address
 }
 
-/** What a link needs escaped; `/` stays, which is safe in a hash and easier to read. */
+/** Escapes text for a link. Keeps `/`, which is safe in a hash and more readable. */
 function escaped(text: string): string {
   return encodeURIComponent(text).replaceAll('%2F', '/')
 }

@@ -12,11 +12,11 @@ export interface PageLinkParts {
   messages: Messages
   loading: Loading
   light: ShownScene['light']
-  /** Runs what sets blendshapes and the camera. */
+  /** Runs changes of blendshapes and camera. */
   set(write: () => void): void
 }
 
-/** The link in the hash of the page's address: what it says is shown, and what is shown can be copied as one. */
+/** Link in the hash of the page's URL: applies it, and makes links to the current state. */
 export class PageLink {
   readonly #parts: PageLinkParts
   #link: Link | null = null
@@ -26,7 +26,7 @@ export class PageLink {
     addEventListener('hashchange', () => void this.#follow())
   }
 
-  /** Reads the link; what is wrong with it is told, and it counts as none. */
+  /** Reads the link. Shows an error and ignores the link if it is invalid. */
   async read(): Promise<void> {
     this.#link = null
     if (location.hash.length < 2) return
@@ -38,7 +38,7 @@ export class PageLink {
     })
   }
 
-  /** Loads its model; null where it has none. */
+  /** Loader of the link's model, or null. */
   get load(): LoadAvatar | null {
     const model = this.#link?.model
     if (model === undefined) return null
@@ -50,7 +50,7 @@ export class PageLink {
     }
   }
 
-  /** Sets the face and the camera as it says. Returns whether there is a link. */
+  /** Applies the pose and the camera of the link. Returns whether there is a link. */
   show(): boolean {
     const [link, scene] = [this.#link, this.#scene]
     if (!link || !scene) return false
@@ -58,7 +58,7 @@ export class PageLink {
     return true
   }
 
-  /** Copies a link to what is shown, and leaves it in the page's address too. */
+  /** Copies a link to the current state, and sets the page's URL to it. */
   async copy(): Promise<void> {
     const { workspace, messages } = this.#parts
     const scene = this.#scene
@@ -66,7 +66,7 @@ export class PageLink {
     const link = linkOf(scene, workspace.session.document.peek()?.auto)
     history.replaceState(null, '', `#${formatLink(link, location.href)}`)
     const what = link.model === undefined ? 'the avatar itself is not in it' : 'it opens this avatar'
-    // Browsers may refuse, and have no clipboard on pages that are not secure.
+    // The clipboard can be denied, and is missing on insecure pages.
     const isCopied = await navigator.clipboard?.writeText(location.href).then(
       () => true,
       () => false,

@@ -7,7 +7,7 @@ import { KEY_LIGHT } from '../viewer/staging.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 import type { Link } from './link.ts'
 
-/** A face as it is shown. */
+/** Shown face with camera and light. */
 export interface ShownScene {
   viewer: Viewer
   orbit: Orbit
@@ -15,9 +15,9 @@ export interface ShownScene {
 }
 
 /**
- * What a link says of a face as it is shown.
+ * Makes a link to the shown face.
  *
- * @param auto what its wrinkles were made with; undefined where they are others.
+ * @param auto settings of its automatic wrinkles. Undefined for other wrinkles.
  */
 export function linkOf({ viewer, orbit, light }: ShownScene, auto: AutoSettings | undefined): Link {
   const { avatar, targets } = viewer
@@ -32,7 +32,7 @@ export function linkOf({ viewer, orbit, light }: ShownScene, auto: AutoSettings 
   }
 }
 
-/** Shows a face as a link says. Blendshapes that it does not have are left out. */
+/** Applies a link to the shown face. Ignores missing blendshapes. */
 export function applyLink({ pose, camera, light }: Link, scene: ShownScene): void {
   const { viewer, orbit } = scene
   scene.light.value = light ?? KEY_LIGHT

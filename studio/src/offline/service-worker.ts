@@ -1,14 +1,13 @@
 /**
- * Keeps the built page in the browser, so that it works without a network. A build is kept as a whole and never mixed with another one: the
- * new one takes over when all pages of the old one are closed.
+ * Caches the built page for offline use. Builds are never mixed: a new one takes over when all pages of the old one are closed.
  *
- * Written into the build by `offline.ts`, which fills in what is quoted here.
+ * `offline.ts` writes this file into the build and replaces the constants in quotes.
  */
 
 const FILES: unknown = 'FILES'
 const CACHE = `furrow-studio ${'VERSION'}`
 
-/** What TypeScript's library for pages does not have. */
+/** Types missing in TypeScript's library for pages. */
 interface LifeEvent extends Event {
   waitUntil(work: Promise<unknown>): void
 }
@@ -20,7 +19,7 @@ interface RequestEvent extends LifeEvent {
 addEventListener('install', (event) => {
   const keep = async () => {
     const cache = await caches.open(CACHE)
-    // Past the browser's own cache, which may have files of an older build.
+    // Bypass the HTTP cache, which can hold files of an older build.
     await cache.addAll((FILES as string[]).map((path) => new Request(path, { cache: 'reload' })))
   }
   ;(event as LifeEvent).waitUntil(keep())
@@ -42,10 +41,10 @@ addEventListener('fetch', (event) => {
   ;(event as RequestEvent).respondWith(answer(request))
 })
 
-/** From the cache, else from the network, and kept: the addresses of a build's files never change what they mean. */
+/** Serves from the cache, else from the network, and caches the response: files of a build never change. */
 async function answer(request: Request): Promise<Response> {
   const cache = await caches.open(CACHE)
-  // What follows the path is read by the page itself, and files are the same whoever asks: some servers say `Vary: Origin`.
+  // The page itself reads the query. Files do not depend on the origin, although some servers send `Vary: Origin`.
   const known = await cache.match(request, { ignoreSearch: true, ignoreVary: true })
   if (known) return known
   const response = await fetch(request)

@@ -13,17 +13,17 @@ import { indexOfSkin, type SkinCandidate, skinOfDocument } from './skins.ts'
 import type { DroppedAvatar, DroppedWrinkles } from './sort-files.ts'
 import { readWrinklesFolder } from './wrinkles-folder.ts'
 
-/** An avatar that a user opened. `{ ...avatar, skin }` is the same one with another skin. */
+/** Avatar opened by the user. `{ ...avatar, skin }` is the same avatar with another skin. */
 export interface OpenedAvatar {
-  /** Of its file, without the extension. */
+  /** File name without extension. */
   readonly name: string
-  /** Its file as it was, then those that it refers to. */
+  /** Original file, followed by the files that it references. */
   readonly files: readonly [DroppedFile, ...DroppedFile[]]
-  /** Where everyone can get it; absent where it was dropped. */
+  /** Public URL. Absent for dropped files. */
   readonly address?: string
-  /** What its wrinkles were read from, where they are not in its file. */
+  /** Folder of its wrinkles, if they are not in its file. */
   readonly folder?: WrinklesFolder
-  /** What is worked on, where it was opened with it. */
+  /** Document opened with the avatar, if any. */
   readonly document?: StudioDocument
   readonly root: Object3D
   readonly skins: readonly SkinCandidate[]
@@ -31,17 +31,17 @@ export interface OpenedAvatar {
   readonly skin: number
   readonly animations: readonly AnimationClip[]
   readonly vrm: VRM | null
-  /** The expressions of a VRM, by the blendshapes that they move. */
+  /** Expressions of a VRM, as blendshape weights. */
   readonly expressions: readonly Expression[]
-  /** What the user should know of it, a sentence each. */
+  /** Messages for the user, one sentence each. */
   readonly notes: readonly string[]
 }
 
 /**
- * Opens an avatar that was dropped, or the one on the stage with wrinkles that were.
+ * Opens a dropped avatar, or the current one with dropped wrinkles.
  *
- * @param shown the avatar on the stage.
- * @throws FurrowError when it cannot be read, or there is nothing to show.
+ * @param shown current avatar.
+ * @throws FurrowError if the files are invalid, or if there is nothing to show.
  */
 export async function openDropped(
   dropped: DroppedAvatar | DroppedWrinkles,
@@ -57,12 +57,12 @@ export async function openDropped(
   return { ...avatar, folder: dropped.wrinkles, skins, notes }
 }
 
-/** Whether the studio wrote a folder: it is worked on at once. */
+/** Whether the studio wrote the folder, which then opens as a document. */
 function isProject({ files }: WrinklesFolder): boolean {
   return files.some(({ path }) => path === STUDIO_FILE)
 }
 
-/** Opens a project's avatar, or the one on the stage where it has none, with the document of the project. */
+/** Opens a project with its avatar, or with the current one if it has none. */
 async function openProject(
   folder: WrinklesFolder,
   notes: readonly string[],
@@ -80,10 +80,10 @@ async function openProject(
 }
 
 /**
- * Opens an avatar. What is wrong with its wrinkles costs these and a note.
+ * Opens an avatar. Invalid wrinkles are omitted with a note.
  *
- * @param dropped what was dropped with it: files that it may refer to, wrinkles that take the place of its own.
- * @throws FurrowError when it cannot be read, or there is nothing to show.
+ * @param dropped other dropped files: referenced files, and wrinkles that replace the avatar's own.
+ * @throws FurrowError if the avatar is invalid, or if there is nothing to show.
  */
 export async function openAvatar(
   face: DroppedFile,
@@ -119,14 +119,14 @@ export async function openAvatar(
   }
 }
 
-/** The avatar as the stage shows it. */
+/** Returns the avatar as a face for the stage. */
 export function faceOf({ root, skins, skin }: OpenedAvatar): Face {
   const { meshes, wrinkles } = skins[skin]
   const [first, ...parts] = meshes
   return { root, skin: first, parts, wrinkles }
 }
 
-/** Frees all memory of an avatar that is no longer shown. */
+/** Frees the memory of an avatar that is no longer shown. */
 export function disposeAvatar({ root }: OpenedAvatar): void {
   releaseFromGPU(root)
   for (const { source } of texturesOf(root)) (source.data as { close?(): void } | null)?.close?.()

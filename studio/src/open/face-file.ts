@@ -10,22 +10,21 @@ import {
 } from 'furrow-files'
 import { bytesOf, type DroppedFile } from '../files/dropped-files.ts'
 
-/** A glTF file that was read but not decoded, and the files that it refers to. */
+/** Parsed glTF file without decoded content, and the files that it references. */
 export interface FaceFile {
   bytes: Uint8Array<ArrayBuffer>
   json: GltfJson
-  /** By the URIs in the file. */
+  /** Files by URI. */
   references: ReadonlyMap<string, DroppedFile>
 }
 
 const WHO = 'Studio'
 
 /**
- * Reads a face: `.glb`, `.vrm` or `.gltf`, known by its contents. Files that it refers to are found by their paths and, where folders were
- * left out, by their names.
+ * Reads a face: `.glb`, `.vrm` or `.gltf`, detected by content. Finds referenced files by path, or by name if folders are missing.
  *
- * @param dropped all files that were dropped.
- * @throws FurrowError when the file is not whole glTF 2.0, refers to a file that was not dropped, or is too large.
+ * @param dropped all dropped files.
+ * @throws FurrowError if the file is not valid glTF 2.0, a referenced file is missing, or the files are too large.
  */
 export async function readFaceFile(face: DroppedFile, dropped: readonly DroppedFile[]): Promise<FaceFile> {
   checkFileBytes(face.file.size, face.path, WHO)
@@ -43,7 +42,7 @@ export async function readFaceFile(face: DroppedFile, dropped: readonly DroppedF
   return { bytes, json, references }
 }
 
-/** The file that a URI means: at its path, else the only one whose path ends with it or with its name. */
+/** Finds the file of a URI: the file at its path, or else the only file with its name. */
 function referenced(face: DroppedFile, uri: string, dropped: readonly DroppedFile[]): DroppedFile {
   const path = normalised(`${folderOf(face.path)}${pathOf(face.path, uri, WHO)}`)
   const exact = dropped.find((file) => file.path === path)

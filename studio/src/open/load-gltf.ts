@@ -9,25 +9,25 @@ import type { FaceFile } from './face-file.ts'
 import { findSkins, type SkinCandidate } from './skins.ts'
 import { hoistNames } from './target-names.ts'
 
-/** A face as three.js has loaded it. */
+/** Face loaded by three.js. */
 export interface LoadedGltf {
   gltf: GLTF
   skins: SkinCandidate[]
   vrm: VRM | null
-  /** The expressions of a VRM, by the blendshapes that they move. */
+  /** Expressions of a VRM, as blendshape weights. */
   expressions: Expression[]
-  /** What the user should know of it, a sentence each. */
+  /** Messages for the user, one sentence each. */
   notes: string[]
 }
 
-/** What the addresses of a face's files begin with, while it loads. Nothing is there. */
+/** URL prefix of referenced files while loading. Does not exist. */
 const BASE = 'dropped:/'
 
 /**
- * Loads a face with three.js. Decoders and the VRM plugins are fetched only if the file needs them.
+ * Loads a face with three.js. Fetches decoders and VRM plugins only if the file needs them.
  *
- * @param name of the file, for errors.
- * @throws FurrowError when it is damaged.
+ * @param name file name for errors.
+ * @throws FurrowError if the file is damaged.
  */
 export async function loadGltf(face: FaceFile, name: string): Promise<LoadedGltf> {
   const isVrm = uses(face, 'VRMC_vrm') || uses(face, 'VRM')
@@ -63,7 +63,7 @@ async function load(face: FaceFile, isVrm: boolean): Promise<LoadedGltf> {
   try {
     const gltf = await loader.parseAsync(face.bytes.buffer, BASE)
     const loaded: VRM | null = gltf.userData.vrm ?? null
-    // Avatars of VRM 0 look along -Z, all others along +Z.
+    // VRM 0 avatars look along -Z, others along +Z.
     if (loaded) vrm?.VRMUtils.rotateVRM0(loaded)
     const notes: string[] = []
     const skins = await findSkins(gltf, (fault) => notes.push(fault))
@@ -92,7 +92,7 @@ async function addDecoders(
   }
   if (uses(face, 'KHR_texture_basisu')) {
     const { KTX2Loader } = await import('three/addons/loaders/KTX2Loader.js')
-    // The renderer of the stage comes later, and may be exchanged: what WebGL can read on this GPU, WebGPU can.
+    // The stage's renderer is created later and can change. WebGPU supports the formats that WebGL supports on the same GPU.
     const renderer = new WebGLRenderer()
     const ktx2 = new KTX2Loader(manager).detectSupport(renderer)
     renderer.dispose()
@@ -103,7 +103,7 @@ async function addDecoders(
   return added
 }
 
-/** Whether a file uses an extension; some name it only where it is. */
+/** Whether a file uses an extension. Some files list an extension only in `extensions`. */
 function uses({ json }: FaceFile, extension: string): boolean {
   return Boolean(json.extensionsUsed?.includes(extension) || json.extensions?.[extension])
 }

@@ -1,6 +1,6 @@
 import type { Material, Mesh, Object3D, ShaderMaterial, Texture } from 'three'
 
-/** All textures of an object's materials. */
+/** Collects all textures of an object's materials. */
 export function texturesOf(root: Object3D): Set<Texture> {
   const textures = new Set<Texture>()
   for (const material of materialsOf(root)) {
@@ -12,7 +12,7 @@ export function texturesOf(root: Object3D): Set<Texture> {
   return textures
 }
 
-/** Frees what an object takes on the GPU. It remains usable by another renderer. */
+/** Frees the GPU resources of an object. Other renderers can still use it. */
 export function releaseFromGPU(root: Object3D): void {
   for (const texture of texturesOf(root)) texture.dispose()
   for (const material of materialsOf(root)) material.dispose()

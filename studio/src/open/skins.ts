@@ -15,29 +15,29 @@ import { namesOfMesh, namesOfTarget, type TargetNames } from 'furrow-files'
 import type { Mesh } from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 
-/** What may be the skin of an avatar: the primitives of one mesh that have one material. */
+/** Candidate for the skin of an avatar: the primitives of one mesh with one material. */
 export interface SkinCandidate {
-  /** Of the mesh in the file, with its material where the mesh has several. */
+  /** Mesh name in the file, with the material if the mesh has several. */
   name: string
-  /** The first one drives. */
+  /** The first mesh drives the others. */
   meshes: [Mesh, ...Mesh[]]
   /** Names of its mesh and material, as in `wrinkles.json`. */
   target: TargetNames
   /** All names of its mesh; the first is unique in the file. */
   meshNames: [string, ...string[]]
-  /** Names of a VRM's expressions that move one blendshape alone, by its index. */
+  /** Names of VRM expressions with a single blendshape, by its index. */
   expressions: ReadonlyMap<number, string>
   triangles: number
   blendshapes: number
-  /** Why it cannot wrinkle and what helps; null if it can. */
+  /** Why it cannot wrinkle, with a remedy, or null. */
   fault: string | null
   wrinkles: FileWrinkles | null
 }
 
 /**
- * Lists what may be the skin of a file, with the wrinkles that it has.
+ * Lists skin candidates of a file with their wrinkles.
  *
- * @param onFault is told why wrinkles are left out, a sentence each.
+ * @param onFault receives a sentence for each omission.
  */
 export async function findSkins(gltf: GLTF, onFault: (fault: string) => void): Promise<SkinCandidate[]> {
   const { parser } = gltf
@@ -59,8 +59,8 @@ export async function findSkins(gltf: GLTF, onFault: (fault: string) => void): P
 }
 
 /**
- * Chooses the skin as automatic wrinkles do: of the meshes with blendshapes and texture coordinates, the one on which brows, lids and mouth
- * move the most surface. One with wrinkles comes first; without any blendshape it is the largest.
+ * Chooses the skin like automatic wrinkles: among meshes with blendshapes and texture coordinates, the one with the most surface moved by
+ * brows, lids and mouth. Prefers a skin with wrinkles. Without blendshapes, chooses the largest mesh.
  *
  * @param skins at least one.
  * @returns its index.
@@ -85,7 +85,7 @@ export function indexOfSkin(skins: readonly SkinCandidate[]): number {
   return skins.indexOf(largest)
 }
 
-/** The skin that a document is of, or else the one that was chosen. */
+/** Returns the index of a document's skin, or the chosen one if it is missing. */
 export function skinOfDocument(
   { skins, skin }: { skins: readonly SkinCandidate[]; skin: number },
   { mesh, material }: TargetNames,

@@ -3,34 +3,34 @@ import { HEAD_BYTES, kindOf, NAME_FACE, otherFormat, unusable } from 'furrow-fil
 import { bytesOf, type DroppedFile } from '../files/dropped-files.ts'
 import type { WrinklesFolder } from '../files/folder-files.ts'
 
-/** What a user dropped. */
+/** Classified dropped files. */
 export type Dropped = DroppedAvatar | DroppedWrinkles | DroppedCaptures | DroppedAreas
 
 export interface DroppedAvatar {
   kind: 'avatar'
   face: DroppedFile
-  /** All files: the face may refer to any. */
+  /** All files: the face can reference any of them. */
   files: readonly DroppedFile[]
-  /** Take the place of those in the face. */
+  /** Wrinkles that replace those in the face. */
   wrinkles: WrinklesFolder | null
-  /** What was chosen of several, a sentence each. */
+  /** Messages about choices among several files, one sentence each. */
   notes: readonly string[]
 }
 
-/** Wrinkles for the avatar on the stage. */
+/** Wrinkles for the current avatar. */
 export interface DroppedWrinkles {
   kind: 'wrinkles'
   wrinkles: WrinklesFolder
   notes: readonly string[]
 }
 
-/** Tables, of which at least one should be a capture for the avatar on the stage: the app that writes them adds others. */
+/** Tables for the current avatar. At least one should be a capture: the app also writes other tables. */
 export interface DroppedCaptures {
   kind: 'captures'
   tables: readonly DroppedFile[]
 }
 
-/** Painted areas for the avatar on the stage. */
+/** Painted areas for the current avatar. */
 export interface DroppedAreas {
   kind: 'areas'
   images: readonly DroppedFile[]
@@ -39,13 +39,13 @@ export interface DroppedAreas {
 const FACE = /\.(glb|vrm|gltf)$/i
 const TABLE = /\.csv$/i
 const IMAGE = /\.(png|jpe?g|webp|avif)$/i
-/** What makes the folder before it one of wrinkles. */
+/** Files that mark a folder of wrinkles. */
 const WRINKLES = /^(|.*\/)(wrinkles\.json|layers\/[^/]+\/normal\.png)$/
 
 /**
- * Tells what was dropped, by names and by first bytes.
+ * Classifies dropped files by name and by first bytes.
  *
- * @throws FurrowError when there is nothing to open; it tells what the first file is.
+ * @throws FurrowError if no file is supported; describes the first file.
  */
 export async function sortFiles(dropped: readonly DroppedFile[]): Promise<Dropped> {
   const files = await unpacked(dropped)
@@ -58,7 +58,7 @@ export async function sortFiles(dropped: readonly DroppedFile[]): Promise<Droppe
     notes.push(`Took the wrinkles in ${wrinkles.name}, one of ${1 + others.length} folders`)
   if (face) return { kind: 'avatar', face, files, wrinkles: wrinkles ?? null, notes }
   if (wrinkles) return { kind: 'wrinkles', wrinkles, notes }
-  // Before images: a take has a picture of itself.
+  // Captures first: a take contains a picture too.
   const tables = files.filter(({ path }) => TABLE.test(path))
   if (tables.length > 0) return { kind: 'captures', tables }
   const images = files.filter(({ path }) => IMAGE.test(path))
@@ -66,7 +66,7 @@ export async function sortFiles(dropped: readonly DroppedFile[]): Promise<Droppe
   throw await nothingUsable(files)
 }
 
-/** The files, with those in a .zip in its place. */
+/** Replaces .zip files by their contents. */
 async function unpacked(files: readonly DroppedFile[]): Promise<DroppedFile[]> {
   const lists = files.map(async (dropped) => {
     const { path, file } = dropped
@@ -79,7 +79,7 @@ async function unpacked(files: readonly DroppedFile[]): Promise<DroppedFile[]> {
   return (await Promise.all(lists)).flat()
 }
 
-/** The highest folder comes first. */
+/** Finds folders of wrinkles, top-level ones first. */
 function wrinklesFolders(files: readonly DroppedFile[]): (WrinklesFolder & { path: string })[] {
   const paths = new Set(files.flatMap(({ path }) => WRINKLES.exec(path)?.[1] ?? []))
   return [...paths].sort(byDepth).map((path) => ({
@@ -91,7 +91,7 @@ function wrinklesFolders(files: readonly DroppedFile[]): (WrinklesFolder & { pat
   }))
 }
 
-/** By their names, and else by their first bytes. The highest in the folders comes first. */
+/** Finds faces by name, or else by first bytes, top-level ones first. */
 async function findFaces(files: readonly DroppedFile[]): Promise<DroppedFile[]> {
   const named = files.filter(({ path }) => FACE.test(path))
   const faces = named.length > 0 ? named : await binaryFaces(files)

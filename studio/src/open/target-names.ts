@@ -1,7 +1,7 @@
 import { hoistTargetNames } from 'furrow/internal'
 import type { GLTFLoaderPlugin, GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 
-/** Lets three.js find names of blendshapes where only some exporters write them, as the commands do. For `GLTFLoader.register`. */
+/** Plugin for `GLTFLoader.register`: finds blendshape names where only some exporters write them, like the commands. */
 export function hoistNames({ json }: Pick<GLTFParser, 'json'>): GLTFLoaderPlugin {
   hoistTargetNames(json)
   return { name: 'FURROW_target_names' }

@@ -5,9 +5,9 @@ import { Folder } from '../files/folder.ts'
 import type { WrinklesFolder } from '../files/folder-files.ts'
 
 /**
- * Reads a folder of wrinkles as `furrow pack` does.
+ * Reads a folder of wrinkles like `furrow pack`.
  *
- * @throws FurrowError when its document is malformed, or an image is missing or cannot be decoded.
+ * @throws FurrowError if the document is invalid, or if an image is missing or invalid.
  */
 export async function readWrinklesFolder({ name, files }: WrinklesFolder): Promise<FileWrinkles> {
   const folder = new Folder(files, name)

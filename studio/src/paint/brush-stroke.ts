@@ -8,13 +8,13 @@ import type { Sight } from './seen-places.ts'
 import { skinPath } from './skin-path.ts'
 import { distanceBetween } from './vectors.ts'
 
-/** Fraction of the radius between dabs: their envelope is within half a percent of that of a brush that moves without steps. */
+/** Distance of dabs as a fraction of the radius: their envelope deviates less than 0.5% from that of a continuous brush. */
 const SPACING = 0.08
-/** Longest step in the texture, in texels, and the times its length on the skin from which on it leads to another island. */
+/** Maximum step in the texture, texels, and the ratio of skin distance to step length above which a step crosses a seam. */
 const TEXTURE_STEP = 0.5
 const JUMP = 10
 
-/** A stroke of a brush over an area: dabs at even distances on the skin, however many points the pointer gave. */
+/** Brush stroke on an area: dabs at even distances on the skin, regardless of the number of pointer events. */
 export class BrushStroke {
   readonly #isFill: boolean
   readonly #skin: PaintSkin
@@ -28,9 +28,9 @@ export class BrushStroke {
   readonly #weights = new Float64Array(3)
 
   /**
-   * @param image a square area; not changed.
-   * @param sight by default, and in the texture, hidden skin is painted as well. A fill asks for no sight: it follows the skin.
-   * @throws FurrowError when a setting of the brush is out of range, or the image cannot be painted.
+   * @param image square area, not modified.
+   * @param sight visibility test; by default, and in the texture, hidden skin is painted too. Fill ignores visibility.
+   * @throws FurrowError if a brush setting is out of range, or the image cannot be painted.
    */
   constructor(image: GrayImage, brush: Brush, skin: PaintSkin, sight?: Sight) {
     this.#dabs = new Dabs(image, brush, skin, sight)
@@ -39,17 +39,17 @@ export class BrushStroke {
     this.#skin = skin
   }
 
-  /** The area as it is painted now; its data changes with each dab. */
+  /** Painted area. Its data changes with each dab. */
   get image(): GrayImage {
     return this.#dabs.image
   }
 
   /**
-   * Goes on to a point over the skin.
+   * Continues the stroke to a point on the skin.
    *
-   * @param point undefined off the face, where nothing is painted: the next point begins anew.
-   * @param pressure of the pen, 0..1; 1 of what has none.
-   * @returns the texels that changed.
+   * @param point undefined off the face, which interrupts the stroke.
+   * @param pressure pen pressure, 0..1. Default 1.
+   * @returns changed texels.
    */
   moveTo(point: SkinPoint | undefined, pressure = 1): Rectangle | undefined {
     this.#lastUv = undefined
@@ -57,7 +57,7 @@ export class BrushStroke {
     return this.#dabs.takeChanged()
   }
 
-  /** Goes on to a point of the texture: straight there, and not over the skin between two islands. */
+  /** Continues the stroke in a straight line in the texture, without following the skin between UV islands. */
   moveInTexture(u: number, v: number, pressure = 1): Rectangle | undefined {
     const [fromU, fromV] = this.#lastUv ?? [u, v]
     const first = this.#lastPressure
@@ -72,7 +72,7 @@ export class BrushStroke {
     return this.#dabs.takeChanged()
   }
 
-  /** The area as the stroke leaves it. */
+  /** Returns the result of the stroke. */
   end(): Painted {
     return { image: this.image, dirty: this.#dabs.changed }
   }

@@ -1,25 +1,24 @@
 import { FurrowError } from 'furrow'
 
-/** Fill acts once, where a stroke begins. */
+/** Brush modes. Fill acts only at the start of a stroke. */
 export const BRUSH_MODES = ['add', 'remove', 'smooth', 'fill'] as const
 export type BrushMode = (typeof BRUSH_MODES)[number]
 
 /**
- * What a stroke paints with. A dab gives each texel a target, `opacity` times the falloff there times the pen's pressure, and the stroke's
- * coverage rises towards it by `flow` of what is missing. So a stroke never covers more than its opacity, however often it crosses
- * itself, and at full flow it is as soft as one dab.
+ * Brush settings. A dab gives each texel a target: `opacity` times falloff times pen pressure. The coverage approaches the target by
+ * the fraction `flow`, so that a stroke never exceeds its opacity where it crosses itself.
  */
 export interface Brush {
   mode: BrushMode
-  /** In millimetres. */
+  /** Radius, millimetres. */
   radius: number
-  /** Fraction of the radius across which it fades out, 0..1. */
+  /** Width of the soft edge as a fraction of the radius, 0..1. */
   softness: number
-  /** 0..1. */
+  /** Fraction of the remaining coverage that a dab adds, above 0, up to 1. */
   flow: number
-  /** 0..1. */
+  /** Maximum coverage, 0..1. */
   opacity: number
-  /** Whether the other side of the face is painted as well. */
+  /** Whether to paint the other side of the face too. */
   mirror: boolean
 }
 
@@ -32,10 +31,10 @@ export const BRUSH_DEFAULTS = {
   mirror: false,
 } as const satisfies Brush
 
-/** Least and greatest radius in millimetres: a pore, and a head. */
+/** Minimum and maximum radius, millimetres: a pore and a head. */
 export const BRUSH_RADII = [0.1, 150] as const
 
-/** @throws FurrowError that names the setting. */
+/** @throws FurrowError that names the invalid setting. */
 export function checkBrush({ mode, radius, softness, flow, opacity }: Brush): void {
   if (!BRUSH_MODES.includes(mode)) throw wrong('mode', mode, BRUSH_MODES.join(', '))
   const [least, most] = BRUSH_RADII
@@ -56,13 +55,13 @@ function wrong(setting: string, value: unknown, limit: string): FurrowError {
   })
 }
 
-/** How fully a brush covers at a distance from its centre, 0..1: by smoothstep from 1 where its softness begins to 0 at its radius. */
+/** Returns the coverage at a distance from the centre, 0..1: 1 in the core, then smoothstep to 0 at the radius. */
 export function falloff(distance: number, radius: number, softness: number): number {
   if (distance >= radius) return 0
   return softness === 0 ? 1 : fade((distance / radius - 1 + softness) / softness)
 }
 
-/** 1 - smoothstep: from 1 at 0 to 0 at 1. */
+/** Returns 1 - smoothstep: from 1 at 0 to 0 at 1. */
 export function fade(t: number): number {
   const x = Math.min(Math.max(t, 0), 1)
   return 1 - x * x * (3 - 2 * x)

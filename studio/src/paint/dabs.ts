@@ -8,45 +8,45 @@ import { Reach } from './reach.ts'
 import { SeenPlaces, type Sight } from './seen-places.ts'
 import { Smoother } from './smoother.ts'
 
-/** Texels by which skin is grown beyond the radius: filtering reads those beyond a seam. */
+/** Texels by which the radius is extended: filtering reads texels beyond a seam. */
 const PAD = 1
-/** A brush has at least this radius in texels, so that it always covers one. */
+/** Minimum radius in texels, so that a dab covers at least one. */
 const LEAST_RADIUS = 1.25
-/** Of a brush that smooths: side of the cells that it averages over as a fraction of its radius, and at least, in texels. */
+/** Cell side of the smoothing grid, as a fraction of the radius, and its minimum in texels. */
 const CELL = 0.25
 const LEAST_CELL = 1.5
-/** Cells beyond the radius that count in the averages. */
+/** Cells beyond the radius that contribute to the averages. */
 const CELLS_AROUND = 2
 
 /**
- * What a brush does to an area. A dab covers the skin within its radius in space that is connected with its centre there, so that seams of the
- * texture do not matter and the other lip is left alone.
+ * Applies dabs to an area. A dab covers the skin that lies within its radius and is connected with its centre there. Seams have no
+ * effect, and the other lip is not painted.
  */
 export class Dabs {
-  /** The area as it is painted now; its data changes with each dab. */
+  /** Painted area. Its data changes with each dab. */
   readonly image: GrayImage
   readonly #before: GrayImage
   readonly #brush: Brush
   readonly #skin: PaintSkin
   readonly #map: PaintMap
   readonly #reach: Reach
-  /** How far the dabs have covered each texel, 0..1; of a brush that smooths the unrounded weight, 0..255. */
+  /** Coverage per texel, 0..1. When smoothing, unrounded weights instead, 0..255. */
   readonly #state: Float32Array
-  /** The target of the present dab for each texel, and the texels that have one. */
+  /** Targets of the current dab per texel, and the texels that have one. */
   readonly #target: Float32Array
   #touched: number[] = []
-  /** The means round each texel, of a brush that smooths, and how many there are. */
+  /** Sums and counts of means per texel, for smoothing. */
   readonly #sums: Float32Array
   readonly #counts: Uint8Array
-  /** Of the dab and the mirrored one; empty where hidden skin is painted too. */
+  /** Visibility for the dab and its mirror image. Empty if hidden skin is painted too. */
   readonly #seen: readonly SeenPlaces[]
   #bounds: Bounds
   readonly #allBounds: Bounds
 
   /**
-   * @param image a square area; not changed.
-   * @param sight by default hidden skin is painted as well. A fill asks for no sight: it follows the skin.
-   * @throws FurrowError when a setting of the brush is out of range, or the image cannot be painted.
+   * @param image square area, not modified.
+   * @param sight visibility test; by default, hidden skin is painted too. Fill ignores visibility.
+   * @throws FurrowError if a brush setting is out of range, or the image cannot be painted.
    */
   constructor(image: GrayImage, brush: Brush, skin: PaintSkin, sight?: Sight) {
     checkBrush(brush)
@@ -70,24 +70,24 @@ export class Dabs {
     this.#allBounds = new Bounds(image.width)
   }
 
-  /** The texels that differ from the image; undefined while none does. */
+  /** Changed texels, if any. */
   get changed(): Rectangle | undefined {
     return this.#allBounds.rectangle
   }
 
-  /** The texels that changed since the last call. */
+  /** Returns the texels changed since the last call. */
   takeChanged(): Rectangle | undefined {
     const { rectangle } = this.#bounds
     this.#bounds = new Bounds(this.image.width)
     return rectangle
   }
 
-  /** In millimetres. */
+  /** Radius at a point, millimetres. */
   radiusAt({ triangle }: SkinPoint): number {
     return Math.max(this.#brush.radius, LEAST_RADIUS * this.#map.texelSizes[triangle])
   }
 
-  /** Adds a dab, and the mirrored one. @param pressure of the pen, 0..1. */
+  /** Adds a dab and, if the brush mirrors, its mirror image. @param pressure pen pressure, 0..1. */
   add(point: SkinPoint, pressure: number): void {
     const strength = this.#brush.opacity * Math.min(Math.max(pressure, 0), 1)
     if (!(strength > 0)) return
@@ -99,7 +99,7 @@ export class Dabs {
     this.#touched = []
   }
 
-  /** Fills the skin round a point, see `visitFilled`. */
+  /** Fills the skin around a point; see `visitFilled`. */
   fill(point: SkinPoint): void {
     for (const each of this.#sidesOf(point)) {
       visitFilled(this.#skin, this.#map, this.#before, each, (texel) => {
@@ -108,12 +108,12 @@ export class Dabs {
     }
   }
 
-  /** The point, and that of the other side where the brush mirrors. */
+  /** Returns the point and, if the brush mirrors, its mirror image. */
   #sidesOf(point: SkinPoint): SkinPoint[] {
     return this.#brush.mirror ? [point, this.#skin.mirrored(point.position)] : [point]
   }
 
-  /** Sets the targets of the texels within a dab. */
+  /** Sets the targets of texels inside a dab. */
   #aim(centre: SkinPoint, strength: number, side: number): void {
     const { softness } = this.#brush
     const radius = this.radiusAt(centre)
@@ -131,7 +131,7 @@ export class Dabs {
     )
   }
 
-  /** Raises the coverage of the texels that have a target. */
+  /** Raises the coverage towards the targets. */
   #cover(): void {
     const mode = this.#brush.mode === 'remove' ? 'remove' : 'add'
     for (const texel of this.#touched) {
@@ -142,7 +142,7 @@ export class Dabs {
     }
   }
 
-  /** Moves the weights of the texels that have a target towards the means round them. */
+  /** Moves the weights towards the local means. */
   #smooth(centres: readonly SkinPoint[]): void {
     const { texels, positions, isBeyond, texelSizes } = this.#map
     for (const centre of centres) {
@@ -166,7 +166,7 @@ export class Dabs {
         this.#counts[texel]++
       })
     }
-    // All at once: a mirrored dab may touch the same texels.
+    // Applied after both dabs, because their texels can overlap.
     for (const texel of this.#touched) {
       if (this.#counts[texel] === 0) continue
       const mean = this.#sums[texel] / this.#counts[texel]
@@ -185,7 +185,7 @@ export class Dabs {
     this.#allBounds.add(texel)
   }
 
-  /** Visits the places within a radius on the skin that is connected with a point. */
+  /** Visits the places within a radius on the connected skin. */
   #visitPlaces(
     centre: SkinPoint,
     radius: number,

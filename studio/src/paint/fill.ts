@@ -3,19 +3,19 @@ import { barycentricsAt, walk } from 'furrow/internal'
 import type { PaintMap } from './paint-map.ts'
 import type { PaintSkin, SkinPoint } from './paint-skin.ts'
 
-/** Weight that encloses what is filled. */
+/** Weight of the enclosing outline. */
 const ENCLOSING = 128
-/** Texels of one island that are side by side are at most this many of their sides apart on the skin, however skewed the texture is. */
+/** Maximum distance of neighbouring texels of an island on the skin, in texel sides: skewed UVs stretch texels. */
 const MOST_APART = 6
-/** No place. */
+/** Missing place or texel. */
 const NONE = -1
 
 /**
- * Finds what a fill covers: like a bucket of paint, the connected part of the skin round a point, across the seams of the texture, as far as
- * weights are below one half; where they are above at the point, as far as they are above. At the enclosing outline it goes on uphill to the
- * ridge, so that no gap is left before a soft one. Where nothing encloses it, it is the whole skin that is connected.
+ * Flood fill on the skin, across seams. Fills the connected texels that are on the same side of one half as the start. At an
+ * enclosing outline, continues uphill to its ridge, so that no gap remains at a soft edge. Without an outline, fills all connected
+ * skin.
  *
- * @param visit is given each texel once.
+ * @param visit called once per texel.
  */
 export function visitFilled(
   { surface, skin }: PaintSkin,
@@ -40,7 +40,7 @@ export function visitFilled(
     const [x, y] = [Math.floor(u * size), Math.floor(v * size)]
     return x >= 0 && y >= 0 && x < size && y < size ? y * size + x : NONE
   }
-  /** The texel on the skin beside another one, over the seam where the island ends. */
+  /** Returns the neighbouring texel on the skin, across the seam at the border of an island. */
   const beside = (texel: number, dx: number, dy: number): number => {
     const next = neighbour(texel, dx, dy, size)
     if (next === NONE || placeOf[next] === NONE) return NONE
@@ -52,7 +52,7 @@ export function visitFilled(
     const distance = Math.hypot(direction[0], direction[1], direction[2])
     if (!(distance < MOST_APART * map.texelSizes[triangleOf[from]])) return NONE
     if (map.isBeyond[to] === 0) return next
-    // A texel beyond an island is next to those on it only.
+    // A texel beyond an island is connected only with texels of the island.
     if (map.isBeyond[from] === 1) return NONE
     const triangle = walk(surface, triangleOf[from], position, direction, distance)
     return triangle < 0 ? NONE : texelAt(triangle, position)
@@ -89,7 +89,7 @@ const AROUND = [
   [0, -1],
 ] as const
 
-/** The place of each texel on the part of the skin that it belongs to first, and the triangle of each place. */
+/** Returns the first place of each texel, and the triangle of each place. */
 function ownPlaces({ size, starts, texels }: PaintMap) {
   const placeOf = new Int32Array(size * size).fill(NONE)
   const triangleOf = new Uint32Array(texels.length)
@@ -102,7 +102,7 @@ function ownPlaces({ size, starts, texels }: PaintMap) {
   return { placeOf, triangleOf }
 }
 
-/** Texels beyond an island go with the nearest one on it, breadth first. */
+/** Fills texels beyond islands like the nearest texel of the island, breadth first. */
 function visitBeyond(
   { size, isBeyond }: PaintMap,
   placeOf: Int32Array,

@@ -2,15 +2,15 @@ import { BufferAttribute, BufferGeometry } from 'three'
 import { MeshBVH, type SerializedBVH } from 'three-mesh-bvh'
 
 /**
- * A bounding volume hierarchy over triangles, which keep their order.
+ * Builds a bounding volume hierarchy that keeps the order of the triangles.
  *
- * @param positions x, y and z of each vertex; kept, and `refit` follows when they change.
+ * @param positions packed xyz per vertex. Not copied: call `refit` after changes.
  */
 export function hierarchyOf(positions: Float32Array, indices: Uint32Array): MeshBVH {
   return new MeshBVH(geometryOf(positions, indices), { indirect: true })
 }
 
-/** One that was made of the same triangles before, for other positions of their vertices. */
+/** Restores a serialised hierarchy of the same triangles for other vertex positions. */
 export function hierarchyAgain(made: SerializedBVH, positions: Float32Array, indices: Uint32Array): MeshBVH {
   const hierarchy = MeshBVH.deserialize(made, geometryOf(positions, indices), { setIndex: false })
   hierarchy.refit()

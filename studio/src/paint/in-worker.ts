@@ -7,10 +7,9 @@ import type { MadeSkin } from './make-skin.ts'
 import type { SkinService } from './worker.ts'
 
 /**
- * `makeSkin` in a worker of its own. The arrays of the skin are moved there and come back with what was made: copying them would take the page
- * as long as reading them.
+ * Runs `makeSkin` in a new worker. Transfers the arrays of the skin both ways, because copying takes as long as reading them.
  *
- * @returns a promise that rejects with an Error with the message of what `makeSkin` throws, and a FurrowError where the worker dies.
+ * @returns a promise. Rejects with errors of `makeSkin`, and with a FurrowError if the worker dies.
  */
 export function makeSkinInWorker(
   skin: Skin,
@@ -25,7 +24,7 @@ export function makeSkinInWorker(
   )
 }
 
-/** `skinCanvas` in a worker of its own. It rejects as `makeSkinInWorker` does. */
+/** Runs `skinCanvas` in a new worker. Rejects like `makeSkinInWorker`. */
 export async function makeCanvasInWorker(
   mesh: Pick<Skin, 'positions' | 'uvs' | 'indices'>,
   size: number,

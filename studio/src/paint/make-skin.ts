@@ -5,22 +5,24 @@ import { hierarchyOf } from './hierarchy.ts'
 import { type PaintMapArrays, paintMapArrays } from './paint-map.ts'
 import { paintSurface } from './paint-skin.ts'
 
-/** What tools need to know of a skin, as arrays that a worker can hand over. */
+/** Data of a skin for the tools, as transferable arrays. */
 export interface MadeSkin {
-  /** Of `paintSurface`. */
+  /** Result of `paintSurface`. */
   readonly surface: SkinSurface
-  /** Of the areas, where their size was given. */
+  /** Map of the areas, if their size is known. */
   readonly map: PaintMapArrays | undefined
-  /** Three vertices per triangle of the skin; those that the surface has not, which may have no positions, are one point of it. */
+  /** Three vertices per triangle of the skin. Triangles outside the surface, whose positions can be missing, collapse to one vertex. */
   readonly indices: Uint32Array
-  /** Of these triangles at rest. */
+  /** Hierarchy of these triangles at rest. */
   readonly hierarchy: SerializedBVH
 }
 
 /**
+ * Prepares a skin for the tools.
+ *
  * @param scale millimetres per unit of the skin's positions.
- * @param size side of the areas in texels.
- * @throws FurrowError when the skin cannot be painted.
+ * @param size side of the areas, texels.
+ * @throws FurrowError if the skin cannot be painted.
  */
 export function makeSkin(skin: Skin, scale?: number, size?: number): MadeSkin {
   const surface = paintSurface(skin, scale)

@@ -3,13 +3,13 @@ import { interpolateTexels } from 'furrow/internal'
 import { checkPaintable } from './paint-map.ts'
 import { type PaintSkin, weightsOn } from './paint-skin.ts'
 
-/** Millimetres round what is mirrored within which its other side is looked for: faces are not quite symmetric. */
+/** Tolerance of the mirrored bounds, millimetres: faces are not exactly symmetric. */
 const AROUND = 6
 
 /**
- * An area on the other side of the face's own middle: each place of the skin has the weight of the point that is nearest to its mirror image.
+ * Mirrors an area across the middle plane of the face. Each place takes the weight at the skin point nearest to its mirror image.
  *
- * @throws FurrowError when the image cannot be painted.
+ * @throws FurrowError if the image cannot be painted.
  */
 export function mirrorWeights(image: GrayImage, skin: PaintSkin): GrayImage {
   checkPaintable(image)
@@ -26,13 +26,13 @@ export function mirrorWeights(image: GrayImage, skin: PaintSkin): GrayImage {
     weightsOn(skin.surface, triangle, position, weights)
     const [u, v] = locator.uvAt(triangle, weights)
     const weight = Math.round(interpolateTexels(image, u * size - 0.5, v * size - 0.5, weightAt))
-    // A texel that several parts of the skin use shows the greatest.
+    // If several parts of the skin share a texel, the maximum wins.
     if (weight > out[texels[place]]) out[texels[place]] = weight
   }
   return { width: size, height, data: out }
 }
 
-/** The box, in millimetres, round where the mirror image will be. */
+/** Returns the bounds of the mirror image, millimetres. */
 function otherSide({ data }: GrayImage, texels: Uint32Array, positions: Float32Array) {
   const [low, high] = [
     [Infinity, Infinity, Infinity],

@@ -2,39 +2,39 @@ import { FurrowError, type GrayImage } from 'furrow'
 import type { Skin } from 'furrow/author'
 import { mapSkin, type SkinSurface, type SkinTexels, type UvGrid, type UvLocator } from 'furrow/internal'
 
-/** Sides of maps that can be painted, in texels. */
+/** Minimum and maximum side of paintable maps, texels. */
 const PAINTED_SIDES = [2, 1024] as const
 
-/** Barycentric coordinate below which a texel is beyond the edge of its triangle. */
+/** Barycentric coordinate below which a texel is outside its triangle. */
 const OUTSIDE = -1e-6
 
 /**
- * The texels of a square map by the triangles that they are on, as arrays that a worker can hand over. A texel has several places where parts
- * of the skin use it, and texels beyond a UV island have one where the island's border triangle continues, so that filtering finds the same on
- * both sides of a seam.
+ * Texels of a square map by triangle, as transferable arrays. A place is a pair of texel and triangle: a texel has several places
+ * if parts of the skin share it. Texels beyond a UV island extend its border triangles, so that filtering agrees on both sides of a
+ * seam.
  */
 export interface PaintMapArrays {
-  /** Side in texels. */
+  /** Side, texels. */
   readonly size: number
-  /** The places on triangle t: from `starts[t]` to `starts[t + 1]`. */
+  /** Range of places per triangle: `starts[t]` to `starts[t + 1]`. */
   readonly starts: Uint32Array
-  /** Of each place, and x, y and z of where it is on the skin, in millimetres. */
+  /** Texel per place, and its position on the skin as packed xyz, millimetres. */
   readonly texels: Uint32Array
   readonly positions: Float32Array
-  /** 1 where a place is beyond an island. */
+  /** 1 for places beyond a UV island. */
   readonly isBeyond: Uint8Array
-  /** Side of a texel on each triangle, in millimetres: the square root of its area. */
+  /** Texel side per triangle, millimetres: the square root of its area. */
   readonly texelSizes: Float32Array
-  /** Of its locator. */
+  /** Grid of the UV locator. */
   readonly grid: UvGrid
 }
 
-/** A map that is painted. */
+/** Paintable map. */
 export interface PaintMap extends Omit<PaintMapArrays, 'grid'> {
   readonly locator: UvLocator
 }
 
-/** @throws FurrowError when the size is not a whole number from 2 to 1024. */
+/** @throws FurrowError if the size is not an integer from 2 to 1024. */
 export function paintMapArrays(
   skin: Pick<Skin, 'uvs' | 'indices'>,
   surface: SkinSurface,
@@ -60,7 +60,7 @@ export function paintMapArrays(
   }
 }
 
-/** The texels of each triangle, and where they are. */
+/** Finds the texels of each triangle and their positions. */
 function findPlaces(skinTexels: SkinTexels, surface: SkinSurface) {
   const starts = new Uint32Array(surface.skinTriangles.length + 1)
   visitPlaces(skinTexels, (_, triangle) => starts[triangle + 1]++)
@@ -85,7 +85,7 @@ function findPlaces(skinTexels: SkinTexels, surface: SkinSurface) {
   return { starts, texels, positions, isBeyond }
 }
 
-/** @throws FurrowError when an area is not square, or its data incomplete. */
+/** @throws FurrowError if the image is not square or its data is incomplete. */
 export function checkPaintable({ width, height, data }: GrayImage): void {
   if (width === height && data.length === width * height) return
   throw new FurrowError({

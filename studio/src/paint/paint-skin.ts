@@ -6,19 +6,19 @@ import type { MeshBVH } from 'three-mesh-bvh'
 import { hierarchyOf } from './hierarchy.ts'
 import { type PaintMap, type PaintMapArrays, paintMapArrays } from './paint-map.ts'
 
-/** A point on a skin. */
+/** Point on a skin. */
 export interface SkinPoint {
-  /** Of the surface. */
+  /** Triangle of the surface. */
   triangle: number
-  /** At rest, in millimetres in the frame of the surface. */
+  /** Position at rest, millimetres, in the frame of the surface. */
   position: readonly [x: number, y: number, z: number]
 }
 
 /**
- * The surface of a skin at rest, in millimetres; of a face in its own frame, whose x = 0 is its middle.
+ * Makes the surface of a skin at rest, in millimetres. A face has its own frame, with its middle at x = 0.
  *
- * @param scale millimetres per unit of the skin's positions; by default a face is measured by the distance of its eyes.
- * @throws FurrowError when the skin has no triangle.
+ * @param scale millimetres per unit of the skin's positions; by default measured from the distance of the eyes.
+ * @throws FurrowError if the skin has no triangles.
  */
 export function paintSurface(skin: Skin, scale?: number): SkinSurface {
   const { surface, scale: measured } = skinSurface(skin)
@@ -44,7 +44,7 @@ export function paintSurface(skin: Skin, scale?: number): SkinSurface {
   return { ...surface, points: surface.points.map((value) => factor * value) }
 }
 
-/** A skin that is painted on: its surface, and the maps of it. */
+/** Paintable skin: its surface and maps. */
 export class PaintSkin {
   readonly skin: Skin
   readonly surface: SkinSurface
@@ -52,8 +52,8 @@ export class PaintSkin {
   #hierarchy: MeshBVH | undefined
 
   /**
-   * @param surface of `paintSurface`.
-   * @param map one that was made of them before.
+   * @param surface result of `paintSurface`.
+   * @param map existing map of this skin and surface.
    */
   constructor(skin: Skin, surface: SkinSurface, map?: PaintMapArrays) {
     this.skin = moveToFirstTile(skin).skin
@@ -65,19 +65,19 @@ export class PaintSkin {
     return this.#maps.has(size)
   }
 
-  /** Takes a map that was made of the same skin and surface elsewhere. */
+  /** Adds an existing map of the same skin and surface. */
   addMap(arrays: PaintMapArrays): PaintMap {
     const map = { ...arrays, locator: new UvLocator(this.skin, this.surface, arrays.grid) }
     this.#maps.set(arrays.size, map)
     return map
   }
 
-  /** The texels of a map of size x size, which are found once. */
+  /** Returns the cached map of size x size. */
   mapOf(size: number): PaintMap {
     return this.#maps.get(size) ?? this.addMap(paintMapArrays(this.skin, this.surface, size))
   }
 
-  /** The point of the skin that is nearest to where a position is on the other side of the face. */
+  /** Returns the skin point nearest to the mirror image of a position. */
   mirrored([x, y, z]: SkinPoint['position']): SkinPoint {
     const { points, corners } = this.surface
     this.#hierarchy ??= hierarchyOf(Float32Array.from(points), corners)
@@ -88,7 +88,7 @@ export class PaintSkin {
   }
 }
 
-/** Barycentric coordinates in a triangle, moved onto it from beyond its edges. */
+/** Computes barycentric coordinates, clamped to the triangle. */
 export function weightsOn(
   surface: SkinSurface,
   triangle: number,

@@ -1,6 +1,6 @@
 import type { GrayImage } from 'furrow'
 
-/** A rectangle of texels. */
+/** Rectangle of texels. */
 export interface Rectangle {
   x: number
   y: number
@@ -8,13 +8,13 @@ export interface Rectangle {
   height: number
 }
 
-/** What painting made of an area: a new image, and where it differs from the old one; undefined where nothing does. */
+/** Result of painting: the new image and its changed texels, if any. */
 export interface Painted {
   image: GrayImage
   dirty: Rectangle | undefined
 }
 
-/** The rectangle round texels. */
+/** Bounding rectangle of texels. */
 export class Bounds {
   readonly #width: number
   #left = Infinity
@@ -22,7 +22,7 @@ export class Bounds {
   #right = -1
   #bottom = -1
 
-  /** @param width of the image. */
+  /** @param width image width, texels. */
   constructor(width: number) {
     this.#width = width
   }
@@ -42,15 +42,15 @@ export class Bounds {
   }
 }
 
-/** A weight of 0..255 that is covered by a brush which adds or removes, unrounded. */
+/** Applies coverage to a weight (0..255), without rounding. */
 export function covered(weight: number, coverage: number, mode: 'add' | 'remove'): number {
   return mode === 'add' ? weight + coverage * (255 - weight) : weight * (1 - coverage)
 }
 
 /**
- * Adds to an area, or removes from it.
+ * Adds to an area or removes from it.
  *
- * @param coverage 0..1 for each texel.
+ * @param coverage coverage per texel, 0..1.
  */
 export function cover(
   { width, height, data }: GrayImage,

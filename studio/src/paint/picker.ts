@@ -17,36 +17,36 @@ import type { PaintSkin, SkinPoint } from './paint-skin.ts'
 import type { MeshSkin } from './read-skin.ts'
 import type { Sight } from './seen-places.ts'
 
-/** Fraction of the size of the skin by which something must be nearer to the camera to hide a point. */
+/** Depth tolerance of visibility tests, as a fraction of the size of the skin. */
 const IN_FRONT = 1e-3
 
-/** A point of the skin under the pointer. */
+/** Point of the skin under the pointer. */
 export interface SkinHit extends SkinPoint {
   /** Barycentric coordinates in the triangle. */
   weights: [a: number, b: number, c: number]
-  /** v = 0 at the top. */
+  /** Texture coordinates, v = 0 at the top. */
   uv: [u: number, v: number]
-  /** Where it is now, in world space, and the unit normal of its triangle there, which faces the pointer. */
+  /** Deformed position and unit normal of the triangle in world space. The normal faces the pointer. */
   point: Vector3
   normal: Vector3
 }
 
-/** Finds points of a skin under the pointer, as blendshapes and joints deform it now. */
+/** Finds points of the deformed skin under the pointer. */
 export class SkinPicker {
   readonly #parts: MeshSkin['parts']
   readonly #surface: SkinSurface
   readonly #indices: ArrayLike<number>
   readonly #uvs: ArrayLike<number>
-  /** Deformed, in world space. */
+  /** Deformed positions in world space. */
   readonly #positions: Float32Array
   readonly #hierarchy: MeshBVH
-  /** The surface's triangle for each one of the skin; -1 for those without an area at rest. */
+  /** Surface triangle per skin triangle, or -1 for degenerate ones. */
   readonly #triangleOf: Int32Array
   #poses = 0
 
   /**
-   * @param painted has the skin of the same meshes.
-   * @param made of that skin.
+   * @param painted paintable skin of the same meshes.
+   * @param made result of `makeSkin`.
    */
   constructor({ skin, parts }: MeshSkin, painted: PaintSkin, made: Pick<MadeSkin, 'indices' | 'hierarchy'>) {
     this.#parts = parts
@@ -60,19 +60,19 @@ export class SkinPicker {
     this.#hierarchy = hierarchyAgain(made.hierarchy, this.#positions, made.indices)
   }
 
-  /** How often it has taken another pose. */
+  /** Number of pose updates. */
   get poses(): number {
     return this.#poses
   }
 
-  /** Follows the pose. To be called when a stroke begins. */
+  /** Updates the deformed positions to the current pose. */
   refit(): void {
     this.#poses++
     this.#deform()
     this.#hierarchy.refit()
   }
 
-  /** @returns undefined where a ray in world space does not hit the skin. */
+  /** @returns undefined if a ray in world space misses the skin. */
   pick(ray: Ray): SkinHit | undefined {
     const found = this.#hierarchy.raycastFirst(ray, this.#side)
     if (!found || found.faceIndex == null || !found.barycoord) return undefined
@@ -94,7 +94,7 @@ export class SkinPicker {
     }
   }
 
-  /** Where a point of the skin is now, in world space. */
+  /** Computes the deformed position of a skin point in world space. */
   positionOf(triangle: number, weights: ArrayLike<number>, out: Vector3): Vector3 {
     const first = 3 * this.#surface.skinTriangles[triangle]
     out.set(0, 0, 0)
@@ -107,7 +107,7 @@ export class SkinPicker {
     return out
   }
 
-  /** What a camera at a position in world space sees: the skin only can hide skin. Until the pose changes. */
+  /** Returns a visibility test for a camera position in world space. Only skin occludes. Valid until the pose changes. */
   sightFrom(eye: Vector3): Sight {
     const side = this.#side
     const ray = new Ray(eye.clone())
@@ -127,7 +127,7 @@ export class SkinPicker {
     }
   }
 
-  /** The side of the triangles that is drawn; a mesh that is mirrored in space shows the other one. */
+  /** Rendered side of the triangles. Swapped for mirrored meshes. */
   get #side(): Side {
     const [{ mesh }] = this.#parts
     const { side } = [mesh.material].flat()[0] as Material
@@ -151,7 +151,7 @@ export class SkinPicker {
   }
 }
 
-/** Interpolates the values of a triangle's corners. */
+/** Interpolates the values at a triangle's corners. */
 function mix(
   values: ArrayLike<number>,
   stride: number,

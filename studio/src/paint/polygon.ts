@@ -8,37 +8,37 @@ import { SeenPlaces, type Sight } from './seen-places.ts'
 import { skinPath } from './skin-path.ts'
 import { crossed, squaredDistance } from './vectors.ts'
 
-/** How a polygon is painted. */
+/** Settings for painting a polygon. */
 export interface PolygonBrush {
   mode: 'add' | 'remove'
-  /** Millimetres across its outline within which it fades, 0 or more. */
+  /** Width of the soft outline, millimetres, at least 0. */
   feather: number
-  /** 0..1. */
+  /** Coverage, 0..1. */
   opacity: number
-  /** Whether the other side of the face is painted as well. */
+  /** Whether to paint the other side of the face too. */
   mirror: boolean
 }
 
-/** Area of a polygon as seen along its mean normal, at least, as a fraction of the square of its outline's length: a circle has 0.08. */
+/** Minimum projected area of a polygon, as a fraction of its squared perimeter: a circle has 0.08. */
 const LEAST_AREA = 1e-4
-/** Cosine between the normals of a polygon and of skin that is turned away from it and left alone: inside the mouth, say. */
+/** Cosine between the normals of a polygon and skin below which the skin is skipped, for example inside the mouth. */
 const AWAY = -0.3
-/** Widest feather in millimetres. */
+/** Maximum feather, millimetres. */
 const MOST_FEATHER = 150
-/** Points of an outline that is laid on the skin, at most. */
+/** Maximum points of an outline on the skin. */
 const MOST_POINTS = 1000
 
 /**
- * Paints the inside of a polygon that was drawn on the skin. Its weight falls by smoothstep from 1 half a feather inside the outline to 0 half
- * a feather outside, as in the polygons of strokes.
+ * Paints the inside of a polygon drawn on the skin. The weight falls by smoothstep across the feather, which is centred on the
+ * outline, as for polygons in strokes.
  *
- * Inside is what projects into the polygon along its mean normal and is connected with its outline. Unlike a flood that ends at the outline,
- * this cannot leak where lips part and gives every texel an exact side. It only fails for a polygon that goes round the head, which nobody can
- * draw in one view. Distances from the outline, which follows the skin between its points, are measured in space.
+ * A point is inside if it is connected with the outline and projects into the polygon along the polygon's mean normal. This assigns
+ * each texel to a side and cannot leak between the lips, unlike a flood fill. It fails only for polygons around the head, which
+ * cannot be drawn in one view. Distances to the outline are measured in space.
  *
- * @param points in order, three or more.
- * @param sight by default hidden skin is painted as well.
- * @throws FurrowError when the points enclose nothing, a setting is out of range, or the image cannot be painted.
+ * @param points at least three, in order.
+ * @param sight visibility test; by default, hidden skin is painted too.
+ * @throws FurrowError if the points enclose no skin, a setting is out of range, or the image cannot be painted.
  */
 export function paintPolygon(
   image: GrayImage,
@@ -69,7 +69,7 @@ export function paintPolygon(
   return cover(image, coverage, brush.mode)
 }
 
-/** Visits the places in a polygon, grown from its outline over the skin. */
+/** Visits the places inside a polygon by growing from its outline over the skin. */
 function visitInside(
   surface: SkinSurface,
   map: PaintMap,
@@ -84,7 +84,7 @@ function visitInside(
     const isTouched = outline.segmentsNear(centre, radius + feather / 2).length > 0
     if (!isTouched && !(outline.contains(centre) && outline.isFacing(surface, triangle))) continue
     const [first, end] = [map.starts[triangle], map.starts[triangle + 1]]
-    // Places beyond an island are farther from the triangle than its corners.
+    // Places beyond an island are farther from the centroid than the corners.
     let reach = radius
     for (let place = first; place < end; place++) {
       reach = Math.max(reach, Math.sqrt(squaredDistance(map.positions, 3 * place, 3 * place, centre)))
@@ -102,7 +102,7 @@ function visitInside(
   }
 }
 
-/** The centroid of a triangle, and its distance to the farthest corner. */
+/** Returns the centroid of a triangle and the distance to its farthest corner. */
 function ballRound({ points, corners }: SkinSurface, triangle: number) {
   const centre = new Float64Array(3)
   for (let i = 0; i < 9; i++)
@@ -114,14 +114,14 @@ function ballRound({ points, corners }: SkinSurface, triangle: number) {
   return { centre, radius: Math.sqrt(Math.max(...distances)) }
 }
 
-/** The closed line of a polygon on the skin. */
+/** Closed outline of a polygon on the skin. */
 class Outline {
   readonly triangles: ReadonlySet<number>
-  /** x, y and z of each point; the last is the first again. */
+  /** Packed xyz per point. The first point is repeated at the end. */
   readonly #points: Float64Array
-  /** Unit vectors: the mean normal of the polygon, on the side where its skin's normals are, and two across it. */
+  /** Unit vectors: the polygon's mean normal, pointing out of the skin, and two tangents. */
   readonly #axes: readonly [front: Float64Array, across: Float64Array, up: Float64Array]
-  /** The points as seen along the mean normal. */
+  /** Points projected along the mean normal. */
   readonly #flat: readonly (readonly [number, number])[]
 
   constructor(surface: SkinSurface, corners: readonly SkinPoint[]) {
@@ -137,7 +137,7 @@ class Outline {
     this.#flat = points.map(({ position }) => this.#flatten(position))
   }
 
-  /** Offsets of the segments within a distance of a position. */
+  /** Returns the offsets of segments within a distance of a position. */
   segmentsNear(position: Float64Array, distance: number): number[] {
     const near: number[] = []
     for (let i = 0; i + 3 < this.#points.length; i += 3) {
@@ -146,7 +146,7 @@ class Outline {
     return near
   }
 
-  /** Whether a position is in the polygon as seen along its mean normal, by the even-odd rule. */
+  /** Even-odd test of the projected position. */
   contains(position: ArrayLike<number>): boolean {
     const [x, y] = this.#flatten(position)
     let isInside = false
@@ -157,7 +157,7 @@ class Outline {
     return isInside
   }
 
-  /** @param near segments, among which the nearest one is. */
+  /** @param near segments that include the nearest one. */
   weightAt(position: Float64Array, near: readonly number[], feather: number): number {
     const isInside = this.contains(position)
     let square = Infinity
@@ -184,7 +184,7 @@ class Outline {
       facing += dot(normal, front)
     }
     if (facing < 0) for (let k = 0; k < 3; k++) front[k] = -front[k]
-    // Across it: at right angles to the axis that it is farthest from.
+    // First tangent: perpendicular to the coordinate axis that differs most from the normal.
     const [x, y, z] = front.map(Math.abs)
     const axis = x <= y && x <= z ? [1, 0, 0] : y <= z ? [0, 1, 0] : [0, 0, 1]
     const across = crossed(front, axis)
@@ -193,7 +193,7 @@ class Outline {
     return [front, across, crossed(front, across)]
   }
 
-  /** The sum of the cross products of consecutive points (Newell's method), of length 1. */
+  /** Mean normal by Newell's method: the normalised sum of cross products of consecutive points. */
   #meanNormal(): Float64Array {
     const [sum, points] = [new Float64Array(3), this.#points]
     let perimeter = 0

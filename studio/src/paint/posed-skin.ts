@@ -6,16 +6,16 @@ import { PaintSkin } from './paint-skin.ts'
 import { SkinPicker } from './picker.ts'
 import { type MeshSkin, readSkin } from './read-skin.ts'
 
-/** The skin of a face as all tools use it. */
+/** Skin of a face, shared by all tools. */
 export class PosedSkin {
-  /** At rest. */
+  /** Skin at rest. */
   readonly skin: PaintSkin
-  /** Has the pose of the last `follow`. */
+  /** Picker in the pose of the last `follow`. */
   readonly picker: SkinPicker
   readonly scale: number
   readonly #watch: PoseWatch
 
-  /** @param made of what was read. */
+  /** @param made result of `makeSkin` for `read`. */
   constructor(meshes: readonly Mesh[], scale: number, read: MeshSkin, made: MadeSkin) {
     this.skin = new PaintSkin(read.skin, made.surface, made.map)
     this.picker = new SkinPicker(read, this.skin, made)
@@ -24,24 +24,24 @@ export class PosedSkin {
     this.#watch.isNew()
   }
 
-  /** Takes the present pose; nothing is done while the face rests. */
+  /** Takes the current pose. Does nothing if the face has not moved. */
   follow(): void {
     if (this.#watch.isNew()) this.picker.refit()
   }
 }
 
-/** By the meshes, which are one array for as long as the avatar is open. */
+/** Skins by their mesh array, which stays the same while the avatar is open. */
 const lastMade = new WeakMap<readonly Mesh[], PosedSkin>()
 
-/** Those that are being made. */
+/** Pending preparations. */
 const preparations = new WeakMap<readonly Mesh[], { scale: number; size: number; skin: Promise<PosedSkin> }>()
 
 /**
- * The skin of a face in its present pose. It is made once: later calls give the same one. Where `prepareSkin` has not made it, the page waits for
- * it: 0.1 to 0.3 s for a scan.
+ * Returns the cached skin of a face in its current pose. Without `prepareSkin`, computes the skin on the main thread, which takes 0.1
+ * to 0.3 s for a scan.
  *
- * @param scale millimetres per unit of its positions.
- * @throws FurrowError when it cannot be painted.
+ * @param scale millimetres per unit of the face's positions.
+ * @throws FurrowError if the skin cannot be painted.
  */
 export function posedSkinOf(meshes: readonly [Mesh, ...Mesh[]], scale: number): PosedSkin {
   const last = knownSkin(meshes, scale)
@@ -55,7 +55,7 @@ export function posedSkinOf(meshes: readonly [Mesh, ...Mesh[]], scale: number): 
   return made
 }
 
-/** The skin of a face in its present pose, with the map of areas of a size; null before `prepareSkin` has made both. */
+/** Returns the skin in its current pose with a map of this size, or null before `prepareSkin` is done. */
 export function preparedSkin(
   meshes: readonly [Mesh, ...Mesh[]],
   scale: number,
@@ -68,10 +68,10 @@ export function preparedSkin(
 }
 
 /**
- * Makes the skin of a face and the map of its areas in a worker; on the page where the worker ends. It rejects with a FurrowError where the skin
- * cannot be painted.
+ * Prepares the skin of a face and the map of its areas in a worker, or on the main thread if the worker dies. Rejects with a
+ * FurrowError if the skin cannot be painted.
  *
- * @param size side of the face's areas in texels.
+ * @param size side of the face's areas, texels.
  */
 export function prepareSkin(
   meshes: readonly [Mesh, ...Mesh[]],
@@ -100,7 +100,7 @@ async function makePrepared(
   const answer = await makeSkinInWorker(own, scale, size).catch(() => null)
   if (answer) {
     const { skin, made } = answer
-    // An area may have needed the skin meanwhile.
+    // The skin can have been computed meanwhile.
     const early = knownSkin(meshes, scale)
     if (!early) lastMade.set(meshes, new PosedSkin(meshes, scale, { skin, parts }, made))
     else if (!early.skin.hasMap(size)) early.skin.addMap(made.map!)

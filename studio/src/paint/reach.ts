@@ -2,13 +2,10 @@ import type { SkinSurface } from 'furrow/internal'
 import type { SkinPoint } from './paint-skin.ts'
 import { squaredDistance } from './vectors.ts'
 
-/**
- * Finds the skin within a ball that is connected with its centre inside the ball: an upper lip is near the lower one, and is not reached from
- * it.
- */
+/** Finds the skin inside a sphere that is connected with its centre there. The other lip is near but not connected. */
 export class Reach {
   readonly #surface: SkinSurface
-  /** The last search that came to each triangle. */
+  /** Last search that reached each triangle. */
   readonly #visited: Uint32Array
   #search = 0
   #queue = new Uint32Array(64)
@@ -19,9 +16,9 @@ export class Reach {
   }
 
   /**
-   * Grows over the surface, across edges that the ball touches.
+   * Grows over the surface across edges that intersect the sphere.
    *
-   * @param radius in millimetres.
+   * @param radius sphere radius, millimetres.
    */
   visit({ triangle: start, position }: SkinPoint, radius: number, visit: (triangle: number) => void): void {
     const { adjacent, corners, points } = this.#surface

@@ -10,18 +10,18 @@ import {
   Vector2,
 } from 'three'
 
-/** The meshes of a face as one skin. */
+/** Meshes of a face joined into one skin. */
 export interface MeshSkin {
-  /** At rest. */
+  /** Skin at rest. */
   skin: Skin
-  /** The vertices of each mesh that the skin's are, one mesh after the other. */
+  /** Vertices per mesh, in the order of the skin's vertices. */
   parts: readonly { mesh: Mesh; vertices: Uint32Array }[]
 }
 
 /**
  * Reads the mesh of a face and the other parts of its skin.
  *
- * @throws FurrowError when one has no texture coordinates.
+ * @throws FurrowError if a mesh has no texture coordinates.
  */
 export function readSkin(meshes: readonly [Mesh, ...Mesh[]]): MeshSkin {
   const parts: { mesh: Mesh; vertices: Uint32Array }[] = []

@@ -2,7 +2,7 @@ import type { PaintMap } from './paint-map.ts'
 import { type PaintSkin, weightsOn } from './paint-skin.ts'
 
 /**
- * Tells whether the camera sees a point of the skin.
+ * Visibility test for a point of the skin.
  *
  * @param weights barycentric coordinates in the triangle.
  */
@@ -11,17 +11,17 @@ export type Sight = (triangle: number, weights: Float64Array) => boolean
 const SEEN = 1
 const HIDDEN = 2
 
-/** The places of a map that the camera sees, each of which is asked for once. */
+/** Caches the visibility of a map's places. */
 export class SeenPlaces {
   readonly #skin: PaintSkin
   readonly #map: PaintMap
   readonly #sight: Sight
   readonly #isMirrored: boolean
-  /** 0 until it is asked. */
+  /** `SEEN`, `HIDDEN`, or 0 if unknown. */
   readonly #known: Uint8Array
   readonly #weights = new Float64Array(3)
 
-  /** @param isMirrored whether a place is seen where its counterpart on the other side of the face is. */
+  /** @param isMirrored tests the mirror image of each place instead. */
   constructor(skin: PaintSkin, map: PaintMap, sight: Sight, isMirrored: boolean) {
     this.#skin = skin
     this.#map = map

@@ -2,17 +2,17 @@ import { crossOf, dot, type SkinSurface } from 'furrow/internal'
 import type { SkinPoint } from './paint-skin.ts'
 import { crossed, distanceBetween } from './vectors.ts'
 
-/** A path longer than this many times the straight way, and some millimetres, has lost its way: it went into the mouth, say. */
+/** Maximum path length as a multiple of the straight distance, plus millimetres. Longer paths detour, for example into the mouth. */
 const MOST_DETOUR = 2
 const DETOUR = 1
-/** Fraction of the way to its triangle's centroid that an end is moved: the plane of the path then crosses the triangle for certain. */
+/** Fraction by which ends move towards the centroid, so that the plane of the path crosses their triangle. */
 const INWARDS = 1e-6
 
 /**
- * The way over a skin from one point to another, in the plane that goes through both and the mean of their normals: straight as seen from
- * above. Each part of it is the way between the ends of that part, so that it does not matter into how many a pointer cuts it.
+ * Finds the path over a skin in the plane through two points and the mean of their normals. Subdividing the path does not change it,
+ * so that the number of pointer events has no effect.
  *
- * @returns its points, with both ends and where it crosses edges; undefined where the skin does not connect the ends on such a way.
+ * @returns both ends and the crossed edges, or undefined if no such path connects the ends.
  */
 export function skinPath(surface: SkinSurface, from: SkinPoint, to: SkinPoint): SkinPoint[] | undefined {
   const { adjacent, corners, points } = surface
@@ -30,7 +30,7 @@ export function skinPath(surface: SkinSurface, from: SkinPoint, to: SkinPoint): 
   let { triangle } = from
   let most = MOST_DETOUR * distanceBetween(from.position, to.position) + DETOUR
   while (triangle !== to.triangle) {
-    // Corners go round counterclockwise: where they pass from the right to the left, the way leaves the triangle.
+    // Corners are counterclockwise: the path leaves across the edge that goes from its right to its left.
     const offsets = [0, 1, 2].map((k) => offsetOf(corners[3 * triangle + k]))
     const edge = [0, 1, 2].findIndex((k) => offsets[k] < 0 && offsets[(k + 1) % 3] >= 0)
     if (edge < 0) return undefined

@@ -1,7 +1,7 @@
 /**
- * Means of values over the space round each position: values are spread over the corners of a grid's cells by trilinear weights, and read in
- * the same way (Chen, Paris and Durand 2007, Real-time edge-aware image processing with the bilateral grid, without the dimension of the
- * values). Positions that are near each other have nearly the same mean, whichever part of the texture they are in.
+ * Local means of values in space. Splats values to a grid and reads them back with trilinear weights. Nearby positions have similar means,
+ * also across seams. This is the bilateral grid of Chen, Paris and Durand (2007, Real-time edge-aware image processing with the bilateral
+ * grid) without its range dimension.
  */
 export class Smoother {
   readonly #cell: number
@@ -9,11 +9,11 @@ export class Smoother {
   readonly #low: readonly [number, number, number]
   readonly #sums: Float64Array
   readonly #weights: Float64Array
-  /** From the lowest corner of a cell to each of its eight. */
+  /** Offsets from the lowest corner of a cell to all eight. */
   readonly #steps: readonly number[]
   readonly #fractions = new Float64Array(8)
 
-  /** @param radius of the ball that holds all positions; `cell` is the side of a cell in the same unit. */
+  /** @param radius radius of the sphere that contains all positions; `cell` is the side of a cell in the same unit. */
   constructor([x, y, z]: readonly [number, number, number], radius: number, cell: number) {
     this.#cell = cell
     this.#side = Math.ceil((2 * radius) / cell) + 2
@@ -24,7 +24,7 @@ export class Smoother {
     this.#weights = new Float64Array(side ** 3)
   }
 
-  /** Adds a value with a weight. */
+  /** Adds a weighted value. */
   add(x: number, y: number, z: number, value: number, weight: number): void {
     const first = this.#locate(x, y, z)
     if (first < 0) return
@@ -35,7 +35,7 @@ export class Smoother {
     }
   }
 
-  /** The mean round a position; NaN where there is no value. */
+  /** Returns the mean around a position, or NaN if there are no values. */
   at(x: number, y: number, z: number): number {
     const first = this.#locate(x, y, z)
     let [sum, weight] = [0, 0]
@@ -47,7 +47,7 @@ export class Smoother {
     return sum / weight
   }
 
-  /** Finds the lowest corner of a position's cell, -1 outside the grid, and sets the trilinear weights of all eight. */
+  /** Returns the lowest corner of a position's cell, or -1 outside the grid, and sets the weights of all eight corners. */
   #locate(x: number, y: number, z: number): number {
     const side = this.#side
     const gx = (x - this.#low[0]) / this.#cell

@@ -1,4 +1,4 @@
-/** a x b. */
+/** Returns a x b. */
 export function crossed(a: ArrayLike<number>, b: ArrayLike<number>): Float64Array {
   return Float64Array.of(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 }
@@ -8,9 +8,10 @@ export function distanceBetween(a: ArrayLike<number>, b: ArrayLike<number>): num
 }
 
 /**
- * The square of the distance from a position to the segment between two points (Ericson, Real-Time Collision Detection, 5.1.2).
+ * Returns the squared distance from a position to a segment (Ericson, Real-Time Collision Detection, 5.1.2).
  *
- * @param from, to offsets of the x of the two points.
+ * @param from offset of the start point's x.
+ * @param to offset of the end point's x.
  */
 export function squaredDistance(
   points: ArrayLike<number>,

@@ -1,4 +1,4 @@
-/** Makes the skin of a face ready for tools, away from the page. */
+/** Worker that prepares the skin of a face for the tools. */
 
 import { expose, transfer } from 'comlink'
 import { type MetricMesh, type Skin, skinCanvas } from 'furrow/author'
@@ -7,7 +7,7 @@ import { holdLife } from '../workers/life.ts'
 import { type MadeSkin, makeSkin } from './make-skin.ts'
 
 const service = {
-  /** Hands the skin back with what was made of it. */
+  /** Transfers the skin back with the result. */
   makeSkin(skin: Skin, scale: number, size: number): { skin: Skin; made: MadeSkin } {
     const answer = { skin, made: makeSkin(skin, scale, size) }
     return transfer(answer, [...buffersOf(answer), ...(answer.made.hierarchy.roots as ArrayBuffer[])])

@@ -5,7 +5,7 @@ import { Section } from './controls/section.tsx'
 
 const SPEEDS = ['0.25', '0.5', '1', '2'].map((value) => ({ value, label: `${value}×` }))
 
-/** Plays key frames of the file, and captures. */
+/** Plays animations of the file, and captures. */
 export function Animation({ player }: { player: ClipPlayer }) {
   const { clips, clip, isPlaying, isShown, isLooped, speed } = player
   return (
@@ -62,7 +62,7 @@ export function Animation({ player }: { player: ClipPlayer }) {
   )
 }
 
-/** The time in the clip; it alone follows each frame. */
+/** Clip time. Separate component: only this part renders per frame. */
 function Time({ player }: { player: ClipPlayer }) {
   const { clip, time } = player
   return (

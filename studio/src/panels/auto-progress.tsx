@@ -1,7 +1,7 @@
 import { useId } from 'preact/hooks'
 import type { PanelModel } from './model.ts'
 
-/** How far the automatic wrinkles are, while they are made. */
+/** Progress of automatic wrinkles. */
 export function AutoProgress({ model: { autoRun, actions } }: { model: PanelModel }) {
   const id = useId()
   const run = autoRun.value

@@ -6,7 +6,7 @@ import { NumberSlider } from './controls/number-slider.tsx'
 import { Section } from './controls/section.tsx'
 import type { PanelModel } from './model.ts'
 
-/** Controls of the automatic wrinkles: a preview while they move, all of them when they rest. */
+/** Settings of automatic wrinkles. A moving control shows previews; releasing it makes the full result. */
 export function AutomaticWrinkles({ model }: { model: PanelModel }) {
   const { auto, actions } = model
   const settings = auto.value
@@ -77,13 +77,13 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
   )
 }
 
-/** Regions with lines of their own, or all. */
+/** Region whose lines to change, or all. */
 type Lines = AutoRegion | 'all'
 
-/** The lines of the outer forehead are those of the inner one. */
+/** Regions with own seeds. The outer forehead shares the lines of the inner one. */
 const WITH_LINES = AUTO_REGIONS.filter((region) => region !== 'foreheadOuter')
 
-/** The change by which some lines become others. */
+/** Returns the settings for other lines in a region. */
 function otherLines({ seed, seeds }: AutoSettings, lines: Lines): Partial<AutoSettings> {
   if (lines === 'all') return { seed: seed + 1, seeds: {} }
   return { seeds: { ...seeds, [lines]: (seeds?.[lines] ?? seed) + 1 } }

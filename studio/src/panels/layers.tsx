@@ -28,7 +28,7 @@ const MAP_LABELS: Record<MapName, string> = {
 const IMAGES = 'image/png,image/jpeg,image/webp'
 const SCULPTS = '.glb,.gltf,.vrm'
 
-/** The layers of the document: what they are, and the maps that they have. */
+/** Layers of the document and their maps. */
 export function Layers({ model: { layers, session } }: { model: PanelModel }) {
   const document = session.document.value
   const keys = useKeys(document?.layers.map(({ name }) => name) ?? [])
@@ -57,7 +57,7 @@ export function Layers({ model: { layers, session } }: { model: PanelModel }) {
   )
 }
 
-/** Keys of layers, which keep theirs when they are renamed: a form that is typed in is not to be made anew. */
+/** Returns stable keys of layers. A renamed layer keeps its key, so that its form keeps the focus. */
 function useKeys(names: readonly string[]): readonly number[] {
   const last = useRef({ names, keys: names.map((_, i) => i), free: names.length })
   const { names: old, keys, free } = last.current
@@ -96,7 +96,7 @@ function Layer({ layer, isFirst, isLast, hasStrokes, editor }: LayerProps) {
             value={name}
             onChange={({ currentTarget }) => {
               editor.rename(name, currentTarget.value)
-              // What it is called still: a name that is taken is refused.
+              // The document supplies the new name; a rejected one is reset.
               currentTarget.value = name
             }}
           />
@@ -162,7 +162,7 @@ function Layer({ layer, isFirst, isLast, hasStrokes, editor }: LayerProps) {
   )
 }
 
-/** Whether strokes are drawn into a map of this name. */
+/** Whether strokes are drawn into this map. */
 function isDrawn(map: MapName): boolean {
   return map === 'normal' || map === 'occlusion'
 }
@@ -216,7 +216,7 @@ function MapRow({ layer: { name, maps }, map, isDrawn, editor }: MapRowProps) {
   )
 }
 
-/** Takes a sculpt, chosen or dropped here; how far it is. */
+/** Bakes a chosen or dropped sculpt, and shows the progress. */
 function Bake({ name, editor }: { name: string; editor: LayerEditor }) {
   const id = useId()
   const run = editor.run.value

@@ -5,11 +5,11 @@ import { type ShortcutName, shortcutOf } from '../shortcuts.ts'
 import { LabelledGroup } from './controls/labelled-group.tsx'
 import type { PanelModel } from './model.ts'
 
-/** CSS pixels per key press, near and far. */
+/** CSS pixels per key press, without and with Shift. */
 const STEP = 2
 const LARGE_STEP = 20
 
-/** A list of all lines, for those who do not point at the face. */
+/** Select for lines, as an alternative to clicking on the face. */
 export function LineChoice({ editor, strokes }: { editor: LineEditor; strokes: readonly LayerStroke[] }) {
   const id = useId()
   return (
@@ -33,7 +33,7 @@ export function LineChoice({ editor, strokes }: { editor: LineEditor; strokes: r
   )
 }
 
-/** Lines have no names: that of the group, and a number where the group has several. */
+/** Names lines by group, with a number if the group has several. */
 function namesOf(strokes: readonly LayerStroke[]): string[] {
   const groups = strokes.map(({ group }) => group ?? 'Without a group')
   const counts = new Map<string, number>()
@@ -45,7 +45,7 @@ function namesOf(strokes: readonly LayerStroke[]): string[] {
   return groups.map((group, i) => (counts.get(group) === 1 ? group : `${group} ${numbers[i]}`))
 }
 
-/** The points of the chosen line, by number: one that has the focus is chosen, and moves with the arrow keys. */
+/** Numbered points of the chosen line. The focused point is chosen and moves with the arrow keys. */
 export function LinePoints({ editor, actions }: { editor: LineEditor; actions: PanelModel['actions'] }) {
   const count = editor.pointCount
   const point = editor.point.value
@@ -56,7 +56,7 @@ export function LinePoints({ editor, actions }: { editor: LineEditor; actions: P
     editor.point.value = index
     if (name === 'remove') {
       actions.attempt(() => editor.remove())
-      // What has the focus now.
+      // Choose the point that has the focus now.
       if (editor.chosen.peek()) editor.point.value = Math.min(index, editor.pointCount - 1)
       return
     }

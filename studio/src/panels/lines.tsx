@@ -13,7 +13,7 @@ const MODES: readonly { value: LineMode; label: string; title?: string }[] = [
   { value: 'draw', label: 'Draw', title: 'Draw a new line on the skin' },
 ]
 
-/** Controls of the lines on the face: of the chosen one, or of those that are drawn. */
+/** Controls of the chosen line, or of new lines. */
 export function Lines({ model }: { model: PanelModel }) {
   const { lines, session, actions } = model
   const mode = lines.mode.value
@@ -67,14 +67,14 @@ interface ControlsProps {
   attempt: Attempt
 }
 
-/** Least, most and step of each slider. */
+/** Minimum, maximum and step of each slider. */
 const WIDTH = [0.2, 12, 0.1] as const
 const DEPTH = [0, 3, 0.02] as const
 const FRACTION = [0, 1, 0.01] as const
-/** Of the raised sides. */
+/** Width of the raised sides, millimetres. */
 const BANK = [0.2, 30, 0.1] as const
 const LEAN = [-0.9, 0.9, 0.05] as const
-/** Of the length, at each end: beyond one half, both fade the same part. */
+/** Fraction of the length, at each end. Up to one half, so that the ends do not overlap. */
 const TAPER = [0, 0.5, 0.01] as const
 
 function Shape({ shape, editor, attempt }: ControlsProps & { shape: LineShape }) {
@@ -115,13 +115,13 @@ function mean([a, b]: readonly [number, number]): number {
 interface MembershipProps extends ControlsProps {
   group: string
   layer: string
-  /** Whether it is that of lines to come, which the area under them may decide. */
+  /** Whether the fields apply to new lines, whose default comes from the area below them. */
   isNew: boolean
   groups: readonly string[]
   layers: readonly string[]
 }
 
-/** Which area shows the line, and the layer that it is drawn on. */
+/** Area and layer of a line. */
 function Membership({ group, layer, isNew, groups, layers, editor, attempt }: MembershipProps) {
   const id = useId()
   return (

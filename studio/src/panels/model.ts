@@ -21,11 +21,11 @@ import type { Dial } from '../viewer/pose/dials.ts'
 import type { Staging } from '../viewer/staging.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 
-/** What panels show and request. */
+/** State and actions of the panels. */
 export interface PanelModel {
   readonly session: Session
   readonly lines: LineEditor
-  /** Areas of the document; where there is none, those of the viewer are shown. */
+  /** Areas of the document. Without a document, panels show those of the viewer. */
   readonly areas: AreaEditor
   readonly layers: LayerEditor
   readonly shapes: ShapeEditor
@@ -33,59 +33,59 @@ export interface PanelModel {
   /** Names of the shipped faces. */
   readonly faces: ReadonlySignal<readonly string[]>
   readonly viewer: ReadonlySignal<Viewer | null>
-  /** Changes whenever a number on the face may have changed: a blendshape's weight, an activation. */
+  /** Changes when a weight or an activation may have changed. */
   readonly frame: ReadonlySignal<number>
-  /** Changes whenever the viewer's areas, mode or look have changed. */
+  /** Changes when the viewer's areas, mode or look change. */
   readonly revision: ReadonlySignal<number>
-  /** The expression that the face shows or moves to; null once a slider has changed it. */
+  /** Expression shown or approached, null after a slider changed it. */
   readonly expression: ReadonlySignal<string | null>
   readonly hovered: Signal<Hovered | null>
   /** Light and turntable. */
   readonly staging: Staging
-  /** Key frames. */
+  /** Player of key frames. */
   readonly player: ClipPlayer
-  /** Settings of the automatic wrinkles, and the run that makes them. */
+  /** Settings and current run of automatic wrinkles. */
   readonly auto: ReadonlySignal<AutoSettings>
   readonly autoRun: ReadonlySignal<AutoRun | null>
   readonly exporting: ReadonlySignal<ExportState | null>
-  /** What the browser keeps, and whether the present work is saved. */
+  /** Projects stored in the browser, and the state of saving. */
   readonly projects: ReadonlySignal<readonly ProjectEntry[]>
   readonly saving: ReadonlySignal<KeepState | null>
-  /** The project's folder on the disk; null where it has none. */
+  /** Project folder on disk, or null. */
   readonly folder: ReadonlySignal<FileSystemDirectoryHandle | null>
-  /** Whether the list of shortcuts is shown. */
+  /** Whether the list of shortcuts is open. */
   readonly isListOpen: Signal<boolean>
   readonly actions: PanelActions
 }
 
-/** What a user can request. Errors are shown on the stage. */
+/** Actions of the user. Errors are shown on the stage. */
 export interface PanelActions {
-  /** Runs a task, and shows its errors. */
+  /** Runs a task and shows its errors. */
   attempt(task: () => unknown): void
   openFiles(files: readonly File[]): void
   openFace(name: string): void
-  /** Wrinkles another mesh of the avatar. */
+  /** Chooses another mesh of the avatar as the skin. */
   chooseSkin(index: number): void
   setRenderer(kind: RendererKind): void
   setMode(mode: WrinkleMode): void
   setLook(look: Look): void
   play(expression: string): void
-  /** Weights of the blendshapes by name, as the user has set them. */
+  /** Returns blendshape weights by name, as set by the user. */
   pose(): ReadonlyMap<string, number>
   input(dial: Dial, value: number): void
   reset(dials: readonly Dial[]): void
   addAreaImages(files: readonly File[], convention: AreaConvention): void
   removeArea(name: string): void
-  /** Moves the chosen point of the chosen line over the skin, by CSS pixels as it is seen. */
+  /** Moves the chosen point of the chosen line on screen, by CSS pixels. */
   moveLinePoint(right: number, down: number): void
-  /** Makes the automatic wrinkles with these settings: a preview while a control moves, all of them when it rests. */
+  /** Makes automatic wrinkles: previews while a control moves, the full result on release. */
   previewAuto(settings: AutoSettings): void
   makeAuto(settings: AutoSettings): void
   cancelAuto(): void
-  /** Makes a document of the wrinkles in the file. */
+  /** Makes the wrinkles of the file editable. */
   editWrinkles(): void
   openProject(id: string): void
-  /** Of a project that another tab has: goes on in a copy of it, or with itself. */
+  /** For a project that is open in another tab: continues in a copy, or takes it over. */
   keepCopy(): void
   takeOver(): void
   deleteProject(id: string): void
@@ -93,7 +93,7 @@ export interface PanelActions {
   cancelExport(): void
   saveExport(): void
   saveProject(): void
-  /** Saves the project to its folder, or to one that the user chooses. */
+  /** Saves the project to its folder, or to a chosen one. */
   saveToFolder(isOther: boolean): void
   copyLink(): void
   copyCode(text: string): void

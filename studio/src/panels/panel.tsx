@@ -13,7 +13,7 @@ import { ShortcutList } from './shortcut-list.tsx'
 import { Targets } from './targets.tsx'
 import { Title } from './title.tsx'
 
-/** The controls beside the stage: they show the face, and request changes. */
+/** All panels beside the stage. */
 export function Panel({ model }: { model: PanelModel }) {
   return (
     <>

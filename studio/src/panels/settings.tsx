@@ -36,7 +36,7 @@ const APPEARANCES: readonly { value: Appearance; label: string; title?: string }
 
 const ALL = 'All areas, as activated'
 
-/** Which face is shown, and how. */
+/** Face and view settings. */
 export function Settings({ model }: { model: PanelModel }) {
   const { actions, revision } = model
   const viewer = model.viewer.value
@@ -79,7 +79,7 @@ export function Settings({ model }: { model: PanelModel }) {
   )
 }
 
-/** The shipped faces, and the avatar that was dropped while it is shown. */
+/** Select for shipped faces and the current avatar. */
 function FaceChoice({ model: { faces, viewer, actions } }: { model: PanelModel }) {
   const shown = viewer.value?.avatar.name
   const names = shown === undefined || faces.value.includes(shown) ? faces.value : [...faces.value, shown]
@@ -101,7 +101,7 @@ function FaceChoice({ model: { faces, viewer, actions } }: { model: PanelModel }
   )
 }
 
-/** The meshes that may be the skin, where there are several. */
+/** Select for the skin mesh, if there are several. */
 function SkinChoice({ model: { viewer, actions } }: { model: PanelModel }) {
   const avatar = viewer.value?.avatar
   if (!avatar || avatar.skins.length < 2) return null

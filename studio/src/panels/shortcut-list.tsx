@@ -26,7 +26,7 @@ const SIGNS: Record<string, string> = {
   PageDown: 'Page down',
 }
 
-/** All shortcuts, over the page. */
+/** Dialog with all shortcuts. */
 export function ShortcutList({ isOpen }: { isOpen: Signal<boolean> }) {
   const dialog = useRef<HTMLDialogElement>(null)
   useSignalEffect(() => {
@@ -65,12 +65,12 @@ export function ShortcutList({ isOpen }: { isOpen: Signal<boolean> }) {
   )
 }
 
-/** Keys that do the same. */
+/** Alternative keys of a shortcut. */
 function Keys({ keys }: { keys: readonly string[] }) {
   return keys.map((key) => <kbd key={key}>{signOf(key)}</kbd>)
 }
 
-/** `Mod+z` as on the keyboard. */
+/** Formats keys such as `Mod+z` as labelled on the keyboard. */
 function signOf(key: string): string {
   if (key.length === 1) return key.toUpperCase()
   return key

@@ -2,7 +2,7 @@ import { render } from 'preact'
 import type { PanelModel } from './model.ts'
 import { Panel } from './panel.tsx'
 
-/** Draws the controls into an element; they follow the model's signals from then on. */
+/** Renders the panels into an element. */
 export function showPanel(element: HTMLElement, model: PanelModel): void {
   render(<Panel model={model} />, element)
 }

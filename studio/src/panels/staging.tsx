@@ -5,7 +5,7 @@ import { KEY_LIGHT, type Staging } from '../viewer/staging.ts'
 /** Degrees per key press. */
 const STEP = 5
 
-/** The light, as a ball that one drags it over, and the turntable. */
+/** Light, dragged on a ball, and turntable. */
 export function StagingControls({ staging }: { staging: Staging }) {
   return (
     <div class="setting staging">

@@ -6,10 +6,10 @@ import { Section } from './controls/section.tsx'
 import { Slider } from './controls/slider.tsx'
 import type { PanelModel } from './model.ts'
 
-/** A slider per blendshape, in groups that fold, with a filter by name. */
+/** Sliders of all blendshapes, in collapsible groups with a name filter. */
 export function Targets({ model }: { model: PanelModel }) {
   const { viewer, revision, hovered, actions } = model
-  // A muscle is a blendshape more.
+  // Muscles add blendshapes.
   revision.value
   const dials = viewer.value?.targets
   const groups = useMemo(() => groupShapes(dials ?? []), [dials])
@@ -57,11 +57,11 @@ export function Targets({ model }: { model: PanelModel }) {
 
 interface GroupProps {
   group: ShapeGroup<Dial>
-  /** While there is a filter, every group is open; afterwards it is as it was. */
+  /** Whether a filter is active. A filter opens all groups temporarily. */
   isFiltered: boolean
-  /** Sliders that do not match are hidden; they follow the face all the same. */
+  /** Returns false for sliders to hide. Hidden sliders still follow the face. */
   matches(dial: Dial): boolean
-  /** Names of the blendshapes that drive the hovered area. */
+  /** Blendshapes that drive the hovered area. */
   linked: readonly string[]
   model: PanelModel
 }

@@ -2,20 +2,20 @@ import { AutoProgress } from './auto-progress.tsx'
 import { KeepStatus } from './keeping/keep-status.tsx'
 import type { PanelModel } from './model.ts'
 
-/** Formats that the file dialog offers. */
+/** File types of the file dialog. */
 const FACES = '.glb,.gltf,.vrm,.bin,.png,.jpg,.jpeg,.webp,.ktx2,.json,.zip,.csv'
 
-/** Lets a dialog choose a folder, for which JSX has no name. */
+/** Makes a file input choose folders. JSX lacks this attribute. */
 function chooseFolder(input: HTMLInputElement | null): void {
   if (input) input.webkitdirectory = true
 }
 
-/** The name of the page, and what concerns the whole work: open, undo, redo. */
+/** Page title and global actions: open, undo, redo. */
 export function Title({ model }: { model: PanelModel }) {
   const { session, viewer, revision, actions } = model
   const { undoLabel, redoLabel } = session
   revision.value
-  // What the file has is shown as it is, until it is to be changed.
+  // Wrinkles of a file are shown as is until "Edit wrinkles".
   const isEditable = Boolean(viewer.value?.wrinkles) && !session.document.value
   return (
     <header class="title">
@@ -47,7 +47,7 @@ export function Title({ model }: { model: PanelModel }) {
           />
           <span>Open folder…</span>
         </label>
-        {/* Without an end they keep the focus, so that one key may be pressed until all is undone. */}
+        {/* aria-disabled keeps the focus, so that repeated key presses undo everything. */}
         <button
           type="button"
           aria-disabled={!undoLabel.value}
@@ -87,7 +87,7 @@ export function Title({ model }: { model: PanelModel }) {
           </button>
         )}
       </div>
-      {/* Of an avatar that has just come: later it is beside the controls that it makes again. */}
+      {/* Only for a new avatar. Otherwise the progress is shown in the section of automatic wrinkles. */}
       {!session.document.value && <AutoProgress model={model} />}
       <KeepStatus model={model} />
     </header>

@@ -20,7 +20,7 @@ import type { Session } from './session.ts'
 
 type Names = ReadonlySet<string>
 
-/** Changes the document's areas, and knows what the document does not: which one is chosen, and which the stage leaves out. */
+/** Edits the document's areas, and holds their page state: the chosen, muted and soloed areas. */
 export class AreaEditor {
   readonly #session: Session
   readonly #attempt: (task: () => void) => unknown
@@ -29,17 +29,17 @@ export class AreaEditor {
   readonly #soloed = signal<Names>(new Set())
   #lastHidden: readonly string[] = []
 
-  /** Whether images of areas are white where no wrinkles are, the paper's convention. */
+  /** Whether area images use the paper's convention: white without wrinkles. */
   readonly isPaper = signal(true)
 
-  /** The area whose controls are shown. */
+  /** Area whose controls are shown. */
   readonly chosen: ReadonlySignal<StudioArea | null> = computed(() => {
     return this.#session.document.value?.areas.find(({ name }) => name === this.#chosen.value) ?? null
   })
 
   /**
-   * Areas that are shown as if they were not active: those that are muted, and where there are soloed ones, all others. The same list as long
-   * as it has the same names: the face is drawn again when it is another.
+   * Areas shown as inactive: muted ones, and all others if any are soloed. Keeps the same array while the names are the same,
+   * because a new array redraws the face.
    */
   readonly hidden: ReadonlySignal<readonly string[]> = computed(() => {
     const [muted, soloed] = [this.#muted.value, this.#soloed.value]
@@ -92,7 +92,7 @@ export class AreaEditor {
     this.#chooseExisting(name)
   }
 
-  /** Adds an area with weights, which are resampled, and chooses it; on the first layer. */
+  /** Adds an area to the first layer, resamples its weights, and chooses it. */
   add({ name, weights }: { name: string; weights: GrayImage }): void {
     this.#edit(`Add ${name}`, (document) => {
       const { areaSize, layers } = document
@@ -115,9 +115,9 @@ export class AreaEditor {
   }
 
   /**
-   * Shows an area on the other side of the face too, and chooses it there.
+   * Mirrors an area to the other side of the face and chooses the mirrored one.
    *
-   * @param mirror makes the mirror image of weights.
+   * @param mirror returns mirrored weights.
    */
   mirror(name: string, mirror: (weights: GrayImage) => GrayImage): void {
     const document = this.#session.document.peek()
@@ -128,7 +128,7 @@ export class AreaEditor {
     this.#chooseExisting(other)
   }
 
-  /** Replaces the weights of an area, which are resampled. */
+  /** Replaces the weights of an area. Resamples them. */
   fill(name: string, weights: GrayImage): void {
     this.#edit(`Fill ${name} from an image`, (document) =>
       paintArea(document, name, resampleGray(weights, document.areaSize)),
@@ -144,7 +144,7 @@ export class AreaEditor {
       if (names.peek().has(name)) names.value = new Set([...names.peek(), newName])
     }
     this.#attempt(() =>
-      // All at once: at no time is the chosen area none.
+      // Batched, so that an area stays chosen throughout.
       batch(() => {
         this.#session.edit(`Rename ${name}`, (document) => renameArea(document, name, newName))
         follow(this.#muted)
@@ -164,7 +164,7 @@ export class AreaEditor {
     this.#session.settle()
   }
 
-  /** Lets the blendshapes that are set activate an area as they are set. */
+  /** Makes the set blendshapes activate an area. */
   recordPose(name: string, weights: ReadonlyMap<string, number>): void {
     this.#edit(`Record the pose of ${name}`, (document) => recordPose(document, name, weights))
   }

@@ -2,24 +2,24 @@ import { type ReadonlySignal, signal } from '@preact/signals'
 import { type AutoOptions, type AutoWrinkles, autoWrinklesInWorker } from 'furrow/auto'
 import type { SkinSource } from '../open/skin-source.ts'
 
-/** How far a run is. */
+/** Progress of a run. */
 export interface AutoRun {
   readonly step: string
-  /** 0..1. */
+  /** Progress, 0..1. */
   readonly fraction: number
 }
 
-/** Makes automatic wrinkles in a worker, one run at a time: a new run ends the last one. */
+/** Makes automatic wrinkles in a worker. A new run cancels the previous one. */
 export class Automatic {
   readonly #run = signal<AutoRun | null>(null)
   #abort: AbortController | null = null
 
-  /** Null while nothing is made. */
+  /** Current run, or null. */
   get run(): ReadonlySignal<AutoRun | null> {
     return this.#run
   }
 
-  /** @returns the wrinkles, null where the run was ended. Rejects with what `autoWrinkles` throws. */
+  /** @returns null if the run was cancelled. Rejects with errors of `autoWrinkles`. */
   async make(
     { skin, frame }: Pick<SkinSource, 'skin' | 'frame'>,
     options: AutoOptions,
@@ -41,7 +41,7 @@ export class Automatic {
     }
   }
 
-  /** Ends the run, if there is one. */
+  /** Cancels the current run, if any. */
   cancel(): void {
     this.#abort?.abort()
     this.#end()

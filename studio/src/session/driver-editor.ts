@@ -3,7 +3,7 @@ import type { StudioDocument } from '../document/document.ts'
 import { addDriver, removeDriver, setDriver } from '../document/drivers.ts'
 import type { Session } from './session.ts'
 
-/** Changes the document's drivers, which it knows by their index. Each change is one step to undo. */
+/** Edits the document's drivers by index. Each change is one undo step. */
 export class DriverEditor {
   readonly #session: Session
   readonly #attempt: (task: () => void) => unknown
@@ -21,7 +21,7 @@ export class DriverEditor {
   /**
    * Changes fields of a driver.
    *
-   * @param field changes of the same one are one step until `settle`, as those of a point that is dragged.
+   * @param field merges changes of the same field into one undo step until `settle`, for dragging.
    */
   set(index: number, field: string, fields: Readonly<Record<string, unknown>>): void {
     const change = (document: StudioDocument) => {

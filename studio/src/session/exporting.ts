@@ -6,30 +6,30 @@ import type { OpenedAvatar } from '../open/avatar.ts'
 import type { DrawnDocument } from '../viewer/document-view.ts'
 import { faceFilesOf } from './face-files.ts'
 
-/** An export: how far it is, or what it gave. */
+/** Progress or result of an export. */
 export type ExportState =
   | { kind: 'running'; fraction: number }
   | { kind: 'done'; name: string; face: ExportedFace }
 
-/** A document with all that is drawn of it, and its avatar. */
+/** Document with its drawn maps, and its avatar. */
 export interface DrawnWork {
   drawn: DrawnDocument
   avatar: OpenedAvatar
-  /** Of strokes, by the names of layers that have some. */
+  /** Heights of strokes, by name of each layer with strokes. */
   heights: ReadonlyMap<string, HeightMap>
 }
 
-/** Exports the face in a worker, one at a time. */
+/** Exports the face in a worker. A new export cancels the previous one. */
 export class Exporting {
   readonly #state = signal<ExportState | null>(null)
   #abort: AbortController | null = null
 
-  /** Null before anything was exported, and when the document has changed since. */
+  /** Null before the first export, and after the document changes. */
   get state(): ReadonlySignal<ExportState | null> {
     return this.#state
   }
 
-  /** Rejects with what `exportDocument` throws. */
+  /** Starts an export. Rejects with errors of `exportDocument`. */
   async start(work: DrawnWork, options: ExportOptions): Promise<void> {
     this.cancel()
     const abort = new AbortController()
@@ -55,7 +55,7 @@ export class Exporting {
     }
   }
 
-  /** Ends the run, and forgets what was exported. */
+  /** Cancels the export and clears its result. */
   cancel(): void {
     this.#abort?.abort()
     this.#abort = null
@@ -63,7 +63,7 @@ export class Exporting {
   }
 }
 
-/** The document with the maps of its strokes, and the names of the mesh and material that it is for. */
+/** Combines the document, the maps of its strokes, and the names of its mesh and material. */
 export function documentToPack({ drawn: { document, maps }, avatar, heights }: DrawnWork): DocumentToPack {
   const { skins, skin } = avatar
   const drawn = document.layers.flatMap(({ name }, i): [string, StrokeMaps][] => {
@@ -77,7 +77,7 @@ export function documentToPack({ drawn: { document, maps }, avatar, heights }: D
   }
 }
 
-/** `avatar.vrm` becomes `avatar-wrinkled.vrm`; files of several parts become one `.glb`. */
+/** Names the export: `avatar.vrm` becomes `avatar-wrinkled.vrm`; a face with several files becomes one `.glb`. */
 function nameOf({ name, files: [face] }: OpenedAvatar): string {
   return `${name}-wrinkled.${/\.vrm$/i.test(face.path) ? 'vrm' : 'glb'}`
 }

@@ -5,7 +5,7 @@ import type { Messages } from '../messages.ts'
 import type { ShownFace } from '../viewer/shown-face.ts'
 import type { AreaEditor } from './area-editor.ts'
 
-/** Adds and removes areas: of the document, or where there is none of the face on the stage alone. */
+/** Adds and removes areas, in the document or, if there is no document, on the shown face only. */
 export class FaceAreas {
   readonly #face: ShownFace
   readonly #editor: AreaEditor
@@ -17,7 +17,7 @@ export class FaceAreas {
     this.#messages = messages
   }
 
-  /** Adds the images that can be areas. One message tells of all others. */
+  /** Adds images as areas. Reports all failed images in one message. */
   async add(files: readonly File[], convention: AreaConvention): Promise<void> {
     if (files.length > MAX_AREAS) return this.#messages.error(tooManyImages(files.length))
     const faults: unknown[] = []
@@ -32,7 +32,7 @@ export class FaceAreas {
     if (this.#editor.hasDocument) return this.#editor.add(area)
     this.#face.change((viewer) => {
       viewer.addArea(area)
-      // Fully active, so that the new area is visible at once.
+      // Full activation makes the new area visible.
       viewer.wrinkles?.setActivation(area.name, 1)
       this.#messages.note(`Added area ${area.name}`)
     })

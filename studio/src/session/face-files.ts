@@ -2,7 +2,7 @@ import { bytesOf } from '../files/dropped-files.ts'
 import type { FaceFiles } from '../files/face-files.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 
-/** The files of an avatar, as they were opened. Rejects with a FurrowError where they can no longer be read. */
+/** Reads the files of an avatar. Rejects with a FurrowError if a file can no longer be read. */
 export async function faceFilesOf({ files }: OpenedAvatar): Promise<FaceFiles> {
   const [face, ...others] = files
   const folder = face.path.slice(0, face.path.lastIndexOf('/') + 1)

@@ -6,10 +6,10 @@ import type { ProjectStore } from '../keep/project-store.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import type { Session } from './session.ts'
 
-/** Whether the work is saved; `elsewhere` where another tab has the project, and alone saves it. */
+/** State of saving. `elsewhere` means that another tab has the project open and saves it. */
 export type KeepState = SaveState | { readonly kind: 'elsewhere' }
 
-/** Keeps the document of one avatar in a project: in one that was opened, or in a new one from the first change on. */
+/** Saves the document of one avatar to its project. Creates a project at the first change if there is none. */
 export class Keeper {
   readonly #store: ProjectStore
   readonly #avatar: OpenedAvatar
@@ -21,8 +21,8 @@ export class Keeper {
   readonly #kept = signal<Project | null>(null)
 
   /**
-   * @param project null where nothing is kept yet.
-   * @param onCreate called when a project is begun.
+   * @param project existing project, or null.
+   * @param onCreate called when a project is created.
    */
   constructor(
     store: ProjectStore,
@@ -41,17 +41,17 @@ export class Keeper {
     })
   }
 
-  /** Null while nothing is to be saved. */
+  /** Null while there is nothing to save. */
   readonly state: ReadonlySignal<KeepState | null> = computed(() =>
     this.#isElsewhere.value ? { kind: 'elsewhere' } : (this.#autosave.value?.state.value ?? null),
   )
 
-  /** The project; null before the first change. */
+  /** Project, or null before the first change. */
   get kept(): ReadonlySignal<Project | null> {
     return this.#kept
   }
 
-  /** The project, which is begun where there is none yet. Rejects with a FurrowError where it cannot be. */
+  /** Returns the project, creating it if necessary. Rejects with a FurrowError if that fails. */
   async project(): Promise<Project> {
     if (!this.#kept.peek()) {
       this.#save(null)
@@ -63,7 +63,7 @@ export class Keeper {
     throw state?.kind === 'failed' ? state.reason : new Error('there is nothing to keep')
   }
 
-  /** From now on the work is kept in a new project. Rejects with a FurrowError where it cannot be. */
+  /** Copies the work to a new project and continues there. Rejects with a FurrowError if that fails. */
   async copy(): Promise<void> {
     const document = this.#document.peek()
     if (!document) return
@@ -74,7 +74,7 @@ export class Keeper {
     this.#onCreate()
   }
 
-  /** Saves what is not saved yet, and lets other tabs open the project. */
+  /** Saves pending changes and releases the project for other tabs. */
   async close(): Promise<void> {
     this.#stopWatching()
     await this.#autosave.peek()?.dispose()
@@ -92,7 +92,7 @@ export class Keeper {
     project.whenWanted(() => void this.#handOver(project))
   }
 
-  /** Another tab goes on with the project. */
+  /** Hands the project over to another tab. */
   async #handOver(project: Project): Promise<void> {
     this.#isElsewhere.value = true
     const autosave = this.#autosave.peek()
@@ -101,7 +101,7 @@ export class Keeper {
     await project.close()
   }
 
-  /** @param saved what the project has already. */
+  /** @param saved document that the project already contains. */
   #save(saved: StudioDocument | null): void {
     if (this.#autosave.peek() || !this.#document.peek()) return
     const document = this.#document as ReadonlySignal<StudioDocument>

@@ -1,4 +1,4 @@
-/** Runs a task again and again, one run at a time, with the latest value: those that come and are replaced while it runs are dropped. */
+/** Runs a task with the latest value, one run at a time. Values replaced during a run are dropped. */
 export class Latest<T> {
   readonly #task: (value: T) => Promise<void>
   #next: { value: T } | null = null
@@ -8,7 +8,7 @@ export class Latest<T> {
     this.#task = task
   }
 
-  /** Runs the task with a value, when the run that is under way has ended. Rejects with what the task rejects with; the values stay. */
+  /** Queues a value until the current run ends. Rejects with errors of the task, and then keeps a queued value. */
   async run(value: T): Promise<void> {
     this.#next = { value }
     if (this.#isRunning) return
@@ -24,7 +24,7 @@ export class Latest<T> {
     }
   }
 
-  /** Drops the value that waits. */
+  /** Drops the queued value. */
   drop(): void {
     this.#next = null
   }

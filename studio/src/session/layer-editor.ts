@@ -19,28 +19,28 @@ import { faceFilesOf } from './face-files.ts'
 import { readMap } from './map-file.ts'
 import type { Session } from './session.ts'
 
-/** Metres from black to white of a height map that is imported: an artist sets it to what was painted. */
+/** Default height range of an imported height map, from black to white, metres. */
 const HEIGHT_AMPLITUDE = 0.002
-/** That of an imported blood map: white is a clear flush. */
+/** Default amplitude of an imported blood map: white is a clear flush. */
 const BLOOD_AMPLITUDE = 0.3
 
-/** A bake that is under way. */
+/** Progress of a bake. */
 export interface BakeRun {
   readonly layer: string
-  /** 0..1. */
+  /** Progress, 0..1. */
   readonly fraction: number
 }
 
 export interface LayerEditorParts {
   session: Session
-  /** The document with all that is drawn of it; null where there is none. */
+  /** Returns the document with its drawn maps, or null if there is none. */
   work(): Promise<DrawnWork | null>
   avatar(): OpenedAvatar | null
-  /** Runs a task, and shows its errors. */
+  /** Runs a task and shows its error. */
   attempt(task: () => unknown): unknown
 }
 
-/** Changes the document's layers, fills their maps from files and sculpts, and saves them as images. */
+/** Edits the document's layers, imports and bakes their maps, and saves maps as images. */
 export class LayerEditor {
   readonly #parts: LayerEditorParts
   readonly #bake = signal<BakeRun | null>(null)
@@ -50,7 +50,7 @@ export class LayerEditor {
     this.#parts = parts
   }
 
-  /** Null while nothing is baked. */
+  /** Current bake, or null. */
   get run(): ReadonlySignal<BakeRun | null> {
     return this.#bake
   }
@@ -67,7 +67,7 @@ export class LayerEditor {
     this.#edit(`Rename ${name}`, (document) => renameLayer(document, name, newName))
   }
 
-  /** @param by -1 to move it up, 1 to move it down. */
+  /** @param by -1 moves up, 1 moves down. */
   move(name: string, by: -1 | 1): void {
     this.#edit(`Move ${name}`, (document) => {
       const index = document.layers.findIndex((layer) => layer.name === name) + by
@@ -107,7 +107,7 @@ export class LayerEditor {
     })
   }
 
-  /** Bakes a sculpt into the normal map of a layer, which then has the skin's own details too. One at a time. */
+  /** Bakes a sculpt into the normal map of a layer, including the skin's own details. Cancels a running bake. */
   bake(name: string, sculpt: File): void {
     this.cancelBake()
     const abort = new AbortController()
@@ -130,9 +130,9 @@ export class LayerEditor {
   }
 
   /**
-   * Saves maps and areas as images: one as it is, several as a .zip.
+   * Saves maps and areas: a single image as is, several as a .zip.
    *
-   * @param only the start of their paths in a project's folder.
+   * @param only path prefix in the project folder.
    */
   save(only = ''): void {
     this.#parts.attempt(async () => {

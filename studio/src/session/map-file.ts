@@ -5,10 +5,10 @@ import type { ImageFile, MapName } from '../document/document.ts'
 import { bytesOf } from '../files/dropped-files.ts'
 
 /**
- * Reads an image as a map of a layer.
+ * Reads an image as a layer map.
  *
- * @param size side in texels that it is scaled to: the maps of all layers are in one array. A height map, which has 16 bits, keeps its own.
- * @throws FurrowError when it is no image that a layer can have.
+ * @param size target side, texels: the maps of all layers share one array. 16-bit height maps are not scaled.
+ * @throws FurrowError if the image is unsupported.
  */
 export async function readMap(file: File, map: MapName, size: number): Promise<ImageFile> {
   const image = await decodeImage(file, file.name)
@@ -17,7 +17,7 @@ export async function readMap(file: File, map: MapName, size: number): Promise<I
   return { mimeType: imageTypeOf(bytes) ?? 'image/png', bytes }
 }
 
-/** A gray map as a PNG file. The browser encodes it beside the page. */
+/** Encodes a gray map as PNG, off the main thread. */
 export async function grayFile({ width, height, data }: GrayImage, name: string): Promise<ImageFile> {
   const { canvas, context } = canvasOf(width, height, name)
   const image = new ImageData(width, height)
@@ -30,7 +30,7 @@ export async function grayFile({ width, height, data }: GrayImage, name: string)
   return { mimeType, bytes: await bytesOf(await canvas.convertToBlob({ type: mimeType }), name) }
 }
 
-/** As a PNG file. */
+/** Scales an image and encodes it as PNG. */
 async function scaled({ width, height, data }: RgbaImage, size: number, name: string): Promise<Uint8Array> {
   const image = new ImageData(Uint8ClampedArray.from(data), width, height)
   const { canvas, context } = canvasOf(size, size, name)
@@ -41,7 +41,7 @@ async function scaled({ width, height, data }: RgbaImage, size: number, name: st
   return bytesOf(await canvas.convertToBlob({ type: 'image/png' }), name)
 }
 
-/** A canvas in memory: one on the GPU is read back, and that waits for the frames before it. */
+/** Creates a CPU canvas: reading back a GPU canvas waits for earlier frames. */
 function canvasOf(width: number, height: number, name: string) {
   const canvas = new OffscreenCanvas(width, height)
   const context = canvas.getContext('2d', { willReadFrequently: true })

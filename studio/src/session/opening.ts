@@ -16,11 +16,11 @@ export interface OpeningParts {
   workspace: Workspace
   messages: Messages
   loading: Loading
-  /** Adds areas from images. */
+  /** Adds images as areas. */
   addAreas(images: readonly File[]): Promise<void>
 }
 
-/** Opens faces: those on the server, those that were dropped, and those that were worked on before. */
+/** Opens faces from the server, dropped files and recent projects. */
 export class Opening {
   readonly #parts: OpeningParts
 
@@ -34,7 +34,7 @@ export class Opening {
     return host.open(host.viewer?.kind ?? 'webgl', load)
   }
 
-  /** One of the faces on the server. */
+  /** Returns a loader for a face on the server. */
   fetch(name: string): LoadAvatar {
     const { loading } = this.#parts
     const title = `Loading ${displayName(name)}`
@@ -48,7 +48,7 @@ export class Opening {
     return this.open(() => this.#projectOf(id))
   }
 
-  /** Opens the project again that another tab has, as that has saved it. */
+  /** Takes the project over from another tab, which saves it first. */
   takeOver(): Promise<unknown> {
     return this.open(async () => {
       const project = await this.#parts.workspace.keeping.project()
@@ -57,9 +57,9 @@ export class Opening {
   }
 
   /**
-   * Opens what was dropped: an avatar, wrinkles for the one on the stage, or areas.
+   * Opens dropped files: an avatar, wrinkles for the shown avatar, areas or captures.
    *
-   * @param list is called at once: what was dropped is gone after its event.
+   * @param list called synchronously, because dropped files are inaccessible after their event.
    */
   async files(list: () => Promise<DroppedFile[]>): Promise<void> {
     const { messages, loading, addAreas } = this.#parts

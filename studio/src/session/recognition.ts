@@ -2,21 +2,21 @@ import { type ReadonlySignal, signal } from '@preact/signals'
 import type { Skin } from 'furrow/auto'
 import { type RecognisedShape, recogniseShapesInWorker } from 'furrow/internal'
 
-/** The recognised blendshapes of a skin. */
+/** Recognised blendshapes of a skin. */
 export interface Recognised {
-  /** With corrections. */
+  /** Skin with corrections applied. */
   readonly skin: Skin
   /** One entry per blendshape. */
   readonly shapes: readonly RecognisedShape[]
 }
 
-/** Recognises the blendshapes of a skin in a worker, one run at a time: a new run ends the last one. */
+/** Recognises the blendshapes of a skin in a worker. A new run cancels the previous one. */
 export class Recognition {
   readonly #result = signal<Recognised | null>(null)
   readonly #isRunning = signal(false)
   #abort: AbortController | null = null
 
-  /** The last result; null before there is one. */
+  /** Latest result, or null. */
   get result(): ReadonlySignal<Recognised | null> {
     return this.#result
   }
@@ -25,7 +25,7 @@ export class Recognition {
     return this.#isRunning
   }
 
-  /** Recognises the blendshapes of a skin with its corrections. Rejects with a FurrowError where the worker dies. */
+  /** Recognises the blendshapes of a corrected skin. Rejects with a FurrowError if the worker dies. */
   async run(skin: Skin): Promise<void> {
     this.#abort?.abort()
     const abort = new AbortController()
@@ -41,7 +41,7 @@ export class Recognition {
     }
   }
 
-  /** Ends the run, and forgets the result. */
+  /** Cancels the run and clears the result. */
   forget(): void {
     this.#abort?.abort()
     this.#abort = null

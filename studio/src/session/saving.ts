@@ -5,7 +5,7 @@ import type { OpenedAvatar } from '../open/avatar.ts'
 import { documentToPack } from './exporting.ts'
 import type { Workspace } from './workspace.ts'
 
-/** Saves the project as a file or a folder, which are what `furrow pack` reads. */
+/** Saves the project as a .zip file or a folder that `furrow pack` reads. */
 export class Saving {
   readonly #workspace: Workspace
   readonly #folder = signal<FileSystemDirectoryHandle | null>(null)
@@ -24,12 +24,12 @@ export class Saving {
     })
   }
 
-  /** The folder of the project on the disk; null where it has none yet. */
+  /** Folder of the project on disk, or null. */
   get folder(): ReadonlySignal<FileSystemDirectoryHandle | null> {
     return this.#folder
   }
 
-  /** The project with the avatar as one file; null where there is none. Rejects with a FurrowError where it cannot be made. */
+  /** Zips the project and its avatar, or returns null if there is none. Rejects with a FurrowError if that fails. */
   async zip(): Promise<{ file: Blob; name: string } | null> {
     const project = await this.#files()
     const { zipFolder } = await import('../files/zip.ts')
@@ -37,10 +37,10 @@ export class Saving {
   }
 
   /**
-   * Writes the project to its folder, and to one that the user chooses where it has none. To be called in answer to a click.
+   * Writes the project to its folder, or asks for one if it has none. Requires a user gesture.
    *
-   * @param isOther asks for a folder in any case.
-   * @returns the name of the folder; null where none was chosen. Rejects with a FurrowError where it cannot be written.
+   * @param isOther always asks for a folder.
+   * @returns the folder name, or null if none was chosen. Rejects with a FurrowError if writing fails.
    */
   async toFolder(isOther: boolean): Promise<string | null> {
     const known = isOther ? null : this.#folder.peek()
@@ -64,7 +64,7 @@ export class Saving {
     return { name: nameOf(avatar), files }
   }
 
-  /** Where the browser stores nothing, the folder is known until the page is closed. */
+  /** Without browser storage, the folder is remembered until the page is closed. */
   async #remember(folder: FileSystemDirectoryHandle): Promise<void> {
     const project = await this.#workspace.keeping.project().catch(() => undefined)
     await project?.setFolder(folder).catch(() => {})
@@ -72,7 +72,7 @@ export class Saving {
   }
 }
 
-/** The avatar's name as that of a file. */
+/** Returns the avatar's name as a valid file name. */
 function nameOf({ name }: OpenedAvatar): string {
   return name.replace(/[\\/:*?"<>|\p{Cc}]/gu, '_').replace(/^\.+/, '_') || 'avatar'
 }

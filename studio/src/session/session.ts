@@ -2,7 +2,7 @@ import { computed, type ReadonlySignal, signal } from '@preact/signals'
 import type { StudioDocument } from '../document/document.ts'
 import { History } from '../document/history.ts'
 
-/** The document that is worked on, and how it changes. Views read the signals; only operations make another document. */
+/** Current document and its history. Views read the signals; only operations change the document. */
 export class Session {
   readonly #history = signal<{ history: History | null; version: number }>({ history: null, version: 0 })
 
@@ -10,21 +10,21 @@ export class Session {
   readonly document: ReadonlySignal<StudioDocument | null> = computed(
     () => this.#history.value.history?.document ?? null,
   )
-  /** What undo and redo would do; undefined where there is nothing. */
+  /** Labels of the next undo and redo steps, if any. */
   readonly undoLabel = computed(() => this.#history.value.history?.undoLabel)
   readonly redoLabel = computed(() => this.#history.value.history?.redoLabel)
 
-  /** Begins with a document, without steps to undo; null where nothing is open. */
+  /** Replaces the document and clears the history. */
   open(document: StudioDocument | null): void {
     this.#history.value = { history: document && new History(document), version: 0 }
   }
 
   /**
-   * Changes the document by an operation.
+   * Applies an operation to the document.
    *
-   * @param label what it does, for undo.
-   * @param key merges it with the last operation of the same key, until `settle`.
-   * @throws what the operation throws; the document then stays as it is.
+   * @param label action name, shown by undo.
+   * @param key merges this step with the last one of the same key, until `settle`.
+   * @throws any error of the operation, and then leaves the document as is.
    */
   edit(label: string, operation: (document: StudioDocument) => StudioDocument, key?: string): void {
     const { history } = this.#history.peek()
@@ -33,7 +33,7 @@ export class Session {
     this.#changed()
   }
 
-  /** Ends a series of operations with one key: a slider was let go. */
+  /** Ends a series of merged operations, for example when a slider is released. */
   settle(): void {
     this.#history.peek().history?.settle()
   }

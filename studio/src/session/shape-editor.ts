@@ -6,22 +6,22 @@ import { correctedSkin, type SkinSource } from '../open/skin-source.ts'
 import { Recognition } from './recognition.ts'
 import type { Session } from './session.ts'
 
-/** A blendshape of the skin. */
+/** Blendshape of the skin. */
 export interface ShapeRow {
   readonly name: string
-  /** Result of recognition; undefined while there is none. */
+  /** Recognition result, or undefined. */
   readonly recognised: RecognisedShape | undefined
-  /** ARKit's name that an artist chose, null for none of these; undefined where it is not corrected. */
+  /** Chosen ARKit name, null for "none of these", undefined if not corrected. */
   readonly correction: string | null | undefined
 }
 
-/** Lists what the blendshapes of the skin are, and corrects it. */
+/** Lists the recognised blendshapes of the skin and corrects them. */
 export class ShapeEditor {
   readonly #session: Session
   readonly #source: ReadonlySignal<SkinSource | null>
   readonly #recognition = new Recognition()
 
-  /** @param source the skin that is worked on; null for none. */
+  /** @param source current skin, or null. */
   constructor(session: Session, source: ReadonlySignal<SkinSource | null>) {
     this.#session = session
     this.#source = source
@@ -33,13 +33,13 @@ export class ShapeEditor {
 
   readonly #corrections = computed(() => this.#session.document.value?.shapes ?? NONE)
 
-  /** The skin with its corrections; null where there is none. */
+  /** Skin with corrections, or null. */
   readonly skin: ReadonlySignal<Skin | null> = computed(() => {
     const source = this.#source.value
     return source && correctedSkin(source, this.#corrections.value)
   })
 
-  /** Null before the blendshapes are recognised. */
+  /** Rows, or null before recognition. */
   readonly rows: ReadonlySignal<readonly ShapeRow[] | null> = computed(() => {
     const shapes = this.#recognition.result.value?.shapes
     const targets = this.skin.value?.targets
@@ -50,23 +50,23 @@ export class ShapeEditor {
     })
   })
 
-  /** Whether the blendshapes are recognised with the present corrections, which other blendshapes may depend on. */
+  /** Whether recognition used the current corrections: a correction can affect other blendshapes. */
   readonly isCurrent = computed(() => this.#recognition.result.value?.skin === this.skin.value)
 
   get isRunning(): ReadonlySignal<boolean> {
     return this.#recognition.isRunning
   }
 
-  /** Recognises the blendshapes with the present corrections. Rejects with a FurrowError where that fails. */
+  /** Recognises the blendshapes with the current corrections. Rejects with a FurrowError if that fails. */
   async recognise(): Promise<void> {
     const skin = this.skin.peek()
     if (skin && !this.isCurrent.peek()) await this.#recognition.run(skin)
   }
 
   /**
-   * Corrects what a blendshape is. Changes of the same one are one step to undo until `settle`: a list is gone through by the keyboard.
+   * Corrects a blendshape. Repeated corrections of it are one undo step until `settle`, because arrow keys step through a list.
    *
-   * @param shape ARKit's name, null for none of these; undefined leaves it to Furrow.
+   * @param shape ARKit name, null for "none of these", undefined to remove the correction.
    */
   correct(target: string, shape: string | null | undefined): void {
     const source = this.#source.peek()

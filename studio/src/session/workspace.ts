@@ -22,16 +22,13 @@ import { Latest } from './latest.ts'
 import { grayFile } from './map-file.ts'
 import { Session } from './session.ts'
 
-/** What automatic wrinkles are made with at first. */
+/** Default settings of automatic wrinkles. */
 export const AUTO_SETTINGS: AutoSettings = { strength: 1, size: 1024, seed: 1 }
 
-/** Side in texels of the maps of previews. */
+/** Side of preview maps, texels. */
 const PREVIEW_SIZE = 256
 
-/**
- * The face that is worked on: its document, and what is computed from it. Data flows one way: the document changes, its maps are drawn, and
- * `drawn` changes.
- */
+/** The current face: its document and the data derived from it. A document change draws the maps, then updates `drawn`. */
 export class Workspace {
   readonly session = new Session()
   readonly automatic = new Automatic()
@@ -43,16 +40,16 @@ export class Workspace {
   readonly #onError: (error: unknown) => void
   #avatar: OpenedAvatar | null = null
   readonly #source = signal<SkinSource | null>(null)
-  /** A project whose avatar is about to be shown. */
+  /** Opened project whose avatar is not shown yet. */
   #project: { project: Project; root: OpenedAvatar['root'] } | null = null
   #drawing: Promise<void> | null = null
-  /** A slider moves on while a preview is made. */
+  /** Drops outdated previews while a slider moves. */
   readonly #previews = new Latest((settings: AutoSettings) => this.#preview(settings))
 
-  /** What the automatic wrinkles of the next avatars are made with at first. */
+  /** Initial settings for the next avatars. */
   firstSettings = AUTO_SETTINGS
 
-  /** @param onError is told of what goes wrong while the page goes on. */
+  /** @param onError receives errors of background work. */
   constructor(onError: (error: unknown) => void) {
     this.#onError = onError
     this.#maps = new MapMaker(onError)
@@ -65,12 +62,12 @@ export class Workspace {
     })
   }
 
-  /** The last document whose maps are drawn, or a preview; null for a plain face, or one whose wrinkles are not the document's. */
+  /** Last document with drawn maps, or a preview. Null if the shown face is plain or its wrinkles are not from the document. */
   get drawn(): ReadonlySignal<DrawnDocument | null> {
     return this.#drawn
   }
 
-  /** The skin that is worked on; null where there is none. */
+  /** Current skin, or null. */
   get source(): ReadonlySignal<SkinSource | null> {
     return this.#source
   }
@@ -81,9 +78,9 @@ export class Workspace {
   }
 
   /**
-   * Opens a project: its avatar, to be shown, whose document `open` then takes. Rejects with a FurrowError where it cannot be.
+   * Opens a project and returns its avatar. Show the avatar, then pass it to `open`. Rejects with a FurrowError if that fails.
    *
-   * @param take takes it from the tab that has it.
+   * @param take takes the project over from another tab.
    */
   async openProject(id: string, take = false): Promise<OpenedAvatar> {
     const project = await this.keeping.open(id, take)
@@ -101,7 +98,7 @@ export class Workspace {
     }
   }
 
-  /** Begins with another avatar, or another skin of it; one without wrinkles gets automatic ones. The last one's document is closed at once. */
+  /** Switches to an avatar or skin and closes the previous document. A skin without wrinkles gets automatic ones. */
   async open(avatar: OpenedAvatar): Promise<void> {
     const isSame = this.#avatar !== null && isSameWork(avatar, this.#avatar)
     this.#avatar = avatar
@@ -115,7 +112,7 @@ export class Workspace {
     this.#maps.close()
     this.#drawn.value = null
     if (left) await left
-    // In a task of its own: a skin of a million vertices takes long to read.
+    // Yield first: reading a skin of a million vertices takes long.
     await nextTask()
     if (avatar !== this.#avatar) return
     const opened = project?.opened ?? avatar.document
@@ -127,7 +124,7 @@ export class Workspace {
     if (source && !opened) await this.#begin(source)
   }
 
-  /** Begins with automatic wrinkles; where there are none, with skin to paint and draw on. */
+  /** Starts with automatic wrinkles or, without blendshapes, with a blank document. */
   async #begin(source: SkinSource): Promise<void> {
     const auto = source.skin.targets.length > 0 ? this.firstSettings : undefined
     try {
@@ -138,7 +135,7 @@ export class Workspace {
     }
   }
 
-  /** Makes a document of the wrinkles that the avatar's file has, so that they can be changed. Rejects with a FurrowError where it cannot be. */
+  /** Makes an editable document from the wrinkles in the avatar's file. Rejects with a FurrowError if that fails. */
   async editWrinkles(): Promise<void> {
     const avatar = this.#avatar
     const source = avatar && skinSource(avatar)
@@ -153,19 +150,19 @@ export class Workspace {
     this.session.open({ ...this.#target, ...document })
   }
 
-  /** Ends the run that makes automatic wrinkles; what it previewed is shown no longer. */
+  /** Cancels automatic wrinkles and hides their preview. */
   cancelAuto(): void {
     this.#endAuto()
     void this.#draw()
   }
 
-  /** Exports the document as it is drawn; see `Exporting`. */
+  /** Exports the drawn document; see `Exporting`. */
   async export(options: ExportOptions): Promise<void> {
     const work = await this.drawnWork()
     if (work) await this.exporting.start(work, options)
   }
 
-  /** The avatar and its document once all maps are drawn; null where there is none, or where they cannot be drawn, which is told. */
+  /** Waits for all maps. Returns null if there is no document, or if drawing fails, which `onError` reports. */
   async drawnWork(): Promise<DrawnWork | null> {
     await this.#draw()
     const [drawn, avatar] = [this.#drawn.peek(), this.#avatar]
@@ -173,7 +170,7 @@ export class Workspace {
     return { drawn, avatar, heights: await this.#maps.heights(drawn.document, this.#source.peek()!) }
   }
 
-  /** Makes the automatic wrinkles anew; those that were changed by hand stay. Rejects with a FurrowError where there are none. */
+  /** Remakes the automatic wrinkles and keeps hand-edited ones. Rejects with a FurrowError if none can be made. */
   async makeAuto(chosen: AutoSettings): Promise<void> {
     const avatar = this.#avatar
     const settings = this.#withCorrections(chosen)
@@ -192,19 +189,19 @@ export class Workspace {
     else this.session.edit('Make automatic wrinkles', (old) => remake(old, document))
   }
 
-  /** Tells which stroke is likely to be edited next; null for none. */
+  /** Prepares the stroke that is likely to be edited next, or none. */
   prepareEdit(stroke: LayerStroke | null): void {
     this.#maps.prepare(stroke)
   }
 
-  /** Shows small automatic wrinkles while a control moves; the document stays. What comes while a preview is made waits, the last of it alone. */
+  /** Previews automatic wrinkles at a small size without changing the document. Of queued previews, only the last is made. */
   previewAuto(chosen: AutoSettings): Promise<void> {
     const settings = this.#withCorrections(chosen)
     this.#settings.value = settings
     return this.#previews.run(settings)
   }
 
-  /** Settings with the corrections of blendshapes that the document has now. */
+  /** Adds the document's blendshape corrections to the settings. */
   #withCorrections({ shapes: _, ...settings }: AutoSettings): AutoSettings {
     const shapes = this.session.document.peek()?.shapes
     return { ...settings, ...(shapes && { shapes }) }
@@ -249,13 +246,13 @@ export class Workspace {
     return this.session.document.peek()?.areaSize ?? DEFAULT_AREA_SIZE
   }
 
-  /** Names of the skin: a project is opened with the one that was chosen. */
+  /** Names of the mesh and material. A project reopens with this skin. */
   get #target(): TargetNames {
     const { skins, skin } = this.#avatar!
     return skins[skin].target
   }
 
-  /** Draws the maps of the document; of those that follow each other quickly, the last one. */
+  /** Draws the document's maps. Skips intermediate documents. */
   #draw(): Promise<void> {
     this.#drawing ??= this.#drawAll().finally(() => {
       this.#drawing = null
@@ -273,7 +270,7 @@ export class Workspace {
           const maps = await this.#maps.make(document, this.#source.peek()!)
           if (!isOld()) this.#drawn.value = { document, maps, changes: this.#maps.takeChanges() }
         } catch (error) {
-          // Another avatar was opened meanwhile.
+          // Ignore errors of a document that was replaced while drawing.
           if (!isOld()) throw error
         }
       }
@@ -283,7 +280,7 @@ export class Workspace {
   }
 }
 
-/** Whether an avatar is shown again, as it is after another renderer was chosen. */
+/** Whether the same avatar is shown again, for example after switching the renderer. */
 function isSameWork(a: OpenedAvatar, b: OpenedAvatar): boolean {
   const [skin, other] = [a.skins[a.skin], b.skins[b.skin]]
   return (

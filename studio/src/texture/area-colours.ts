@@ -1,10 +1,10 @@
 import type { GrayImage } from 'furrow'
 
-/** Of an area over the skin, sRGB, and how opaque its full weight is. */
+/** Colour of areas over the skin, sRGB, and opacity at full weight. */
 const COLOUR = [255, 122, 40] as const
 const OPACITY = 0.8
 
-/** An area as a picture to lay over the skin: RGBA, transparent where its weight is 0. */
+/** Converts an area to an RGBA overlay, transparent at weight 0. */
 export function colouredArea({ width, height, data }: GrayImage): ImageData {
   const picture = new ImageData(width, height)
   for (let i = 0; i < data.length; i++) {

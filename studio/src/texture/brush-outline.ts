@@ -3,12 +3,12 @@ import type { PaintSkin } from '../paint/paint-skin.ts'
 const CORNERS = 48
 
 /**
- * A circle round a point of the skin as it is in the texture: an ellipse, since a texture stretches the skin.
+ * Computes the outline of a round brush in the texture: an ellipse, because the texture stretches the skin.
  *
- * @param triangle of the surface, in whose plane the circle lies.
- * @param centre u and v of the point.
- * @param radius in millimetres.
- * @returns u and v of its corners.
+ * @param triangle surface triangle in the plane of the circle.
+ * @param centre texture coordinates of the centre.
+ * @param radius radius, millimetres.
+ * @returns texture coordinates of the corners.
  */
 export function brushOutline(
   { skin, surface }: Pick<PaintSkin, 'skin' | 'surface'>,
@@ -21,7 +21,7 @@ export function brushOutline(
   const edge = (from: number, to: number) =>
     [0, 1, 2].map((k) => surface.points[to + k] - surface.points[from + k])
   const uvEdge = (from: number, to: number) => [0, 1].map((k) => skin.uvs[to + k] - skin.uvs[from + k])
-  // In the triangle's plane, the first edge is (along, 0), the second one (across, height).
+  // In the plane of the triangle, the first edge is (along, 0), the second (across, height).
   const [first, second] = [edge(a, b), edge(a, c)]
   const along = Math.hypot(...first)
   const across = first.reduce((sum, value, k) => sum + value * second[k], 0) / along

@@ -1,12 +1,12 @@
 import type { Mesh } from 'three'
 import { colourOf, drawUvPicture } from './uv-picture.ts'
 
-/** Side in pixels. */
+/** Side of the picture, pixels. */
 const SIZE = 256
 
 const pictures = new WeakMap<Mesh, HTMLCanvasElement>()
 
-/** The texture of a skin, small and pale: the ground of thumbnails. Its UV layout where it has none that can be drawn. Made once per skin. */
+/** Returns the small, pale picture of a skin's texture behind thumbnails, or its UV layout if the texture cannot be drawn. Cached. */
 export function palePicture(meshes: readonly [Mesh, ...Mesh[]]): HTMLCanvasElement {
   const known = pictures.get(meshes[0])
   if (known) return known

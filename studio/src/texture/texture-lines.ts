@@ -2,19 +2,19 @@ import { traceStroke, uvOf } from 'furrow/internal'
 import type { LayerStroke } from '../document/document.ts'
 import type { PaintSkin } from '../paint/paint-skin.ts'
 
-/** A step from which on a line goes on in another island, as a fraction of the texture: points of a line are much closer. */
+/** Step between points of a line that crosses a seam, as a fraction of the texture. Points of a line are much closer. */
 const JUMP = 0.02
 
-/** A line in the texture: u and v of each point, in pieces that end where islands do. */
+/** Line in the texture: texture coordinates per point, split at seams. */
 export type TextureLine = readonly (readonly (readonly [u: number, v: number])[])[]
 
-/** The lines of strokes in the texture of a skin, each of which is found once. */
+/** Cached lines of strokes in the texture of a skin. */
 export class TextureLines {
   readonly #skin: PaintSkin
   readonly #size: number
   readonly #lines = new WeakMap<LayerStroke, TextureLine>()
 
-  /** @param size of the areas in texels. */
+  /** @param size side of the areas, texels. */
   constructor(skin: PaintSkin, size: number) {
     this.#skin = skin
     this.#size = size

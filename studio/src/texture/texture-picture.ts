@@ -7,17 +7,17 @@ const LINE = '#ffe9c9'
 const SHADOW = 'rgb(40 20 10 / 55%)'
 const BRUSH = '#e6b48c'
 
-/** What is drawn of a texture, from below to above. */
+/** Layers of the picture, bottom to top. */
 export interface TextureLayers {
-  /** The skin's colour with its UV layout; null where it cannot be drawn. */
+  /** Colour of the skin with its UV layout, or null if it cannot be drawn. */
   base: CanvasImageSource | null
   area: CanvasImageSource | null
   lines: readonly TextureLine[]
-  /** Of the brush; u and v of its corners. */
+  /** Texture coordinates of the brush outline. */
   outline: readonly (readonly [u: number, v: number])[] | null
 }
 
-/** @param context of a canvas whose units are CSS pixels. */
+/** @param context canvas context in CSS pixels. */
 export function drawTexture(
   context: CanvasRenderingContext2D,
   [width, height]: readonly [number, number],
@@ -48,7 +48,7 @@ export function drawTexture(
   stroke(context, 1.5, BRUSH)
 }
 
-/** With a shadow, so that it shows on light skin too. */
+/** Strokes with a shadow, for contrast on light skin. */
 function stroke(context: CanvasRenderingContext2D, width: number, colour: string): void {
   context.lineWidth = width + 1.5
   context.strokeStyle = SHADOW

@@ -1,6 +1,6 @@
 import type { TextureViewParts } from './texture-view.ts'
 
-/** The button that shows the texture beside the stage; its view is loaded when it is first pressed. */
+/** Button that toggles the texture view. Loads the view at the first press. */
 export class TextureToggle {
   readonly #button: HTMLButtonElement
   readonly #parts: TextureViewParts

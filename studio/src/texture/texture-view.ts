@@ -14,27 +14,27 @@ import { TextureLines } from './texture-lines.ts'
 import { drawTexture } from './texture-picture.ts'
 import { drawUvPicture } from './uv-picture.ts'
 
-/** Side in texels of the picture of the skin. */
+/** Side of the skin's picture, texels. */
 const PICTURE_SIZE = 1024
 
 export interface TextureViewParts {
-  /** What it is drawn in. */
+  /** Container element. */
   element: HTMLElement
   session: Session
   areas: AreaEditor
   painting: Painting
   viewer: ReadonlySignal<Viewer | null>
-  /** Runs a task, and shows its errors. */
+  /** Runs a task and shows its errors. */
   attempt(task: () => unknown): unknown
 }
 
-/** The skin's texture with its UV layout, the chosen area and the lines of strokes; the area is painted here as on the face. */
+/** Texture view with UV layout, chosen area and lines. The area can be painted here as on the face. */
 export class TextureView {
   readonly #parts: TextureViewParts
   readonly #canvas = document.createElement('canvas')
   readonly #camera: TextureCamera
   readonly #host: ToolHost
-  /** In CSS pixels; 0 while it is hidden. */
+  /** View size in CSS pixels, 0 while hidden. */
   #size: readonly [width: number, height: number] = [0, 0]
   readonly #base = signal<HTMLCanvasElement | null>(null)
   readonly #area = document.createElement('canvas')

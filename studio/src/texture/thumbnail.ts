@@ -1,18 +1,18 @@
 import type { GrayImage } from 'furrow'
 
-/** Weight from which a texel counts, least side of a crop as a fraction of the texture, and its side by that of the area. */
+/** Minimum visible weight, minimum crop side as a fraction of the texture, and crop side relative to the area. */
 const SEEN = 32
 const LEAST_SIDE = 0.35
 const MARGIN = 1.3
 
-/** A square of a texture, as fractions of its side. */
+/** Square part of a texture, as fractions of its side. */
 export interface Crop {
   x: number
   y: number
   side: number
 }
 
-/** The part of the texture in which an area is seen, with enough round it to tell where that is; all of it for an empty one. */
+/** Returns the part of the texture around an area, or the complete texture for an empty area. */
 export function cropOf({ width, height, data }: GrayImage): Crop {
   let [left, top, right, bottom] = [width, height, 0, 0]
   for (let i = 0; i < data.length; i++) {
@@ -31,7 +31,7 @@ export function cropOf({ width, height, data }: GrayImage): Crop {
   return { x: start(left, right, width), y: start(top, bottom, height), side }
 }
 
-/** A part of an image in a smaller size: each pixel is the mean of the texels that it covers. */
+/** Downscales a part of an image by averaging the covered texels. */
 export function shrink({ width, height, data }: GrayImage, { x, y, side }: Crop, size: number): GrayImage {
   const out = new Uint8Array(size * size)
   const range = (start: number, i: number, of: number): [number, number] => {

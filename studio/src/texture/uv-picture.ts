@@ -2,15 +2,15 @@ import { drawUvLayout } from 'furrow/internal'
 import type { Mesh, MeshStandardMaterial } from 'three'
 import { readSkin } from '../paint/read-skin.ts'
 
-/** Side of a template in texels. */
+/** Side of a template, texels. */
 const TEMPLATE_SIZE = 2048
 
 /**
- * Draws the UV layout of a skin over its base colour: a template to paint areas and layers over.
+ * Draws the UV layout of a skin over its base colour, as a template for painting.
  *
- * @param meshes of the skin, which have one material.
- * @param size side of the picture in texels.
- * @throws FurrowError for a mesh without texture coordinates.
+ * @param meshes meshes of the skin, with one material.
+ * @param size side of the picture, texels.
+ * @throws FurrowError if a mesh has no texture coordinates.
  */
 export function drawUvPicture(meshes: readonly [Mesh, ...Mesh[]], size = TEMPLATE_SIZE): HTMLCanvasElement {
   const { positions, uvs, indices } = readSkin(meshes).skin
@@ -25,7 +25,7 @@ export function drawUvPicture(meshes: readonly [Mesh, ...Mesh[]], size = TEMPLAT
   return canvas
 }
 
-/** The base colour texture of a skin; null where it has none that a canvas can draw: those of KTX 2 are on the GPU only. */
+/** Returns the base colour texture of a skin, or null if a canvas cannot draw it: KTX 2 textures exist only on the GPU. */
 export function colourOf([mesh]: readonly [Mesh, ...Mesh[]]): CanvasImageSource | null {
   const [{ map }] = [mesh.material].flat() as MeshStandardMaterial[]
   const image = map?.image as CanvasImageSource | null | undefined

@@ -2,12 +2,12 @@ import { type Camera, Vector3 } from 'three'
 
 const CORNERS = 64
 
-/** The outline of the brush on the face, over the stage. */
+/** Brush outline on the face, drawn over the stage. */
 export class BrushRing {
   readonly #svg: SVGSVGElement
   readonly #outline: SVGPolygonElement
 
-  /** @param stage the element over which it is drawn. */
+  /** @param stage element below the outline. */
   constructor(stage: HTMLElement) {
     this.#svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg')
     this.#svg.classList.add('brush-ring')
@@ -18,8 +18,9 @@ export class BrushRing {
   }
 
   /**
-   * @param point, normal of the skin in world space.
-   * @param radius in units of world space.
+   * @param point position on the skin, world space.
+   * @param normal unit normal of the skin, world space.
+   * @param radius radius in world units.
    */
   show(point: Vector3, normal: Vector3, radius: number, camera: Camera): void {
     const { clientWidth, clientHeight } = this.#svg
@@ -35,7 +36,7 @@ export class BrushRing {
   }
 }
 
-/** Corners of a polygon round a point, across a unit normal. */
+/** Returns the corners of a regular polygon around a point, perpendicular to a unit normal. */
 export function circle(centre: Vector3, normal: Vector3, radius: number): Vector3[] {
   const axis = new Vector3(0, 0, 0).setComponent(Math.abs(normal.x) < 0.5 ? 0 : 1, 1)
   const right = new Vector3().crossVectors(normal, axis).normalize()

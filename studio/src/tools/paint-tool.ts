@@ -8,37 +8,37 @@ import type { SkinHit } from '../paint/picker.ts'
 import type { Sight } from '../paint/seen-places.ts'
 import type { StagePointer, StageTool } from './stage-tool.ts'
 
-/** What a stroke paints. */
+/** Target of a stroke. */
 export interface PaintTarget {
   readonly area: StudioArea
   readonly brush: Brush
   readonly skin: PaintSkin
-  /** Finds what is under a pointer. */
+  /** Finds the skin under a pointer. */
   readonly picker: {
     pick(ray: Ray): SkinHit | undefined
-    /** Of a texture, on which strokes go straight: where a ray meets it. */
+    /** Texture coordinates under a ray. Only for the texture view, where strokes are straight. */
     uvOf?(ray: Ray): [u: number, v: number]
   }
-  /** Absent where hidden skin is painted as well. */
+  /** Visibility test. Absent if hidden skin is painted too. */
   readonly sight?: Sight | undefined
 }
 
 export interface PaintToolParts {
-  /** Called when a stroke begins and when the pointer hovers; null where there is nothing to paint. */
+  /** Returns the target at the start of a stroke and on hover, or null if there is nothing to paint. */
   target(): PaintTarget | null
-  /** What makes the target; null once that is done. */
+  /** Returns the preparation of the target, or null once it is ready. */
   waitsFor(): Promise<unknown> | null
-  /** The painted weights have changed: `showStroke` is to be called before the next frame. */
+  /** Called when painted weights changed. `showStroke` must be called before the next frame. */
   onPaint(): void
-  /** Shows weights of an area that are not the document's, or are its own again. */
+  /** Shows temporary weights of an area, or its own weights again. */
   show(area: string, weights: GrayImage): void
-  /** A stroke has ended. */
+  /** Stores the result of a stroke. */
   keep(area: string, weights: GrayImage): void
-  /** Where the pointer is on the skin; null off it. */
+  /** Receives the skin under the pointer, or null. */
   onHit(hit: SkinHit | null): void
 }
 
-/** Paints weights of an area with a brush. Beside the face and with Alt the camera orbits. */
+/** Paints an area with a brush. Off the face, or with Alt, the camera orbits. */
 export class PaintTool implements StageTool {
   readonly #parts: PaintToolParts
   #stroke: { target: PaintTarget; brush: BrushStroke } | null = null
@@ -74,7 +74,7 @@ export class PaintTool implements StageTool {
     if (this.#isChanged) this.#parts.onPaint()
   }
 
-  /** Shows what the present stroke has painted since the last call. */
+  /** Shows what the current stroke painted since the last call. */
   showStroke(): void {
     if (!this.#stroke || !this.#isChanged) return
     this.#isChanged = false

@@ -23,20 +23,20 @@ import type { TextureCamera } from './texture-camera.ts'
 import { TexturePicker } from './texture-picker.ts'
 import type { ToolHost } from './tool-host.ts'
 
-/** Factor on the brush's radius per key press. */
+/** Factor of the brush radius per key press. */
 const SIZE_STEP = 1.15
 
-/** A face that is painted on, in its present pose. */
+/** Face in its current pose, for painting. */
 interface PaintedFace {
   readonly skin: PaintSkin
   readonly picker: SkinPicker
   readonly texture: TexturePicker
 }
 
-/** What the skin of the open face is made of. */
+/** Inputs for preparing the skin of the open face. */
 type OpenFace = Pick<StudioDocument, 'scale' | 'areaSize'> & Pick<OpenedAvatar['skins'][number], 'meshes'>
 
-/** Vertices of the largest skin that is made before it is needed: a larger one takes hundreds of megabytes, perhaps for nothing. */
+/** Maximum number of vertices for preparing a skin in advance. Larger skins take hundreds of megabytes and may never be painted. */
 const MOST_PREPARED = 500_000
 
 export const PAINT_SHAPES = ['brush', 'polygon'] as const
@@ -47,19 +47,19 @@ export interface PaintingParts {
   areas: AreaEditor
   viewer: ReadonlySignal<Viewer | null>
   host: ToolHost
-  /** The element over which the brush is outlined. */
+  /** Element below the brush outline. */
   stage: HTMLElement
   /** Requests the next frame. */
   wake(): void
-  /** Runs a task, and shows its errors. */
+  /** Runs a task and shows its errors. */
   attempt(task: () => unknown): unknown
 }
 
-/** Painting of the chosen area on the face: whether the tool is in use, its brush, and what it changes. */
+/** Painting the chosen area on the face: the tools, the brush, and whether painting is on. */
 export class Painting {
   readonly #parts: PaintingParts
   readonly #isOn = signal(false)
-  /** Each with what gives it pointers: the face's, and the texture's where that is shown. */
+  /** Brush tools with their pointer sources: the face and, if shown, the texture. */
   readonly #tools: { tool: PaintTool; host: ToolHost }[] = []
   readonly #ring: BrushRing
   readonly #hit = signal<SkinHit | null>(null)
@@ -67,12 +67,12 @@ export class Painting {
   readonly #made = signal(0)
 
   readonly brush = signal<Brush>(BRUSH_DEFAULTS)
-  /** What paints on the face. */
+  /** Shape painted on the face. */
   readonly shape = signal<PaintShape>('brush')
   readonly polygon: PolygonPainting
-  /** Whether skin that the camera does not see is painted as well. */
+  /** Whether to paint skin hidden from the camera too. */
   readonly isThrough = signal(false)
-  /** Name of the area that is painted; null while the tool is not in use. */
+  /** Name of the painted area, or null while painting is off. */
   readonly area: ReadonlySignal<string | null> = computed(() =>
     this.#isOn.value ? (this.#parts.areas.chosen.value?.name ?? null) : null,
   )
@@ -106,7 +106,7 @@ export class Painting {
     effect(() => {
       if (this.area.value !== null) void this.#waitsFor()
     })
-    // A stroke goes on from weights that undo has replaced.
+    // A stroke must not continue on weights that undo has replaced.
     effect(() => {
       session.document.value
       if (this.area.peek() !== null) for (const { host } of this.#tools) host.cancel()
@@ -119,36 +119,36 @@ export class Painting {
     addEventListener('keydown', (event) => this.#onKey(event))
   }
 
-  /** Begins or ends painting. */
+  /** Starts or stops painting. */
   set isOn(isOn: boolean) {
     this.#isOn.value = isOn
   }
 
-  /** Where the brush is on the skin; null off it. */
+  /** Brush position on the skin, or null. */
   get hit(): ReadonlySignal<SkinHit | null> {
     return this.#hit
   }
 
-  /** The weights that the present stroke has made, anew whenever they changed; null between strokes. */
+  /** Weights of the current stroke: a new object after each change, or null between strokes. */
   get stroke(): ReadonlySignal<GrayImage | null> {
     return this.#stroke
   }
 
-  /** The skin that is painted on; null where nothing is open, and until it is made. */
+  /** Skin of the open face, or null until it is ready. */
   get skin(): PaintSkin | null {
     return this.#face()?.skin ?? null
   }
 
-  /** Changes whenever a skin was made. */
+  /** Version number, incremented when a skin is ready. */
   get made(): ReadonlySignal<number> {
     return this.#made
   }
 
   /**
-   * Lets the texture be painted as well.
+   * Adds painting on the texture.
    *
-   * @param host whose rays are those of the camera.
-   * @param element that shows the texture as the camera sees it.
+   * @param host host with rays of the texture camera.
+   * @param element element that shows the texture.
    */
   addTexture(host: ToolHost, element: HTMLElement, { camera }: TextureCamera): void {
     const target = () => this.#targetOnTexture()
@@ -157,20 +157,20 @@ export class Painting {
     this.#offer(host, this.polygon.addView({ element, camera: () => camera, target, positionOf }), 'polygon')
   }
 
-  /** The mirror image of weights on the face that is open. */
+  /** Mirrors weights on the open face. */
   mirrored(weights: GrayImage): GrayImage {
     const open = this.#open()
     return open ? mirrorWeights(weights, posedSkinOf(open.meshes, open.scale).skin) : weights
   }
 
-  /** Before a frame is drawn. */
+  /** Updates overlays before a frame is drawn. */
   advance(): void {
     for (const { tool } of this.#tools) tool.showStroke()
     this.#drawRing()
     this.polygon.advance()
   }
 
-  /** Makes the skin of each face ready before it is painted, but for those whose making takes hundreds of megabytes. Where that fails, painting tells why. */
+  /** Prepares the skin of each face in advance, unless it is too large. Errors are shown when painting starts. */
   #prepareSkins(): void {
     const { viewer, session } = this.#parts
     const avatar = computed(() => viewer.value?.avatar)
@@ -192,7 +192,7 @@ export class Painting {
     this.#parts.wake()
   }
 
-  /** What makes the skin; null once it is made. */
+  /** Returns the preparation of the skin, or null once it is ready. */
   #waitsFor(): Promise<unknown> | null {
     const open = this.#open()
     if (!open || preparedSkin(open.meshes, open.scale, open.areaSize)) return null
@@ -216,7 +216,7 @@ export class Painting {
     this.#offer(host, tool, shape)
   }
 
-  /** Lets a tool have the pointer while its shape is painted. */
+  /** Activates a tool while its shape is chosen. */
   #offer(host: ToolHost, tool: StageTool, shape: PaintShape): void {
     effect(() => {
       this.#parts.viewer.value
@@ -237,13 +237,13 @@ export class Painting {
     return { area, brush: this.brush.peek(), skin, picker, sight }
   }
 
-  /** The texture shows what the camera does not see. */
+  /** The texture view paints hidden skin too. */
   #targetOnTexture(): PaintTarget | null {
     const [area, face] = [this.#parts.areas.chosen.peek(), this.#face()]
     return area && face && { area, brush: this.brush.peek(), skin: face.skin, picker: face.texture }
   }
 
-  /** As it is posed now; null until its skin is made. */
+  /** Face in its current pose, or null until its skin is ready. */
   #face(): PaintedFace | null {
     const open = this.#open()
     const made = open && preparedSkin(open.meshes, open.scale, open.areaSize)
@@ -262,7 +262,7 @@ export class Painting {
 
   #show(area: string, weights: GrayImage): void {
     const isKept = this.#parts.areas.chosen.peek()?.weights === weights
-    // Another object, since its data has changed in place.
+    // A new object, because the data changes in place.
     this.#stroke.value = isKept ? null : { ...weights }
     const wrinkles = this.#parts.viewer.peek()?.wrinkles
     if (wrinkles?.hasArea(area)) updateArea(wrinkles, area, weights)

@@ -1,10 +1,10 @@
-/** The points of a polygon that is drawn, over the stage. */
+/** Points of an unfinished polygon, drawn over the stage. */
 export class PolygonOutline {
   readonly #svg: SVGSVGElement
   readonly #line: SVGPolylineElement
   readonly #points: SVGGElement
 
-  /** @param stage the element over which it is drawn. */
+  /** @param stage element below the points. */
   constructor(stage: HTMLElement) {
     this.#svg = create('svg')
     this.#svg.classList.add('polygon-outline')
@@ -15,7 +15,7 @@ export class PolygonOutline {
     stage.append(this.#svg)
   }
 
-  /** @param corners in CSS pixels from the stage's upper left corner; none hide it. */
+  /** @param corners CSS pixels from the stage's upper left corner; an empty array hides the polygon. */
   show(corners: readonly { x: number; y: number }[]): void {
     this.#line.setAttribute('points', corners.map(({ x, y }) => `${x.toFixed(1)},${y.toFixed(1)}`).join(' '))
     this.#points.replaceChildren(
@@ -23,7 +23,7 @@ export class PolygonOutline {
         const circle = create('circle')
         circle.setAttribute('cx', x.toFixed(1))
         circle.setAttribute('cy', y.toFixed(1))
-        // The first one is where it is closed.
+        // The first point is larger: a click on it closes the polygon.
         circle.setAttribute('r', i === 0 ? '6' : '3.5')
         return circle
       }),

@@ -9,23 +9,23 @@ import { Polygon } from './polygon.ts'
 import { PolygonOutline } from './polygon-outline.ts'
 import { PolygonTool } from './polygon-tool.ts'
 
-/** Millimetres within which a polygon fades, at first. */
+/** Default feather, millimetres. */
 const FEATHER = 4
 
-/** Where a polygon is drawn: the face on the stage, or its texture. */
+/** View for drawing a polygon: the face or its texture. */
 export interface PolygonView {
-  /** The element over which the polygon is drawn. */
+  /** Element below the polygon. */
   element: HTMLElement
   camera(): Camera | null
-  /** Null where there is nothing to paint. */
+  /** Returns null if there is nothing to paint. */
   target(): PaintTarget | null
-  /** Where the camera has a point of the skin; null where nothing is open. */
+  /** Position of a skin point in the camera's space, or null if no face is open. */
   positionOf(hit: SkinHit): Vector3 | null
 }
 
 export interface PolygonPaintingParts {
   brush: ReadonlySignal<Brush>
-  /** What makes the skin; null once that is done. */
+  /** Returns the preparation of the skin, or null once it is ready. */
   waitsFor(): Promise<unknown> | null
   keep(area: string, painted: PaintTarget['area']['weights']): void
   /** Requests the next frame. */
@@ -33,14 +33,14 @@ export interface PolygonPaintingParts {
   attempt(task: () => void): unknown
 }
 
-/** Paints an area by polygons that are drawn on the skin, in any of its views. */
+/** Paints an area with polygons drawn on the skin, in any view. */
 export class PolygonPainting {
-  /** Millimetres across the outline within which it fades. */
+  /** Width of the soft outline, millimetres. */
   readonly feather = signal(FEATHER)
   readonly #parts: PolygonPaintingParts
   readonly #polygon: Polygon
   readonly #views: { view: PolygonView; outline: PolygonOutline }[] = []
-  /** The view of the last click. */
+  /** View of the last click. */
   #last: PolygonView | null = null
   readonly #count = signal(0)
 
@@ -53,12 +53,12 @@ export class PolygonPainting {
     addEventListener('keydown', (event) => this.#onKey(event))
   }
 
-  /** How many points there are. */
+  /** Number of points. */
   get count(): ReadonlySignal<number> {
     return this.#count
   }
 
-  /** Lets the polygon be drawn in a view. Returns what takes its pointer. */
+  /** Adds a view and returns its pointer tool. */
   addView(view: PolygonView): PolygonTool {
     this.#views.push({ view, outline: new PolygonOutline(view.element) })
     return new PolygonTool({
@@ -73,7 +73,7 @@ export class PolygonPainting {
     })
   }
 
-  /** Paints what the polygon encloses, where it has enough points, and begins anew. */
+  /** Paints the polygon's inside if it has enough points, and starts a new polygon. */
   close(): void {
     const points = this.#polygon.take()
     if (points) this.#parts.attempt(() => this.#paint(points))
@@ -83,7 +83,7 @@ export class PolygonPainting {
     this.#polygon.clear()
   }
 
-  /** Before a frame is drawn. */
+  /** Updates the outlines before a frame is drawn. */
   advance(): void {
     for (const { view, outline } of this.#views)
       outline.show(this.#polygon.points.map((hit) => project(hit, view)))

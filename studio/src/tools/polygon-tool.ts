@@ -2,22 +2,22 @@ import type { SkinHit } from '../paint/picker.ts'
 import type { Polygon } from './polygon.ts'
 import type { StagePointer, StageTool } from './stage-tool.ts'
 
-/** CSS pixels from the first point within which a click closes the polygon. */
+/** Maximum distance from the first point for a click that closes the polygon, CSS pixels. */
 const CLOSING = 12
 
 export interface PolygonToolParts {
   polygon: Polygon
-  /** The skin under a pointer. */
+  /** Returns the skin under a pointer. */
   pick(pointer: StagePointer): SkinHit | undefined
-  /** What makes the skin; null once that is done. */
+  /** Returns the preparation of the skin, or null once it is ready. */
   waitsFor(): Promise<unknown> | null
-  /** Where a point of the skin is now, in CSS pixels from the view's upper left corner. */
+  /** Projects a skin point to CSS pixels from the view's upper left corner. */
   project(hit: SkinHit): { x: number; y: number }
-  /** A click has closed the polygon. */
+  /** Called when a click closes the polygon. */
   close(): void
 }
 
-/** Draws a polygon in a view of the skin: a click adds a point, one on the first point closes it. Beside the skin and with Alt the camera moves. */
+/** Draws a polygon: a click adds a point, or closes the polygon at its first point. Off the skin, or with Alt, the camera moves. */
 export class PolygonTool implements StageTool {
   readonly #parts: PolygonToolParts
 
@@ -50,7 +50,7 @@ export class PolygonTool implements StageTool {
     else close()
   }
 
-  /** Takes back the point that is being placed. */
+  /** Removes the point being placed. */
   cancel(): void {
     this.#parts.polygon.placed = null
   }

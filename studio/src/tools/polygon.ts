@@ -1,30 +1,30 @@
 import type { SkinHit } from '../paint/picker.ts'
 
-/** Fewest points of a polygon. */
+/** Minimum number of points. */
 const LEAST_POINTS = 3
 
-/** The points of a polygon on the skin while it is drawn, whichever view they are clicked in. */
+/** Points of an unfinished polygon on the skin, shared by all views. */
 export class Polygon {
   readonly #onChange: () => void
   #points: SkinHit[] = []
   #placed: SkinHit | null = null
 
-  /** @param onChange the points are others. */
+  /** @param onChange called when the points change. */
   constructor(onChange: () => void) {
     this.#onChange = onChange
   }
 
-  /** In the order of the clicks, with the one that is being placed. */
+  /** Points in click order, including the one being placed. */
   get points(): readonly SkinHit[] {
     return this.#placed ? [...this.#points, this.#placed] : this.#points
   }
 
-  /** The first point, where a click on it closes the polygon; undefined while there are too few. */
+  /** First point, where a click closes the polygon. Undefined while there are too few points. */
   get first(): SkinHit | undefined {
     return this.#points.length < LEAST_POINTS ? undefined : this.#points[0]
   }
 
-  /** The point that is being placed; null for none. */
+  /** Point being placed, or null. */
   get placed(): SkinHit | null {
     return this.#placed
   }
@@ -34,7 +34,7 @@ export class Polygon {
     this.#onChange()
   }
 
-  /** Keeps the point that is being placed. */
+  /** Adds the point being placed. */
   add(): void {
     if (this.#placed) this.#points.push(this.#placed)
     this.placed = null
@@ -50,7 +50,7 @@ export class Polygon {
     this.placed = null
   }
 
-  /** All points, of which none is left; null where they are too few. */
+  /** Returns and removes all points, or returns null if there are too few. */
   take(): readonly SkinHit[] | null {
     if (!this.first) return null
     const points = this.#points

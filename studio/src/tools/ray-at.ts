@@ -1,9 +1,11 @@
 import { type Camera, Ray, Raycaster, Vector2 } from 'three'
 
 /**
- * The ray in world space through a point of the stage.
+ * Returns the world-space ray through a point of the stage.
  *
- * @param x, y, width, height in CSS pixels, from the stage's upper left corner.
+ * @param camera updated camera.
+ * @param position CSS pixels from the stage's upper left corner.
+ * @param size stage size, CSS pixels.
  */
 export function rayAt(
   camera: Camera,

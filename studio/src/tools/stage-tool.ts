@@ -1,29 +1,29 @@
 import type { Ray } from 'three'
 
-/** A pointer on the stage. */
+/** Pointer on the stage. */
 export interface StagePointer {
-  /** From the camera through the pointer, in world space. */
+  /** Ray from the camera through the pointer, world space. */
   readonly ray: Ray
-  /** 0..1; 1 where the device has none. */
+  /** Pen pressure, 0..1; 1 for other devices. */
   readonly pressure: number
-  /** CSS pixels from the stage's upper left corner. */
+  /** Position in CSS pixels from the stage's upper left corner. */
   readonly x: number
   readonly y: number
   readonly shift: boolean
   readonly alt: boolean
 }
 
-/** What the pointer does on the face while it is chosen. */
+/** Pointer tool of the stage. */
 export interface StageTool {
-  /** What the tool waits for before it can begin, an error included; null where it can. What the pointer does meanwhile is done then. */
+  /** Returns a pending preparation, or null. Settling it, also with an error, replays the pointer events received meanwhile. */
   waitsFor?(): Promise<unknown> | null
-  /** @returns whether the tool takes the pointer until it is let go; otherwise the camera orbits. */
+  /** @returns whether the tool captures the pointer until release; otherwise the camera orbits. */
   begin(pointer: StagePointer): boolean
   /** @param pointers all positions since the last call, in order. */
   move(pointers: readonly StagePointer[]): void
   end(): void
-  /** Ends without a result: Escape, a lost pointer, another tool. */
+  /** Aborts the gesture: Escape, a lost pointer, or another tool. */
   cancel(): void
-  /** The pointer moves without being pressed; null when it leaves. */
+  /** Receives pointer moves without a pressed button, and null when the pointer leaves. */
   hover?(pointer: StagePointer | null): void
 }

@@ -2,32 +2,32 @@ import { MOUSE, OrthographicCamera, TOUCH, Vector3 } from 'three'
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import { shortcutOf } from '../shortcuts.ts'
 
-/** Of the texture's side: the border that is seen around it at first, and movement per key press at this zoom. */
+/** Initial border around the texture, and movement per key press at zoom 1, as fractions of the texture's side. */
 const BORDER = 0.04
 const STEP = 0.1
-/** Factor per key press, and the largest. */
+/** Zoom factor per key press, and maximum zoom. */
 const ZOOM_STEP = 1.25
 const MOST_ZOOM = 64
 
-/** Where a texture is on the screen: u and v in the middle, v down, and CSS pixels per side of the texture. */
+/** Placement of a texture on screen: texture coordinates at the centre (v down), and CSS pixels per side of the texture. */
 export interface TextureFrame {
   centre: readonly [u: number, v: number]
   scale: number
 }
 
-/** Looks straight at a texture that spans 0..1 in x and 0..-1 in y; moved by pointer, wheel, pinch and keys. */
+/** Orthographic camera on a texture that spans 0..1 in x and 0..-1 in y. Controlled by pointer, wheel, pinch and keys. */
 export class TextureCamera {
   readonly camera = new OrthographicCamera()
   readonly #controls: OrbitControls
   readonly #onChange: () => void
   #width = 1
 
-  /** @param element that the texture is drawn on. */
+  /** @param element element that shows the texture. */
   constructor(element: HTMLElement, onChange: () => void) {
     this.#onChange = onChange
     this.camera.position.set(0.5, -0.5, 1)
     this.#controls = new OrbitControls(this.camera, element)
-    // At first they look at the origin, from the side.
+    // The default target is the origin, which would tilt the view.
     this.#controls.target.set(0.5, -0.5, 0)
     this.#controls.update()
     this.#controls.enableRotate = false
@@ -49,7 +49,7 @@ export class TextureCamera {
     return { centre: [position.x, -position.y], scale: (this.#width * zoom) / (right - left) }
   }
 
-  /** @param width, height of the element in CSS pixels. */
+  /** Adapts to the element's size in CSS pixels. */
   resize(width: number, height: number): void {
     const half = (0.5 + BORDER) * Math.max(1, width / height, height / width)
     const [x, y] = width < height ? [half * (width / height), half] : [half, half * (height / width)]
@@ -58,7 +58,7 @@ export class TextureCamera {
     this.#apply()
   }
 
-  /** Shows all of the texture. */
+  /** Shows the complete texture. */
   reset(): void {
     this.camera.zoom = 1
     this.#moveTo(0.5, -0.5)

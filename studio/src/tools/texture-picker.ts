@@ -16,8 +16,8 @@ export class TexturePicker {
   readonly #size: number
 
   /**
-   * @param posed tells where the skin is now.
-   * @param size of the areas in texels.
+   * @param posed skin in its current pose.
+   * @param size side of the areas, texels.
    */
   constructor(skin: PaintSkin, posed: Pick<SkinPicker, 'positionOf'>, size: number) {
     this.#skin = skin
@@ -25,12 +25,12 @@ export class TexturePicker {
     this.#size = size
   }
 
-  /** Where a ray of a `TextureCamera` meets the texture, on skin or beside it. */
+  /** Returns the texture coordinates of a `TextureCamera` ray, also outside the skin. */
   uvOf({ origin: { x, y } }: Ray): [u: number, v: number] {
     return [x, -y]
   }
 
-  /** @returns undefined where the texture has no skin; where parts of the skin share it, the first one. */
+  /** @returns undefined outside the skin. If several parts of the skin share the texture, the first one. */
   pick(ray: Ray): SkinHit | undefined {
     const own = new Float64Array(3)
     const uv = this.uvOf(ray)

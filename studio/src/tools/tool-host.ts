@@ -3,26 +3,26 @@ import { shortcutOf } from '../shortcuts.ts'
 import { rayAt } from './ray-at.ts'
 import type { StagePointer, StageTool } from './stage-tool.ts'
 
-/** Gives pointers on the stage to the tool that is chosen, and to the camera where it does not take them. */
+/** Routes pointer events on the stage to the chosen tool, or to the camera if the tool does not capture them. */
 export class ToolHost {
   readonly #stage: HTMLElement
   readonly #camera: () => Camera | null
   #tool: StageTool | null = null
-  /** The last event of the pointer that the tool has taken. */
+  /** Last event of the captured pointer. */
   #taken: PointerEvent | null = null
-  /** Whether the tool has begun with it. */
+  /** Whether the tool's gesture has begun. */
   #isBegun = false
-  /** What the pointer does while the tool waits, to be done then; null where it does not wait. */
+  /** Queued gesture steps while the tool is being prepared, otherwise null. */
   #held: (() => void)[] | null = null
 
   /**
-   * @param stage the element that the face is drawn on.
-   * @param camera null where nothing is shown.
+   * @param stage element that shows the face.
+   * @param camera null while nothing is shown.
    */
   constructor(stage: HTMLElement, camera: () => Camera | null) {
     this.#stage = stage
     this.#camera = camera
-    // Before the camera's own listeners.
+    // Capture, to run before the listeners of the camera controls.
     stage.addEventListener('pointerdown', this.#onDown, { capture: true })
     stage.addEventListener('pointermove', this.#onMove, { capture: true })
     stage.addEventListener('pointerup', this.#onUp, { capture: true })
@@ -31,12 +31,12 @@ export class ToolHost {
     addEventListener('keydown', (event) => shortcutOf('everywhere', event) === 'cancel' && this.cancel())
   }
 
-  /** Ends the use of a tool where it is the chosen one. */
+  /** Deactivates a tool if it is the chosen one. */
   leave(tool: StageTool): void {
     if (this.#tool === tool) this.choose(null)
   }
 
-  /** Chooses a tool; null for the camera alone. */
+  /** Chooses a tool, or null for the camera only. */
   choose(tool: StageTool | null): void {
     this.cancel()
     this.#tool?.hover?.(null)
@@ -59,7 +59,7 @@ export class ToolHost {
     this.#stage.focus({ preventScroll: true })
   }
 
-  /** Returns whether the tool takes the pointer, for as long as it waits in any case. */
+  /** Returns whether the tool captures the pointer. Always true during a preparation. */
   #begin(tool: StageTool, pointer: StagePointer): boolean {
     const waiting = this.#held ? null : tool.waitsFor?.()
     if (waiting) this.#hold(waiting)
@@ -82,7 +82,7 @@ export class ToolHost {
     waiting.then(go, go)
   }
 
-  /** Goes on with what has begun, now or once the tool waits no more. */
+  /** Continues a gesture that has begun, now or after the preparation. */
   #goOn(step: () => void): void {
     const own = () => {
       if (this.#isBegun) step()
@@ -91,7 +91,7 @@ export class ToolHost {
     else own()
   }
 
-  /** A second finger gives both to the camera, the first one as if it had come down only now. Of anything else the first one goes on. */
+  /** A second touch gives both touches to the camera and replays the first one's press. Other second pointers are ignored. */
   #meet(taken: PointerEvent, second: PointerEvent): void {
     if (taken.pointerType !== 'touch' || second.pointerType !== 'touch') {
       second.stopImmediatePropagation()
@@ -123,7 +123,7 @@ export class ToolHost {
     this.#goOn(() => this.#tool?.end())
   }
 
-  /** Ends what the tool does without a result. */
+  /** Aborts the current gesture. */
   cancel(): void {
     this.#held = null
     if (!this.#taken) return
@@ -139,7 +139,7 @@ export class ToolHost {
     const [x, y] = [clientX - left, clientY - top]
     return {
       ray: rayAt(camera, [x, y], [width, height]),
-      // A mouse reports one half, which means nothing.
+      // A mouse always reports 0.5.
       pressure: pointerType === 'pen' ? pressure : 1,
       x,
       y,

@@ -1,7 +1,7 @@
 import { isWebGL } from '../../../stage/light.ts'
 import type { Renderer, RendererKind } from '../../../stage/stage.ts'
 
-/** Error text that says why a renderer is not available here; null if it is. */
+/** Returns why a renderer is unavailable, or null if it is available. */
 export async function unavailableReason(kind: RendererKind): Promise<string | null> {
   if (kind === 'webgl') return null
   if (!navigator.gpu) {
@@ -12,10 +12,10 @@ export async function unavailableReason(kind: RendererKind): Promise<string | nu
   return 'Studio: this browser supports WebGPU but finds no graphics adapter for it; the face stays on WebGL 2'
 }
 
-/** Names of adapters: asking WebGL for one waits until all that is drawn is finished, which may take a second. */
+/** Cached adapter names: querying WebGL waits for pending draw calls, which can take a second. */
 const names = new WeakMap<Renderer, string>()
 
-/** The graphics adapter that a renderer runs on, by the name that its driver gives it. */
+/** Returns the driver's name of the graphics adapter. */
 export function adapterName(renderer: Renderer): string {
   const known = names.get(renderer)
   if (known !== undefined) return known
@@ -35,7 +35,7 @@ function readAdapterName(renderer: Renderer): string {
   return [...new Set(words.filter(Boolean))].join(', ') || 'unnamed adapter'
 }
 
-/** The device of a renderer on WebGPU, undefined for others. A lost device never comes back. */
+/** Returns the WebGPU device of a renderer, if any. A lost device is never restored. */
 export function deviceOf(renderer: Renderer): GPUDevice | undefined {
   return backendOf(renderer)?.device
 }

@@ -14,20 +14,20 @@ export interface LayerMaps {
   readonly blood?: GrayImage
 }
 
-/** A document with the maps of its layers, in their order. */
+/** Document with the maps of its layers, in layer order. */
 export interface DrawnDocument {
   readonly document: StudioDocument
   readonly maps: readonly LayerMaps[]
-  /** Rectangles of texels that differ from the document drawn before, in maps that are the same objects. */
+  /** Changed texels since the previous document, for maps updated in place. */
   readonly changes: ReadonlyMap<LayerMaps, readonly Bounds[]>
 }
 
-/** Shows a document on the face, and changes only what another one changes. */
+/** Shows a document on the face and applies only changes. */
 export class DocumentView {
   #viewer: Viewer | null = null
   #shown: DrawnDocument | null = null
 
-  /** @throws FurrowError when the wrinkles do not fit the face, which is then plain. */
+  /** @throws FurrowError if the wrinkles do not fit the face, which is then shown plain. */
   show(viewer: Viewer, drawn: DrawnDocument | null): void {
     const before = viewer === this.#viewer ? this.#shown : null
     this.#viewer = viewer
@@ -50,7 +50,7 @@ export class DocumentView {
   }
 }
 
-/** Whether nothing changed but texels, the strength of layers, areas that come and go, their weights and activations, and drivers. */
+/** Whether a document can be shown by updating texels, layer strengths, areas, weights, activations and drivers. */
 function canFollow(before: DrawnDocument, after: DrawnDocument): boolean {
   const old = new Map(before.document.areas.map((area) => [area.name, area]))
   return (
@@ -62,7 +62,7 @@ function canFollow(before: DrawnDocument, after: DrawnDocument): boolean {
   )
 }
 
-/** Whether two layers differ in their strength at most. */
+/** Whether two layers differ only in strength. */
 function areAlike(a: StudioLayer, b: StudioLayer): boolean {
   return a.name === b.name && a.kind === b.kind
 }
@@ -71,7 +71,7 @@ function haveSameFields(a: StudioArea, b: StudioArea): boolean {
   return a.layer === b.layer && a.combine === b.combine
 }
 
-/** Whether drivers changed, or the skin that one of them measures. */
+/** Whether drivers changed, or the area measured by a tension driver. */
 function areDrivenAnew(before: StudioDocument, after: StudioDocument): boolean {
   if (before.drivers !== after.drivers) return true
   const weights = ({ areas }: StudioDocument, area: string) =>
@@ -81,7 +81,7 @@ function areDrivenAnew(before: StudioDocument, after: StudioDocument): boolean {
   )
 }
 
-/** Uploads the rectangles that were drawn again. */
+/** Uploads the changed rectangles. */
 function updateMaps(wrinkles: Wrinkles, { document, maps, changes }: DrawnDocument): void {
   for (const [i, { name }] of document.layers.entries()) {
     const { normal, occlusion } = maps[i]
@@ -98,7 +98,7 @@ function scaleLayers(wrinkles: Wrinkles, before: StudioDocument, after: StudioDo
   }
 }
 
-/** Adds areas, changes their weights and activations at rest, and removes others. New ones come first: wrinkles always have an area. */
+/** Adds, updates and removes areas. Adds first, because wrinkles always need an area. */
 function changeAreas(viewer: Viewer, before: StudioDocument, after: StudioDocument): void {
   if (before.areas === after.areas) return
   const old = new Map(before.areas.map((area) => [area.name, area]))

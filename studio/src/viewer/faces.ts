@@ -2,13 +2,13 @@ import { FurrowError } from 'furrow'
 import { checkFileBytes } from 'furrow-files'
 import { type OpenedAvatar, openAvatar } from '../open/avatar.ts'
 
-/** Called while a face loads, with the fraction loaded so far; null if the server does not tell the size. */
+/** Receives the fraction loaded so far, or null if the server does not send the size. */
 export type OnProgress = (fraction: number | null) => void
 
-/** Milliseconds without a byte after which a server is given up. */
+/** Timeout without received data, milliseconds. */
 const PATIENCE = 30_000
 
-/** Names of the faces on the server. */
+/** Lists the faces on the server. */
 export async function listFaces(): Promise<string[]> {
   const response = await fetch(absoluteUrl('faces/index.json'))
   const names = response.ok ? ((await response.json()) as string[]) : []
@@ -18,15 +18,15 @@ export async function listFaces(): Promise<string[]> {
   )
 }
 
-/** One of the faces on the server. */
+/** Fetches a face from the server. */
 export function fetchFace(name: string, onProgress: OnProgress): Promise<OpenedAvatar> {
   return fetchAvatar(absoluteUrl(`faces/${name}.glb`), onProgress)
 }
 
 /**
- * An avatar at an address. The server learns nothing about the user but that it was asked.
+ * Fetches an avatar from a URL, without credentials and referrer.
  *
- * @throws FurrowError when it cannot be fetched, is too large, or cannot be opened.
+ * @throws FurrowError if the avatar cannot be fetched, is too large, or cannot be opened.
  */
 export async function fetchAvatar(address: string, onProgress: OnProgress): Promise<OpenedAvatar> {
   const path = fileNameOf(address)
@@ -34,7 +34,7 @@ export async function fetchAvatar(address: string, onProgress: OnProgress): Prom
   return { ...(await openAvatar({ path, file: new File([blob], path) })), address }
 }
 
-/** The last part of an address. */
+/** Returns the last path segment of a URL. */
 export function fileNameOf(address: string): string {
   const name = new URL(address).pathname.split('/').at(-1)!
   try {

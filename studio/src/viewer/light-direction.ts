@@ -1,12 +1,12 @@
 import { Vector3 } from 'three'
 
-/** Where light comes from, in degrees, as seen by someone who looks at the face: to the right, and up. */
+/** Direction towards the light, degrees, as seen by a viewer of the face: to the right, and up. */
 export interface LightDirection {
   readonly yaw: number
   readonly pitch: number
 }
 
-/** Largest yaw and pitch: beyond them the face is lit from behind. */
+/** Maximum yaw and pitch. Larger angles light the face from behind. */
 export const MOST_LIGHT = [90, 85] as const
 
 const RADIANS = Math.PI / 180
@@ -16,7 +16,7 @@ export function clampedLight({ yaw, pitch }: LightDirection): LightDirection {
   return { yaw: clamp(yaw, MOST_LIGHT[0]), pitch: clamp(pitch, MOST_LIGHT[1]) }
 }
 
-/** A position that a light comes from, for a face that looks along +Z. */
+/** Returns the position of a light for a face that looks along +Z. */
 export function lightPosition({ yaw, pitch }: LightDirection, out: Vector3): Vector3 {
   return out.setFromSphericalCoords(1, (90 - pitch) * RADIANS, yaw * RADIANS)
 }
@@ -26,9 +26,10 @@ export function lightFrom({ x, y, z }: Vector3): LightDirection {
 }
 
 /**
- * The light that a ball shows brightest where it is touched.
+ * Returns the light direction for a point on a ball, the brightest one under that light.
  *
- * @param x, y from its centre, 1 at its border, to the right and up; beyond the border it is that of the border.
+ * @param x distance to the right of the centre, 1 at the border. Clamped to the ball.
+ * @param y distance above the centre.
  */
 export function lightOnBall(x: number, y: number): LightDirection {
   const length = Math.max(1, Math.hypot(x, y))
@@ -36,7 +37,7 @@ export function lightOnBall(x: number, y: number): LightDirection {
   return lightFrom(new Vector3(u, v, Math.sqrt(Math.max(0, 1 - u * u - v * v))))
 }
 
-/** Where on the ball a light is: from its centre, 1 at its border, to the right and up. */
+/** Returns the point on the ball for a light, with coordinates as in `lightOnBall`. */
 export function ballPoint(light: LightDirection): [x: number, y: number] {
   const { x, y } = lightPosition(light, new Vector3())
   return [x, y]

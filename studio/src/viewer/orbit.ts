@@ -4,22 +4,22 @@ import type { Stage } from '../../../stage/stage.ts'
 import type { ViewName } from '../../../stage/views.ts'
 import { type ShortcutName, shortcutOf } from '../shortcuts.ts'
 
-/** Seconds of the transition from one view to another. */
+/** Seconds of a transition between views. */
 const TRANSITION_TIME = 0.45
-/** Of `OrbitControls`: 1 is a minute per turn. */
+/** Value for `OrbitControls`, where 1 is one turn per minute. */
 const TURNTABLE_SPEED = 4
 /** Radians per key press. */
 const ROTATION_STEP = Math.PI / 36
 /** Factor per key press. */
 const ZOOM_STEP = 1.08
 
-/** A camera's position and the point it looks at. */
+/** Position and target of a camera. */
 export interface Pose {
   position: Vector3
   target: Vector3
 }
 
-/** Orbits the camera by pointer, touch and keys, and moves it smoothly to the fixed views. */
+/** Orbits the camera by pointer, touch and keys, with smooth transitions to fixed views. */
 export class Orbit {
   readonly #stage: Stage
   readonly #element: HTMLElement
@@ -31,7 +31,7 @@ export class Orbit {
   #farthest = 0
   #view: ViewName | null = null
 
-  /** @param reducedMotion moves at once, without transitions and damping. */
+  /** @param reducedMotion disables transitions and damping. */
   constructor(stage: Stage, element: HTMLElement, reducedMotion: boolean, onChange: () => void) {
     this.#stage = stage
     this.#element = element
@@ -62,7 +62,7 @@ export class Orbit {
     return this.#transition !== null || !this.#atRest || this.#controls.autoRotate
   }
 
-  /** Whether it goes round the face by itself. */
+  /** Whether the camera orbits automatically. */
   set turntable(isOn: boolean) {
     if (isOn === this.#controls.autoRotate) return
     this.#controls.autoRotate = isOn
@@ -70,12 +70,12 @@ export class Orbit {
     if (isOn) this.#leaveView()
   }
 
-  /** The fixed view that it shows or moves to, null once orbited by hand. */
+  /** Fixed view shown or approached, null after manual orbiting. */
   get view(): ViewName | null {
     return this.#view
   }
 
-  /** Frames the face anew in the fixed view, if it is in one: the stage has another shape, or the face another skin that wrinkles. */
+  /** Frames the face again in the current fixed view, after a change of the stage's shape or of the skin. */
   frame(immediate = false): void {
     if (this.#view) this.goTo(this.#view, immediate)
   }
@@ -92,7 +92,7 @@ export class Orbit {
     this.#view = name
   }
 
-  /** Takes over the pose and view of another camera. */
+  /** Restores a pose and view of another camera. */
   restore(pose: Pose, view: ViewName | null): void {
     this.goTo(view ?? 'front', true)
     this.pose = pose
@@ -115,7 +115,7 @@ export class Orbit {
     this.#controls.dispose()
   }
 
-  /** Extends the zoom and depth ranges, so that they suit every view visited so far. */
+  /** Extends the zoom and depth ranges to cover every view visited so far. */
   #extendRange(distance: number): void {
     const { camera } = this.#stage
     this.#nearest = Math.min(this.#nearest, distance * 0.25)

@@ -9,11 +9,11 @@ import { Performer } from './pose/performer.ts'
 import { Staging } from './staging.ts'
 import type { Viewer } from './viewer.ts'
 
-/** Seconds of the transition from one expression to another. */
+/** Seconds of a transition between expressions. */
 const EXPRESSION_TIME = 0.35
 
 export interface ShownFaceParts {
-  /** Null while another one is being opened. */
+  /** Null while another face is opened. */
   live(): Viewer | null
   orbit(): Orbit | null
   messages: Messages
@@ -21,13 +21,13 @@ export interface ShownFaceParts {
   wake(): void
 }
 
-/** The face on the stage as the controls see and move it. */
+/** State and motion of the shown face, for the controls. */
 export class ShownFace {
   /** Null before the first face is open. */
   readonly viewer = signal<Viewer | null>(null)
   readonly hovered: Signal<Hovered | null> = signal(null)
   readonly staging: Staging
-  /** Key frames. */
+  /** Player of key frames. */
   readonly player: ClipPlayer
   readonly #parts: ShownFaceParts
   readonly #performer: Performer
@@ -54,17 +54,17 @@ export class ShownFace {
     })
   }
 
-  /** Changes whenever a number on the face may have changed: a blendshape's weight, an activation. */
+  /** Incremented when a weight or an activation may have changed. */
   get frame(): ReadonlySignal<number> {
     return this.#frame
   }
 
-  /** Changes whenever the viewer's areas, mode or look have changed. */
+  /** Incremented when the viewer's areas, mode or look change. */
   get revision(): ReadonlySignal<number> {
     return this.#revision
   }
 
-  /** The expression that the face shows or moves to; null once a slider has changed it. */
+  /** Expression shown or approached, null after a slider changed it. */
   get expression(): ReadonlySignal<string | null> {
     return this.#expression
   }
@@ -92,13 +92,13 @@ export class ShownFace {
     if (wasMoving) this.#frame.value++
   }
 
-  /** Controls read everything again. */
+  /** Makes controls read all values again. */
   refresh(): void {
     this.#revision.value++
     this.#frame.value++
   }
 
-  /** Changes the viewer; shows errors, and updates the controls to the state that results. */
+  /** Changes the viewer, shows errors and updates the controls. */
   change(task: (viewer: Viewer) => void): void {
     const viewer = this.#live
     if (!viewer) return
@@ -110,7 +110,7 @@ export class ShownFace {
       })
   }
 
-  /** Moves to an expression. */
+  /** Plays an expression. */
   play(name: string): void {
     this.change((viewer) => {
       this.#performer.settle()
@@ -121,13 +121,13 @@ export class ShownFace {
     })
   }
 
-  /** Moves a slider by hand. A clip goes on unless it is a blendshape's. */
+  /** Sets a slider. Sliders of blendshapes stop a clip. */
   input(dial: Dial, value: number): void {
     if (this.#live?.targets.includes(dial)) this.set(() => dial.write(value))
     else this.#set(() => dial.write(value))
   }
 
-  /** Sets another pose by hand: no clip moves the face then. */
+  /** Changes the pose and stops the clip. */
   set(write: () => void): void {
     this.#set(() => {
       this.player.stop()
@@ -135,7 +135,7 @@ export class ShownFace {
     })
   }
 
-  /** Sets sliders after finishing the transition to an expression. */
+  /** Changes sliders after finishing a transition. */
   #set(write: () => void): void {
     this.change(() => {
       this.#rest()
@@ -151,37 +151,37 @@ export class ShownFace {
     })
   }
 
-  /** Weights of the blendshapes, by the names on their dials. */
+  /** Returns blendshape weights by dial name. */
   pose(): Map<string, number> {
     this.settle()
     return new Map(this.#live?.targets.map((dial) => [dial.name, dial.read()]))
   }
 
-  /** Lets the face show an area or a blendshape that is hovered. */
+  /** Previews a hovered area or blendshape. */
   perform(hovered: Hovered | null): void {
     const shown = hovered?.kind === 'target' || this.player.isPlaying.peek() ? null : hovered
     untracked(() => this.#performer.request(shown))
   }
 
-  /** Ends a performance: the face has the pose before it. */
+  /** Ends a preview and restores the pose before it. */
   settle(): void {
     this.#performer.settle()
   }
 
-  /** Shows which areas the pointer or focus is on, or which ones the blendshape moves, or else the one that is painted. */
+  /** Highlights the hovered area, the areas of a hovered blendshape, or else the painted area. */
   highlight(painted: string | null): void {
     const [viewer, hovered] = [this.viewer.value, this.hovered.value]
     if (!viewer) return
     if (!hovered) viewer.highlight(painted === null ? [] : [painted])
     else if (hovered.kind === 'shape') viewer.highlight([])
     else if (hovered.kind === 'target') viewer.highlight(viewer.driven.drivenBy(hovered.name))
-    // The face performs instead, where it can.
+    // The face shows the area by a preview, if possible.
     else if (painted === null && viewer.performanceOf(hovered.name)) viewer.highlight([])
     else viewer.highlight([hovered.name])
     this.#parts.wake()
   }
 
-  /** Ends what moves the face by itself, but for a clip. */
+  /** Finishes previews and transitions. Leaves a clip running. */
   #rest(): void {
     this.settle()
     this.#live?.advance(Number.POSITIVE_INFINITY)

@@ -2,9 +2,9 @@ import type { Orbit } from './orbit.ts'
 import type { Viewer } from './viewer.ts'
 
 /**
- * Remembers the state that a user has set on a viewer. Another avatar begins with its own pose.
+ * Captures the user's settings of a viewer. A different avatar keeps its own pose.
  *
- * @returns steps that set it on another viewer. Each may throw, e.g. where a mode or look is not supported.
+ * @returns steps that apply the settings to another viewer. Each can throw, for example if a mode is unsupported.
  */
 export function snapshot(viewer: Viewer, orbit: Orbit): (next: Viewer, nextOrbit: Orbit) => (() => void)[] {
   const { avatar, mode, look, driven } = viewer

@@ -4,9 +4,9 @@ import { type LightDirection, lightPosition } from './light-direction.ts'
 import type { Orbit } from './orbit.ts'
 import type { Viewer } from './viewer.ts'
 
-/** Where the key light is at first: at the upper left. */
+/** Default key light, at the upper left. */
 export const KEY_LIGHT: LightDirection = { yaw: -46, pitch: 44 }
-/** Light that grazes the skin, so that lines show; from where the side with wrinkles is. */
+/** Grazing light that emphasises lines, from the side with wrinkles. */
 const SIDE_LIGHT: LightDirection = { yaw: 72, pitch: 36 }
 
 export interface StagingParts {
@@ -16,11 +16,11 @@ export interface StagingParts {
   wake(): void
 }
 
-/** The light and the turntable of the stage, whichever face is on it. */
+/** Light and turntable of the stage, kept when the face changes. */
 export class Staging {
   readonly light = signal<LightDirection>(KEY_LIGHT)
   readonly turntable = signal(false)
-  /** Whether lines are lit from the side, whatever the light. */
+  /** Whether the side light replaces the key light. */
   readonly isSideLit = signal(false)
 
   constructor({ viewer, orbit, wake }: StagingParts) {

@@ -12,37 +12,37 @@ import { Orbit } from './orbit.ts'
 import { snapshot } from './snapshot.ts'
 import { Viewer } from './viewer.ts'
 
-/** Milliseconds: two device losses within this time mean that WebGPU does not work here. */
+/** Milliseconds. Two device losses within this time mean that WebGPU does not work. */
 const LOSS_WINDOW = 15_000
 
 const LOST = 'The graphics were lost and come back by themselves; the work is kept'
 
-/** What a host needs of the application. */
+/** Dependencies of `ViewerHost`. */
 export interface HostParts {
   page: Page
   messages: Messages
   loading: Loading
-  /** Runs while there is a viewer. */
+  /** Render loop, running while there is a viewer. */
   loop: Loop
-  /** Called when a viewer is ready, before it is drawn. */
+  /** Called when a viewer is ready, before its first frame. */
   onOpen(viewer: Viewer): void
-  /** Called when an attempt to open one has ended, successful or not. */
+  /** Called after each attempt to open a viewer. */
   onSettled(): void
 }
 
-/** Loads an avatar, given the one on the stage. */
+/** Loads an avatar, given the current one. */
 export type LoadAvatar = (shown: OpenedAvatar | undefined) => Promise<OpenedAvatar>
 
-/** Opens viewers, each in place of the last: with another renderer or avatar, or again when the graphics device is lost. */
+/** Opens viewers one after the other: for another renderer or avatar, or after a lost graphics device. */
 export class ViewerHost {
   readonly #parts: HostParts
   #canvas: CanvasStage | null = null
   #viewer: Viewer | null = null
   #orbit: Orbit | null = null
-  /** Renderers are created one at a time: each waits until the last one has released its device. */
+  /** Serialises renderer creation: each waits until the previous one has released its device. */
   #opening: Promise<unknown> = Promise.resolve()
   #lastLoss = Number.NEGATIVE_INFINITY
-  /** Of the viewer: ends with it. */
+  /** Aborts the event listeners of the current viewer. */
   #watching = new AbortController()
 
   constructor(parts: HostParts) {
@@ -54,12 +54,12 @@ export class ViewerHost {
     return this.#viewer
   }
 
-  /** Moves the viewer's camera. */
+  /** Camera controls of the current viewer. */
   get orbit(): Orbit | null {
     return this.#orbit
   }
 
-  /** Opens a renderer, with another avatar if there is one to load; the user's settings are kept. Shows errors. */
+  /** Opens a renderer, optionally with another avatar, and keeps the user's settings. Shows errors. */
   open(kind: RendererKind, load?: LoadAvatar): Promise<unknown> {
     const { messages, loading, onSettled } = this.#parts
     this.#opening = this.#opening.then(() =>
@@ -87,7 +87,7 @@ export class ViewerHost {
     await nextPaint()
     const restore = this.#close()
     const chosen = reason ? 'webgl' : kind
-    // Starting a renderer takes longer than loading most avatars: another one is shown on the same stage.
+    // Starting a renderer is slower than loading most avatars, so another avatar reuses the stage.
     const canvas = (load && this.#canvas?.kind === chosen && this.#canvas) || (await this.#openCanvas(chosen))
     const viewer = this.#makeViewer(canvas, avatar, last)
     if (viewer.fault) messages.error(viewer.fault)
@@ -103,7 +103,7 @@ export class ViewerHost {
     loop.start()
   }
 
-  /** Starts a renderer, WebGL where the other one fails. */
+  /** Starts a renderer and falls back to WebGL. */
   async #openCanvas(kind: RendererKind): Promise<CanvasStage> {
     const { messages, page } = this.#parts
     if (this.#canvas) closeCanvas(this.#canvas)
@@ -118,7 +118,7 @@ export class ViewerHost {
     return this.#canvas
   }
 
-  /** Shows the last avatar again where another one fails. */
+  /** Falls back to the previous avatar if the new one fails. */
   #makeViewer(canvas: CanvasStage, avatar: OpenedAvatar, last: OpenedAvatar | undefined): Viewer {
     try {
       return new Viewer(canvas, avatar)
@@ -129,7 +129,7 @@ export class ViewerHost {
     }
   }
 
-  /** Disposes of the viewer; returns what restores its state on the next one. */
+  /** Disposes of the viewer and returns a function that restores its state on the next one. */
   #close(): ReturnType<typeof snapshot> | null {
     const [viewer, orbit] = [this.#viewer, this.#orbit]
     if (!viewer || !orbit) return null
@@ -143,7 +143,7 @@ export class ViewerHost {
     return state
   }
 
-  /** Starts a lost device again, or falls back to WebGL if it is lost twice in a short time. */
+  /** Restarts a lost device, or falls back to WebGL after two losses in a short time. */
   #watch(viewer: Viewer): void {
     const { messages, loop } = this.#parts
     const { renderer } = viewer.stage

@@ -16,7 +16,7 @@ import { FaceExpressions } from './pose/face-expressions.ts'
 import { MuscleTargets } from './pose/muscle-targets.ts'
 import { type Performance, performanceOf } from './pose/performance.ts'
 
-/** One avatar on one renderer's canvas, drawn without wrinkles left of the divider and with them right of it. */
+/** One avatar on one renderer's canvas: without wrinkles left of the divider, with wrinkles right of it. */
 export class Viewer {
   readonly canvas: HTMLCanvasElement
   readonly kind: RendererKind
@@ -24,14 +24,14 @@ export class Viewer {
   readonly avatar: OpenedAvatar
   targets: readonly Dial[] = []
   areas: readonly Dial[] = []
-  /** Fraction of the width that is drawn without wrinkles. */
+  /** Fraction of the width without wrinkles. */
   split = 0.5
-  /** Areas that are drawn as if they were not active. */
+  /** Areas drawn as inactive. */
   hidden: readonly string[] = []
   readonly driven = new DrivenAreas()
 
   readonly #face: Face
-  /** The skin's material as it was before wrinkles were added; cloned for each `Looks`. */
+  /** The skin's material without wrinkles, cloned for each `Looks`. */
   readonly #plain: Mesh['material']
   #wrinkles: Wrinkles | null = null
   #fault: Error | null = null
@@ -43,7 +43,7 @@ export class Viewer {
   #highlighted: readonly string[] = []
   readonly #sides: Sides
 
-  /** Wrinkles that do not fit the face are left out. */
+  /** Omits wrinkles that do not fit the face; see `fault`. */
   constructor({ canvas, kind, stage }: CanvasStage, avatar: OpenedAvatar) {
     this.canvas = canvas
     this.kind = kind
@@ -64,15 +64,15 @@ export class Viewer {
     return this.#wrinkles
   }
 
-  /** Why the wrinkles of the avatar are not shown; null if they are, or there are none. */
+  /** Why the avatar's wrinkles are not shown, or null. */
   get fault(): Error | null {
     return this.#fault
   }
 
   /**
-   * Shows other wrinkles on the same face, null for none. The mode and the look stay, and so do activations that were set by hand.
+   * Replaces the wrinkles of the face, or removes them. Keeps the mode, the look and activations set by hand.
    *
-   * @throws FurrowError when they do not fit; the face is then plain.
+   * @throws FurrowError if they do not fit. The face is then plain.
    */
   setWrinkles(wrinkles: Face['wrinkles']): void {
     const before = new Map(this.areas.map(({ name, read }) => [name, read()]))
@@ -87,20 +87,20 @@ export class Viewer {
     this.look = this.#isPossible(look) ? look : { name: 'shaded' }
   }
 
-  /** Lets other drivers activate the areas. */
+  /** Replaces the drivers. */
   setDrivers(drivers: readonly WrinkleDriver[]): void {
     this.#addMuscles(drivers)
     this.driven.setDrivers(drivers)
     this.#renewExpressions()
   }
 
-  /** Puts wrinkles on the plain face. */
+  /** Adds wrinkles to the plain face. */
   #wear(wrinkles: Face['wrinkles']): void {
     this.#fault = null
     this.#wrinkles = null
     this.#addMuscles(wrinkles?.drivers ?? [])
     try {
-      // Relief is drawn by a mesh of its own, which looks, lines and brushes do not know.
+      // No relief: it draws its own mesh, which looks, lines and brushes do not support.
       if (wrinkles) this.#wrinkles = this.stage.addWrinkles(this.#face, wrinkles, { relief: 'off' })
     } catch (error) {
       this.#fault = error as Error
@@ -112,7 +112,7 @@ export class Viewer {
     this.driven.drive()
   }
 
-  /** Each muscle is a blendshape more. */
+  /** Adds a blendshape per muscle. */
   #addMuscles(drivers: readonly WrinkleDriver[]): void {
     this.#muscles.update(driversOf('muscle', drivers))
     this.targets = targetDials(this.#face.root).map((dial) => ({
@@ -130,7 +130,7 @@ export class Viewer {
     return this.#mode
   }
 
-  /** @throws FurrowError if this face does not support the mode; the mode then does not change. */
+  /** @throws FurrowError if this face does not support the mode, which then stays as is. */
   set mode(mode: WrinkleMode) {
     if (this.wrinkles) this.wrinkles.mode = mode
     this.#mode = mode
@@ -146,19 +146,19 @@ export class Viewer {
     this.#look = look
   }
 
-  /** Highlighted areas come before a look. */
+  /** Highlighted areas have precedence over the look. */
   #choose(look: Look): void {
     const area = this.#highlighted.filter((name) => this.#wrinkles?.hasArea(name))
     this.#looks.choose(area.length > 0 ? { name: 'marked', area } : look)
   }
 
-  /** Shows where areas are on the face, whatever their activations; of an empty list, restores the chosen look. */
+  /** Shows where areas are, regardless of their activations. An empty list restores the chosen look. */
   highlight(areas: readonly string[]): void {
     this.#highlighted = areas
     this.#choose(this.#look)
   }
 
-  /** The pose that shows an area; null where no blendshape does. */
+  /** Returns the pose that shows an area, or null if no blendshape does. */
   performanceOf(area: string): Performance | null {
     const names = this.targets.map(({ name }) => name)
     return performanceOf(area, this.driven.drivers.list, this.#expressions.list, names)
@@ -168,7 +168,7 @@ export class Viewer {
     return this.#expressions.list.map(({ name }) => name)
   }
 
-  /** Whether a transition to an expression is under way. */
+  /** Whether a transition to an expression is running. */
   get moving(): boolean {
     return this.#expressions.moving
   }
@@ -183,16 +183,16 @@ export class Viewer {
     if (this.moving) this.#moveFace(() => this.#expressions.advance(delta))
   }
 
-  /** Moves joints and blendshapes by other means than the dials; areas follow all the same. */
+  /** Moves joints and blendshapes without the dials, and updates the driven areas. */
   move(change: () => void): void {
     this.driven.driveAfter(() => {
       change()
-      // Joints are read from it.
+      // Joint inputs read world matrices.
       this.avatar.root.updateMatrixWorld()
     })
   }
 
-  /** @throws FurrowError if the area cannot be added; nothing changes then. */
+  /** @throws FurrowError if the area cannot be added, and then changes nothing. */
   addArea(area: Area): void {
     if (!this.wrinkles) throw withoutLayers(area.name)
     addArea(this.wrinkles, area)
@@ -221,7 +221,7 @@ export class Viewer {
     for (const [i, { write }] of hidden.entries()) write(activations[i])
   }
 
-  /** Frees what the avatar has on the GPU; it remains usable by another viewer, and the stage for another avatar. */
+  /** Frees GPU resources. The avatar and the stage can be used by other viewers. */
   dispose(): void {
     this.#looks.dispose()
     this.wrinkles?.dispose()
@@ -230,7 +230,7 @@ export class Viewer {
     releaseFromGPU(this.avatar.root)
   }
 
-  /** Plays an expression: areas that expressions name are played, the others follow the face. */
+  /** Moves the face by an expression. Areas set by expressions do not follow their drivers. */
   #moveFace(play: () => void): void {
     this.driven.driveAfter(play, (area) => !this.#expressions.sets(area))
   }

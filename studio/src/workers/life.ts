@@ -1,14 +1,14 @@
 /**
- * Browsers end workers without any event, as when memory runs out, but they release the locks that these held: a worker holds one while it
- * lives, and the page waits for it.
+ * Detection of dead workers. Browsers can end workers without an event, for example when memory runs out, but then release their locks. Each
+ * worker holds a lock, and the page waits for that lock.
  */
 
-/** What a worker tells the page first: the name of its lock. */
+/** First message of a worker: the name of its lock. */
 interface Alive {
   lock: string
 }
 
-/** In a worker: lets the page notice its end. Pages that are not served securely have no locks, and notice errors only. */
+/** Holds a lock in a worker, so that the page detects its end. On insecure pages, which lack locks, the page detects only errors. */
 export function holdLife(): void {
   if (globalThis.navigator?.locks === undefined) return
   const lock = crypto.randomUUID()
@@ -20,10 +20,10 @@ export function holdLife(): void {
 }
 
 /**
- * On the page: rejects when a worker cannot be loaded, or ends by itself. It is to be called in the task that made the worker.
+ * Returns a promise that rejects if a worker cannot be loaded or dies. Call in the task that created the worker.
  *
- * @param error makes the error, of what the browser says about the end.
- * @param signal ends the wait: the promise rejects with its reason.
+ * @param error makes the error from the browser's reason, if any.
+ * @param signal ends the wait. The promise then rejects with its reason.
  */
 export function endOf(
   worker: Worker,
@@ -35,7 +35,7 @@ export function endOf(
     worker.addEventListener(
       'error',
       (event) => {
-        // The promise tells it; the console need not.
+        // Keep the error out of the console, because the promise reports it.
         event.preventDefault()
         reject(error(event.message))
       },
@@ -45,13 +45,13 @@ export function endOf(
       'message',
       ({ data }: MessageEvent<Partial<Alive>>) => {
         if (data?.lock === undefined) return
-        // Rejects when the signal ends the wait.
+        // Rejects if the signal ends the wait.
         navigator.locks.request(data.lock, { signal }, () => reject(error(undefined))).catch(() => {})
       },
       { signal },
     )
   })
-  // Who waits for something else as well hears of it there.
+  // Prevent an unhandled rejection if the caller only races this promise.
   end.catch(() => {})
   return end
 }

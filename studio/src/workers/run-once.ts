@@ -2,10 +2,10 @@ import { type Remote, wrap } from 'comlink'
 import { endOf } from './life.ts'
 
 /**
- * Asks one thing of a worker, which ends with it. It is to be called in the task that made the worker.
+ * Runs one task in a worker and terminates the worker. Call in the task that created the worker.
  *
- * @param died makes the error where the worker ends by itself, of what the browser says about that.
- * @param signal ends the worker when it is aborted; the promise rejects with its reason.
+ * @param died makes the error for a dead worker from the browser's reason, if any.
+ * @param signal aborting terminates the worker; the promise rejects with the signal's reason.
  */
 export async function runOnce<Service, T>(
   worker: Worker,

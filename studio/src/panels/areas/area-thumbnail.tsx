@@ -7,10 +7,10 @@ import { palePicture } from '../../texture/pale-picture.ts'
 import { cropOf, shrink } from '../../texture/thumbnail.ts'
 import type { PanelModel } from '../model.ts'
 
-/** Pixels of its side: two for each on the page. */
+/** Side, device pixels: two per CSS pixel. */
 const SIDE = 56
 
-/** A small picture of an area on the skin's texture, drawn again when either has changed, and one at a time: a face has dozens of areas. */
+/** Thumbnail of an area on the skin's texture. Drawn one at a time, because a face has dozens of areas. */
 export function AreaThumbnail({ name, model }: { name: string; model: PanelModel }) {
   const canvas = useRef<HTMLCanvasElement>(null)
   const avatar = model.viewer.value?.avatar

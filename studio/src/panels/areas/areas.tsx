@@ -9,7 +9,7 @@ import type { PanelModel } from '../model.ts'
 import { AreaThumbnail } from './area-thumbnail.tsx'
 import { ChosenArea } from './chosen-area.tsx'
 
-/** A slider per area, each with a button that removes it, the controls of the chosen one, and a field that adds areas from images. */
+/** Sliders of all areas, controls of the chosen area, and buttons to add areas. */
 export function Areas({ model }: { model: PanelModel }) {
   const { session, areas, viewer, revision, frame, hovered, actions } = model
   revision.value
@@ -17,7 +17,7 @@ export function Areas({ model }: { model: PanelModel }) {
   const dials = inOrder(viewer.value?.areas ?? [], document)
   const list = useRef<HTMLDivElement>(null)
   const removed = useRef(-1)
-  // The focus stays at the same index when a row is removed.
+  // The focus stays at the same index after a row is removed.
   useLayoutEffect(() => {
     if (removed.current < 0) return
     const buttons = list.current!.querySelectorAll<HTMLButtonElement>('.remove')
@@ -70,13 +70,13 @@ export function Areas({ model }: { model: PanelModel }) {
   )
 }
 
-/** What drives the area that is hovered. */
+/** Explains the drivers of the hovered area. */
 function Explanation({ model }: { model: PanelModel }) {
   const { kind, name } = model.hovered.value ?? {}
   return kind === 'area' && name !== undefined ? <Reasons area={name} model={model} /> : null
 }
 
-/** The dials in the order of a document's areas. */
+/** Sorts dials in the order of the document's areas. */
 function inOrder(dials: readonly Dial[], document: StudioDocument | null): readonly Dial[] {
   if (!document) return dials
   const index = new Map(document.areas.map(({ name }, i) => [name, i]))
@@ -84,7 +84,7 @@ function inOrder(dials: readonly Dial[], document: StudioDocument | null): reado
   return dials.toSorted((a, b) => indexOf(a) - indexOf(b))
 }
 
-/** Its thumbnail is what one presses. */
+/** Radio button that looks like the area's thumbnail. */
 function ChooseArea({ name, model }: { name: string; model: PanelModel }) {
   const { areas, hovered } = model
   const point = (isHere: boolean) => {
@@ -107,7 +107,7 @@ function ChooseArea({ name, model }: { name: string; model: PanelModel }) {
         checked={areas.chosen.value?.name === name}
         onChange={() => areas.choose(name)}
         onFocus={({ currentTarget }) => {
-          // Of the keyboard: a click is with the pointer on it.
+          // Keyboard focus only: the pointer already hovers at a click.
           if (currentTarget.matches(':focus-visible')) point(true)
         }}
         onBlur={() => {
@@ -119,7 +119,7 @@ function ChooseArea({ name, model }: { name: string; model: PanelModel }) {
   )
 }
 
-/** What the stage shows; the document stays. */
+/** Solo and mute, which change the view and not the document. */
 function ShownToggles({ name, areas }: { name: string; areas: AreaEditor }) {
   return (
     <>
@@ -165,7 +165,7 @@ function AddAreas({ model: { session, areas, actions } }: { model: PanelModel })
             aria-describedby="add-hint"
             onChange={({ currentTarget }) => {
               actions.addAreaImages([...currentTarget.files!], isPaper.value ? 'paper' : 'weight')
-              // Otherwise choosing the same file again would not be a change.
+              // Otherwise choosing the same file again would not fire a change event.
               currentTarget.value = ''
             }}
           />

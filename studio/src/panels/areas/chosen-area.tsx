@@ -30,7 +30,7 @@ export function ChosenArea({ model }: { model: PanelModel }) {
             value={name}
             onChange={({ currentTarget }) => {
               areas.rename(name, currentTarget.value)
-              // What it is called now: a name that is taken is refused.
+              // Restore the name if it was rejected as taken.
               currentTarget.value = areas.chosen.peek()?.name ?? name
             }}
           />
@@ -98,7 +98,7 @@ export function ChosenArea({ model }: { model: PanelModel }) {
   )
 }
 
-/** Takes the place of what is painted. */
+/** Replaces the painted weights by an image. */
 function FromImage({ name, model: { areas, actions } }: { name: string; model: PanelModel }) {
   const fill = async (file: File) => {
     const { weights } = await readArea(file, areas.isPaper.peek() ? 'paper' : 'weight')

@@ -5,12 +5,12 @@ interface ChoiceProps<T extends string> {
   label: string
   options: readonly { value: T; label: string; title?: string }[]
   value: T
-  /** By default all in one row. */
+  /** Number of columns. Default: all options in one row. */
   columns?: number
   onChange(value: T): void
 }
 
-/** Radio buttons in a row, or in several. */
+/** Group of radio buttons. */
 export function Choice<T extends string>({ label, options, value, columns, onChange }: ChoiceProps<T>) {
   const name = useId()
   return (

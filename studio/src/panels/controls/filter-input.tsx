@@ -7,7 +7,7 @@ interface FilterInputProps {
   filter: Signal<string>
 }
 
-/** A field that filters a list of blendshapes by name. */
+/** Text field that filters a list of blendshapes by name. */
 export function FilterInput({ label, id, filter }: FilterInputProps) {
   return (
     <input

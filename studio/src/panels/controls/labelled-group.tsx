@@ -3,12 +3,12 @@ import { useId } from 'preact/hooks'
 
 interface LabelledGroupProps {
   label: string
-  /** By default the label's column and the controls' column. */
+  /** CSS class. Default: a row with a label column and a control column. */
   class?: string
   children: ComponentChildren
 }
 
-/** Controls with one label beside them. A `legend` stands above a fieldset's grid in WebKit, even where it floats. */
+/** Labelled group of controls. Not a `legend`: WebKit places it above a fieldset's grid. */
 export function LabelledGroup({ label, class: name = 'setting', children }: LabelledGroupProps) {
   const id = useId()
   return (

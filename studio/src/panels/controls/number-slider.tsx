@@ -2,17 +2,17 @@ import { useId } from 'preact/hooks'
 
 interface NumberSliderProps {
   label: string
-  /** Least, most, step. */
+  /** Minimum, maximum, step. */
   range: readonly [number, number, number]
-  /** May be beyond the range. */
+  /** Value, may exceed the range. */
   value: number
-  /** The value with its unit; by default the number alone. */
+  /** Displayed value with unit. Default: the number. */
   text?: string
   onMove(value: number): void
   onRest?(value: number): void
 }
 
-/** A labelled slider of a number. */
+/** Labelled slider for a number. */
 export function NumberSlider({
   label,
   range: [min, max, step],

@@ -2,18 +2,18 @@ import type { ComponentChildren } from 'preact'
 
 interface SectionProps {
   title: string
-  /** Of the list or field set in it. */
+  /** Id of the contained list or fieldset. */
   id?: string
-  /** Beside the title: buttons, counts. */
+  /** Content beside the title: buttons, counts. */
   aside?: ComponentChildren
-  /** Whether it is unfolded at first. */
+  /** Whether the section is initially open. */
   open?: boolean
-  /** Called when it is folded or unfolded. */
+  /** Called when the section is opened or closed. */
   onToggle?(isOpen: boolean): void
   children: ComponentChildren
 }
 
-/** A part of the panel that folds. */
+/** Collapsible section of the panel. */
 export function Section({ title, id, aside, open = true, onToggle, children }: SectionProps) {
   return (
     <details class="section" open={open} onToggle={({ currentTarget }) => onToggle?.(currentTarget.open)}>

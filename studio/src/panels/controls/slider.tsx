@@ -6,21 +6,21 @@ import type { Dial } from '../../viewer/pose/dials.ts'
 
 interface SliderProps {
   dial: Dial
-  /** Changes whenever the dial's number may have changed. */
+  /** Changes when the dial's value may have changed. */
   frame: ReadonlySignal<number>
   onInput(dial: Dial, value: number): void
-  /** Called with the dial when the mouse moves onto its label, and with null when it leaves. */
+  /** Called with the dial when the mouse enters its label, and with null when the mouse leaves. */
   onHover?(dial: Dial | null): void
-  /** Whether it is linked to what is hovered. */
+  /** Whether the dial is related to the hovered item. */
   linked?: boolean
   isHidden?: boolean
-  /** Before the label. */
+  /** Content before the label. */
   before?: ComponentChildren
-  /** Behind the number: buttons. */
+  /** Content after the value: buttons. */
   children?: ComponentChildren
 }
 
-/** A labelled slider of a dial. The number follows the face without rendering anything but itself. */
+/** Labelled slider of a dial. Value changes update the DOM without rendering the component. */
 export function Slider({
   dial,
   frame,
@@ -57,7 +57,7 @@ export function Slider({
       <label
         for={id}
         title={dial.name}
-        // Only a mouse that moves itself hovers, not one beneath which the page scrolls, nor a finger.
+        // Only mouse movement hovers: neither scrolling below a still mouse, nor touches.
         onPointerMove={({ pointerType, movementX, movementY }) => {
           if (pointerType === 'mouse' && (movementX !== 0 || movementY !== 0)) hover(true)
         }}
@@ -86,7 +86,7 @@ export function Slider({
   )
 }
 
-/** Touches the page only if the number has changed. */
+/** Updates the DOM only if the displayed number changed. */
 function showNumber(input: HTMLInputElement, output: HTMLOutputElement, value: number): void {
   const text = value.toFixed(2)
   if (output.textContent === text) return

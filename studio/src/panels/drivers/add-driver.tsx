@@ -15,7 +15,7 @@ interface AddDriverProps {
   onAdd(driver: WrinkleDriver): void
 }
 
-/** A list of types, of which those that the face cannot have are not to be chosen. */
+/** Select for a new driver. Types that the face does not support are disabled. */
 export function AddDriver({ document, context, onAdd }: AddDriverProps) {
   const id = useId()
   const type = useSignal<AreaDriverType>('morph')
@@ -55,7 +55,7 @@ export function AddDriver({ document, context, onAdd }: AddDriverProps) {
   )
 }
 
-/** Lists, and not the muscle, which takes a while: it is looked for when it is wanted. */
+/** Collects inputs for new drivers. The muscle is computed on demand, because it is slow. */
 function drivable({ model, area, targets, pose }: DriverContext, document: StudioDocument): Drivable {
   const { avatar } = model.viewer.peek()!
   return {

@@ -2,17 +2,17 @@ import type { Curve } from 'furrow'
 import { AGES } from 'furrow/internal'
 import { type Range, rangeAround } from '../../document/curve.ts'
 
-/** How the input of a curve is drawn and written. */
+/** Input axis of a curve editor. */
 export interface Axis {
-  /** What it measures: `browInnerUp`, `Age`. */
+  /** Label of the input: `browInnerUp`, `Age`. */
   readonly label: string
   readonly range: Range
-  /** From the number in the file to the one that is read. */
+  /** Factor from stored to displayed numbers. */
   readonly factor: number
   readonly unit: string
 }
 
-/** The usual range of an input, and how it is read: radians as degrees, metres as millimetres. */
+/** Default ranges and display units: radians as degrees, metres as millimetres. */
 const KINDS = {
   fraction: { usual: [0, 1], factor: 1, unit: '' },
   age: { usual: [AGES.youngest, AGES.oldest], factor: 1, unit: '' },
@@ -22,15 +22,15 @@ const KINDS = {
   number: { usual: undefined, factor: 1, unit: '' },
 } as const satisfies Record<string, { usual: Range | undefined; factor: number; unit: string }>
 
-/** The axis of a curve, wide enough for it. */
+/** Makes an axis that contains the curve. */
 export function axisOf(kind: keyof typeof KINDS, label: string, curve: Readonly<Curve>): Axis {
   const { usual, factor, unit } = KINDS[kind]
   return { label, range: rangeAround(curve, usual), factor, unit }
 }
 
-/** A number of an axis as it is read: `45°`, `12.5 mm`, `0.3`. */
+/** Formats a number with its unit: `45°`, `12.5 mm`, `0.3`. */
 export function textOn({ factor, unit }: Axis, value: number): string {
-  // Rounding leaves nothing of what is next to nothing.
+  // Display tiny numbers as 0.
   const number = Number((value * factor).toFixed(6)) && Number((value * factor).toPrecision(3))
   return unit === '' || unit === '°' || unit === '%' ? `${number}${unit}` : `${number} ${unit}`
 }

@@ -5,7 +5,7 @@ import { conflictsOf } from '../../document/driver-faults.ts'
 import type { DriverContext } from './context.ts'
 import { NameSelect, optionsOf } from './fields.tsx'
 
-/** Pairs of blendshapes that cancel each other, as raising and lowering one brow. */
+/** Pairs of blendshapes that cancel each other, such as raising and lowering a brow. */
 export function Conflicts({ context }: { context: DriverContext }) {
   const { model, editor, area, targets } = context
   const drivers = model.session.document.value?.drivers ?? []
@@ -85,7 +85,7 @@ function Conflict({ index, driver, context: { model, editor, targets, slow } }: 
   )
 }
 
-/** Parts of names that undo each other. */
+/** Name parts of opposite blendshapes. */
 const OPPOSITES: readonly (readonly [RegExp, string])[] = [
   [/^browInnerUp$/, 'browDownLeft'],
   [/^browOuterUp/, 'browDown'],
@@ -98,7 +98,7 @@ const OPPOSITES: readonly (readonly [RegExp, string])[] = [
   [/^mouthPucker$/, 'mouthStretchLeft'],
 ]
 
-/** A guess to begin with: what undoes a blendshape on this face, or else any other one. */
+/** Suggests an opposite blendshape of this face, or else any other one. */
 function oppositeOf(name: string, targets: readonly string[]): string {
   const known = OPPOSITES.find(([part]) => part.test(name))
   const opposite = known && name.replace(...known)

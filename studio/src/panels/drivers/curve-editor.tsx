@@ -15,29 +15,29 @@ import { type ShortcutName, shortcutOf } from '../../shortcuts.ts'
 import { type Axis, textOn } from './axes.ts'
 import { NumberField } from './number-field.tsx'
 
-/** Of the drawing, in its own units; it is scaled to the panel's width. */
+/** Size in SVG units, scaled to the panel's width. */
 const WIDTH = 280
 const HEIGHT = 124
 const MARGIN = { side: 10, top: 10, bottom: 22 }
 
 interface CurveEditorProps {
-  /** Whose it is, for screen readers. */
+  /** Name of the curve, for screen readers. */
   label: string
   curve: Readonly<Curve>
   axis: Axis
-  /** Least and most output that can be typed. */
+  /** Minimum and maximum of typed outputs. */
   outputs: Range
-  /** Where the input stands; null where that is unknown. */
+  /** Current input, or null if unknown. */
   now: ReadonlySignal<number | null>
-  /** While a point moves. */
+  /** Called while a point moves. */
   onMove(curve: Curve): void
-  /** When it rests. */
+  /** Called when a point is released. */
   onRest(): void
 }
 
 /**
- * A curve whose points are dragged with mouse, finger or pen, and moved with the arrow keys; by a double click or a button it gets more. A
- * marker follows the input without rendering anything but itself.
+ * Curve editor. Points are dragged by pointer and moved with arrow keys; a double click or a button adds one. A marker shows the
+ * current input and updates the DOM without rendering.
  */
 export function CurveEditor({ label, curve, axis, outputs, now, onMove, onRest }: CurveEditorProps) {
   const dragged = useSignal<{ index: number; ranges: CurveRanges; grip: readonly [number, number] } | null>(
@@ -45,7 +45,7 @@ export function CurveEditor({ label, curve, axis, outputs, now, onMove, onRest }
   )
   const chosen = useSignal(0)
   const svg = useRef<SVGSVGElement>(null)
-  // The axes hold still while a point is dragged.
+  // The axes stay fixed while a point is dragged.
   const ranges = dragged.value?.ranges ?? { input: axis.range, output: drawnOutputs(curve) }
   const plot = plotOf(ranges)
   const index = Math.min(chosen.value, curve.length - 1)
@@ -182,7 +182,7 @@ const MOVES: Record<Exclude<ShortcutName<'curve'>, 'remove'>, readonly [number, 
   up: [0, 1],
 }
 
-/** Between the numbers of a curve and the units of the drawing. */
+/** Mapping between curve values and SVG units. */
 interface Plot {
   x(input: number): number
   y(output: number): number
@@ -202,7 +202,7 @@ function plotOf({ input: [left, right], output: [bottom, top] }: CurveRanges): P
   }
 }
 
-/** A pointer in units of the drawing. */
+/** Converts a pointer position to SVG units. */
 function pointIn(svg: SVGSVGElement, { clientX, clientY }: MouseEvent): [number, number] {
   const { left, top, width, height } = svg.getBoundingClientRect()
   return [((clientX - left) / width) * WIDTH, ((clientY - top) / height) * HEIGHT]
@@ -217,7 +217,7 @@ function widened([low, high]: Range, value: number): Range {
   return [Math.min(low, value), Math.max(high, value)]
 }
 
-/** Level beyond its ends, as it is evaluated. */
+/** Returns the polyline of a curve, constant beyond its ends. */
 function lineOf(curve: Readonly<Curve>, plot: Plot, [left, right]: Range): string {
   const points = [[left, curveAt(curve, left)], ...curve, [right, curveAt(curve, right)]]
   return points.map(([input, output]) => `${plot.x(input)},${plot.y(output)}`).join(' ')
@@ -256,7 +256,7 @@ interface MarkerProps {
   range: Range
 }
 
-/** Where the input stands, and what the curve makes of it; at the edge where the input is beyond it. */
+/** Marker at the current input and output, clamped to the plot. */
 function Marker({ curve, plot, now, range: [left, right] }: MarkerProps) {
   const line = useRef<SVGLineElement>(null)
   const dot = useRef<SVGCircleElement>(null)

@@ -9,7 +9,7 @@ interface DriverCardProps extends FormProps<WrinkleDriver> {
   open: boolean
 }
 
-/** One driver: what it is and gives now, and below that, unfolded, its form. */
+/** One driver: its type, its current contribution, and a collapsible form. */
 export function DriverCard({ driver, index, context, fault, open }: DriverCardProps) {
   const { slow, editor } = context
   const given = useComputed(() => slow.value[index]?.activation.toFixed(2) ?? '')

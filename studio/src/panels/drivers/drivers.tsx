@@ -11,10 +11,10 @@ import type { DriverContext } from './context.ts'
 import { DriverCard } from './driver-card.tsx'
 import { useSlowed } from './live.ts'
 
-/** A weight below which a blendshape counts as not set. */
+/** Weights up to this value count as unset. */
 const UNSET = 0.01
 
-/** What moves an area: its drivers with what each gives now, and the conflicts between what they read. */
+/** Drivers of an area with their current contributions, and conflicts between their blendshapes. */
 export function Drivers({ model, area }: { model: PanelModel; area: string }) {
   const { session, viewer, revision, frame, actions } = model
   revision.value
@@ -84,7 +84,7 @@ export function Drivers({ model, area }: { model: PanelModel; area: string }) {
   )
 }
 
-/** Whether a driver activates an area; of an expression, whether it names it. */
+/** Whether a driver activates an area, or an expression names it. */
 function concerns(driver: WrinkleDriver, area: string): boolean {
   if (driver.type !== 'expression') return areaOf(driver) === area
   return (driver as ExpressionDriver).activations.some((each) => each.area === area)

@@ -14,7 +14,7 @@ interface NameFieldProps {
   onChange(value: string): void
 }
 
-/** A name that is typed. An empty one is put back. */
+/** Text field for a name. Rejects an empty name. */
 export function NameField({ label, value, onChange }: NameFieldProps) {
   const id = useId()
   return (
@@ -58,7 +58,7 @@ interface NameSelectProps extends Omit<SelectFieldProps, 'label'> {
   label?: string
 }
 
-/** A list to choose from, in which the value is even where the face does not have it. */
+/** Select for a name. Also lists the current value if the face lacks it. */
 export function NameSelect({ id, label, value, options, onChange }: NameSelectProps) {
   const isKnown = options.some(([each]) => each === value)
   return (
@@ -79,7 +79,7 @@ export function NameSelect({ id, label, value, options, onChange }: NameSelectPr
   )
 }
 
-/** Options that are read as they are written. */
+/** Makes options whose label is their value. */
 export function optionsOf(names: readonly string[]): (readonly [string, string])[] {
   return names.map((name) => [name, name])
 }
@@ -93,7 +93,7 @@ interface NumberSettingProps {
   onChange(value: number): void
 }
 
-/** A number with its label in the column of labels. */
+/** Number field with its label in the label column. */
 export function NumberSetting(props: NumberSettingProps) {
   return (
     <div class="number-setting">
@@ -106,7 +106,7 @@ interface VectorSettingProps {
   label: string
   value: readonly [number, number, number]
   step: number
-  /** From the number in the file to the one that is read. */
+  /** Factor from stored to displayed numbers. */
   factor?: number
   unit?: string
   onChange(value: [number, number, number]): void
@@ -137,7 +137,7 @@ interface DriverCurveProps {
   axis: Axis
 }
 
-/** The curve from what a driver reads to the activation that it gives. */
+/** Curve from a driver's input to its activation. */
 export function DriverCurve({ index, context: { editor, now, slow }, curve, axis }: DriverCurveProps) {
   const input = useComputed(() => now.value[index]?.combined ?? null)
   return (
@@ -162,7 +162,7 @@ interface ReadingProps {
   axis: Axis
 }
 
-/** In words: where the marker stands. */
+/** Current input and output of the curve, as text. */
 function Reading({ contributions, index, axis }: ReadingProps) {
   const text = useComputed(() => {
     const now = contributions.value[index]

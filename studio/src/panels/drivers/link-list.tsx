@@ -11,15 +11,15 @@ interface LinkListProps {
   index: number
   context: DriverContext
   links: readonly Link[]
-  /** Names that links may have. */
+  /** Names available for links. */
   names: readonly string[]
-  /** What one of them is called: `blendshape`. */
+  /** Kind of link: `blendshape`. */
   noun: string
-  /** Of the driver, which has the links. */
+  /** Driver field that contains the links. */
   field: 'targets' | 'areas'
 }
 
-/** The blendshapes or areas that a driver reads: each by a factor, and by a curve of its own if wanted. */
+/** Blendshapes or areas that a driver reads, each with a factor and an optional curve. */
 export function LinkList({ index, context, links, names, noun, field }: LinkListProps) {
   const { editor } = context
   const set = (next: readonly Link[], key = field as string) => editor.set(index, key, { [field]: next })
@@ -68,11 +68,11 @@ interface LinkRowProps {
   index: number
   context: DriverContext
   link: Link
-  /** Among the driver's links. */
+  /** Index among the driver's links. */
   position: number
   names: readonly string[]
   noun: string
-  /** Whether the driver has no other. */
+  /** Whether this is the driver's only link. */
   isOnly: boolean
   onChange(fields: Partial<Link>): void
   onBend(curve: Curve): void

@@ -1,13 +1,13 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals'
 import { useEffect, useMemo } from 'preact/hooks'
 
-/** Milliseconds between two numbers that are read and not watched. */
+/** Interval of displayed numbers, milliseconds. */
 const READING = 250
 
 /**
- * Follows a signal at most every `interval` milliseconds, and never misses its last value.
+ * Throttles a signal. The last value always arrives.
  *
- * @returns the slower signal, and what ends it.
+ * @returns the throttled signal, and a function that stops it.
  */
 export function slowed<T>(source: ReadonlySignal<T>, interval: number): [ReadonlySignal<T>, () => void] {
   const slow = signal(source.peek())
@@ -35,7 +35,7 @@ export function slowed<T>(source: ReadonlySignal<T>, interval: number): [Readonl
   ]
 }
 
-/** A signal at a pace at which numbers can be read. */
+/** Throttles a signal to a readable rate. */
 export function useSlowed<T>(source: ReadonlySignal<T>): ReadonlySignal<T> {
   const [slow, stop] = useMemo(() => slowed(source, READING), [source])
   useEffect(() => stop, [stop])

@@ -3,14 +3,14 @@ import type { Axis } from './axes.ts'
 import type { DriverContext } from './context.ts'
 
 interface NowSliderProps {
-  /** Of the input. */
+  /** Input name. */
   name: string
   label: string
   axis: Axis
   context: DriverContext
 }
 
-/** Sets a number that an application would set, on the stage only. */
+/** Slider that sets a custom input, on the stage only. */
 export function NowSlider({ name, label, axis: { range }, context: { model } }: NowSliderProps) {
   const { viewer, frame, actions } = model
   frame.value

@@ -4,15 +4,15 @@ interface NumberFieldProps {
   label: string
   value: number
   step: number
-  /** Least and most; any number by default. */
+  /** Minimum and maximum. Default: unlimited. */
   range?: readonly [number, number]
   unit?: string | undefined
-  /** Whether the label is for screen readers only. */
+  /** Whether only screen readers get the label. */
   isLabelHidden?: boolean
   onChange(value: number): void
 }
 
-/** A number that is typed. What is no number is put back. */
+/** Number field. Rejects invalid numbers. */
 export function NumberField({
   label,
   value,
@@ -23,7 +23,7 @@ export function NumberField({
   onChange,
 }: NumberFieldProps) {
   const id = useId()
-  // A digit more than the step has.
+  // One digit more than the step.
   const shown = Number(value.toFixed(Math.max(0, Math.ceil(-Math.log10(step))) + 1))
   return (
     <span class="number-field">

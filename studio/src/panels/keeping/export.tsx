@@ -6,13 +6,13 @@ import { Section } from '../controls/section.tsx'
 import type { PanelModel } from '../model.ts'
 import { SaveProject } from './save-project.tsx'
 
-/** The lines that show an exported face. */
+/** Code that loads an exported face. */
 const CODE = `import { WrinkleLoaderPlugin } from 'furrow/three'
 
 loader.register((parser) => new WrinkleLoaderPlugin(parser))
 const { scene } = await loader.loadAsync('FILE')`
 
-/** Makes the avatar with its wrinkles, offers it, and says what it costs and how it is loaded. */
+/** Exports the avatar with its wrinkles, and shows their size and the code that loads them. */
 export function Export({ model }: { model: PanelModel }) {
   const { exporting, actions } = model
   const isCompressed = useSignal(false)
@@ -92,7 +92,7 @@ function Done({ state, onSave, onCopy }: DoneProps) {
   )
 }
 
-/** Text to copy. */
+/** Text with a copy button. */
 function Code({ text, onCopy }: { text: string; onCopy(text: string): void }) {
   return (
     <>

@@ -1,6 +1,6 @@
 import type { PanelModel } from '../model.ts'
 
-/** Whether the work is kept, and what helps where it is not. */
+/** State of saving, with remedies. */
 export function KeepStatus({ model: { saving, session, actions } }: { model: PanelModel }) {
   const state = saving.value
   if (!state) return null

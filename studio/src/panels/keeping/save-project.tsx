@@ -1,7 +1,7 @@
 import { canWriteFolders } from '../../keep/disk-folder.ts'
 import type { PanelModel } from '../model.ts'
 
-/** Saves the work as what `furrow pack` reads: a file everywhere, a folder where the browser can write one. */
+/** Buttons that save the project as a .zip file or, if supported, as a folder. */
 export function SaveProject({ model: { folder, actions } }: { model: PanelModel }) {
   const known = folder.value
   return (

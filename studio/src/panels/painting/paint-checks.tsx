@@ -1,6 +1,6 @@
 import type { Painting } from '../../tools/painting.ts'
 
-/** What a brush and a polygon have in common. */
+/** Options shared by brush and polygon. */
 export function PaintChecks({ painting }: { painting: Painting }) {
   const { mirror } = painting.brush.value
   return (

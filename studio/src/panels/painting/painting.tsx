@@ -9,10 +9,10 @@ const titled = <T extends string>(value: T) => ({ value, label: value[0].toUpper
 const SHAPES = PAINT_SHAPES.map(titled)
 const MODES = BRUSH_MODES.map(titled)
 
-/** Least and greatest diameter in millimetres that the slider offers, and its step; keys go further. */
+/** Minimum diameter, maximum diameter and step of the slider, millimetres. Keys exceed this range. */
 const SIZES = [1, 80, 0.5] as const
 
-/** Begins painting the chosen area, and sets the brush. */
+/** Button that starts painting, and the settings of its tools. */
 export function PaintControls({ painting }: { painting: Painting }) {
   const isOn = painting.area.value !== null
   return (

@@ -8,7 +8,7 @@ const MODES = [
   { value: 'remove', label: 'Remove' },
 ] as const
 
-/** How a polygon is painted, and what closes it for a finger. */
+/** Polygon settings, and buttons for touch screens. */
 export function PolygonControls({ painting }: { painting: Painting }) {
   const { polygon, brush } = painting
   const count = polygon.count.value

@@ -1,7 +1,7 @@
 import type { RecognisedShape } from 'furrow/internal'
 import type { ShapeRow } from '../../session/shape-editor.ts'
 
-/** Kinds of blendshapes that are none of ARKit's shapes. */
+/** Labels of blendshapes that are no ARKit shape. */
 const KINDS: Readonly<Record<string, string>> = {
   viseme: 'speech',
   emotion: 'whole expression',
@@ -19,10 +19,10 @@ const EVIDENCE: Readonly<Record<RecognisedShape['by'], string>> = {
   none: '',
 }
 
-/** Label where neither motion nor name tells the shape. */
+/** Label of unrecognised blendshapes. */
 const UNKNOWN = 'unknown'
 
-/** Label of a recognised blendshape: ARKit's name, or its kind where it is none of ARKit's shapes. Empty where no result is there. */
+/** Returns the label of a recognised blendshape: its ARKit name or its kind. Empty without a result. */
 export function recognisedLabel(recognised: RecognisedShape | undefined): string {
   if (!recognised) return ''
   const { shape, hint, by } = recognised
@@ -32,19 +32,19 @@ export function recognisedLabel(recognised: RecognisedShape | undefined): string
   return hint?.shapes.join(' + ') || UNKNOWN
 }
 
-/** Label of a blendshape with its correction, for filters. */
+/** Returns the searchable label of a blendshape, including its correction. */
 export function shapeLabel({ recognised, correction }: ShapeRow): string {
   return correction === undefined ? recognisedLabel(recognised) : (correction ?? 'none')
 }
 
-/** Evidence by which a blendshape counts as its label. */
+/** Returns the evidence for a blendshape's label. */
 export function evidenceLabel(row: ShapeRow): string {
   const { recognised, correction } = row
   if (correction !== undefined) return EVIDENCE.correction
   return isUnknown(row) || !recognised ? '' : EVIDENCE[recognised.by]
 }
 
-/** Confidence of a recognised shape, 0..1; undefined for corrections, and where it is none of ARKit's shapes. */
+/** Returns the confidence of a recognised ARKit shape, 0..1. Undefined for corrections and other shapes. */
 export function confidenceOf({ recognised, correction }: ShapeRow): number | undefined {
   return correction === undefined && recognised?.shape !== undefined ? recognised.confidence : undefined
 }

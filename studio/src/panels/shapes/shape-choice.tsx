@@ -5,17 +5,17 @@ import { groupShapes } from '../../viewer/pose/dials.ts'
 import type { PanelModel } from '../model.ts'
 import { recognisedLabel } from './labels.ts'
 
-/** Values that are no names. */
+/** Special option values. */
 const AUTOMATIC = ''
 const NONE = '-'
 
 const GROUPS = groupShapes(SHAPE_NAMES.map((name) => ({ name })))
 
-/** Lets an artist choose one of ARKit's shapes for a blendshape, or leave it to Furrow. */
+/** Select for the ARKit shape of a blendshape. */
 export function ShapeChoice({ row, model: { shapes } }: { row: ShapeRow; model: PanelModel }) {
   const { name, recognised, correction } = row
   const label = recognisedLabel(recognised)
-  // Fill the list when it is about to open: a thousand lists of all names would take seconds.
+  // Fill the list only when needed: a thousand full lists would take seconds.
   const [isFull, setIsFull] = useState(false)
   const fill = () => setIsFull(true)
   return (

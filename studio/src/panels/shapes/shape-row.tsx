@@ -11,7 +11,7 @@ interface ShapeRowProps {
   model: PanelModel
 }
 
-/** A blendshape: its name, how sure it is, and what it counts as. While it is pointed at or focused, the face shows it. */
+/** Blendshape with its recognised shape and confidence. Hovering or focusing the row previews the blendshape on the face. */
 export function ShapeRow({ row, isHidden, model }: ShapeRowProps) {
   const { name, correction } = row
   const confidence = confidenceOf(row)
@@ -28,7 +28,7 @@ export function ShapeRow({ row, isHidden, model }: ShapeRowProps) {
     <li
       hidden={isHidden}
       class={`shape${isUnknown(row) ? ' unknown' : ''}${correction === undefined ? '' : ' corrected'}`}
-      // Only a mouse that moves itself hovers, not one beneath which the list scrolls, nor a finger.
+      // Only mouse movement hovers: neither scrolling below a still mouse, nor touches.
       onPointerMove={({ pointerType, movementX, movementY }) => {
         if (pointerType === 'mouse' && (movementX !== 0 || movementY !== 0)) show()
       }}
@@ -39,7 +39,7 @@ export function ShapeRow({ row, isHidden, model }: ShapeRowProps) {
       <button
         type="button"
         class="show"
-        // The list beside it takes the focus of the keyboard, and shows the face too.
+        // Skipped by Tab: focusing the select in this row also shows the blendshape.
         tabIndex={-1}
         aria-pressed={isShown}
         title={`Show ${name} on the face`}

@@ -9,16 +9,16 @@ import type { PanelModel } from '../model.ts'
 import { isUnknown, shapeLabel } from './labels.ts'
 import { ShapeRow } from './shape-row.tsx'
 
-/** Milliseconds without a correction until shapes are recognised again. */
+/** Milliseconds after the last correction before shapes are recognised again. */
 const PAUSE = 500
 
-/** Lists the recognised shape of each blendshape of the skin, to be corrected. */
+/** Lists the recognised shapes of the skin's blendshapes for correction. */
 export function Shapes({ model }: { model: PanelModel }) {
   const { shapes, actions } = model
   const isOpen = useSignal(false)
   const rows = shapes.rows.value
   const skin = shapes.skin.value
-  // Again after corrections, which others may depend on, and for the next avatar while the section is unfolded.
+  // While open, recognise again after corrections, which can affect other shapes, and for each avatar.
   useEffect(() => {
     if (!isOpen.value || shapes.isCurrent.peek()) return undefined
     const timer = setTimeout(() => actions.attempt(() => shapes.recognise()), rows ? PAUSE : 0)
@@ -45,7 +45,7 @@ export function Shapes({ model }: { model: PanelModel }) {
 
 function Progress({ model: { shapes, actions } }: { model: PanelModel }) {
   const id = useId()
-  // Before the run, and where it failed.
+  // Before the first run, and after an error.
   if (!shapes.isRunning.value)
     return (
       <button type="button" onClick={() => actions.attempt(() => shapes.recognise())}>
@@ -60,7 +60,7 @@ function Progress({ model: { shapes, actions } }: { model: PanelModel }) {
   )
 }
 
-/** Tells that corrections change no wrinkles by themselves. */
+/** Explains that corrections do not change existing wrinkles. */
 function Outdated({ model }: { model: PanelModel }) {
   const { session, auto, autoRun, actions } = model
   const document = session.document.value
@@ -90,7 +90,7 @@ function ShapeList({ rows, model }: { rows: readonly Row[]; model: PanelModel })
   const filter = useSignal('')
   const isUnknownOnly = useSignal(false)
   const query = filter.value.trim().toLowerCase()
-  // A row that is being corrected stays, whatever it is now.
+  // The row being corrected stays visible.
   const held = hovered.peek()?.kind === 'shape' ? hovered.peek()!.name : undefined
   const matches = (row: Row) =>
     row.name === held ||

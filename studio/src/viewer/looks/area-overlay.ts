@@ -9,13 +9,10 @@ import {
   ZeroFactor,
 } from 'three'
 
-/**
- * What full weight takes from the light of the skin, linear RGB: orange is left, and the shape is still seen. WebGL blends colours that are
- * encoded already, WebGPU before that.
- */
+/** Light absorbed at full weight, linear RGB: leaves orange and keeps the shading. WebGL blends encoded colours, WebGPU linear ones. */
 const TAKEN = { encoded: [0, 0.17, 0.65], linear: [0, 0.42, 0.9] } as const
 
-/** A mesh more that moves as another one does; hidden at first. */
+/** Adds a hidden copy of a mesh with shared geometry and morph weights. */
 export function movingCopy(mesh: Mesh, material: Material): Mesh {
   const copy = mesh.clone(false)
   copy.material = material
@@ -25,11 +22,11 @@ export function movingCopy(mesh: Mesh, material: Material): Mesh {
   return copy
 }
 
-/** Draws areas in orange over the meshes of a skin, as they move. */
+/** Draws areas in orange over the meshes of a skin. */
 export class AreaOverlay {
   readonly #copies: readonly Mesh[]
 
-  /** @param influence shows areas as gray, see `createInfluenceMaterial`; it becomes the overlay's. */
+  /** @param influence material with areas in gray, see `createInfluenceMaterial`. Modified for the overlay. */
   constructor(meshes: readonly Mesh[], influence: Material) {
     const material = asFilter(influence as Coloured)
     this.#copies = meshes.map((mesh) => movingCopy(mesh, material))
@@ -39,7 +36,7 @@ export class AreaOverlay {
     for (const copy of this.#copies) copy.visible = visible
   }
 
-  /** The material is disposed of by its owner. */
+  /** Does not dispose of the material. */
   dispose(): void {
     for (const copy of this.#copies) copy.removeFromParent()
   }
@@ -47,7 +44,7 @@ export class AreaOverlay {
 
 type Coloured = Material & { color: Color }
 
-/** Makes a material take light from what is drawn below it, by its colour. */
+/** Turns a material into a filter that multiplies the colours below it. */
 function asFilter(material: Coloured): Material {
   material.color.fromArray(TAKEN['colorNode' in material ? 'linear' : 'encoded'])
   material.transparent = true
@@ -58,7 +55,7 @@ function asFilter(material: Coloured): Material {
   material.blendDst = OneMinusSrcColorFactor
   material.blendSrcAlpha = ZeroFactor
   material.blendDstAlpha = OneFactor
-  // The same surface by another program: depths may differ in their last bit.
+  // Avoids z-fighting: depths of different programs can differ in the last bit.
   material.polygonOffset = true
   material.polygonOffsetFactor = material.polygonOffsetUnits = -1
   return material

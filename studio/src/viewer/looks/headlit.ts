@@ -8,12 +8,12 @@ import {
   SRGBColorSpace,
 } from 'three'
 
-/** Materials of meshes lit from the camera alone, made when they are first asked for: an area that is pointed at compiles nothing anew. */
+/** Cached headlit materials per mesh, so that hovering over areas compiles no shaders. */
 export class Headlit {
   readonly #materials = new Map<Mesh, Material>()
   #matcap: DataTexture | null = null
 
-  /** @param own the mesh's material, whose colours it has. */
+  /** @param own the mesh's own material, the source of its colours. */
   of(mesh: Mesh, own: Material): Material {
     const known = this.#materials.get(mesh)
     if (known) return known
@@ -29,7 +29,7 @@ export class Headlit {
   }
 }
 
-/** A material in its own colours, lit from the camera alone: quick to draw while one paints, and every place is bright. */
+/** Makes a material lit from the camera: fast, and without dark places. */
 function headlit(material: Material, matcap: DataTexture): Material {
   const { map = null, color, side, vertexColors } = material as MeshStandardMaterial
   return new MeshMatcapMaterial({
@@ -44,7 +44,7 @@ function headlit(material: Material, matcap: DataTexture): Material {
 
 const MATCAP_SIZE = 64
 
-/** How bright a surface is by the normal's place on the picture of a sphere: 1 where it faces the camera. */
+/** Makes a matcap that is 1 where the normal faces the camera. */
 function createMatcap(): DataTexture {
   const data = new Uint8Array(4 * MATCAP_SIZE * MATCAP_SIZE)
   for (let i = 0; i < MATCAP_SIZE * MATCAP_SIZE; i++) {

@@ -14,15 +14,15 @@ import { AreaOverlay, movingCopy } from './area-overlay.ts'
 import { Headlit } from './headlit.ts'
 import { StrainView } from './strain-view.ts'
 
-/** What the side with wrinkles shows: the lit face, or a technical view of it. */
+/** Display mode of the side with wrinkles. */
 export type LookName = Look['name']
 
-/** @property area shows only the influence of this area or these areas, as if fully active. */
+/** @property area shows only these areas, as if fully active. */
 export type Look =
   | { name: 'shaded' | 'clay' | 'normals' | 'strain' | 'wireframe' }
   | { name: 'influence'; area?: string | readonly string[] }
 
-/** Areas in orange on the face in its own colours, to find and to paint them. */
+/** Shows areas in orange on the face, for finding and painting them. */
 interface Marked {
   name: 'marked'
   area: readonly string[]
@@ -35,24 +35,24 @@ const TECHNICAL_BACKGROUND = new Color(0x131518)
 const WIRE_COLOUR = 0xe6b48c
 const SURFACE_COLOUR = 0x202328
 const OTHER_MESHES_COLOUR = 0x1b1e22
-/** Clay, on which light shows nothing but shape. */
+/** Clay: a uniform colour that shows only shape. */
 const CLAY = { color: 0xa39a92, roughness: 0.62 } as const
 
-/** A mesh has several materials where three-vrm draws an outline. */
+/** A mesh has several materials if three-vrm draws an outline. */
 type Materials = Mesh['material']
 
 type NormalMaps = Pick<MeshStandardMaterial, 'normalMap' | 'normalScale' | 'side'>
 
-/** Makes the same wrinkles for another mesh, on the same renderer. */
+/** Applies the same wrinkles to another mesh on the same renderer. */
 type CreateMirror = (mesh: Mesh, wrinkles: Wrinkles) => Wrinkles
 
-/** How one side is drawn. */
+/** Appearance of one side. */
 interface SideLook {
   /** Material of each mesh; null hides it. */
   materials: Map<Mesh, Materials | null>
   /** Whether the materials are lit, and so tone-mapped. */
   lit: boolean
-  /** What is drawn in the place of the skin, or over it. */
+  /** Mesh drawn in place of the skin or over it. */
   extra: 'wireframe' | 'strain' | 'marked' | null
 }
 
@@ -116,12 +116,12 @@ export class Looks {
     return TECHNICAL_BACKGROUND
   }
 
-  /** Follows the pose, now that it rests. */
+  /** Follows the pose once it stops moving. */
   follow(): void {
     this.#strain?.follow()
   }
 
-  /** Sets the materials of a side, before it is drawn. */
+  /** Sets the materials of a side before drawing it. */
   apply(side: Side): void {
     const { materials, extra } = this.#sides[side]
     for (const [mesh, material] of materials) {
@@ -134,7 +134,7 @@ export class Looks {
     this.#copyActivations()
   }
 
-  /** Gives every mesh its own material again, after both sides are drawn: others read it. */
+  /** Restores the original materials after drawing, because other code reads them. */
   restore(): void {
     for (const [mesh, material] of this.#originals) {
       mesh.material = material
@@ -164,25 +164,25 @@ export class Looks {
     return [this.#face.skin, ...this.#face.parts]
   }
 
-  /** Of a plain face it is 0 everywhere. */
+  /** Returns 0 everywhere for a plain face. */
   #influence(area?: string | readonly string[]): Material {
     if (this.#wrinkles) return this.#wrinkles.createInfluenceMaterial(area)
     return this.#keep(new MeshBasicMaterial({ color: 0x000000, toneMapped: false }))
   }
 
-  /** Normals as lighting uses them. */
+  /** Shows the normals used for lighting. */
   #normals(): Record<Side, SideLook> {
     return this.#wrinkled((maps) => new MeshNormalMaterial(maps), new MeshNormalMaterial())
   }
 
-  /** The shape alone, lit as the face is. */
+  /** Shows only the shape, lit like the face. */
   #clay(): Record<Side, SideLook> {
     const clay = new MeshStandardMaterial(CLAY)
     const sides = this.#wrinkled((maps) => new MeshStandardMaterial({ ...CLAY, ...maps }), clay)
     return { without: { ...sides.without, lit: true }, with: { ...sides.with, lit: true } }
   }
 
-  /** The skin in a material without and with wrinkles: a second `Wrinkles` patches it as the first does the skin's. */
+  /** Shows the skin in a material without and with wrinkles. A second `Wrinkles` patches the material. */
   #wrinkled(create: (maps: NormalMaps) => Material, others: Material): Record<Side, SideLook> {
     const { skin } = this.#face
     const [plain] = [this.#plain].flat()
@@ -219,14 +219,14 @@ export class Looks {
   }
 
   #wireframe(): SideLook {
-    // The surface is pushed back from its wireframe: WebGPU has no depth bias for lines.
+    // The surface is pushed back, because WebGPU has no depth bias for lines.
     const surface = new MeshBasicMaterial({ color: SURFACE_COLOUR, polygonOffset: true, toneMapped: false })
     surface.polygonOffsetFactor = 1
     surface.polygonOffsetUnits = 1
     return { ...this.#technical(this.#keep(surface)), extra: 'wireframe' }
   }
 
-  /** The skin in one material and the rest in another; alpha-cut meshes such as lashes are hidden. */
+  /** Shows the skin in one material and other meshes in another. Hides alpha-cut meshes such as lashes. */
   #technical(skin: Material, others?: Material): SideLook {
     if (!this.#materials.includes(skin)) this.#keep(skin)
     const rest =
@@ -268,7 +268,7 @@ function isCutOut({ transparent, alphaTest, alphaHash }: Material): boolean {
   return transparent || alphaTest > 0 || alphaHash
 }
 
-/** A wireframe copy of the skin that shares its morph weights; hidden at first. */
+/** Makes a hidden wireframe copy of the skin that shares its morph weights. */
 function createWireframe(skin: Mesh): Mesh {
   const material = new MeshBasicMaterial({ color: WIRE_COLOUR, wireframe: true, toneMapped: false })
   const wireframe = movingCopy(skin, material)
@@ -276,7 +276,7 @@ function createWireframe(skin: Mesh): Mesh {
   return wireframe
 }
 
-/** Label of the side with wrinkles, beside the divider. */
+/** Returns the label of the side with wrinkles. */
 export function lookLabel(look: Look, mode: WrinkleMode): string {
   if (look.name === 'influence') return look.area === undefined ? 'Influence' : [look.area].flat().join(', ')
   if (look.name === 'wireframe') return 'Wireframe'

@@ -3,7 +3,7 @@ import { isWebGL } from '../../../../stage/light.ts'
 import type { Stage } from '../../../../stage/stage.ts'
 import type { Looks, Side } from './looks.ts'
 
-/** Draws a face on both sides of the divider in one frame: without wrinkles on the left, with them on the right. */
+/** Draws both sides of the divider in one frame: without wrinkles on the left, with wrinkles on the right. */
 export class Sides {
   readonly #canvas: HTMLCanvasElement
   readonly #stage: Stage
@@ -17,7 +17,7 @@ export class Sides {
     this.#toneMapping = stage.renderer.toneMapping
   }
 
-  /** @param split fraction of the width that is drawn without wrinkles. */
+  /** @param split fraction of the width without wrinkles. */
   draw(looks: Looks, split: number): void {
     this.#drawBoth(looks, split)
     looks.restore()
@@ -39,7 +39,7 @@ export class Sides {
     this.#drawSide(looks, 'with')
   }
 
-  /** Leaves the stage as it was. */
+  /** Restores the stage's settings. */
   dispose(): void {
     const { renderer, scene } = this.#stage
     scene.background = this.#background

@@ -3,13 +3,13 @@ import { BufferAttribute, BufferGeometry, type Mesh, MeshBasicMaterial, Vector3 
 import { PoseWatch } from '../pose/pose-watch.ts'
 import { strainColour, strainOf } from './strain.ts'
 
-/** Copies of the meshes of a skin that follow its pose and show its strain in their vertices. */
+/** Shows strain in vertex colours, on copies of the skin's meshes that follow its pose. */
 export class StrainView {
   readonly #parts: { mesh: Mesh; copy: Mesh; rest: Float32Array; indices: ArrayLike<number> }[]
   readonly #material = new MeshBasicMaterial({ vertexColors: true, toneMapped: false })
   readonly #watch: PoseWatch
 
-  /** Hidden at first. */
+  /** Creates hidden copies. */
   constructor(meshes: readonly Mesh[]) {
     this.#watch = new PoseWatch(meshes)
     this.#parts = meshes.map((mesh) => {
@@ -29,7 +29,7 @@ export class StrainView {
     for (const { copy } of this.#parts) copy.visible = visible
   }
 
-  /** Measures the pose, where that is another one. */
+  /** Measures the strain if the pose changed. */
   follow(): void {
     if (!this.#watch.isNew()) return
     const point = new Vector3()
@@ -52,7 +52,7 @@ export class StrainView {
   }
 }
 
-/** With attributes of its own: to dispose of shared ones would take them from the GPU for both. */
+/** Makes a geometry with its own attributes, because disposing of shared ones would free them for both meshes. */
 function geometryOf({
   attributes,
   morphAttributes,

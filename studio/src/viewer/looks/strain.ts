@@ -1,18 +1,19 @@
 import { principalStretches, restInverse } from 'furrow/internal'
 
-/** Strain that has the full colour, and the colours of compressed skin, of skin as it rests, and of stretched skin, linear RGB. */
+/** Strain at full colour, and linear RGB of compressed, neutral and stretched skin. */
 const FULL = 0.3
 const COMPRESSED = [0.9, 0.24, 0.04] as const
 const REST = [0.2, 0.2, 0.21] as const
 const STRETCHED = [0.06, 0.3, 0.85] as const
 
 /**
- * How much a deformed surface is compressed or stretched: at each vertex the mean over its triangles, by their areas at rest, of whichever
- * principal strain is the larger one (see `principalStretches`).
+ * Measures compression and stretching of a deformed surface. Each vertex gets the mean over its triangles, weighted by area at rest,
+ * of the principal strain with the larger magnitude (see `principalStretches`).
  *
- * @param rest, posed x, y and z of each vertex.
+ * @param rest packed xyz per vertex at rest.
+ * @param posed packed xyz per vertex in the current pose.
  * @param indices three vertices per triangle.
- * @returns a number per vertex: -0.2 where the skin is compressed by a fifth, 0 at rest.
+ * @returns strain per vertex: -0.2 for skin compressed by a fifth, 0 at rest.
  */
 export function strainOf(
   rest: ArrayLike<number>,
@@ -29,7 +30,7 @@ export function strainOf(
     principalStretches(stretches, inverse, 0, a, b, c, posed)
     const [least, most] = [stretches[0] - 1, stretches[1] - 1]
     const strain = -least > most ? least : most
-    // 1 / (along * height), twice the area.
+    // 1 / (along * height) is twice the area.
     const area = 1 / (inverse[0] * inverse[2])
     for (const vertex of [a, b, c]) {
       sums[vertex] += area * strain
@@ -39,7 +40,7 @@ export function strainOf(
   return sums.map((sum, i) => (areas[i] > 0 ? sum / areas[i] : 0))
 }
 
-/** Linear RGB of a strain: orange where skin is compressed, blue where it is stretched. */
+/** Returns the linear RGB of a strain: orange for compression, blue for stretching. */
 export function strainColour(strain: number): [r: number, g: number, b: number] {
   const t = Math.min(1, Math.abs(strain) / FULL)
   const full = strain < 0 ? COMPRESSED : STRETCHED

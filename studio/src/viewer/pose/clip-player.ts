@@ -5,13 +5,13 @@ import { splitWeights } from './split-weights.ts'
 
 export interface ClipPlayerParts {
   viewer: ReadonlySignal<Pick<Viewer, 'move'> | null>
-  /** Called before a clip begins to move the face: nothing else moves it then. */
+  /** Called before a clip moves the face, to stop other motion. */
   begin(): void
-  /** The pose is another one, and a frame is to be drawn. */
+  /** Called after the pose changed. A frame must be drawn. */
   onPose(): void
 }
 
-/** Plays key frames on the face: animations of its file, and captures. Nothing plays by itself. */
+/** Plays key frames on the face: animations of its file, and captures. Never starts automatically. */
 export class ClipPlayer {
   readonly #parts: ClipPlayerParts
   readonly #clips = signal<readonly AnimationClip[]>([])
@@ -20,12 +20,12 @@ export class ClipPlayer {
   readonly #isPlaying = signal(false)
   readonly #isShown = signal(false)
   #mixer: AnimationMixer | null = null
-  /** While the clip moves the face. */
+  /** Current action, or null while no clip moves the face. */
   #action: AnimationAction | null = null
 
-  /** Whether a clip begins again at its end. */
+  /** Whether clips loop. */
   readonly isLooped = signal(true)
-  /** Seconds of a clip per second. */
+  /** Playback rate. */
   readonly speed: Signal<number> = signal(1)
 
   constructor(parts: ClipPlayerParts) {
@@ -36,12 +36,12 @@ export class ClipPlayer {
     return this.#clips
   }
 
-  /** The clip that is chosen; null where there is none. */
+  /** Chosen clip, or null. */
   get clip(): ReadonlySignal<AnimationClip | null> {
     return this.#clip
   }
 
-  /** Seconds from the clip's begin. */
+  /** Clip time, seconds. */
   get time(): ReadonlySignal<number> {
     return this.#time
   }
@@ -50,12 +50,12 @@ export class ClipPlayer {
     return this.#isPlaying
   }
 
-  /** Whether the face has the clip's pose, playing or not. */
+  /** Whether the face has the clip's pose, playing or paused. */
   get isShown(): ReadonlySignal<boolean> {
     return this.#isShown
   }
 
-  /** Begins with another avatar and the clips of its file. */
+  /** Opens an avatar with the clips of its file. */
   open(root: Object3D, animations: readonly AnimationClip[]): void {
     this.#action = null
     this.#isShown.value = this.#isPlaying.value = false
@@ -65,13 +65,13 @@ export class ClipPlayer {
     this.#time.value = 0
   }
 
-  /** Adds a clip, and chooses it. One of the same name is replaced. */
+  /** Adds and chooses a clip. Replaces a clip of the same name. */
   add(clip: AnimationClip): void {
     this.#clips.value = [...this.#clips.value.filter(({ name }) => name !== clip.name), clip]
     this.choose(clip)
   }
 
-  /** Chooses a clip; it plays on where another one did. */
+  /** Chooses a clip. Starts it if another clip was playing. */
   choose(clip: AnimationClip): void {
     const isPlaying = this.#isPlaying.peek()
     this.stop()
@@ -79,7 +79,7 @@ export class ClipPlayer {
     if (isPlaying) this.play()
   }
 
-  /** Plays the clip from where it stands, or again where it is at its end. */
+  /** Plays the clip from its current time, or from the start if it has ended. */
   play(): void {
     const clip = this.#clip.peek()
     if (!clip) return
@@ -92,7 +92,7 @@ export class ClipPlayer {
     this.#isPlaying.value = false
   }
 
-  /** Pauses at a time in seconds. */
+  /** Seeks to a time in seconds and pauses. */
   scrub(time: number): void {
     this.pause()
     this.#seek(time)
@@ -110,7 +110,7 @@ export class ClipPlayer {
     this.#parts.onPose()
   }
 
-  /** Gives the face the pose back that it had before the clip. */
+  /** Stops the clip and restores the pose before it. */
   stop(): void {
     this.#isPlaying.value = false
     this.#time.value = 0

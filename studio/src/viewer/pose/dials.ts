@@ -2,7 +2,7 @@ import { canonicalTargetName } from 'furrow/internal'
 import type { Mesh, Object3D } from 'three'
 import type { Wrinkles } from '../../../../stage/stage.ts'
 
-/** A number in 0..1 that a slider shows and sets. */
+/** Number in 0..1 controlled by a slider. */
 export interface Dial {
   readonly name: string
   read(): number
@@ -15,7 +15,7 @@ export interface ShapeGroup<T extends { readonly name: string }> {
   readonly shapes: T[]
 }
 
-/** Groups of blendshapes by the prefixes of their names, in the order in which they are shown. The last takes the rest. */
+/** Groups by name prefix, in display order. The last one takes the rest. */
 const GROUPS: readonly [name: string, prefix: RegExp][] = [
   ['Brows', /^brow/i],
   ['Eyes', /^eye/i],
@@ -29,20 +29,20 @@ const GROUPS: readonly [name: string, prefix: RegExp][] = [
 export function areaDials(wrinkles: Wrinkles): Dial[] {
   return wrinkles.areaNames.map((name) => ({
     name,
-    // An area that was removed may have a slider until the next render.
+    // The slider of a removed area exists until the next render.
     read: () => (wrinkles.hasArea(name) ? wrinkles.getActivation(name) : 0),
     write: (value) => wrinkles.setActivation(name, value),
   }))
 }
 
-/** A blendshape of a mesh: its index by its name there, and the weights by index. */
+/** Blendshape of a mesh: index by name, spelling of the name, and weights by index. */
 interface Binding {
   indices: Record<string, number>
   spelling: string
   weights: number[]
 }
 
-/** One dial per blendshape for all meshes that have it: skin, eyes, teeth and tongue move together. */
+/** Makes one dial per blendshape for all meshes that have it, so that skin, eyes, teeth and tongue move together. */
 export function targetDials(root: Object3D): Dial[] {
   const bindings = new Map<string, Binding[]>()
   root.traverse((object) => {
@@ -55,7 +55,7 @@ export function targetDials(root: Object3D): Dial[] {
   })
   return [...bindings].map(([name, targets]) => ({
     name,
-    // A muscle that was removed may have a slider until the next render, and changes the indices of others.
+    // The slider of a removed muscle exists until the next render. Removal also changes other indices.
     read: () => {
       const [{ indices, spelling, weights }] = targets
       return weights[indices[spelling]] ?? 0
@@ -68,7 +68,7 @@ export function targetDials(root: Object3D): Dial[] {
   }))
 }
 
-/** Groups blendshapes by region, in the order in which regions are shown. */
+/** Groups blendshapes by region, in display order. */
 export function groupShapes<T extends { readonly name: string }>(shapes: readonly T[]): ShapeGroup<T>[] {
   const groups = GROUPS.map(([name]) => ({ name, shapes: [] as T[] }))
   for (const shape of shapes)

@@ -4,11 +4,11 @@ import type { Dial } from './dials.ts'
 import { FaceDrivers, type FaceState } from './face-drivers.ts'
 
 /**
- * The areas of the face that is shown, as its drivers activate them. They run here instead of in the engine, so that the areas' sliders
- * follow at once; an area that was set by hand stays as it is until what drives it changes.
+ * Areas of the shown face, activated by drivers. Evaluated here instead of in the engine, so that sliders follow immediately. An area
+ * set by hand keeps its activation until its inputs change.
  */
 export class DrivenAreas implements FaceState {
-  /** Numbers that an application would set for drivers, by name: age in years, stress. */
+  /** Custom inputs by name, set by the application: age in years, stress. */
   readonly inputs = new Map<string, number>()
   readonly resting = new Map<string, number>()
   #wrinkles: Wrinkles | null = null
@@ -18,7 +18,7 @@ export class DrivenAreas implements FaceState {
     return this.#drivers
   }
 
-  /** Takes the areas of other wrinkles, as they are at rest, and their drivers; `drive` then sets the areas. Null for a plain face. */
+  /** Takes over the resting areas and drivers of other wrinkles, or of a plain face. Call `drive` to set the areas. */
   wear(
     wrinkles: Wrinkles | null,
     areas: WrinkleSet<unknown>['areas'],
@@ -31,7 +31,7 @@ export class DrivenAreas implements FaceState {
     this.#drivers = new FaceDrivers(wrinkles, drivers, this)
   }
 
-  /** Lets other drivers activate the areas. */
+  /** Replaces the drivers. */
   setDrivers(drivers: readonly WrinkleDriver[]): void {
     const before = this.#drivers.areaNames
     this.#drivers = new FaceDrivers(this.#wrinkles, drivers, this)
@@ -40,13 +40,13 @@ export class DrivenAreas implements FaceState {
     this.drive()
   }
 
-  /** Sets all areas that are driven as the face's pose has them. */
+  /** Sets all driven areas to the current pose. */
   drive(): void {
     const activations = this.#drivers.evaluate()
     for (const [i, name] of this.#drivers.areaNames.entries()) this.#setActivation(name, activations[i])
   }
 
-  /** Changes what drivers read, and sets the areas whose activation that changes; the others stay as they were set by hand. */
+  /** Runs a change of inputs and updates the areas whose activation it changes. Other areas keep activations set by hand. */
   driveAfter(change: () => void, isWanted: (area: string) => boolean = () => true): void {
     const before = this.#drivers.evaluate().slice()
     change()
@@ -56,18 +56,18 @@ export class DrivenAreas implements FaceState {
     }
   }
 
-  /** Shows another activation at rest. */
+  /** Changes the activation of an area at rest. */
   rest(area: string, activation: number): void {
     this.driveAfter(() => this.resting.set(area, activation))
     if (!this.#drivers.areaNames.includes(area)) this.#setActivation(area, activation)
   }
 
-  /** Existing areas that a blendshape drives. */
+  /** Returns the existing areas driven by a blendshape. */
   drivenBy(target: string): string[] {
     return this.#drivers.areasOf(target).filter((name) => this.#wrinkles?.hasArea(name))
   }
 
-  /** Of a number that an application would set for drivers, in its own unit. */
+  /** Custom input: a number set by the application, in its own unit. */
   inputDial(name: string): Dial {
     return {
       name,

@@ -3,10 +3,10 @@ import { expressionsOf, faceExpressions, targetFinder } from 'furrow/internal'
 import type { FaceDrivers } from './face-drivers.ts'
 
 /**
- * The expressions that a face can show: those of its file and its VRM, or presets for which it has shapes. The first one names every
- * blendshape, and every area that another one names or nothing drives, so that each expression sets all of them.
+ * Returns the expressions of a face: authored ones, those of its VRM, or presets that its shapes support. The first one also resets
+ * every blendshape and every area that no driver controls or another expression sets.
  *
- * @param restOf the resting activation of an area.
+ * @param restOf returns the resting activation of an area.
  */
 export function completeExpressions(
   drivers: FaceDrivers,

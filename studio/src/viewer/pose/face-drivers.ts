@@ -12,20 +12,17 @@ import {
 import { bindInputs, bindTension } from 'furrow/internal/three'
 import type { Wrinkles } from '../../../../stage/stage.ts'
 
-/** What the face has beyond its mesh. Both maps are read whenever the drivers are evaluated. */
+/** State of the face beyond its mesh. Read at each evaluation of the drivers. */
 export interface FaceState {
-  /** Numbers that an application would set, by name: age, stress. */
+  /** Custom inputs by name, set by the application: age, stress. */
   readonly inputs: ReadonlyMap<string, number>
-  /** Activations at rest by area, 0..1; 0 where there is none. */
+  /** Resting activations by area, 0..1. Default 0. */
   readonly resting: ReadonlyMap<string, number>
 }
 
 const MEASURED = ['target', 'joint', 'tension'] as const
 
-/**
- * Drivers of all types on the face that is shown, as the engine runs them, but for delays: sliders follow at once, and show what an area
- * comes to.
- */
+/** Runs drivers of all types on the shown face like the engine, except delays: sliders show the final activation immediately. */
 export class FaceDrivers {
   readonly list: readonly WrinkleDriver[]
   readonly #plan: DriverPlan
@@ -35,7 +32,7 @@ export class FaceDrivers {
   readonly #values: ReturnType<typeof valueSource>
   readonly #read: () => void
 
-  /** @param wrinkles null for a plain face, which has nothing to drive. */
+  /** @param wrinkles null for a plain face, without driven areas. */
   constructor(wrinkles: Wrinkles | null, list: readonly WrinkleDriver[], face: FaceState) {
     this.list = list
     this.#face = face
@@ -55,7 +52,7 @@ export class FaceDrivers {
     return this.#plan.areaNames
   }
 
-  /** Activations, 0..1, in the present pose; overwritten by the next call. */
+  /** Evaluates activations, 0..1, in the current pose. The result is overwritten by the next call. */
   evaluate(): Float32Array {
     const { inputs, resting } = this.#face
     const { names, initial } = this.#values
@@ -66,7 +63,7 @@ export class FaceDrivers {
     return this.#state.activations
   }
 
-  /** What each driver gives in the present pose, in their order; null for those that activate nothing. */
+  /** Returns the contribution of each driver in the current pose, or null if it activates nothing. */
   contributions(): (Contribution | null)[] {
     this.evaluate()
     const { activations } = this.#program
@@ -77,7 +74,7 @@ export class FaceDrivers {
     })
   }
 
-  /** Lines of text: what each driver gives to an area in the present pose, and the part of each input in it. */
+  /** Returns lines of text with each driver's contribution to an area, and the share of each input. */
   explain(area: string): string[] {
     this.evaluate()
     const lines = this.#program.activations.flatMap(({ activation }, i) => {
@@ -91,14 +88,14 @@ export class FaceDrivers {
     return lines.length > 0 ? lines : [`${area} has no driver: only its slider moves it`]
   }
 
-  /** Names of the blendshapes that drive an area, as on their sliders. */
+  /** Returns the blendshapes that drive an area, by dial name. */
   targetsOf(area: string): string[] {
     return this.#plan.activations
       .filter(({ activation }) => activation.area === area)
       .flatMap(({ activation }) => targetNames(activation.links))
   }
 
-  /** Areas that a blendshape drives. */
+  /** Returns the areas driven by a blendshape. */
   areasOf(target: string): string[] {
     const driven = this.#plan.activations.filter(({ activation }) =>
       targetNames(activation.links).includes(target),
@@ -106,7 +103,7 @@ export class FaceDrivers {
     return [...new Set(driven.map(({ activation }) => activation.area))]
   }
 
-  /** The value of an input that an application would set. */
+  /** Returns the value of a custom input. */
   input(name: string): number {
     return this.#face.inputs.get(name) ?? this.#values.initial[this.#values.names.indexOf(name)] ?? 0
   }

@@ -5,23 +5,23 @@ import type { Wrinkles } from '../../../../stage/stage.ts'
 import { completeExpressions } from './expressions.ts'
 import type { FaceDrivers } from './face-drivers.ts'
 
-/** The expressions of the face that is shown, and the transition to one of them. */
+/** Expressions of the shown face, and transitions between them. */
 export class FaceExpressions {
   readonly #root: Object3D
   readonly #vrm: readonly Expression[]
   /** Null for a face without blendshapes. */
   #player: ExpressionPlayer | null = null
   #list: readonly Expression[] = []
-  /** Seconds of the transition. */
+  /** Remaining seconds of the transition. */
   #remaining = 0
 
-  /** @param vrm the expressions of a VRM. */
+  /** @param vrm expressions of a VRM. */
   constructor(root: Object3D, vrm: readonly Expression[]) {
     this.#root = root
     this.#vrm = vrm
   }
 
-  /** Takes those of other drivers, blendshapes or areas. A transition that is under way is not continued. */
+  /** Rebuilds the expressions for changed drivers, blendshapes or areas. Stops a running transition. */
   renew(
     drivers: FaceDrivers,
     wrinkles: Wrinkles | null,
@@ -38,12 +38,12 @@ export class FaceExpressions {
     return this.#list
   }
 
-  /** Whether a transition to an expression is under way. */
+  /** Whether a transition is running. */
   get moving(): boolean {
     return this.#remaining > 0
   }
 
-  /** Whether expressions name an area, which they then set; the others follow the face. */
+  /** Whether expressions set an area directly. Other areas follow the face. */
   sets(area: string): boolean {
     return this.#list.slice(1).some(({ activations }) => area in activations)
   }

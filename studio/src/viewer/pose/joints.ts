@@ -1,9 +1,6 @@
 import type { Bone, Mesh, Object3D } from 'three'
 
-/**
- * The joints of an avatar, each after the one that it hangs on, by their names in the file: its bones, or all nodes with a name where it has
- * none.
- */
+/** Lists the joints of an avatar with their parents, by name in the file, parents first. Without bones, lists all named nodes. */
 export function jointsOf(root: Object3D): [from: string, joint: string][] {
   const nodes: Object3D[] = []
   root.traverse((node) => {
@@ -14,7 +11,7 @@ export function jointsOf(root: Object3D): [from: string, joint: string][] {
   return (bones.length > 0 ? bones : nodes).map((node) => [nameOf(node.parent!), nameOf(node)])
 }
 
-/** GLTFLoader keeps the name in the file where it had to change it. */
+/** GLTFLoader keeps the original name in `userData` if it renamed the node. */
 function nameOf({ name, userData }: Object3D): string {
   return typeof userData.name === 'string' ? userData.name : name
 }

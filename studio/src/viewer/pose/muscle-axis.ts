@@ -1,15 +1,15 @@
 import type { GrayImage } from 'furrow'
 import type { Mesh } from 'three'
 
-/** Metres from the middle of the skin that a muscle pulls to where it is attached: about that of the forehead's. */
+/** Length of a muscle, metres: close to that of the forehead's. */
 const LENGTH = 0.03
 
 type Vector = [number, number, number]
 
 /**
- * Where a muscle would be attached that pulls the skin of an area upwards: at the middle of the area, and above it.
+ * Suggests attachments for a muscle that pulls an area upwards: the middle of the area, and a point above it.
  *
- * @returns null where no skin is under the area.
+ * @returns null if no skin lies under the area.
  */
 export function muscleAxis(
   { geometry }: Mesh,

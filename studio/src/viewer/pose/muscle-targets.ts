@@ -4,17 +4,17 @@ import { coordinates, trianglesOf } from 'furrow/internal/three'
 import { addMuscles } from 'furrow/three'
 import type { BufferAttribute, BufferGeometry, Mesh } from 'three'
 
-/** The muscles of a face as blendshapes of its meshes, which follow the document. */
+/** Blendshapes for the muscles of a face, in sync with the document. */
 export class MuscleTargets {
   readonly #meshes: readonly Mesh[]
-  /** Those that are not blendshapes of the file. */
+  /** Muscles whose blendshapes are not in the file. */
   readonly #made = new Map<string, MuscleDriver>()
 
   constructor(meshes: readonly Mesh[]) {
     this.#meshes = meshes
   }
 
-  /** Adds those that are new, removes those that are gone, and lets the others pull as they do now. */
+  /** Adds, updates and removes the blendshapes of muscles. */
   update(muscles: readonly MuscleDriver[]): void {
     for (const name of this.#made.keys()) {
       if (muscles.some((muscle) => muscle.name === name)) continue
@@ -34,7 +34,7 @@ export class MuscleTargets {
   }
 }
 
-/** Removes a blendshape; what reads blendshapes by their indices is to find them again. */
+/** Removes a blendshape. Callers must look up cached indices again. */
 function removeTarget(meshes: readonly Mesh[], name: string): void {
   const indices = new Map<BufferGeometry, number>()
   for (const { geometry, morphTargetDictionary: dictionary, morphTargetInfluences } of meshes) {
@@ -45,14 +45,14 @@ function removeTarget(meshes: readonly Mesh[], name: string): void {
     delete dictionary![name]
     for (const other of Object.keys(dictionary!)) if (dictionary![other] > index) dictionary![other]--
   }
-  // Meshes may have a geometry in common.
+  // Meshes can share a geometry.
   for (const [geometry, index] of indices) {
     for (const offsets of Object.values(geometry.morphAttributes)) offsets?.splice(index, 1)
     geometry.dispose()
   }
 }
 
-/** Computes the blendshape of a muscle anew. */
+/** Recomputes the blendshape of a muscle. */
 function pullAgain({ geometry, morphTargetDictionary }: Mesh, muscle: MuscleDriver): void {
   const index = morphTargetDictionary![muscle.name]
   const positions = coordinates(geometry.getAttribute('position'))
@@ -63,7 +63,7 @@ function pullAgain({ geometry, morphTargetDictionary }: Mesh, muscle: MuscleDriv
     const changes = morphNormalDeltas({ positions, normals, triangles: trianglesOf(geometry) })
     write(geometry, 'normal', index, normals, changes(offsets))
   }
-  // Renderers keep all blendshapes of a geometry in one texture, which they make once.
+  // Renderers cache all blendshapes of a geometry in one texture.
   geometry.dispose()
 }
 

@@ -1,26 +1,26 @@
 import { driversOf, type Expression, type WrinkleDriver } from 'furrow'
 import { canonicalTargetName, explain } from 'furrow/internal'
 
-/** Activation from which on an expression shows an area. */
+/** Minimum activation for an expression to show an area. */
 const SHOWN = 0.2
 
-/** A pose that shows an area or a blendshape: weights of blendshapes, all others 0, and activations of areas that an expression sets itself. */
+/** Pose that shows an area or a blendshape: blendshape weights (others are 0), and activations that an expression sets directly. */
 export interface Performance {
   readonly targets: ReadonlyMap<string, number>
   readonly activations: ReadonlyMap<string, number>
 }
 
-/** The pose of one blendshape alone. */
+/** Returns the pose of a single blendshape. */
 export function poseOfTarget(name: string): Performance {
   return { targets: new Map([[canonicalTargetName(name), 1]]), activations: new Map() }
 }
 
 /**
- * Finds the expression that drives an area most; where none does, the blendshapes that its drivers read, fully set.
+ * Finds the expression that activates an area most. Falls back to the blendshapes that its drivers read, at full weight.
  *
- * @param drivers of the face; joints, tension and the application's inputs are left as they rest.
- * @param targetNames of the face's blendshapes.
- * @returns null where no blendshape shows the area.
+ * @param drivers drivers of the face. Joints, tension and custom inputs stay at rest.
+ * @param targetNames blendshapes of the face.
+ * @returns null if no blendshape shows the area.
  */
 export function performanceOf(
   area: string,

@@ -5,11 +5,11 @@ import type { Viewer } from '../viewer.ts'
 import type { Dial } from './dials.ts'
 import { poseOfTarget } from './performance.ts'
 
-/** Milliseconds from when something is pointed at until the face performs, and seconds that it takes to. */
+/** Milliseconds of hovering before a preview, and seconds of its transition. */
 const DELAY = 150
 const TIME = 0.35
 
-/** Numbers by the names of dials. */
+/** Values by dial name. */
 type Numbers = ReadonlyMap<string, number>
 
 interface Pose {
@@ -19,17 +19,17 @@ interface Pose {
 
 export interface PerformerParts {
   viewer: ReadonlySignal<Viewer | null>
-  /** Set while the face performs. */
+  /** Set during a preview. */
   isSideLit: Signal<boolean>
-  /** The pose is another one, and a frame is to be drawn. */
+  /** Called after the pose changed. A frame must be drawn. */
   onPose(): void
 }
 
-/** Lets the face show what is pointed at: an area by its expression, or a blendshape. A preview: the pose before comes back. */
+/** Previews hovered controls on the face: the expression of an area, or a blendshape. Restores the pose afterwards. */
 export class Performer {
   readonly #parts: PerformerParts
   #timer = 0
-  /** Before the face began to perform. */
+  /** Pose before the preview. */
   #before: Pose | null = null
   #transition: { from: Pose; to: Pose; elapsed: number; isRelaxing: boolean } | null = null
 
@@ -41,14 +41,14 @@ export class Performer {
     return this.#transition !== null
   }
 
-  /** Points at something; null at nothing. */
+  /** Starts a preview after a delay. Null ends the preview. */
   request(shown: Hovered | null): void {
     clearTimeout(this.#timer)
     if (!shown) this.#relax()
     else this.#timer = window.setTimeout(() => this.#perform(shown), DELAY)
   }
 
-  /** Ends the preview at once: before anything else moves the face, or reads its pose. */
+  /** Ends the preview immediately. Call before other code moves the face or reads its pose. */
   settle(): void {
     clearTimeout(this.#timer)
     const viewer = this.#parts.viewer.peek()
@@ -123,7 +123,7 @@ function between(from: Numbers, to: Numbers, t: number): Numbers {
   )
 }
 
-/** Blendshapes first: areas that were set by hand are not what these drive. */
+/** Writes blendshapes first, because they change driven areas, which may have been set by hand. */
 function write({ targets, areas }: Viewer, pose: Pose): void {
   const writeAll = (dials: readonly Dial[], numbers: Numbers) => {
     for (const dial of dials) {

@@ -1,6 +1,6 @@
 import type { BufferAttribute, Mesh, Object3D, SkinnedMesh } from 'three'
 
-/** Tells when the pose of a face is another one: its blendshapes, its joints, or where it stands. */
+/** Detects pose changes of a face: blendshapes, joints and placement. */
 export class PoseWatch {
   readonly #meshes: readonly Mesh[]
   #pose: number[] = []
@@ -9,7 +9,7 @@ export class PoseWatch {
     this.#meshes = meshes
   }
 
-  /** Whether the pose is another one than at the last call; true at the first one. */
+  /** Whether the pose changed since the last call. True at the first call. */
   isNew(): boolean {
     const pose = this.#read()
     const last = this.#pose
@@ -23,7 +23,7 @@ export class PoseWatch {
     for (const root of new Set(this.#meshes.map(rootOf))) root.updateMatrixWorld()
     for (const mesh of this.#meshes) {
       pose.push(...(mesh.morphTargetInfluences ?? []), ...mesh.matrixWorld.elements)
-      // A muscle that pulls otherwise.
+      // Muscle offsets changed.
       for (const offsets of mesh.geometry.morphAttributes.position ?? [])
         pose.push((offsets as BufferAttribute).version ?? 0)
       const bones = (mesh as Partial<SkinnedMesh>).skeleton?.bones ?? []

@@ -1,8 +1,8 @@
 import { AnimationClip, type KeyframeTrack, NumberKeyframeTrack } from 'three'
 
 /**
- * A clip of a file with a track per blendshape in the place of one for all of a mesh: muscles make that list longer, and three.js then
- * writes beyond the track's own numbers.
+ * Splits the weight tracks of a clip into one track per blendshape. Muscles add blendshapes to a mesh, and three.js would then write
+ * beyond the values of a joint track.
  */
 export function splitWeights({ name, duration, tracks }: AnimationClip): AnimationClip {
   return new AnimationClip(
@@ -12,7 +12,7 @@ export function splitWeights({ name, duration, tracks }: AnimationClip): Animati
   )
 }
 
-/** How GLTFLoader has a track interpolated; types do not know of it. */
+/** GLTFLoader's mark for cubic interpolation, missing in the type definitions. */
 interface Interpolated {
   createInterpolant: { isInterpolantFactoryMethodGLTFCubicSpline?: true }
 }
@@ -20,7 +20,7 @@ interface Interpolated {
 function splitTrack(track: KeyframeTrack): KeyframeTrack[] {
   const { createInterpolant } = track as unknown as Interpolated
   const isCubic = createInterpolant.isInterpolantFactoryMethodGLTFCubicSpline
-  // A cubic key frame is all in-tangents, all values and all out-tangents.
+  // A cubic key frame contains all in-tangents, then all values, then all out-tangents.
   const count = track.getValueSize() / (isCubic ? 3 : 1)
   return Array.from({ length: count }, (_, target) => {
     const values = track.values.filter((_, i) => i % count === target)

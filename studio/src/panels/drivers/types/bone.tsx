@@ -45,7 +45,7 @@ function BoneForm({ driver, index, context }: FormProps<BoneDriver>) {
         label="Measure"
         value={measure}
         options={MEASURES}
-        // Degrees and millimetres have no curve in common.
+        // Degrees and millimetres need different curves.
         onChange={(next) =>
           set('measure', {
             measure: next as BoneDriver['measure'],
@@ -77,7 +77,7 @@ function BoneForm({ driver, index, context }: FormProps<BoneDriver>) {
   )
 }
 
-/** Curves to begin with: radians, to a right angle, and metres. */
+/** Default curves: radians up to a right angle, and metres. */
 const CURVES: Record<BoneDriver['measure'], BoneDriver['curve']> = {
   angle: [
     [0, 0],

@@ -23,11 +23,11 @@ const KINDS: readonly (readonly [MuscleDriver['kind'], string])[] = [
 /** Degrees per radian. */
 const DEGREES = 180 / Math.PI
 
-/** A virtual muscle: where it is attached, how far it reaches and how much it pulls. */
+/** Form of a virtual muscle: attachments, range and strength. */
 function MuscleForm({ driver, index, context }: FormProps<MuscleDriver>) {
   const { kind, origin, insertion, angle, width, inner, outer } = driver
   const { editor } = context
-  // Positions are metres, and are read in millimetres.
+  // Positions are stored in metres and displayed in millimetres.
   const set = (fields: Partial<MuscleDriver>) => {
     editor.set(index, Object.keys(fields)[0], fields)
     editor.settle()

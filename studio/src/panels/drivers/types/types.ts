@@ -11,20 +11,20 @@ import { muscle } from './muscle.tsx'
 import { tension } from './tension.tsx'
 import { time } from './time.tsx'
 
-/** Types in the order in which they are offered. */
+/** Driver types in menu order. */
 const TYPES = { morph, area, tension, bone, age, input, muscle, time, expression } satisfies {
   readonly [type in AreaDriverType]: unknown
 }
 
-/** Names of the types that an area may have, in the order in which they are offered. */
+/** Driver types of an area, in menu order. */
 export const AREA_DRIVER_TYPES = Object.keys(TYPES) as readonly AreaDriverType[]
 
-/** How the studio shows drivers of a type; undefined for one that this version does not know. */
+/** Returns the definition of a driver type, or undefined if the type is unknown. */
 export function driverTypeOf(type: string): DriverType<WrinkleDriver> | undefined {
   return (TYPES as unknown as Record<string, DriverType<WrinkleDriver>>)[type]
 }
 
-/** Creates a driver to begin with; null if the face or the document has nothing that it could read. */
+/** Creates a driver with defaults, or returns null if the face or the document has no suitable input. */
 export function createDriver(
   type: AreaDriverType,
   area: string,
