@@ -1,6 +1,6 @@
 import type { Accessor, Document } from '@gltf-transform/core'
 
-/** Returns a function that creates accessors of a document in its first buffer. */
+/** Returns a function that creates accessors in the document's first buffer. */
 export function accessorsOf(document: Document) {
   const buffer = document.getRoot().listBuffers()[0] ?? document.createBuffer()
   return (

@@ -1,10 +1,10 @@
 import type { Accessor, Document, Mesh, Node, Primitive } from '@gltf-transform/core'
 import { accessorsOf } from './accessors.ts'
 
-/** Metres by which the shipped face is above the floor on a body of its size. */
+/** Height of the shipped face above the floor on a body of its size, metres. */
 export const HEAD_HEIGHT = 0.88
 
-/** Boxes of a body in a T pose, in metres, and the joint that moves each. */
+/** Body boxes in a T pose, metres, with the joint that moves each. */
 const BODY: readonly { joint: string; min: readonly number[]; max: readonly number[] }[] = [
   { joint: 'Spine', min: [-0.19, 0.92, -0.13], max: [0.19, 1.46, 0.08] },
   { joint: 'Arm.L', min: [0.19, 1.36, -0.1], max: [0.82, 1.44, 0] },
@@ -13,7 +13,7 @@ const BODY: readonly { joint: string; min: readonly number[]; max: readonly numb
   { joint: 'Hips', min: [-0.17, 0, -0.12], max: [-0.02, 0.92, 0.05] },
 ]
 
-/** Where joints are, in centimetres: each is a child of the one before it, or of `of`. */
+/** Joint positions, centimetres. Children of `of`, or of the armature. */
 const JOINTS: readonly { name: string; of?: string; at: [number, number, number] }[] = [
   { name: 'Hips', at: [0, 92, -3] },
   { name: 'Spine', of: 'Hips', at: [0, 105, -3] },
@@ -23,10 +23,10 @@ const JOINTS: readonly { name: string; of?: string; at: [number, number, number]
 ]
 
 /**
- * Gives the shipped face a body, as avatars have one: all meshes are skinned to joints in centimetres, below a node that is scaled by
- * 0.01, and the skin of head and body is one mesh with one material.
+ * Gives the shipped face a body like an avatar's. All meshes are skinned to joints in centimetres under a node scaled
+ * by 0.01, and head and body skin share one mesh and material.
  *
- * @param bodyShapes blendshapes of the whole body to add to the skin, which make it wider.
+ * @param bodyShapes names of extra blendshapes that widen the whole body.
  */
 export function addBody(document: Document, bodyShapes: readonly string[] = []): void {
   const scene = document.getRoot().listScenes()[0]!
@@ -54,7 +54,7 @@ export function addBody(document: Document, bodyShapes: readonly string[] = []):
   }
 }
 
-/** Turns the scene by an angle round the upright axis, in degrees. */
+/** Rotates the scene about the vertical axis, degrees. */
 export function turnScene(document: Document, degrees: number): void {
   const scene = document.getRoot().listScenes()[0]!
   const half = (degrees * Math.PI) / 360
@@ -67,7 +67,7 @@ function indexOf(joint: string): number {
   return JOINTS.findIndex(({ name }) => name === joint)
 }
 
-/** Joints with inverse bind matrices from metres. */
+/** Creates the joints, with inverse bind matrices that take metres. */
 function makeSkin(document: Document, armature: Node) {
   const skin = document.createSkin()
   const byName = new Map<string, { node: Node; at: readonly number[] }>()
@@ -93,7 +93,7 @@ function raise(primitive: Primitive): void {
   }
 }
 
-/** Appends the boxes to the vertices and triangles of the skin. */
+/** Appends the body boxes to the skin's vertices and triangles. */
 function joinBody(document: Document, mesh: Mesh, shapes: readonly string[]): void {
   const accessor = accessorsOf(document)
   const [primitive] = mesh.listPrimitives()

@@ -1,6 +1,6 @@
 import { BufferAttribute, Mesh, MeshStandardMaterial, PlaneGeometry } from 'three'
 
-/** A square with blendshapes of these names, which move nothing. */
+/** Returns a square with blendshapes that move nothing. */
 export function blendMesh(...names: string[]): Mesh<PlaneGeometry, MeshStandardMaterial> {
   const geometry = new PlaneGeometry()
   geometry.morphTargetsRelative = true

@@ -1,6 +1,6 @@
 import type { Area, Layer, LayerKind, RgbaImage, WrinkleSet } from 'furrow'
 
-/** Random bytes; independent texels are the hardest case of sampling. */
+/** Random bytes. Independent texels are the hardest case for sampling. */
 export function randomImage(random: () => number, width: number, height = width): RgbaImage {
   return { width, height, data: Uint8Array.from({ length: width * height * 4 }, () => random() * 256) }
 }
@@ -42,7 +42,7 @@ export function layer(name: string, kind: LayerKind, normal: RgbaImage): Layer {
   return { name, kind, normal }
 }
 
-/** JSON of the smallest wrinkle set: one image is both the layer and the area. */
+/** JSON of the smallest wrinkle set. One image serves as layer and area. */
 export function setOf(image: string): object {
   return {
     version: 1,

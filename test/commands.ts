@@ -1,6 +1,6 @@
 import type { Command } from 'commander'
 
-/** Commands by their names, each loaded when it first runs. */
+/** Commands by name, loaded on first use. */
 const COMMANDS = {
   activations: async () => (await import('../packages/cli/src/commands/activations.ts')).activationsCommand,
   array: async () => (await import('../packages/cli/src/commands/array.ts')).arrayCommand,
@@ -21,7 +21,7 @@ const COMMANDS = {
 export type CommandName = keyof typeof COMMANDS
 export const COMMAND_NAMES = Object.keys(COMMANDS) as CommandName[]
 
-/** The command `furrow NAME`. */
+/** Returns the command `furrow NAME`. */
 export function commandOf(name: CommandName): Promise<Command> {
   return COMMANDS[name]()
 }

@@ -1,4 +1,4 @@
-/** The checksum of a PNG's chunks (PNG, annex D). */
+/** Computes the checksum of a PNG chunk (PNG, annex D). */
 export function crc32(bytes: Uint8Array): number {
   let crc = 0xffffffff
   for (const byte of bytes) {

@@ -1,7 +1,7 @@
 import type { WrinkleDriver } from 'furrow'
 import { DriverProgram, planDrivers, targetSource, valueSource } from 'furrow/internal'
 
-/** Drivers that read blendshapes and named inputs, evaluated without an engine. */
+/** Evaluates drivers of blendshapes and named inputs without an engine. */
 export function driven(drivers: readonly WrinkleDriver[], targetNames: readonly string[] = []) {
   const plan = planDrivers(drivers)
   const values = valueSource(plan.inputs.value)
@@ -13,7 +13,7 @@ export function driven(drivers: readonly WrinkleDriver[], targetNames: readonly 
   return {
     plan,
     missing: program.missing,
-    /** Activations by area. */
+    /** Returns activations by area. */
     activations({
       weights = [],
       inputs = {},

@@ -1,6 +1,6 @@
 import type { Curve, Link, MorphDriver } from 'furrow'
 
-/** A curve that rises in a straight line, from 0 at `from` to `most` at `to`. */
+/** Linear curve from 0 at `from` to `most` at `to`. */
 export const ramp = (from: number, to: number, most = 1): Curve => [
   [from, 0],
   [to, most],
@@ -14,7 +14,7 @@ export const link = (name: string, weight = 1, curve?: Curve): Link => ({
   ...(curve && { curve }),
 })
 
-/** A driver that adds up blendshapes: one of its name as it is, or several by their links. */
+/** Driver that sums blendshapes: the one named like the area, or several through links. */
 export const morph = (
   area: string,
   targets: string | Link[],

@@ -1,12 +1,12 @@
 // biome-ignore lint/suspicious/noExplicitAny: tests break the JSON in ways that no type allows
 type Json = any
 
-/** The JSON of a binary glTF file, without any checks. */
+/** Reads the JSON of a binary glTF file without checks. */
 export function jsonOf(file: Uint8Array): Json {
   return JSON.parse(new TextDecoder().decode(file.subarray(20, endOfJson(file))))
 }
 
-/** The same file with another JSON. */
+/** Returns a copy of the file with other JSON. */
 export function withJson(file: Uint8Array, json: Json): Uint8Array<ArrayBuffer> {
   const text = new TextEncoder().encode(JSON.stringify(json))
   const padded = Math.ceil(text.length / 4) * 4
@@ -21,7 +21,7 @@ export function withJson(file: Uint8Array, json: Json): Uint8Array<ArrayBuffer> 
   return out
 }
 
-/** The same file with its JSON edited. */
+/** Returns a copy of the file with edited JSON. */
 export function editGlb(file: Uint8Array, edit: (json: Json) => unknown): Uint8Array<ArrayBuffer> {
   const json = jsonOf(file)
   edit(json)

@@ -3,7 +3,7 @@ import { simplify, weld } from '@gltf-transform/functions'
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier'
 import { noName, swapSide } from './rigs/naming-schemes.ts'
 
-/** Meshes of a document that have blendshapes, with their names. */
+/** Lists a document's meshes with blendshapes, and their names. */
 function blendMeshes(document: Document): { mesh: Mesh; names: string[] }[] {
   return document
     .getRoot()
@@ -14,7 +14,7 @@ function blendMeshes(document: Document): { mesh: Mesh; names: string[] }[] {
     })
 }
 
-/** Renames blendshapes; those of the same name on several meshes keep a common one. */
+/** Renames blendshapes. Equal names on several meshes stay equal. */
 export function renameTargets(document: Document, rename: (name: string, index: number) => string): void {
   const all = [...new Set(blendMeshes(document).flatMap(({ names }) => names))]
   for (const { mesh, names } of blendMeshes(document)) {
@@ -25,12 +25,12 @@ export function renameTargets(document: Document, rename: (name: string, index: 
   }
 }
 
-/** Names that tell nothing: `target_0`, `target_1`. */
+/** Replaces names by `target_0`, `target_1` ... */
 export function removeNames(document: Document): void {
   renameTargets(document, (_, index) => noName(index))
 }
 
-/** Names that tell the wrong side: the file has left and right swapped. */
+/** Swaps left and right in names, as if the file had its sides swapped. */
 export function swapSides(document: Document): void {
   renameTargets(document, swapSide)
 }
@@ -47,7 +47,7 @@ export function keepTargets(document: Document, isKept: (name: string) => boolea
   }
 }
 
-/** Puts everything below one node, which is mirrored, turned or scaled. */
+/** Puts everything under one node that is mirrored, turned or scaled. */
 export function placeScene(
   document: Document,
   { scale, rotation }: { scale?: [number, number, number]; rotation?: [number, number, number, number] },
@@ -61,12 +61,12 @@ export function placeScene(
   return node
 }
 
-/** Removes meshes by their names, such as the eyes. */
+/** Removes meshes by name, such as the eyes. */
 export function removeMeshes(document: Document, names: RegExp): void {
   for (const mesh of document.getRoot().listMeshes()) if (names.test(mesh.getName())) mesh.dispose()
 }
 
-/** Lays the UVs of the right half on those of the left: both halves use the same texels. */
+/** Folds the right half's UVs onto the left half's, so that both use the same texels. */
 export function foldUvs(document: Document): void {
   const primitives = document
     .getRoot()
@@ -80,7 +80,7 @@ export function foldUvs(document: Document): void {
   }
 }
 
-/** Reduces all meshes to about a fraction of their vertices, with their blendshapes. */
+/** Reduces all meshes and their blendshapes to about a fraction of their vertices. */
 export async function decimate(document: Document, ratio: number): Promise<void> {
   await MeshoptSimplifier.ready
   await document.transform(weld(), simplify({ simplifier: MeshoptSimplifier, ratio, error: 1 }))

@@ -1,7 +1,7 @@
 import { connect } from 'node:net'
 import { seeded } from './random.ts'
 
-/** Addresses that no page asks for: malformed, or out of the folders that are served. */
+/** Malformed paths, and paths outside the served folders. */
 export const HOSTILE_PATHS: readonly string[] = [
   '//',
   '///',
@@ -25,7 +25,7 @@ export const HOSTILE_PATHS: readonly string[] = [
   `/${'a'.repeat(100_000)}`,
 ]
 
-/** What is not HTTP, or not all of it. The connection ends after each. */
+/** Invalid or incomplete HTTP. The connection ends after each. */
 export const HOSTILE_BYTES: readonly (string | Uint8Array)[] = [
   '',
   '\r\n\r\n',
@@ -45,7 +45,7 @@ export const HOSTILE_BYTES: readonly (string | Uint8Array)[] = [
   'TRACE / HTTP/1.1\r\nHost: a\r\n\r\n',
   'GET / HTTP/1.1\r\nHost: a\r\nRange: bytes=-99999999999999999999\r\nConnection: close\r\n\r\n',
   `GET / HTTP/1.1\r\nHost: a\r\nX: ${'y'.repeat(100_000)}\r\n\r\n`,
-  // A browser that expects TLS.
+  // TLS client hello.
   Uint8Array.from([0x16, 0x03, 0x01, 0x02, 0x00, 0x01, 0x00, 0x01, 0xfc, 0x03, 0x03]),
   ...Array.from({ length: 20 }, (_, seed) => {
     const next = seeded(seed)
@@ -53,7 +53,7 @@ export const HOSTILE_BYTES: readonly (string | Uint8Array)[] = [
   }),
 ]
 
-/** Sends a request whose path is not normalised, as `fetch` would, and returns the whole response. */
+/** Sends a request whose path is not normalised, unlike `fetch`, and returns the complete response. */
 export function request(
   origin: string,
   path: string,
@@ -67,7 +67,7 @@ export function request(
   )
 }
 
-/** Sends bytes, ends the connection, and returns whatever came back. */
+/** Sends bytes, ends the connection, and returns the response. */
 export function send(origin: string, bytes: string | Uint8Array): Promise<string> {
   return exchange(origin, bytes, true)
 }
@@ -82,7 +82,7 @@ function exchange(origin: string, bytes: string | Uint8Array, ends: boolean): Pr
     const parts: Buffer[] = []
     const socket = connect(Number(port), hostname, () => (ends ? socket.end(bytes) : socket.write(bytes)))
     socket.on('data', (part) => parts.push(part))
-    // A server may hang up before it has read everything.
+    // A server may hang up before reading everything.
     socket.on('error', () => {})
     socket.on('close', () => resolve(Buffer.concat(parts).toString('latin1')))
   })

@@ -7,26 +7,25 @@ import { makeBare } from './make-bare.ts'
 const fromHere = (path: string) => fileURLToPath(new URL(path, import.meta.url))
 
 /**
- * A face as users bring them: no wrinkles, textures, tangents or morph normals; targets named with `_L` and `_R`. What
- * wrinkles is the mesh `face`.
+ * Face as users bring it: no wrinkles, textures, tangents or morph normals; targets named with `_L` and `_R`. The skin is the mesh `face`.
  */
 export interface BareFace {
   readonly name: string
   readonly path: string
-  /** Of the mesh `face`. */
+  /** Material of the mesh `face`. */
   readonly material: string
-  /** Path of a strokes document for its texture layout. */
+  /** Path of a strokes document made for the face's UV layout. */
   readonly strokes: string
 }
 
 const SCAN = fromHere('../../../shared/real-face/ict-face.glb')
 
-/** A scan that is not part of the repository; none where it is not at hand. */
+/** Scan outside the repository; empty if the file is missing. */
 export const SCANS: readonly BareFace[] = existsSync(SCAN)
   ? [{ name: 'scan', path: SCAN, material: 'face', strokes: fromHere('scan-strokes.json') }]
   : []
 
-/** One of ours, which everybody has, and the scan. */
+/** One of our faces, stripped, and the scan if present. */
 export const BARE_FACES: readonly BareFace[] = [
   {
     name: 'bare human-2',
@@ -37,7 +36,7 @@ export const BARE_FACES: readonly BareFace[] = [
   ...SCANS,
 ]
 
-/** Made once per content of what it is made from. */
+/** Returns the path of the stripped face, cached by a hash of its sources. */
 async function cachedBare(): Promise<string> {
   const face = fromHere('../../faces/human-2.glb')
   const hash = createHash('sha256')
@@ -46,7 +45,7 @@ async function cachedBare(): Promise<string> {
   const path = join(folder, `bare-${hash.digest('hex').slice(0, 16)}.glb`)
   if (!existsSync(path)) {
     mkdirSync(folder, { recursive: true })
-    // Under another name first: test files run at the same time.
+    // Written under a temporary name first, because test files run in parallel.
     const part = `${path}.${process.pid}`
     writeFileSync(part, await makeBare(face))
     renameSync(part, path)

@@ -9,15 +9,15 @@ import {
 } from '@gltf-transform/core'
 import { prune } from '@gltf-transform/functions'
 
-/** Targets of ours that move both sides, where others have one each. */
+/** Our targets that move both sides; other faces have one per side. */
 const BOTH_SIDES = ['browInnerUp', 'cheekPuff']
 
-/** Metres from the middle within which such a target fades to the other side. */
+/** Half width of the cross-fade between the two sides, metres. */
 const FADE = 0.01
 
-/** One of the shipped faces without what `furrow` or its builder put there, in a `.glb`: see `BareFace`. */
+/** Strips a shipped face of everything that `furrow` or its builder added. Returns a `.glb`: see `BareFace`. */
 export async function makeBare(path: string): Promise<Uint8Array> {
-  // The wrinkles are lost on reading, since their extension is not registered.
+  // The wrinkle extension is not registered, so reading drops it.
   const io = new NodeIO()
     .setLogger(new Logger(Logger.Verbosity.SILENT))
     .setVertexLayout(VertexLayout.SEPARATE)
@@ -38,7 +38,7 @@ export async function makeBare(path: string): Promise<Uint8Array> {
   return io.writeBinary(document)
 }
 
-/** `mouthSmileLeft` becomes `mouthSmile_L`, and `browInnerUp` two targets, `browInnerUp_L` and `browInnerUp_R`. */
+/** Renames `mouthSmileLeft` to `mouthSmile_L`, and splits `browInnerUp` into `browInnerUp_L` and `browInnerUp_R`. */
 function renameTargets(mesh: Mesh): void {
   const old = (mesh.getExtras().targetNames ?? []) as string[]
   if (old.length === 0) return
@@ -60,7 +60,7 @@ function renameTargets(mesh: Mesh): void {
   mesh.setWeights(names.map(() => 0)).setExtras({ targetNames: names })
 }
 
-/** The part of a target's displacements on one side. The person's left is at positive x. */
+/** Returns one side of a target's displacements. The person's left is at positive x. */
 function oneSide(primitive: Primitive, target: PrimitiveTarget, sign: 1 | -1): PrimitiveTarget {
   const positions = primitive.getAttribute('POSITION')!
   const displacements = target.getAttribute('POSITION')!

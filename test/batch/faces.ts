@@ -1,6 +1,6 @@
 import { sheet, sheetGlb } from '../unit/cli/sheet.ts'
 
-/** Small faces, no two of which are the same bytes. */
+/** Makes small faces with different bytes. */
 export function makeFaces(count: number): Promise<Uint8Array[]> {
   return Promise.all(
     Array.from({ length: count }, (_, i) => {
@@ -11,7 +11,7 @@ export function makeFaces(count: number): Promise<Uint8Array[]> {
   )
 }
 
-/** Whether bytes are a whole binary glTF, which says its own length. */
-export function isWhole(bytes: Buffer): boolean {
+/** Checks the length in the header of a binary glTF. */
+export function isCompleteGlb(bytes: Buffer): boolean {
   return bytes.toString('latin1', 0, 4) === 'glTF' && bytes.readUInt32LE(8) === bytes.length
 }

@@ -1,4 +1,4 @@
-// `furrow batch --redis` and `furrow worker` with a real Redis, while workers, Redis and the batch itself are killed.
+// `furrow batch --redis` and `furrow worker` with a real Redis, while workers, Redis and the batch are killed.
 
 import { type ChildProcess, spawn } from 'node:child_process'
 import { readdirSync, readFileSync, statSync } from 'node:fs'
@@ -13,7 +13,7 @@ import { queueName } from '../../packages/cli/src/batch/queue/redis.ts'
 import type { ResultLine } from '../../packages/cli/src/batch/results.ts'
 import { version } from '../../packages/cli/src/version.ts'
 import { runFurrow, startFurrow } from '../pages/run-furrow.ts'
-import { isWhole, makeFaces } from './faces.ts'
+import { isCompleteGlb, makeFaces } from './faces.ts'
 
 const COUNT = 8
 
@@ -83,12 +83,12 @@ async function untilDone(count: number): Promise<void> {
 function expectAllThere(): void {
   const names = readdirSync(join(folder, 'out')).filter((name) => name.endsWith('.glb'))
   expect(names).toHaveLength(COUNT)
-  for (const name of names) expect(isWhole(readFileSync(join(folder, 'out', name)))).toBe(true)
+  for (const name of names) expect(isCompleteGlb(readFileSync(join(folder, 'out', name)))).toBe(true)
   expect(results().every(({ status }) => status === 'done')).toBe(true)
   expect(new Set(results().map(({ input }) => input)).size).toBe(COUNT)
 }
 
-it('every output is there once, though all that can be killed is killed', async () => {
+it('writes every output exactly once although workers, Redis and the batch are killed', async () => {
   const worker = startWorker()
   startWorker()
   const batch = keep(startFurrow(folder, {}, ...WORDS, '--redis', url()))
@@ -107,10 +107,10 @@ it('every output is there once, though all that can be killed is killed', async 
   expectAllThere()
 })
 
-it('jobs that Redis has lost are added again', async () => {
+it('adds jobs again after Redis lost them', async () => {
   const batch = keep(startFurrow(folder, {}, ...WORDS, '--redis', url()))
   const ended = new Promise((done) => batch.once('close', done))
-  // It has nobody to do them yet.
+  // No worker runs yet, so the jobs are only queued.
   await sleep(3000)
   await end(redis)
   await rm(join(folder, 'appendonlydir'), { recursive: true })
@@ -121,14 +121,14 @@ it('jobs that Redis has lost are added again', async () => {
   expectAllThere()
 })
 
-it('a worker that is asked to end does first what it has begun', async () => {
+it('finishes the current job before a worker stops', async () => {
   const worker = startWorker()
   const batch = keep(startFurrow(folder, {}, ...WORDS, '--redis', url()))
   const ended = new Promise((done) => batch.once('close', done))
   await untilDone(1)
   const stopped = end(worker, 'SIGTERM')
   expect(await stopped).toBe(0)
-  // Nothing was left behind that another one would have to wait for.
+  // The next worker has nothing to wait for.
   startWorker()
   expect(await ended).toBe(0)
   expectAllThere()
@@ -136,7 +136,7 @@ it('a worker that is asked to end does first what it has begun', async () => {
 })
 
 it.each([null, {}, 'text', { status: 'done', warnings: 5 }])(
-  'what a worker reports as %j fails its jobs, and the batch ends',
+  'fails the job and ends the batch if a worker reports %j',
   async (value) => {
     const worker = new Worker(queueName(version), async () => value, { connection: { port } })
     const { code, stdout, stderr } = await runFurrow(folder, {}, ...WORDS, '--redis', url())
@@ -149,7 +149,7 @@ it.each([null, {}, 'text', { status: 'done', warnings: 5 }])(
 )
 
 it.each([null, { command: 'auto' }, { command: 'none', input: 5 }])(
-  'a job that is %j does not end a worker',
+  'keeps the worker running after the invalid job %j',
   async (data) => {
     const worker = startWorker()
     const ended = vi.fn()
@@ -164,7 +164,7 @@ it.each([null, { command: 'auto' }, { command: 'none', input: 5 }])(
   },
 )
 
-it('a worker that is killed leaves no files behind', async () => {
+it('leaves no files behind when a worker is killed', async () => {
   const tmp = join(folder, 'tmp')
   await mkdir(tmp)
   const worker = keep(startFurrow(folder, { TMPDIR: tmp }, 'worker', '--redis', url(), '--jobs', '1'))

@@ -1,4 +1,4 @@
-// `furrow batch` with addresses of S3; a small store stands in for it. `bench/batch` does so with a real one.
+// `furrow batch` with S3 addresses, on a small fake store. `bench/batch` uses a real one.
 
 import { createHash } from 'node:crypto'
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs'
@@ -9,14 +9,14 @@ import { join } from 'node:path'
 import { buffer } from 'node:stream/consumers'
 import { afterAll, beforeAll, expect, it } from 'vitest'
 import { runFurrow } from '../pages/run-furrow.ts'
-import { isWhole, makeFaces } from './faces.ts'
+import { isCompleteGlb, makeFaces } from './faces.ts'
 
 const folder = mkdtempSync(join(tmpdir(), 'furrow-s3-'))
-/** By bucket/key. */
+/** Objects by bucket/key. */
 const objects = new Map<string, Buffer>()
 const puts: string[] = []
 let server: Server
-/** Requests that are answered by "slow down" before one is served. */
+/** Number of requests to answer with "slow down". */
 let refusals = 0
 
 const tagOf = (bytes: Buffer) => `"${createHash('md5').update(bytes).digest('hex')}"`
@@ -69,17 +69,17 @@ const batch = (...words: string[]) => {
 }
 const ALL = ['s3://avatars/in/', '-o', 's3://avatars/out', '--size', '512']
 
-it('reads all faces below an address, and puts each output once', async () => {
-  // The SDK tries three times by itself.
+it('reads all faces under an address and puts each output once', async () => {
+  // The SDK retries three times on its own.
   refusals = 4
   const { code, stdout, stderr } = await batch(...ALL)
   expect(code, stderr).toBe(0)
   expect(JSON.parse(stdout)).toMatchObject({ inputs: 3, done: 3, shared: 1 })
   expect(puts.sort()).toEqual(['avatars/out/0.glb', 'avatars/out/1.glb', 'avatars/out/copy.glb'])
-  for (const name of puts) expect(isWhole(objects.get(name)!)).toBe(true)
+  for (const name of puts) expect(isCompleteGlb(objects.get(name)!)).toBe(true)
 })
 
-it('goes on where it was', async () => {
+it('resumes a stopped batch', async () => {
   objects.delete('avatars/out/1.glb')
   puts.length = 0
   const { stdout } = await batch(...ALL)
@@ -87,7 +87,7 @@ it('goes on where it was', async () => {
   expect(puts).toEqual(['avatars/out/1.glb'])
 })
 
-it('says what is not there', async () => {
+it('reports missing buckets and keys', async () => {
   const { code } = await batch('s3://avatars/in/none.glb', '-o', 's3://avatars/out')
   expect(code).toBe(1)
   const lines = readFileSync(join(folder, 'results/results.jsonl'), 'utf8').trimEnd().split('\n')

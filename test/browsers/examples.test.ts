@@ -8,7 +8,7 @@ import { openWindow } from './window.ts'
 
 const SIZE = [450, 480] as const
 
-/** The examples, and where each wrinkles: `null` for one without wrinkles. */
+/** Examples and their wrinkled regions; `null` for an example without wrinkles. */
 const PAGES: readonly (readonly [page: string, region: Region | null])[] = [
   ...PORTRAITS.map((page) => [page, FOREHEAD] as const),
   ...DRIVERS.map(([page, driven, , region]) => [`${page}${driven}`, region] as const),
@@ -26,8 +26,8 @@ beforeAll(async () => {
 
 afterAll(() => server?.close())
 
-test('every example is opened', () => {
-  // `capabilities.test.ts` opens the one that makes wrinkles.
+test('opens every example', () => {
+  // `capabilities.test.ts` opens auto.html, which makes wrinkles.
   const opened = new Set(['auto.html', ...PAGES.map(([page]) => page.replace(/\?.*/, ''))])
   expect([...opened].sort()).toEqual([...EXAMPLES].sort())
 })
@@ -37,7 +37,7 @@ describe.each(DRIVEN)('in %s', (_, kind) => {
 
   beforeAll(() => window.resize(...SIZE))
 
-  test.each(PAGES)('%s shows a face with wrinkles', async (page, region) => {
+  test.each(PAGES)('shows a face with wrinkles in %s', async (page, region) => {
     await window.browser.open(`${server.origin}/examples/${page}`)
     await window.until("document.querySelector('canvas')")
     if (region) await window.untilWrinkled(region)
@@ -45,7 +45,7 @@ describe.each(DRIVEN)('in %s', (_, kind) => {
     await window.save(page.replace('.html', '').replace(/[?&]/g, '-'))
   })
 
-  test('a slider of inputs.html that the mouse drags back smooths the face', async () => {
+  test('smooths the face when a slider of inputs.html is dragged back', async () => {
     await window.browser.open(`${server.origin}/examples/inputs.html?stress=100`)
     await window.until("document.querySelector('canvas')")
     const region = DRIVERS.find(([page]) => page === 'inputs.html')![3]

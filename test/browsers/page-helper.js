@@ -1,8 +1,8 @@
-// Runs in each page before its own scripts: see page-helper.ts.
+// Runs in every page before the page's own scripts: see page-helper.ts.
 
 const complaints = []
 for (const level of ['error', 'warn']) {
-  // biome-ignore lint/suspicious/noConsole: it passes on what the page writes.
+  // biome-ignore lint/suspicious/noConsole: forwards the page's messages.
   const write = console[level]
   console[level] = (...parts) => {
     complaints.push(parts.map(String).join(' '))
@@ -16,7 +16,7 @@ addEventListener(
 )
 addEventListener('unhandledrejection', ({ reason }) => complaints.push(String(reason?.stack ?? reason)))
 
-/** Files that the page saved, the last at the end. */
+/** Files saved by the page, newest last. */
 const savedFiles = []
 const createObjectURL = URL.createObjectURL
 URL.createObjectURL = (blob) => {
@@ -25,9 +25,8 @@ URL.createObjectURL = (blob) => {
 }
 
 /**
- * Draws the page's scene with and without wrinkles at one moment, with its own renderer.
- *
- * @returns the largest difference in a region, in fractions of the picture, and the contrast of the whole.
+ * Draws the page's scene with and without wrinkles at the same time, with the page's renderer.
+ * @returns largest difference in a region given in fractions of the picture, and the contrast of the complete picture.
  */
 async function compareWrinkles({ left, top, right, bottom }) {
   const imports = document.querySelector('script[type=importmap]').textContent
@@ -37,7 +36,7 @@ async function compareWrinkles({ left, top, right, bottom }) {
     Scene.prototype.onBeforeRender = (...drawn) => resolve(drawn)
   })
   delete Scene.prototype.onBeforeRender
-  // The frame ends first.
+  // Lets the current frame end.
   await new Promise((resolve) => setTimeout(resolve))
   const all = new Set()
   scene.traverse((object) => object.isMesh && all.add(wrinklesOf(object)))
@@ -70,7 +69,7 @@ function pixelsOf(canvas) {
   return context.getImageData(0, 0, width, height)
 }
 
-/** The first visible element of a selector whose label or text is a name, in the fieldset of a group if one is named. */
+/** Finds the first visible element that matches a selector and whose label or text is `name`, in the fieldset `group` if given. */
 function findElement(selector, name, group) {
   const labelOf = (fieldset) => document.getElementById(fieldset.getAttribute('aria-labelledby'))?.textContent
   const fieldsets = [...document.querySelectorAll('fieldset')]
@@ -82,13 +81,13 @@ function findElement(selector, name, group) {
   })
 }
 
-/** Scrolls to an element: its rectangle once it stays in the window, `null` before. */
+/** Scrolls to an element. Returns its rectangle once it stays in the window, otherwise `null`. */
 async function reachElement(...names) {
   const element = findElement(...names)
   if (!element) return null
   element.scrollIntoView({ block: 'center' })
   const before = element.getBoundingClientRect()
-  // Rows that come into view may change their height, and move the others.
+  // Rows that scroll into view may change height and move other rows.
   await new Promise((resolve) => setTimeout(resolve, 500))
   await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)))
   const { x, y, width, height } = element.getBoundingClientRect()
@@ -96,7 +95,7 @@ async function reachElement(...names) {
   return isInside && x === before.x && y === before.y ? { x, y, width, height } : null
 }
 
-/** The last saved file, as base64. */
+/** Returns the last saved file as base64. */
 async function readSaved() {
   const bytes = new Uint8Array(await savedFiles.at(-1).arrayBuffer())
   let text = ''

@@ -1,4 +1,4 @@
-/** An artist's path by mouse in browsers other than Chromium: `test/pages/studio-way.ts` in short. */
+/** An artist's path by mouse in browsers other than Chromium: a short version of `test/pages/studio-way.ts`. */
 
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -18,10 +18,10 @@ import { openWindow } from './window.ts'
 const WIDE = { width: 1280, height: 800 }
 const NARROW = { width: 447, height: 844 }
 
-/** Windows by browser: WebKitGTK takes three minutes for each. */
+/** Window sizes by browser. WebKitGTK takes three minutes for each. */
 const windowsOf = ({ name }: BrowserKind) => (name === 'webkit' ? [WIDE] : [WIDE, NARROW])
 
-/** Height of the chin on the stage, as a fraction of it. */
+/** Height of the chin on the stage, as a fraction of the stage. */
 const CHIN = 0.67
 
 const BROWS = ['browInnerUp', 'browOuterUpLeft', 'browOuterUpRight']
@@ -37,7 +37,7 @@ beforeAll(async () => {
 
 afterAll(() => server?.close())
 
-describe.each(DRIVEN)('the studio in %s', (_, kind) => {
+describe.each(DRIVEN)('studio in %s', (_, kind) => {
   const window = openWindow(kind)
 
   describe.each(windowsOf(kind))('$width pixels wide', ({ width, height }) => {
@@ -46,7 +46,7 @@ describe.each(DRIVEN)('the studio in %s', (_, kind) => {
 
     const isShown = "document.querySelector('#stage[aria-busy=false]')"
 
-    /** Gives a file to the page as if it was chosen from the disk. */
+    /** Passes a file to the page as if the user had picked it. */
     async function openFile(fileName: string, bytes: Uint8Array, face: string): Promise<void> {
       await window.evaluate(`
         const transfer = new DataTransfer()
@@ -59,7 +59,7 @@ describe.each(DRIVEN)('the studio in %s', (_, kind) => {
       await window.until(`${chosen} === '${face}' && ${isShown}`)
     }
 
-    /** The middle of the stage, once two pictures in a row are equal. */
+    /** Takes pictures of the middle of the stage until two in a row are equal. */
     async function shoot(): Promise<Buffer> {
       const stage = await window.find('#viewport')
       const middle = {
@@ -114,7 +114,7 @@ describe.each(DRIVEN)('the studio in %s', (_, kind) => {
 
     afterAll(() => rmSync(folder, { recursive: true, force: true }))
 
-    test('makes wrinkles for an avatar, and raised brows crease its forehead', async () => {
+    test('makes wrinkles for an avatar, so that raised brows crease its forehead', async () => {
       await openFile('plain.glb', avatar, 'Plain')
       await window.find('input[type=radio]', 'Edit area foreheadInnerLeft')
       await window.until("!document.body.textContent.includes('Making wrinkles')")
@@ -137,7 +137,7 @@ describe.each(DRIVEN)('the studio in %s', (_, kind) => {
       await window.click('button', 'Paint')
     })
 
-    test('makes a file that furrow validate accepts', async () => {
+    test('exports a file that furrow validate accepts', async () => {
       await window.click('h2', 'Export')
       await window.click('button', 'Make the file')
       await window.click('button', 'Save plain-wrinkled.glb')
@@ -149,7 +149,7 @@ describe.each(DRIVEN)('the studio in %s', (_, kind) => {
       expect({ code, stdout }).toEqual({ code: 0, stdout: expect.stringContaining(': 0 errors') })
     })
 
-    test('opens that file again with its wrinkles', async () => {
+    test('opens the exported file with its wrinkles', async () => {
       await openFile('exported.glb', exported, 'Exported')
       await save('reopened')
       await showWrinklesEverywhere()
@@ -159,7 +159,7 @@ describe.each(DRIVEN)('the studio in %s', (_, kind) => {
       expect(await window.evaluate("return document.querySelector('#errors').textContent")).toBe('')
     })
 
-    test('cuts no control off', async () => {
+    test('shows all controls in full', async () => {
       await window.click('button', 'Edit wrinkles')
       await window.click('input[type=radio]', 'Edit area chin')
       expect(await window.evaluate(`return ${CUT_CONTROLS}`)).toEqual([])

@@ -4,16 +4,16 @@ import type { Region } from '../pages/pixels.ts'
 import type { BrowserKind, DrivenBrowser } from './drive/driven-browser.ts'
 import { launch } from './drive/launch.ts'
 
-/** Folder where pictures are saved for inspection. */
+/** Folder for screenshots. */
 const OUTPUT = new URL('../output/browsers/', import.meta.url)
 
-/** How long a page may take to compute and draw where no GPU is. */
+/** Time limit for pages that compute and draw without a GPU. */
 const PATIENCE = { timeout: 300_000, interval: 250 }
 
-/** The control key, as WebDriver spells it. */
+/** WebDriver's code for the control key. */
 const CONTROL = '\uE009'
 
-/** How elements are found: see `findElement` of page-helper.js. */
+/** Arguments of `findElement` in page-helper.js. */
 type Names = [selector: string, name?: string, group?: string]
 
 const wordsOf = (names: Names) => names.map((word) => JSON.stringify(word) ?? 'undefined').join()
@@ -27,7 +27,7 @@ interface Box {
 
 type Point = readonly [x: number, y: number]
 
-/** A window of another browser than Chromium, with pages that have our helper. */
+/** Browser window whose pages contain the helper. */
 export class Window {
   browser!: DrivenBrowser
 
@@ -37,12 +37,12 @@ export class Window {
     return this.browser.evaluate(body)
   }
 
-  /** Draws the page's scene with and without wrinkles: their largest difference in a region, and the contrast of the picture. */
+  /** Draws the page's scene with and without wrinkles. Returns their largest difference in a region, and the picture's contrast. */
   compareWrinkles(region: Region): Promise<{ difference: number; contrast: number }> {
     return this.evaluate(`return furrowTest.compareWrinkles(${JSON.stringify(region)})`)
   }
 
-  /** Waits until a picture has contrast and shows wrinkles in a region, which fade in or follow a moving face. */
+  /** Waits until a picture has contrast and shows wrinkles in a region. Wrinkles fade in or follow a moving face. */
   async untilWrinkled(region: Region): Promise<void> {
     await vi.waitFor(async () => {
       const { difference, contrast } = await this.compareWrinkles(region)
@@ -67,13 +67,13 @@ export class Window {
     }, PATIENCE)
   }
 
-  /** Clicks an element with the mouse. */
+  /** Clicks an element. */
   async click(...names: Names): Promise<void> {
     const { x, y, width, height } = await this.find(...names)
     await this.drag([[x + width / 2, y + height / 2]])
   }
 
-  /** Clicks a text field and replaces its text with the keyboard. */
+  /** Clicks a text field and replaces its text by keyboard. */
   async type(text: string, ...names: Names): Promise<void> {
     await this.click(...names)
     const press = (key: string) => [
@@ -112,7 +112,7 @@ export class Window {
     ])
   }
 
-  /** Makes the page as large as this, whatever bars the window has. */
+  /** Resizes the window until the page has this size, without the window's toolbars. */
   async resize(width: number, height: number): Promise<void> {
     await this.browser.resize(width, height)
     const lacking = () => this.evaluate<Point>(`return [${width} - innerWidth, ${height} - innerHeight]`)
@@ -127,12 +127,10 @@ export class Window {
   }
 }
 
-/**
- * Performance messages of the driver, and three.js naming extensions that the browser lacks. They are not the page's.
- */
+/** Driver performance messages, and three.js warnings about extensions that the browser lacks. */
 const NOT_OURS = /GL Driver Message|extension not supported|WebGPU is not available/
 
-/** A window for all tests that are described where this is called, on whose pages nothing may be complained of. */
+/** Opens a window for all tests in the current `describe`. Pages must not log warnings or errors. */
 export function openWindow(kind: BrowserKind): Window {
   const window = new Window(kind.name)
   beforeAll(async () => {

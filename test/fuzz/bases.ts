@@ -10,17 +10,17 @@ import { packCommand } from '../../packages/cli/src/commands/pack.ts'
 import { accessorsOf } from '../accessors.ts'
 import { quietly } from './quietly.ts'
 
-/** Columns and rows of quads of the face. */
+/** Columns and rows of quads in the face. */
 const GRID = 8
-/** Its radius and height in metres. */
+/** Radius and height of the face, metres. */
 const RADIUS = 0.075
 const HEIGHT = 0.2
-/** Side of its island in its texture: `auto` draws every texel of it. */
+/** Side of the face's UV island. `auto` draws every texel of the island. */
 const ISLAND = 0.5
-/** Side of its images in texels. */
+/** Side of the face's images, texels. */
 const SIDE = 64
 
-/** Where the blendshapes of a face move its skin most, and by how much there, in metres. */
+/** Centre of each blendshape on the skin and its displacement there, metres. */
 const SHAPES: Record<string, { x: number; y: number; across: number; up: number }> = {
   browInnerUp: { x: 0, y: 0.04, across: 0, up: 0.01 },
   browDownLeft: { x: 0.02, y: 0.04, across: -0.002, up: -0.006 },
@@ -29,22 +29,22 @@ const SHAPES: Record<string, { x: number; y: number; across: number; up: number 
   mouthSmileLeft: { x: 0.026, y: -0.045, across: 0.008, up: 0.01 },
   mouthSmileRight: { x: -0.026, y: -0.045, across: -0.008, up: 0.01 },
 }
-/** How far a blendshape reaches, in metres. */
+/** Reach of a blendshape, metres. */
 const SHAPE_RADIUS = 0.02
 const LAYERS = ['age', 'expression']
 const AREAS = ['brow', 'cheek', 'chin', 'eye', 'nose']
 
-/** The files that are damaged: valid, small, and each with something that another has not. */
+/** Files to damage: valid and small, and each covers something that the others lack. */
 export interface Bases {
   faces: Map<string, Buffer>
-  /** A folder as `furrow pack` reads it, strokes included, without its face. */
+  /** Folder as `furrow pack` reads it, with strokes, without its face. */
   folder: Map<string, Buffer>
   strokes: Buffer
   array: Buffer
   height: Buffer
 }
 
-/** Makes the files in a folder. */
+/** Writes the files into a folder. */
 export async function writeBases(root: string): Promise<void> {
   const write = (name: string, bytes: Uint8Array | string) => {
     mkdirSync(join(root, name, '..'), { recursive: true })
@@ -70,7 +70,7 @@ export async function writeBases(root: string): Promise<void> {
   write('array.ktx2', largestImage(readFileSync(join(root, 'faces/packed-array.glb'))))
 }
 
-/** Reads what `writeBases` wrote. */
+/** Reads the files written by `writeBases`. */
 export function readBases(root: string): Bases {
   const filesIn = (folder: string) => {
     const all = readdirSync(join(root, folder), { recursive: true, withFileTypes: true })
@@ -167,7 +167,7 @@ const STROKES = {
   areas: [{ name: 'brow', shapes: [{ group: 'brow', radius: 6, feather: 8 }] }],
 }
 
-/** Noise of values that are all there, so that no tool takes it for one colour. */
+/** Noise that uses every value, so that no tool treats the image as one colour. */
 function picture(seed: number, channels: 1 | 3): Promise<Uint8Array> {
   const data = Uint8Array.from({ length: channels * SIDE * SIDE }, (_, i) => (i * 37 + seed * 101) % 251)
   const image = sharp(data, { raw: { width: SIDE, height: SIDE, channels } })
@@ -203,9 +203,9 @@ async function makeFaces(): Promise<[name: string, bytes: Uint8Array][]> {
 }
 
 /**
- * Half a cylinder named `skin`, with a nose and blendshapes that compress parts of it; and a second mesh beside it.
+ * Half a cylinder named `skin` with a nose and blendshapes that compress parts of the skin, and a second mesh.
  *
- * @param isFace false names the blendshapes as no face does: `auto` then lays lines by strain alone.
+ * @param isFace false gives blendshapes names that no face uses, so that `auto` places lines by strain alone.
  */
 async function faceDocument(isFace: boolean): Promise<Document> {
   const document = new Document().setLogger(new Logger(Logger.Verbosity.SILENT))
@@ -288,7 +288,7 @@ interface View {
   byteLength: number
 }
 
-/** The bytes of the longest image of a file. */
+/** Returns the bytes of the longest image in a file. */
 function largestImage(glb: Buffer): Buffer {
   const length = glb.readUInt32LE(12)
   const json = JSON.parse(glb.toString('utf8', 20, 20 + length))

@@ -23,13 +23,13 @@ import { writeFace } from './write-face.ts'
 /** One run of a command on a damaged file. */
 export interface Case {
   run(): Promise<unknown>
-  /** Files that it may write, and the face it made each from. */
+  /** Faces that the command may write, with the input of each. */
   faces: { output: string; input: string }[]
-  /** Bytes of everything that it reads. */
+  /** Total size of the input files, bytes. */
   bytes: number
 }
 
-/** Where a case puts what it reads and writes. */
+/** Folder for the inputs and outputs of a case. */
 class Folder {
   readonly root: string
   bytes = 0
@@ -72,7 +72,7 @@ function damagedJson(document: Buffer, random: Random): string {
   return textOf(json)
 }
 
-/** A wrinkle set as files, one or two of them damaged. */
+/** Writes a wrinkle set as files, with one or two damaged. */
 function writeWrinkles(bases: Bases, random: Random, folder: Folder): void {
   const documents = ['wrinkles.json', 'wrinkles.json', 'strokes.json']
   const damaged = random.pick(random.chance(0.6) ? documents : [...bases.folder.keys()])
@@ -82,7 +82,7 @@ function writeWrinkles(bases: Bases, random: Random, folder: Folder): void {
   }
 }
 
-/** What a face may be written as. */
+/** Output names of a face. */
 const OUTPUTS = ['out.glb', 'out.glb', 'out.vrm', 'out.gltf']
 
 const CASES: Record<string, CaseMaker> = {
@@ -104,7 +104,7 @@ const CASES: Record<string, CaseMaker> = {
   },
   auto: (bases, random, folder) => {
     const [input, output] = [writeDamaged(bases, random, folder), folder.path(random.pick(OUTPUTS))]
-    // What costs more is tried less often. A report has no pictures of the face, since child.ts lets it find no browser.
+    // Expensive options are tried less often. Reports contain no pictures because child.ts hides the browser.
     const strokes = ['--strokes', folder.path('strokes.json')]
     const rare = [['--ktx2'], ['--report', folder.path('report')], ['--age', '80'], strokes]
     const options = random.chance(0.3) ? random.pick(rare) : []
@@ -178,10 +178,10 @@ const CASES: Record<string, CaseMaker> = {
   },
 }
 
-/** Every command that reads files of others. */
+/** All commands that read users' files. */
 export const COMMANDS = Object.keys(CASES)
 
-/** Writes the damaged files of a case to a folder. */
+/** Writes the damaged files of a case into a folder. */
 export function makeCase(command: string, bases: Bases, random: Random, root: string): Case {
   const folder = new Folder(root)
   const made = CASES[command]!(bases, random, folder)

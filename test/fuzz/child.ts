@@ -1,4 +1,4 @@
-// The process in which files are tried; see pool.ts. What it is told and what it answers are messages.
+// Process that tries files; see pool.ts. Tasks and results are messages.
 
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs'
 import { join } from 'node:path'
@@ -14,18 +14,18 @@ import { peakMemory } from './peak-memory.ts'
 import { quietly } from './quietly.ts'
 import { Random } from './random.ts'
 
-/** One file to try. */
+/** File to try. */
 export interface Task {
   command: string
   seed: number
   index: number
-  /** Seconds of the processor after which this process ends itself. */
+  /** Processor time after which this process ends itself, seconds. */
   seconds: number
-  /** A folder for its files, emptied first and left for a look. */
+  /** Folder for the task's files: emptied first, and kept for inspection. */
   folder: string
 }
 
-/** How it ended. `success`, `refused` and `findings` are as it should be. */
+/** Result of a run. `success`, `refused` and `findings` are expected. */
 export type Outcome =
   | 'success'
   | 'refused'
@@ -40,17 +40,17 @@ export type Outcome =
 
 export interface Result {
   outcome: Outcome
-  /** The error, or what is wrong. */
+  /** Error, or problems found. */
   message: string
-  /** Of the processor: those of the clock depend on what else runs. */
+  /** Processor time, because wall time depends on other processes. */
   milliseconds: number
-  /** Bytes of the files that were read. */
+  /** Size of the files read, bytes. */
   bytes: number
-  /** Largest resident memory of the process so far, in bytes. */
+  /** Peak resident memory of the process so far, bytes. */
   peak: number
 }
 
-/** Milliseconds of the processor at which this process ends; a thread sees to that, since a file that hangs blocks this one. */
+/** Processor time at which this process ends, milliseconds. A thread checks the deadline, because a hanging file blocks this thread. */
 const deadline = new Float64Array(new SharedArrayBuffer(8)).fill(Number.POSITIVE_INFINITY)
 const WATCH = `
   const { workerData } = require('node:worker_threads')
@@ -60,7 +60,7 @@ const WATCH = `
   }, 200)`
 new Worker(WATCH, { eval: true, workerData: deadline }).unref()
 
-// Reports are made without pictures of the face: a browser would take seconds for each.
+// Reports have no pictures of the face: starting a browser would take seconds each time.
 process.env.FURROW_CHROMIUM = process.argv[2]!
 
 const bases = readBases(process.argv[2]!)
@@ -98,7 +98,7 @@ async function attempt({ command, seed, index, seconds, folder }: Task): Promise
   return { outcome, message, milliseconds, bytes: made.bytes, peak }
 }
 
-/** What engines and libraries say of values that they did not expect: no user can act upon it. */
+/** Messages of engines and libraries about unexpected values, which tell users nothing. */
 const UNCLEAR = /undefined|of null|is not (a function|iterable)|\[object|typed array|call stack/i
 
 function judge(error: unknown): [Outcome, string] {
@@ -106,7 +106,7 @@ function judge(error: unknown): [Outcome, string] {
   return [UNCLEAR.test(error.message) ? 'unclear error' : 'refused', error.message]
 }
 
-/** What is wrong with the faces that a command wrote, and not with those that it read: the Khronos validator's codes, and strokes. */
+/** Returns the Khronos validator's codes and stroke problems that a command's output has and its input lacks. */
 async function newErrors({ faces }: Case): Promise<string> {
   const found: string[] = []
   for (const { output, input } of faces) {
@@ -115,7 +115,7 @@ async function newErrors({ faces }: Case): Promise<string> {
     found.push(...(await strokeProblems(output)).filter((problem) => !known.includes(problem)))
     const [old, now] = [await errorsOf(input), await errorsOf(output)]
     if (!old || !now) continue
-    // Where a file has errors, the validator does not always look at its data; once others are mended it does.
+    // The validator may skip data checks in a file with errors, so fixing those errors reveals others.
     const isNew = (code: string) => !old.includes(code) && !(old.length > 0 && code.startsWith('ACCESSOR_'))
     found.push(...now.filter(isNew))
   }
@@ -128,37 +128,37 @@ async function strokeProblems(path: string): Promise<string[]> {
     const files = wrinkledMaterials(glb).map((material) => parseWrinkledFile(glb, material, 'strokes'))
     return files.flatMap((file) => strokesIn(file, 'strokes').problem ?? [])
   } catch {
-    // What else is wrong with a face, the validator tells.
+    // The validator reports the other problems of a face.
     return []
   }
 }
 
 let giveUp = () => {}
 process.on('uncaughtException', (error: NodeJS.ErrnoException) => {
-  // Some of what it throws is no error, and has no stack.
+  // The validator also throws values that are not errors and have no stack.
   const isValidators = error.code === 'ERR_UNHANDLED_REJECTION' || error.stack?.includes('gltf_validator')
   if (!isValidators) throw error
   giveUp()
 })
 
 /**
- * Undefined where the validator gives up. Damaged JSON makes its promise fail; damaged images make it throw outside of
- * its promise, and then it may never answer.
+ * Returns undefined if the validator gives up. Damaged JSON rejects the validator's promise. Damaged images make it
+ * throw outside the promise, which may then never settle.
  */
 async function errorsOf(path: string): Promise<string[] | undefined> {
   const bytes = new Uint8Array(readFileSync(path))
-  // A copy: the validator reads data from the beginning of its buffer, which a small file shares with others.
+  // Copied, because the validator reads from the start of the buffer, and small files share a buffer.
   const readBeside = async (uri: string) =>
     new Uint8Array(readFileSync(join(path, '..', decodeURIComponent(uri))))
   const report = await new Promise<Report | undefined>((resolve) => {
     giveUp = () => resolve(undefined)
-    // All issues: those at the end are otherwise seen only once others are mended.
+    // Unlimited: otherwise the last issues appear only after others are fixed.
     validateBytes(bytes, { maxIssues: 0, externalResourceFunction: readBeside }).then(resolve, giveUp)
   })
   const errors = report?.issues.messages.filter(
     ({ severity, message }) => severity === 0 && !message.includes('ktx2'),
   )
-  // An image that was in a view may be a file now.
+  // A command may move an image from a buffer view to a file.
   const where = (pointer = '') => pointer.replaceAll(/\d+/g, 'n').replace(/\/(bufferView|uri)$/, '')
   return errors?.map(({ code, pointer }) => `${code} ${where(pointer)}`)
 }

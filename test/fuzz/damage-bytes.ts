@@ -1,6 +1,6 @@
 import type { Random } from './random.ts'
 
-/** Cuts a file off, or changes, inserts or repeats some of its bytes. */
+/** Truncates a file, or changes, inserts or repeats some of its bytes. */
 export function damageBytes(original: Buffer, random: Random): Buffer {
   const bytes = Buffer.from(original)
   if (bytes.length === 0) return Buffer.from([random.int(256)])

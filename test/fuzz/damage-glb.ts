@@ -6,7 +6,7 @@ import type { Random } from './random.ts'
 
 const EXTENSION = 'FURROW_wrinkle_maps'
 
-/** Damages a face in one to three ways that know what a glTF file is made of. */
+/** Damages a face in one to three ways specific to glTF. */
 export function damageGlb(face: Buffer, random: Random): Buffer {
   if (random.chance(0.08)) return damageContainer(face, random)
   let parts = splitGlb(face)
@@ -14,7 +14,7 @@ export function damageGlb(face: Buffer, random: Random): Buffer {
     try {
       parts = random.pick(DAMAGES)(parts, random) ?? parts
     } catch {
-      // What it was to damage is gone already.
+      // An earlier change removed the part to damage.
     }
   }
   return joinGlb(parts, textOf(parts.json))
@@ -22,7 +22,7 @@ export function damageGlb(face: Buffer, random: Random): Buffer {
 
 type Damage = (parts: GlbParts, random: Random) => GlbParts | undefined
 
-/** Changes the JSON below one of its lists. */
+/** Changes JSON inside one of the document's lists. */
 const below =
   (find: (json: Anything, random: Random) => Anything): Damage =>
   ({ json }, random) => {
@@ -151,7 +151,7 @@ function damageData({ json, bin }: GlbParts, random: Random): GlbParts {
   return { json, bin: damaged }
 }
 
-/** Damages headers and chunks, and bytes wherever they are. */
+/** Damages headers, chunks and arbitrary bytes. */
 function damageContainer(face: Buffer, random: Random): Buffer {
   if (random.chance(0.5)) return damageBytes(face, random)
   const damaged = Buffer.from(face)

@@ -58,11 +58,11 @@ const JUNK: Anything[] = [
   { toString: 1, valueOf: null },
 ]
 
-/** Stands for text that is too deep for `JSON.stringify`. */
+/** Placeholder for text that is too deep for `JSON.stringify`. */
 const DEEP = 'furrow-fuzz-deep'
 const DEPTHS = [40, 200, 1000, 6000, 50_000]
 
-/** One change of a JSON document, in place. */
+/** Changes a JSON document once, in place. */
 export function damageJson(document: Anything, random: Random): void {
   const nodes = nodesOf(document)
   if (nodes.length === 0) return
@@ -97,7 +97,7 @@ export function damageJson(document: Anything, random: Random): void {
   else node.parent[node.key] = structuredClone(random.pick(JUNK))
 }
 
-/** The document as text, with what `damageJson` made deep. */
+/** Serialises a document, and expands the deep parts made by `damageJson`. */
 export function textOf(document: Anything): string {
   return JSON.stringify(document).replace(/"furrow-fuzz-deep (\d+) (.)"/g, (_, depth, open) => {
     return open === '['
@@ -111,7 +111,7 @@ interface JsonNode {
   key: string
 }
 
-/** All values below a document. */
+/** Lists all values in a document. */
 function nodesOf(value: Anything, nodes: JsonNode[] = []): JsonNode[] {
   if (typeof value !== 'object' || value === null) return nodes
   for (const key of Object.keys(value)) {
@@ -126,7 +126,7 @@ function remove({ parent, key }: JsonNode): void {
   else delete parent[key]
 }
 
-/** Makes a list long by repeating one of its items. */
+/** Lengthens a list by repeating one of its items. */
 function repeat(nodes: readonly JsonNode[], random: Random): void {
   const lists = nodes.flatMap(({ parent, key }) =>
     Array.isArray(parent[key]) ? [parent[key] as Anything[]] : [],

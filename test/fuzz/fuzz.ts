@@ -13,21 +13,21 @@ export interface FuzzOptions {
   child: string
   commands?: readonly string[]
   seed: number
-  /** Index of the first file; the same seed and index give the same file. */
+  /** Index of the first file. Files depend on seed and index only. */
   first?: number
-  /** Files per command. */
+  /** Number of files per command. */
   count: number
   limits: FileLimits
-  /** Processes at once. */
+  /** Number of parallel processes. */
   jobs: number
-  /** A folder for the files that fail. */
+  /** Folder for files that fail. */
   keep: string
   report?: (text: string) => void
-  /** Ends it early, with the results so far. */
+  /** Ends the run early with the results so far. */
   stop?: AbortSignal
 }
 
-/** The files of one command, and what became of them. */
+/** Results of one command. */
 export interface CommandResults {
   command: string
   tried: Tried[]
@@ -37,7 +37,7 @@ export interface CommandResults {
 /**
  * Tries damaged files with commands.
  *
- * @throws FurrowError for a command that is not among `COMMANDS`.
+ * @throws FurrowError for a command that is not in `COMMANDS`.
  */
 export async function fuzz(options: FuzzOptions): Promise<CommandResults[]> {
   const { commands = COMMANDS, first = 0, report = () => {}, stop = new AbortController().signal } = options
@@ -86,7 +86,7 @@ function failureText(command: string, { index, outcome, message, milliseconds }:
   return `  ${command} ${index}: ${outcome} after ${(milliseconds / 1000).toFixed(1)} s: ${message}`
 }
 
-/** How many files ended how, and which took longest and most. */
+/** Summarises outcomes, and the slowest and largest runs. */
 function summaryText(command: string, tried: readonly Tried[]): string {
   const counts = new Map<Outcome, number>()
   for (const { outcome } of tried) counts.set(outcome, (counts.get(outcome) ?? 0) + 1)

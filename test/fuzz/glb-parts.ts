@@ -2,7 +2,7 @@
 // biome-ignore lint/suspicious/noExplicitAny: see above
 export type Anything = any
 
-/** A `.glb` taken apart without any checks. */
+/** Parts of a `.glb`, read without checks. */
 export interface GlbParts {
   json: Anything
   bin: Buffer
@@ -13,7 +13,7 @@ export function splitGlb(glb: Buffer): GlbParts {
   return { json: JSON.parse(glb.toString('utf8', 20, end)), bin: Buffer.from(glb.subarray(end + 8)) }
 }
 
-/** @param text the JSON as text, where it cannot be written from `json`. */
+/** @param text JSON text, if `json` cannot be serialised. */
 export function joinGlb({ json, bin }: GlbParts, text = JSON.stringify(json)): Buffer {
   const chunk = (type: number, data: Buffer, fill: number) => {
     const head = Buffer.alloc(8)
@@ -28,7 +28,7 @@ export function joinGlb({ json, bin }: GlbParts, text = JSON.stringify(json)): B
   return Buffer.concat([head, body])
 }
 
-/** Replaces the bytes of an image inside a file. */
+/** Replaces the bytes of an image in a file. */
 export function setImage({ json, bin }: GlbParts, image: number, bytes: Buffer, mimeType?: string): GlbParts {
   const start = Math.ceil(bin.length / 4) * 4
   const bufferView = json.bufferViews.push({ buffer: 0, byteOffset: start, byteLength: bytes.length }) - 1
@@ -37,7 +37,7 @@ export function setImage({ json, bin }: GlbParts, image: number, bytes: Buffer, 
   return { json, bin: Buffer.concat([bin, Buffer.alloc(start - bin.length), bytes]) }
 }
 
-/** The bytes of an image inside a file. */
+/** Returns the bytes of an image in a file. */
 export function imageBytes({ json, bin }: GlbParts, image: number): Buffer {
   const { byteOffset = 0, byteLength } = json.bufferViews[json.images[image].bufferView]
   return Buffer.from(bin.subarray(byteOffset, byteOffset + byteLength))

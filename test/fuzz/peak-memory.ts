@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs'
 
 /**
- * Largest resident memory of this process, in bytes. On Linux `maxRSS` begins with the memory of the process that started this one, so the
- * kernel's figure for this program alone is read instead (`VmHWM`, proc(5)).
+ * Returns this process's peak resident memory, bytes. On Linux `maxRSS` starts at the parent's memory, so `VmHWM`
+ * (proc(5)) is read instead.
  */
 export function peakMemory(): number {
   const [, kilobytes] = process.platform === 'linux' ? (/^VmHWM:\s*(\d+)/m.exec(ownStatus()) ?? []) : []

@@ -4,18 +4,18 @@ import { cpSync, rmSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Outcome, Result, Task } from './child.ts'
 
-/** What one file of up to 10 MB may cost; a larger one as many times as much as it is larger. */
+/** Limits for a file of up to 10 MB. They grow in proportion for larger files. */
 export interface FileLimits {
-  /** Of the processor. */
+  /** Processor time. */
   seconds: number
-  /** Of memory. */
+  /** Peak memory. */
   megabytes: number
 }
 
-/** Seconds of the clock after which a process waits for what will not come, however busy the machine is. */
+/** Time limit for a process that stopped answering, wall-clock seconds. Long enough for a busy machine. */
 const PATIENCE = 600
 
-/** A file that was tried. */
+/** Result of one file. */
 export interface Tried extends Result {
   index: number
 }
@@ -23,12 +23,12 @@ export interface Tried extends Result {
 export const FINE: readonly Outcome[] = ['success', 'refused', 'findings']
 
 /**
- * Tries files in processes of their own, which are ended where a file takes too long.
+ * Tries files in separate processes, and ends a process that exceeds its limits.
  *
  * @param child the bundled child.ts.
  * @param bases folder with the undamaged files.
- * @param keep folder for the files that fail.
- * @param stop ends it early, without the file that is being tried.
+ * @param keep folder for files that fail.
+ * @param stop ends the run early, without the file in progress.
  */
 export async function tryFiles(
   { child, bases, work, keep }: { child: string; bases: string; work: string; keep: string },
@@ -45,10 +45,10 @@ export async function tryFiles(
     const folder = join(work, `job-${job}`)
     while (next < first + count && !stop.aborted) {
       const index = next++
-      // Twice its time, so that what is only too slow is told from what hangs.
+      // Twice the limit, to tell slow files from hanging ones.
       const task = { command, seed, index, folder, seconds: 2 * limits.seconds }
       let result = await process.attempt(task, stop)
-      // The peak may be that of an earlier file: the verdict is that of a new process.
+      // An earlier file may have caused the peak, so a new process decides.
       if (result.outcome === 'too large') result = await process.attempt(task, stop)
       if (stop.aborted) break
       const tried = { ...result, index }
@@ -65,7 +65,7 @@ export async function tryFiles(
   return all
 }
 
-/** One process at a time; a new one where the last was ended. */
+/** Runs one process at a time, and restarts it after it was ended. */
 class Attempts {
   readonly #path: string
   readonly #bases: string
@@ -116,7 +116,7 @@ class Attempts {
     }
   }
 
-  /** Without the terminal: its Ctrl-C is for the parent, and the commands' bars would hide the parent's. */
+  /** Detached from the terminal: Ctrl-C is for the parent, and progress bars would hide the parent's. */
   #start(): ChildProcess {
     const stdio = ['ignore', 'inherit', 'pipe', 'ipc'] as const
     const child = fork(this.#path, [this.#bases], { stdio: [...stdio], detached: true })

@@ -1,4 +1,4 @@
-/** Runs a command without what it prints. */
+/** Runs a command and discards its output. */
 export async function quietly(run: () => Promise<unknown>): Promise<void> {
   const { write } = process.stdout
   const printed = console.error

@@ -1,6 +1,6 @@
 import { seeded } from '../random.ts'
 
-/** Seeded choices. */
+/** Seeded random choices. */
 export class Random {
   readonly #next: () => number
 
@@ -8,7 +8,7 @@ export class Random {
     this.#next = seeded(seed)
   }
 
-  /** A whole number from 0 to `below` - 1. */
+  /** Returns an integer from 0 to `below` - 1. */
   int(below: number): number {
     return Math.floor(this.#next() * below)
   }

@@ -1,4 +1,4 @@
-// Runs one command, `run-command NAME ARGUMENTS`, and prints what it cost and how it ended as JSON.
+// Runs one command, `run-command NAME ARGUMENTS`, and prints its cost and result as JSON.
 
 import { arrayCommand } from '../../packages/cli/src/commands/array.ts'
 import { inspectCommand } from '../../packages/cli/src/commands/inspect.ts'
@@ -11,11 +11,11 @@ import { peakMemory } from './peak-memory.ts'
 import { quietly } from './quietly.ts'
 
 export interface RunCost {
-  /** The name and message of the error; absent where there was none. */
+  /** Error name and message; absent on success. */
   error?: { name: string; message: string }
-  /** Largest resident memory in megabytes. */
+  /** Peak resident memory, megabytes. */
   megabytes: number
-  /** Seconds of the processor. */
+  /** Processor time, seconds. */
   seconds: number
 }
 
@@ -42,5 +42,5 @@ const cost: RunCost = {
   seconds: (userCPUTime + systemCPUTime) / 1e6,
 }
 process.stdout.write(JSON.stringify(cost))
-// Findings of `validate` are no failure here.
+// Findings of `validate` do not count as failures here.
 process.exitCode = 0

@@ -1,7 +1,7 @@
 import { type Anything, imageBytes, splitGlb } from './glb-parts.ts'
 import type { Random } from './random.ts'
 
-/** What a file may refer to: another file, data, nothing, what is elsewhere, and what is no file. */
+/** URIs of other files, data, nothing, remote resources and invalid paths. */
 const URIS: Anything[] = [
   'face%2Ebin',
   'image.png',
@@ -21,7 +21,7 @@ const URIS: Anything[] = [
 ]
 
 /**
- * Writes a damaged face: most as they are, some as a `.gltf` with files beside it.
+ * Writes a damaged face, sometimes as a `.gltf` with separate files.
  *
  * @param write writes a file and returns its path.
  */
@@ -42,7 +42,7 @@ export function writeFace(
     write('image.png', image)
     return write('face.gltf', text)
   } catch {
-    // It is too damaged to be taken apart.
+    // Too damaged to split.
     return write('face.glb', glb)
   }
 }

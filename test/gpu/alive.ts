@@ -1,8 +1,8 @@
 import { cdp } from 'vitest/browser'
 
-/** How many of some objects are left when all garbage is collected. */
+/** Counts the objects that survive a garbage collection. */
 export async function alive(objects: readonly WeakRef<object>[]): Promise<number> {
-  // A reference that was read, or made, holds its object until the current task ends.
+  // Dereferencing or creating a WeakRef keeps its target alive until the current task ends.
   await new Promise((resolve) => setTimeout(resolve))
   await cdp().send('HeapProfiler.collectGarbage')
   return new Set(objects.flatMap((object) => object.deref() ?? [])).size

@@ -19,7 +19,7 @@ const SIZE = 64
 describe.each(RENDERERS)('a face that is alone in its influence map, on %s', (name) => {
   const harness = harnessOn(name)
 
-  /** All of the map fills the picture, with its edges, also where coordinates wrap. */
+  /** The map fills the picture up to its edges, including where coordinates wrap. */
   function wrinkledSquare(scale = 1) {
     const set = randomSet(seeded(7), 6, 16)
     const mesh = square(new MeshPhysicalMaterial(), scale)
@@ -28,7 +28,7 @@ describe.each(RENDERERS)('a face that is alone in its influence map, on %s', (na
     return { mesh, wrinkles, scene: new Scene().add(mesh, new DirectionalLight(), new AmbientLight()) }
   }
 
-  it.each([1, 3])('looks as before once another one joins it, over %i repetitions', async (scale) => {
+  it.each([1, 3])('looks the same after another face joins it, over %i repetitions', async (scale) => {
     const { wrinkles, scene } = wrinkledSquare(scale)
     const draw = () => harness.render(scene, squareCamera(), SIZE)
     const alone = await draw()
@@ -41,7 +41,7 @@ describe.each(RENDERERS)('a face that is alone in its influence map, on %s', (na
     expect(largestDifference(shown, alone)).toBeGreaterThan(0.1)
   })
 
-  it('has the program of faces that share theirs from when another joins it, before it is drawn', async () => {
+  it('switches to the shared program when another face joins, before that face is drawn', async () => {
     const first = wrinkledSquare()
     const renderer = harness.renderer as WebGLRenderer
     await harness.render(first.scene, squareCamera(), SIZE)
@@ -61,7 +61,7 @@ describe.each(RENDERERS)('a face that is alone in its influence map, on %s', (na
 })
 
 describe.each(RENDERERS)('normals of layers that point into the surface, on %s', (name) => {
-  it('leave the skin as it is where nothing wrinkles', async () => {
+  it('leave the skin unchanged where nothing wrinkles', async () => {
     const harness = await createHarness(name)
     const random = seeded(5)
     const material = new MeshPhysicalMaterial({ normalMap: mapOf(randomNormals(random, 16)) })
@@ -88,5 +88,5 @@ describe.each(RENDERERS)('normals of layers that point into the surface, on %s',
   })
 })
 
-/** What renderers leave where nothing was baked. */
+/** Value that bakers leave in unused texels. */
 const BLACK = { width: 16, height: 16, data: new Uint8Array(4 * 16 * 16) }

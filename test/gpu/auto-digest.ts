@@ -1,10 +1,10 @@
 import { type AutoWrinkles, autoWrinkles } from 'furrow/author'
 import { decodeGlb, documentOf, findSkin } from 'furrow-files'
 
-/** Small, but of all steps. */
+/** Small, but runs every step. */
 const OPTIONS = { size: 512, age: 70 }
 
-/** A digest of each part of the automatic wrinkles of a face: two that are equal were made of the same bits. */
+/** Hashes each part of a face's automatic wrinkles. Equal hashes mean equal bits. */
 export async function autoDigest(file: Uint8Array): Promise<Record<string, number>> {
   const found = findSkin(
     await documentOf(decodeGlb(file, 'human.glb', 'test'), 'human.glb', 'test'),
@@ -15,7 +15,7 @@ export async function autoDigest(file: Uint8Array): Promise<Record<string, numbe
   return Object.fromEntries(Object.entries(wrinkles).map(([name, part]) => [name, digestOf(part)]))
 }
 
-/** FNV-1a of all numbers, to the last bit, and of all texts. */
+/** FNV-1a hash of all numbers, to the last bit, and all texts. */
 function digestOf(value: unknown, hash = 2166136261): number {
   if (typeof value === 'number') return mix(hash, ...new Uint32Array(new Float64Array([value]).buffer))
   if (typeof value === 'string') return mix(hash, ...Array.from(value, (letter) => letter.codePointAt(0)!))

@@ -1,4 +1,4 @@
-// No GPU is used, but a browser: its workers are not those of Node.
+// Uses no GPU, but a browser, because its workers differ from Node's.
 
 import { FurrowError } from 'furrow'
 import { autoWrinkles, type Skin } from 'furrow/author'
@@ -19,11 +19,11 @@ function makeSkin(): Skin {
   }
 }
 
-/** Workers that were started and not yet ended. */
+/** Workers that are running. */
 const running = new Set<Worker>()
 const RealWorker = globalThis.Worker
 
-/** Watches workers; with a script, each runs that instead of ours. */
+/** Records workers. If a script is given, each worker runs that script instead of ours. */
 function watchWorkers(script?: string): void {
   vi.stubGlobal(
     'Worker',
@@ -46,7 +46,7 @@ afterEach(() => {
 })
 
 describe('autoWrinklesInWorker', () => {
-  it('makes the same bytes as autoWrinkles, and ends its worker', async () => {
+  it('returns the same bytes as autoWrinkles, and ends its worker', async () => {
     watchWorkers()
     const made = await autoWrinklesInWorker(makeSkin(), OPTIONS)
     expect(made).toEqual(autoWrinkles(makeSkin(), OPTIONS))
@@ -54,7 +54,7 @@ describe('autoWrinklesInWorker', () => {
     await vi.waitFor(() => expect(running.size).toBe(0))
   })
 
-  it('tells how far it is', async () => {
+  it('reports progress', async () => {
     const [told, expected]: unknown[][] = [[], []]
     await autoWrinklesInWorker(makeSkin(), { ...OPTIONS, progress: (...at) => told.push(at) })
     autoWrinkles(makeSkin(), OPTIONS, (...at) => expected.push(at))
@@ -62,7 +62,7 @@ describe('autoWrinklesInWorker', () => {
     expect(told.length).toBeGreaterThan(AUTO_STEPS.length)
   })
 
-  it('copies the skin, or takes it', async () => {
+  it('copies the skin by default, or transfers it', async () => {
     const skin = makeSkin()
     const copied = await autoWrinklesInWorker(skin, OPTIONS)
     expect(skin).toEqual(makeSkin())
@@ -72,7 +72,7 @@ describe('autoWrinklesInWorker', () => {
     ])
   })
 
-  it('takes a skin whose arrays are views of one buffer', async () => {
+  it('accepts a skin whose arrays are views of one buffer', async () => {
     const { positions, uvs, indices, targets } = makeSkin()
     const arrays = [positions, uvs, targets[0]!.offsets]
     const file = new Float32Array(arrays.reduce((sum, { length }) => sum + length, 0))
@@ -93,7 +93,7 @@ describe('autoWrinklesInWorker', () => {
     expect(file.length).toBe(0)
   })
 
-  it('ends at once when it is aborted', async () => {
+  it('stops immediately when aborted', async () => {
     watchWorkers()
     const controller = new AbortController()
     const reason = new Error('closed')
@@ -110,7 +110,7 @@ describe('autoWrinklesInWorker', () => {
     expect(running.size).toBe(0)
   })
 
-  it('does not start when it is aborted before', async () => {
+  it('does not start if the signal is already aborted', async () => {
     watchWorkers()
     const signal = AbortSignal.abort()
     await expect(autoWrinklesInWorker(makeSkin(), { signal })).rejects.toBe(signal.reason)
@@ -121,20 +121,20 @@ describe('autoWrinklesInWorker', () => {
     expect(running.size).toBe(0)
   })
 
-  it('throws what autoWrinkles throws', async () => {
+  it('throws the same errors as autoWrinkles', async () => {
     watchWorkers()
     const skin = { ...makeSkin(), targets: [] }
-    const thrown = await faultOf(autoWrinklesInWorker(skin, OPTIONS))
-    const expected = await faultOf((async () => autoWrinkles(skin, OPTIONS))())
+    const thrown = await errorOf(autoWrinklesInWorker(skin, OPTIONS))
+    const expected = await errorOf((async () => autoWrinkles(skin, OPTIONS))())
     expect(thrown).toBeInstanceOf(FurrowError)
     expect({ ...thrown, message: thrown.message }).toEqual({ ...expected, message: expected.message })
     expect(running.size).toBe(0)
   })
 
-  it('refuses arrays that were transferred before', async () => {
+  it('refuses arrays that were already transferred', async () => {
     const skin = makeSkin()
     structuredClone(skin.positions, { transfer: [(skin.positions as Float32Array).buffer] })
-    const { message } = await faultOf(autoWrinklesInWorker(skin, { ...OPTIONS, transfer: true }))
+    const { message } = await errorOf(autoWrinklesInWorker(skin, { ...OPTIONS, transfer: true }))
     expect(message).toMatch(/^autoWrinklesInWorker: the skin cannot be sent to the worker, .*; pass arrays/)
   })
 
@@ -154,16 +154,16 @@ describe('autoWrinklesInWorker', () => {
       })`,
       /^autoWrinklesInWorker: the worker ended before its work was done; close other pages/,
     ],
-  ])('says so where the worker %s', async (_, script, message) => {
+  ])('explains the failure when the worker %s', async (_, script, message) => {
     watchWorkers(script)
-    const fault = await faultOf(autoWrinklesInWorker(makeSkin(), OPTIONS))
-    expect(fault.message).toMatch(message)
-    expect(fault.code).toBe('unsupported')
+    const error = await errorOf(autoWrinklesInWorker(makeSkin(), OPTIONS))
+    expect(error.message).toMatch(message)
+    expect(error.code).toBe('unsupported')
     expect(running.size).toBe(0)
   })
 })
 
-async function faultOf(made: Promise<unknown>): Promise<FurrowError> {
+async function errorOf(made: Promise<unknown>): Promise<FurrowError> {
   return made.then(
     () => expect.unreachable('nothing was thrown'),
     (error) => error,

@@ -8,7 +8,7 @@ import { faceScene, HEIGHT, referenceInfluence, renderWith, uvMaterial, WIDTH } 
 import { createHarness, RENDERERS } from './harness.ts'
 
 describe.each(BARE_FACES.map((face, i) => ({ ...face, i })))(
-  '$name with strokes and areas of its own',
+  '$name with its own strokes and areas',
   (bare) => {
     let face: Face
     let set: WrinkleSet
@@ -55,7 +55,7 @@ describe.each(BARE_FACES.map((face, i) => ({ ...face, i })))(
   },
 )
 
-/** What a user does with a face that has neither maps nor areas: draw strokes, and let the rest follow. */
+/** Does what a user does with a bare face: draws strokes and derives everything else. */
 function author({ skin }: Face, strokes: unknown): WrinkleSet {
   const { geometry } = skin
   const document = parseStrokes(strokes)

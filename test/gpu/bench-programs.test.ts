@@ -9,7 +9,7 @@ describe.each(['webgl', 'webgpu'] as const)('programs of the benchmark on %s', (
   const harness = harnessOn(name)
 
   it.each(['off', 'default', 'composed', 'paper'] as const)(
-    'are shared with no other copy, and draw the same: %s',
+    'are not shared with other copies, and draw the same: %s',
     async (mode) => {
       const set = randomSet(seeded(7), 1, 8)
       const draw = async (isOwn: boolean) => {
@@ -25,7 +25,7 @@ describe.each(['webgl', 'webgpu'] as const)('programs of the benchmark on %s', (
       const shared = [await draw(false), await draw(false)]
       const own = [await draw(true), await draw(true)]
       expect(shared[1].programs).toBe(shared[0].programs)
-      // On WebGPU the nodes of the vertex shader are also numbered anew.
+      // WebGPURenderer numbers the nodes of the vertex shader per copy too.
       expect(own[0].programs).toBeGreaterThan(shared[1].programs)
       expect(own[1].programs).toBe(own[0].programs + 1)
       for (const { pixels } of own) expect(pixels).toBe(shared[0].pixels)

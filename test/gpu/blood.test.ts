@@ -12,7 +12,7 @@ import { type Kind, MAP, randomLayer } from './layer-values.ts'
 const PIXELS = 16
 const AREAS = 4
 
-/** Of three layers, the first has occlusion too and the last neither: occlusion changes neither direct nor diffuse light. */
+/** Of the three layers, the first also has occlusion and the last has neither map. Occlusion changes neither direct nor diffuse light. */
 const LAYERS = { both: ['occlusion', 'blood'], blood: ['blood'], neither: [] } as const satisfies Record<
   string,
   Kind[]
@@ -23,7 +23,7 @@ describe.each(RENDERERS)('blood on %s', (name) => {
   const cases = casesOn(name)
   const harness = harnessOn(name)
 
-  /** Pictures of a square in one colour, at rest and with wrinkles. */
+  /** Renders a square of one colour at rest and with wrinkles. */
   async function show(layers: Layer[], areas: Area[], color: Color, activations: readonly number[]) {
     const mesh = square(new MeshLambertMaterial({ color }))
     const wrinkles = new harness.Wrinkles(mesh, { layers, areas }, { areaSize: MAP })
@@ -41,9 +41,9 @@ describe.each(RENDERERS)('blood on %s', (name) => {
     return { plain, shown, dispose }
   }
 
-  it(`absorbs as the reference does, in ${cases} random cases`, async () => {
+  it(`absorbs light like the reference in ${cases} random cases`, async () => {
     const random = seeded(17)
-    // Each case is disposed after the next is drawn, so that the renderer keeps their common program.
+    // Dispose after the next draw, so that the renderer keeps the shared program.
     let release = () => {}
     let largestEffect = 0
     for (let i = 0; i < cases; i++) {
@@ -65,7 +65,7 @@ describe.each(RENDERERS)('blood on %s', (name) => {
     release()
   })
 
-  it('leaves every bit as it is where there is as much as at rest', async () => {
+  it('changes no bit where the amount equals the amount at rest', async () => {
     const random = seeded(18)
     const areas = randomAreas(random, AREAS, MAP)
     const color = new Color(0.71, 0.43, 0.337)
@@ -78,7 +78,7 @@ describe.each(RENDERERS)('blood on %s', (name) => {
   })
 })
 
-/** The picture at rest with the blood of the reference. */
+/** Applies the reference's blood to the picture at rest. */
 function absorbed(
   plain: Float32Array,
   layers: readonly Layer[],

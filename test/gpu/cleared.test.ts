@@ -4,14 +4,14 @@ import { harnessOn, RENDERERS } from './harness.ts'
 import { litPicture, loadFile } from './loaded.ts'
 import { wrinkledFile } from './wrinkled-file.ts'
 
-describe.each(RENDERERS)('influence maps that are all drawn again, on %s', (name) => {
+describe.each(RENDERERS)('fully redrawn influence maps, on %s', (name) => {
   const harness = harnessOn(name)
   let file: Uint8Array
   beforeAll(async () => {
     file = await wrinkledFile()
   })
 
-  it('hold nothing of the frame before, nor do those of other faces change', async () => {
+  it('keep nothing of the previous frame, and do not affect other faces', async () => {
     const [first, second] = await Promise.all([loadFile(harness, file), loadFile(harness, file)])
     const [a, b] = [first, second].map(({ userData }) => userData.wrinkles[0])
     for (const wrinkles of [a, b]) wrinkles.driven = false
@@ -19,14 +19,14 @@ describe.each(RENDERERS)('influence maps that are all drawn again, on %s', (name
       await litPicture(harness, first.scene),
       await litPicture(harness, second.scene),
     ]
-    // Each from its own cell: in another one coordinates are rounded otherwise.
+    // Each face in its own cell, because coordinates round differently in other cells.
     const [plain, otherPlain] = await pictures()
     a.setActivation('a', 1)
     b.setActivation('c', 1)
     const [shown, other] = await pictures()
     expect(shown).not.toEqual(plain)
     expect(other).not.toEqual(otherPlain)
-    // One of two changes, then both.
+    // Changes one face, then both.
     a.setActivation('a', 0)
     expect(await pictures()).toEqual([plain, other])
     a.setActivation('a', 1)
@@ -35,7 +35,7 @@ describe.each(RENDERERS)('influence maps that are all drawn again, on %s', (name
     for (const wrinkles of [a, b]) wrinkles.dispose()
   })
 
-  it("leave the renderer's clear colour as it is", async () => {
+  it("keep the renderer's clear colour", async () => {
     const { renderer } = harness
     const before = renderer.getClearColor(new Color() as never).clone()
     const alpha = renderer.getClearAlpha()

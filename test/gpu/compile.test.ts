@@ -18,7 +18,7 @@ const isOnOldest = inject('threeRelease') === 'oldest'
 describe.each(RENDERERS)('compileAsync on %s', (name) => {
   const harness = harnessOn(name)
 
-  it('compiles all that the first frame with wrinkles takes, and draws nothing too early', async () => {
+  it('compiles everything for the first wrinkled frame, and draws nothing too early', async () => {
     const renderer = harness.renderer as WebGLRenderer
     const face = () => {
       const mesh = square(new MeshPhysicalMaterial())
@@ -36,7 +36,7 @@ describe.each(RENDERERS)('compileAsync on %s', (name) => {
     expect(programs).toBeGreaterThan(none + 1)
     renderer.render(scene, squareCamera())
     renderer.setRenderTarget(null)
-    // There `WebGPURenderer` compiles what draws influence with the frame.
+    // The oldest supported `WebGPURenderer` compiles the influence programs in the frame.
     if (!isOnOldest || name === 'webgl') expect(harness.programs()).toBe(programs)
     const shown = (await harness.renderBytes(scene, squareCamera(), SIZE)).join()
     wrinkles.dispose()
@@ -47,10 +47,10 @@ describe.each(RENDERERS)('compileAsync on %s', (name) => {
   })
 })
 
-it.each(RENDERERS)('is possible long after the last frame, on %s', async (name) => {
+it.each(RENDERERS)('compileAsync works long after the last frame, on %s', async (name) => {
   const harness = await createHarness(name)
   const renderer = harness.renderer as WebGLRenderer
-  // A renderer counts the page's frames from its start, and forgets what it has not drawn for ten.
+  // A renderer counts page frames, and forgets objects that it has not drawn for ten.
   for (let frame = 0; frame < 15; frame++) await new Promise(requestAnimationFrame)
   const face = (z: number) => {
     const mesh = square(new MeshPhysicalMaterial())
@@ -67,7 +67,7 @@ it.each(RENDERERS)('is possible long after the last frame, on %s', async (name) 
   harness.dispose()
 })
 
-it('what draws influence is compiled after a first frame without wrinkles, on webgl', async () => {
+it('influence programs are compiled in a first frame without wrinkles, on webgl', async () => {
   const harness = await createHarness('webgl')
   const scene = new Scene().add(square(new MeshPhysicalMaterial()), new DirectionalLight())
   const wrinkles = new harness.Wrinkles(scene.children[0] as Mesh, randomSet(seeded(3), 6, 16), {

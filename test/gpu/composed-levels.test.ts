@@ -18,8 +18,8 @@ import { readLevel } from './read-level.ts'
 const SIZE = 64
 const LEVELS = [0, 1, 2, 3, 4, 5, 6]
 
-/** `WebGPURenderer` has the GPU make all levels but the first. */
-describe('the levels of the composed map on webgl', () => {
+/** WebGL only: on WebGPU the GPU makes all levels but the first. */
+describe('mipmap levels of the composed map on webgl', () => {
   const harness = harnessOn('webgl')
 
   const random = seeded(5)
@@ -32,13 +32,13 @@ describe('the levels of the composed map on webgl', () => {
   const layer = { name: 'all', kind: 'replace' as const, normal: randomNormals(random, SIZE) }
   const set = { layers: [layer], areas: [area('left', 0, 32), area('right', 32, 64), area('some', 5, 23)] }
 
-  /** Bytes of all levels of a texture. Alpha is not the normal's. */
+  /** Returns the bytes of all levels of a texture, without alpha, which holds no part of the normal. */
   const levelsOf = async (texture: Texture) => {
     const levels = await Promise.all(LEVELS.map((level) => readLevel(harness, texture, null, level)))
     return levels.map((rgba) => [...rgba.filter((_, i) => i % 4 < 3)])
   }
 
-  /** A face with base and layer of the same size, and what draws it. */
+  /** Creates a face whose base and layer have the same size, and a function that draws it. */
   const createFace = (minFilter: Texture['minFilter'] = LinearMipmapLinearFilter) => {
     const normalMap = new DataTexture(base.data, SIZE, SIZE)
     normalMap.generateMipmaps = true
@@ -58,7 +58,7 @@ describe('the levels of the composed map on webgl', () => {
     return { normalMap, levels }
   }
 
-  it("are the face's own where nothing is active, and the layer's where that replaces all", async () => {
+  it("equal the face's own at rest, and the layer's where the layer replaces everything", async () => {
     const { normalMap, levels } = createFace()
     const atRest = await levels({})
     const own = await levelsOf(normalMap)
@@ -70,14 +70,14 @@ describe('the levels of the composed map on webgl', () => {
     expect(all[6]).not.toEqual(own[6])
   })
 
-  it("are made by the GPU where the face's map has none", async () => {
+  it("are made by the GPU if the face's map has no mipmaps", async () => {
     const levels = await createFace(LinearFilter).levels({})
     for (const channel of [0, 1]) {
       expect(Math.abs(levels[6][channel] - meanOf(base.data, channel))).toBeLessThan(2)
     }
   })
 
-  it('are the same when only some areas change as when all is drawn anew', async () => {
+  it('do not depend on whether some or all areas are redrawn', async () => {
     const some = { left: 0.3, right: 0, some: 0.6 }
     const anew = await createFace().levels(some)
     const { levels } = createFace()
@@ -85,7 +85,7 @@ describe('the levels of the composed map on webgl', () => {
     await levels({ left: 0.8, right: 0, some: 1 })
     const differenceTo = (other: number[][]) => largestDifference(other.flat(), anew.flat())
     expect(differenceTo(await levels({ some: 0.6 }))).toBeGreaterThan(20)
-    // A texel's influence is found between the corners of what is drawn, which is rounded.
+    // Influence is interpolated between the corners of each drawn rectangle, with rounding.
     expect(differenceTo(await levels({ left: 0.3 }))).toBeLessThanOrEqual(1)
   })
 })

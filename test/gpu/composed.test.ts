@@ -16,10 +16,10 @@ import { largestDifference } from './difference.ts'
 import { harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 import { mixingCase } from './mixing.ts'
 
-/** Width and height of the maps in texels and of the pictures in pixels; areas are smaller. */
+/** Side of the maps (texels) and of the pictures (pixels); areas are smaller. */
 const MAP = 64
 
-/** Rounding to bytes: half a step in each component, and no normalisation afterwards. */
+/** Rounding to bytes: half a step per component, without renormalisation. */
 const TOLERANCE = 3 / 255
 
 const KINDS: LayerKind[][] = [
@@ -93,7 +93,7 @@ describe.each(RENDERERS)('the composed mode on %s', (name) => {
     expect(material.normalMap).toBe(normalMap)
   })
 
-  it('draws nothing while no activation changes', async () => {
+  it('redraws nothing while activations stay the same', async () => {
     const mixing = mixingCase(harness, seeded(5), ['detail'], { mode: 'composed', map: MAP })
     mixing.wrinkles.setActivation(mixing.wrinkles.areaNames[0], 0.5)
     await mixing.largestError(squareCamera(), MAP)
@@ -107,13 +107,13 @@ describe.each(RENDERERS)('the composed mode on %s', (name) => {
     expect(renders).toBe(3)
     mixing.wrinkles.setActivation(mixing.wrinkles.areaNames[0], 0.6)
     await mixing.largestError(squareCamera(), MAP)
-    // The influence map and the normal map, once for all three pictures.
+    // Influence map and normal map are drawn once for all three pictures.
     expect(renders).toBe(3 + 3 + 2)
     Object.assign(harness.renderer, { render })
     mixing.dispose()
   })
 
-  it('refuses instances, and keeps the mode', () => {
+  it('refuses instances, and keeps the previous mode', () => {
     const set = randomSet(seeded(1), 2, 8)
     const wrinkles = new harness.Wrinkles(
       new InstancedMesh(new PlaneGeometry(), new MeshLambertMaterial(), 3),
@@ -126,7 +126,7 @@ describe.each(RENDERERS)('the composed mode on %s', (name) => {
     wrinkles.dispose()
   })
 
-  it('needs no normal map of the material', async () => {
+  it('works without a normal map on the material', async () => {
     const mesh = square(new MeshLambertMaterial())
     const wrinkles = new harness.Wrinkles(mesh, randomSet(seeded(1), 2, 8), { mode: 'composed' })
     expect((mesh.material as MeshLambertMaterial).normalMap).not.toBeNull()

@@ -19,7 +19,7 @@ import { harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 const PIXELS = 32
 const HALF = PIXELS / 2
 
-/** Centres of four faces, one in each quarter of the picture, row by row from the bottom. */
+/** Centres of four faces, one per quarter of the picture, row by row from the bottom. */
 const CENTRES = [
   [-0.5, -0.5],
   [0.5, -0.5],
@@ -63,7 +63,7 @@ describe.each(RENDERERS)('a crowd on %s', (name) => {
   }
   const draw = (scene: Scene, camera: OrthographicCamera = squareCamera()) =>
     harness.renderBytes(scene, camera, PIXELS)
-  /** The pictures of each face alone. */
+  /** Renders each face alone. */
   const alone = () =>
     Promise.all(
       CENTRES.map(async (centre, i) => {
@@ -113,7 +113,7 @@ describe.each(RENDERERS)('a crowd on %s', (name) => {
     wrinkles.dispose()
   })
 
-  it('draws influence maps of many faces as it does after frames in which few had changed', async () => {
+  it('draws many influence maps as before after frames in which few changed', async () => {
     const side = 8
     const crowdOf = () => {
       const mesh = new InstancedMesh(
@@ -135,7 +135,7 @@ describe.each(RENDERERS)('a crowd on %s', (name) => {
     const few = await show(gradual, 2)
     const all = await show(gradual, side ** 2)
     await show(gradual, 2, 0.5)
-    // Fewer rectangles than the buffer holds: the others must stay.
+    // Fewer rectangles than the buffer holds: the other maps must stay.
     expect(await show(gradual, 2)).toEqual(all)
     expect(few).not.toEqual(all)
     expect(await show(flat, side ** 2)).toEqual(all)
@@ -162,7 +162,7 @@ describe.each(RENDERERS)('a crowd on %s', (name) => {
     batch.dispose()
   })
 
-  it('shares the textures of other wrinkles, until the last user is disposed', async () => {
+  it('shares the textures of other wrinkles until the last user is disposed', async () => {
     const expected = await alone()
     const meshes = CENTRES.map(face)
     const first = addWrinkles(meshes[0])
@@ -275,7 +275,7 @@ describe.each(RENDERERS)('a crowd on %s', (name) => {
   })
 })
 
-/** The bytes of one quarter of a picture. */
+/** Returns the bytes of one quarter of a picture. */
 function quarter(picture: Uint8Array, i: number): Uint8Array {
   const rows = Array.from({ length: HALF }, (_, y) => {
     const start = ((y + (i >> 1) * HALF) * PIXELS + (i % 2) * HALF) * 4

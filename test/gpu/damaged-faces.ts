@@ -22,20 +22,20 @@ const SIDE = 32
 const NAME = 'FURROW_wrinkle_maps'
 const LAYERS = ['age', 'expression']
 
-/** A file whose wrinkles may be damaged, and what `furrow validate` says. */
+/** File that may contain damaged wrinkles, with the result of `furrow validate`. */
 export interface DamagedFace {
-  what: string
-  /** The bytes of the `.glb` in base 64. */
+  name: string
+  /** Bytes of the `.glb`, base64. */
   file: string
-  /** The first error; null where it takes the file. */
-  fault: string | null
-  /** Whether decoders may disagree: AV1 has no checksums, and browsers decode damaged data that libraries refuse. */
+  /** First error; null if the file is valid. */
+  problem: string | null
+  /** True if decoders may disagree: AV1 has no checksums, and browsers decode damaged data that libraries refuse. */
   isUnsure: boolean
 }
 
 type Encode = (image: Sharp) => Sharp
 
-/** The same pixels as users store them. */
+/** Encoders of the same pixels in the formats that users store. */
 const FORMATS: Record<string, [mimeType: string, encode: Encode]> = {
   png: ['image/png', (image) => image.png()],
   'png with palette': ['image/png', (image) => image.png({ palette: true })],
@@ -48,8 +48,8 @@ const FORMATS: Record<string, [mimeType: string, encode: Encode]> = {
   avif: ['image/avif', (image) => image.avif({ lossless: true })],
 }
 
-/** Files of all kinds that are not damaged. */
-export async function wholeFaces(): Promise<Map<string, Uint8Array>> {
+/** Makes undamaged files of all formats. */
+export async function intactFaces(): Promise<Map<string, Uint8Array>> {
   const faces = new Map<string, Uint8Array>()
   for (const [name, [mimeType, encode]] of Object.entries(FORMATS)) {
     const image = async (seed: number): Promise<FileImage> => {
@@ -69,9 +69,9 @@ export async function wholeFaces(): Promise<Map<string, Uint8Array>> {
   return faces
 }
 
-/** Files of all kinds, first whole, then each damaged in one of its images. */
+/** Makes files of all formats: first intact, then with one image damaged. */
 export async function damagedFaces(): Promise<DamagedFace[]> {
-  const whole = [...(await wholeFaces())]
+  const whole = [...(await intactFaces())]
   const faces = await Promise.all(whole.map(([name, bytes]) => validated(name, bytes)))
   for (let seed = 0; seed < FILES; seed++) {
     const [name, original] = whole[seed % whole.length]!
@@ -81,14 +81,14 @@ export async function damagedFaces(): Promise<DamagedFace[]> {
   return faces
 }
 
-async function validated(what: string, bytes: Uint8Array): Promise<DamagedFace> {
+async function validated(name: string, bytes: Uint8Array): Promise<DamagedFace> {
   const findings = await checkWrinkles(decodeGlb(Buffer.from(bytes), 'face.glb', 'test'))
   const error = findings.find(({ severity }) => severity === 'error')
   return {
-    what,
+    name,
     file: Buffer.from(bytes).toString('base64'),
-    fault: error?.message ?? null,
-    isUnsure: what.includes('avif'),
+    problem: error?.message ?? null,
+    isUnsure: name.includes('avif'),
   }
 }
 
@@ -135,7 +135,7 @@ function randomFirst(change: (random: Random, original: Buffer) => Buffer): Dama
   return (image, random) => change(random, image)
 }
 
-/** Noise without large steps, all values. */
+/** Returns uniform noise of all byte values. */
 function pixels(seed: number, channels: 3 | 4): Uint8Array {
   const next = seeded(seed)
   return Uint8Array.from({ length: SIDE * SIDE * channels }, () => Math.floor(256 * next()))
@@ -152,14 +152,14 @@ async function array(compression: Compression, seeds: number[], mipmaps: boolean
 async function plainKtx2(compression: Compression, seed: number): Promise<FileImage> {
   const image = await array(compression, [seed], true)
   const bytes = Buffer.from(image.bytes)
-  // layerCount: an array of one slice becomes an image.
+  // layerCount 0 turns an array of one slice into an image.
   bytes.writeUInt32LE(0, 32)
   return { ...image, bytes }
 }
 
 const slices = (image: FileImage) => [0, 1].map((slice) => ({ ...image, slice }))
 
-/** A face with two layers, and an area in each channel of the images of its areas. */
+/** Makes a face with two layers, and an area in each channel of the area images. */
 async function face(normals: FileImage[], areas: FileImage[]): Promise<Uint8Array> {
   const glb: Glb = decodeGlb(Buffer.from(await wrinkledFile()), 'face.glb', 'test')
   const material = glb.json.materials![0]!
@@ -181,7 +181,7 @@ async function face(normals: FileImage[], areas: FileImage[]): Promise<Uint8Arra
   return encodeGlb(glb)
 }
 
-/** Gives images in formats that glTF has by extensions only to textures as these say. */
+/** Adds the extension that glTF requires for an image format to each texture. */
 function nameFormats({ json }: Glb): void {
   for (const texture of json.textures!) {
     const extension = FORMAT_EXTENSIONS[json.images![texture.source ?? 0]!.mimeType!]

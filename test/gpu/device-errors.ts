@@ -1,7 +1,7 @@
 import type { WebGPURenderer } from 'three/webgpu'
 import type { Harness } from './harness.ts'
 
-/** Collects the uncaptured errors of a renderer's device from now on. */
+/** Collects uncaptured errors of the renderer's device from this call on. */
 export function deviceErrors({ renderer }: Harness): string[] {
   const { device } = (renderer as WebGPURenderer).backend as unknown as { device: EventTarget }
   const errors: string[] = []

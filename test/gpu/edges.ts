@@ -3,22 +3,24 @@ import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { influenceAt } from './influence-at.ts'
 
-/** Texels of an area's side. */
+/** Side of an area, texels. */
 export const AREA = 8
 const LAST = AREA - 1
 
 /** Coordinates at both edges of UV space, and half a texel inside. */
-const AT = [0, 0.5 / AREA, 1 - 0.5 / AREA, 1]
+const POINTS = [0, 0.5 / AREA, 1 - 0.5 / AREA, 1]
 
-/** Side of a square of faces, and of the squares that a face has: one for each point, with its texture coordinates everywhere. */
-const SIDE = AT.length
+/**
+ * Number of faces along a side of the picture, and of squares along a side of a face. Each square has the texture coordinates of one point.
+ */
+const SIDE = POINTS.length
 
-/** A pixel for each point of each face. */
+/** One pixel per square of each face. */
 export const PIXELS = SIDE * SIDE
 
 export const FACES = Array.from({ length: SIDE ** 2 }, (_, face) => face)
 
-/** A set with an area whose weight is 1 along all edges, and one with any weights there. */
+/** Creates a set of two areas: one with weight 1 along all edges, one with random weights. */
 export function edgeSet(): WrinkleSet {
   const { layers, areas } = randomSet(seeded(7), 2, AREA)
   const isEdge = (i: number) => [i % AREA, Math.floor(i / AREA)].some((at) => at === 0 || at === LAST)
@@ -29,12 +31,12 @@ export function edgeSet(): WrinkleSet {
   return { layers, areas: areas.map((area, i): Area => ({ ...area, ...(i === 0 && { weights }) })) }
 }
 
-/** Of the two areas: faces beside each other show different ones. */
+/** Returns the activations of the two areas. Neighbouring faces show different areas. */
 export function activationsOf(face: number): [number, number] {
   return (face + Math.floor(face / SIDE)) % 2 ? [0, 0.5] : [1, 0]
 }
 
-/** Where the centre of a face is in a picture of -1..1; row by row from the bottom. A face is as large as a square of -1..1, divided by `SIDE`. */
+/** Returns the centre of a face in a picture of -1..1, row by row from the bottom. Each face is a -1..1 square scaled by `SCALE`. */
 export function centreOf(face: number): [number, number] {
   return [middle(face % SIDE), middle(Math.floor(face / SIDE))]
 }
@@ -43,13 +45,13 @@ export const SCALE = 1 / SIDE
 
 const middle = (i: number) => (2 * i + 1) / SIDE - 1
 
-/** A face's squares: corners in -1..1, texture coordinates, and triangles that are seen from where z is positive. */
+/** Returns a face's squares: corners in -1..1, texture coordinates, and triangles facing +z. */
 export function edgeSquares(): { positions: number[]; uvs: number[]; triangles: number[] } {
   const positions: number[] = []
   const uvs: number[] = []
   const triangles: number[] = []
-  for (const [row, v] of AT.entries()) {
-    for (const [column, u] of AT.entries()) {
+  for (const [row, v] of POINTS.entries()) {
+    for (const [column, u] of POINTS.entries()) {
       const first = uvs.length / 2
       triangles.push(...[0, 1, 2, 2, 1, 3].map((corner) => first + corner))
       for (const [x, y] of CORNERS) {
@@ -69,16 +71,16 @@ const CORNERS = [
 ] as const
 
 /**
- * Largest difference between the influence at all points of all faces and the float64 reference.
+ * Returns the largest difference between the influence at all points of all faces and the float64 reference.
  *
- * @param shown influence at a pixel, given its index from the bottom.
+ * @param shown influence at a pixel index counted from the bottom.
  */
 export function edgeError({ areas }: WrinkleSet, shown: (pixel: number) => number): number {
   let largest = 0
   for (const face of FACES) {
     const exactAt = influenceAt(areas, activationsOf(face), AREA)
-    for (const [row, v] of AT.entries()) {
-      for (const [column, u] of AT.entries()) {
+    for (const [row, v] of POINTS.entries()) {
+      for (const [column, u] of POINTS.entries()) {
         const [x, y] = [(face % SIDE) * SIDE + column, Math.floor(face / SIDE) * SIDE + row]
         largest = Math.max(largest, Math.abs(shown(y * PIXELS + x) - exactAt(u, v)))
       }

@@ -10,41 +10,41 @@ import { runAlone } from './pack-faces.ts'
 import { vrmFile } from './vrm-file.ts'
 import { type WrinkleJson, wrinkledFile } from './wrinkled-file.ts'
 
-/** Files by their paths, in base 64. */
+/** Files by path, base64. */
 export type EncodedFiles = Record<string, string>
 
-/** A face, and what `furrow pack` makes of it and the project. */
+/** Face, and the result of `furrow pack` with the project. */
 export interface ExportCase {
-  what: string
-  /** The file of the face, and those beside it. */
+  name: string
+  /** The face's file and the files next to it. */
   face: string
   files: EncodedFiles
   options: { ktx2?: boolean; size?: number }
-  /** In base 64. */
+  /** Packed face, base64. */
   packed: string
   findings: Finding[]
 }
 
-/** A face with faults, and what `furrow validate` finds. */
-export interface FaultyFace {
-  what: string
-  /** In base 64. */
+/** Invalid face, and the findings of `furrow validate`. */
+export interface InvalidFace {
+  name: string
+  /** Bytes of the `.glb`, base64. */
   file: string
   findings: Finding[]
 }
 
-/** What the studio exports must equal. */
+/** Inputs and expected results of the studio's export. */
 export interface ExportCases {
-  /** The files of the project. */
+  /** Files of the project. */
   project: EncodedFiles
   cases: ExportCase[]
-  faulty: FaultyFace[]
+  invalid: InvalidFace[]
 }
 
 const SIDE = 32
 
 /**
- * Packs one project into faces of all kinds, in both forms.
+ * Packs one project into faces of all kinds, as images and as arrays.
  *
  * @param root an empty folder.
  */
@@ -68,7 +68,7 @@ export async function exportCases(root: string): Promise<ExportCases> {
       const path = join(root, 'faces', face)
       await runAlone(packCommand, [join(root, 'project'), '--face', path, '-o', output, '--json', ...words])
       cases.push({
-        what: [face, ...words].join(' '),
+        name: [face, ...words].join(' '),
         face,
         files: encoded(files),
         options,
@@ -77,19 +77,19 @@ export async function exportCases(root: string): Promise<ExportCases> {
       })
     }
   }
-  return { project: encoded(project), cases, faulty: await Promise.all(FAULTS.map(faultyFace)) }
+  return { project: encoded(project), cases, invalid: await Promise.all(ERRORS.map(invalidFace)) }
 }
 
 // biome-ignore lint/suspicious/noExplicitAny: the whole JSON of the file, as a careless program would edit it
-const FAULTS: [what: string, spoil: (wrinkles: WrinkleJson) => unknown, edit: (json: any) => unknown][] = [
-  ['an area on a layer that is not there', ({ areas }) => Object.assign(areas[1], { layer: 3 }), () => {}],
+const ERRORS: [name: string, spoil: (wrinkles: WrinkleJson) => unknown, edit: (json: any) => unknown][] = [
+  ['an area on a missing layer', ({ areas }) => Object.assign(areas[1], { layer: 3 }), () => {}],
   ['a scene without a face', () => {}, ({ scenes }) => scenes[0].nodes.pop()],
   [
     'wrong bounds',
     () => {},
     ({ accessors }) => Object.assign(accessors[0], { max: [0, 0, 0], min: [0, 0, 0] }),
   ],
-  ['what the Khronos validator gives up at', () => {}, misalign],
+  ['data that make the Khronos validator give up', () => {}, misalign],
 ]
 
 function misalign({ accessors }: { accessors: object[] }): void {
@@ -97,17 +97,17 @@ function misalign({ accessors }: { accessors: object[] }): void {
   Object.assign(accessors[0], { sparse: { count: 1, indices, values: { bufferView: 0 } } })
 }
 
-async function faultyFace([what, spoil, edit]: (typeof FAULTS)[number]): Promise<FaultyFace> {
+async function invalidFace([name, spoil, edit]: (typeof ERRORS)[number]): Promise<InvalidFace> {
   const bytes = Buffer.from(await wrinkledFile(spoil, edit))
   const glb = decodeGlb(bytes, 'face.glb', 'test')
-  return { what, file: bytes.toString('base64'), findings: await findingsOf(glb) }
+  return { name, file: bytes.toString('base64'), findings: await findingsOf(glb) }
 }
 
 async function findingsOf(glb: Glb): Promise<Finding[]> {
   return [...(await checkWrinkles(glb)), ...(await runKhronosValidator(glb))]
 }
 
-/** Maps and areas as people save them: gray, with a palette, of 16 bits, with a profile; and a file of theirs. */
+/** Maps and areas as users save them: gray, indexed, 16-bit, with a colour profile; and one unrelated file. */
 async function projectFiles(): Promise<Record<string, Uint8Array>> {
   const colours = (seed: number) => sharp(noise(seed, 3), { raw: raw(3) })
   const gray = (seed: number) => sharp(noise(seed, 1), { raw: raw(1) }).toColourspace('b-w')
@@ -136,7 +136,7 @@ async function projectFiles(): Promise<Record<string, Uint8Array>> {
   }
 }
 
-/** A `.gltf` with its buffer and its images beside it. */
+/** Returns a `.gltf` with separate buffer and images. */
 async function gltfFiles(glb: Uint8Array): Promise<Record<string, Uint8Array>> {
   const files = await faceFiles(decodeGlb(glb, 'face.glb', 'test'), 'parts.gltf', 'test')
   return Object.fromEntries(files.map(({ path, bytes }) => [path, bytes]))

@@ -8,15 +8,15 @@ import { readFace } from '../../studio/src/export/read-face.ts'
 import { findingsOf } from '../../studio/src/export/validate-face.ts'
 import { type FaceFiles, openFace } from '../../studio/src/files/face-files.ts'
 import type { DamagedFace } from './damaged-faces.ts'
-import type { EncodedFiles, ExportCase, ExportCases, FaultyFace } from './export-cases.ts'
+import type { EncodedFiles, ExportCase, ExportCases, InvalidFace } from './export-cases.ts'
 
 const IS_WEBKIT = /^(?!.*Chrome).*AppleWebKit/.test(navigator.userAgent)
 
 let project: Map<string, Uint8Array>
-/** The document of the project; it has no strokes. */
+/** Document of the project, without strokes. */
 let source: DocumentToPack
 let cases: ExportCase[]
-let faulty: FaultyFace[]
+let invalid: InvalidFace[]
 
 beforeAll(async () => {
   const made: ExportCases = await (await fetch('/export-cases.json')).json()
@@ -25,34 +25,34 @@ beforeAll(async () => {
   const { document } = await readProjectInWorker({ name: 'project', files: list })
   source = { document, drawn: new Map() }
   cases = made.cases
-  faulty = made.faulty
+  invalid = made.invalid
 })
 
-describe('the studio exports', () => {
-  it('the bytes of furrow pack, with the findings of furrow validate', async () => {
+describe("the studio's export", () => {
+  it('writes the bytes of furrow pack and reports the findings of furrow validate', async () => {
     expect(cases.length).toBe(9)
-    for (const { what, face, files, options, packed, findings } of cases) {
+    for (const { name, face, files, options, packed, findings } of cases) {
       const exported = await exportDocument(faceOf(face, files), source, options)
-      expect(same(exported.bytes, bytesOf(packed)), what).toBe(true)
-      expect(exported.findings, what).toEqual(findings)
-      expect(exported.warnings.join(), what).toMatch(/target "missing".* does not exist; it is kept/)
-      expect(exported.cost.file, what).toBeLessThan(exported.bytes.length)
-      expect(exported.cost.gpu, what).toBeGreaterThan(16 * 16)
+      expect(same(exported.bytes, bytesOf(packed)), name).toBe(true)
+      expect(exported.findings, name).toEqual(findings)
+      expect(exported.warnings.join(), name).toMatch(/target "missing".* does not exist; it is kept/)
+      expect(exported.cost.file, name).toBeLessThan(exported.bytes.length)
+      expect(exported.cost.gpu, name).toBeGreaterThan(16 * 16)
     }
   })
 
-  it('a face that it read, as it was', async () => {
-    for (const { what, packed, options } of cases) {
+  it('writes back an unchanged face byte for byte', async () => {
+    for (const { name, packed, options } of cases) {
       if (options.ktx2) continue
       const bytes = bytesOf(packed)
       const { face } = await readFace({ name: 'face.glb', bytes })
       const document = (await readDocument({ name: 'face.glb', bytes }))!
       const exported = await exportDocument({ name: 'face.glb', bytes: face }, { document, drawn: new Map() })
-      expect(same(exported.bytes, bytes), what).toBe(true)
+      expect(same(exported.bytes, bytes), name).toBe(true)
     }
   })
 
-  it('step by step, and stops when it is told to', async () => {
+  it('reports progress, and stops when aborted', async () => {
     const [{ face, files }] = cases
     const steps: string[] = []
     const onProgress = (...step: number[]) => steps.push(step.join('/'))
@@ -64,7 +64,7 @@ describe('the studio exports', () => {
     await expect(stopped).rejects.toThrow('changed her mind')
   })
 
-  it('nothing of what cannot be used, and says why', async () => {
+  it('refuses unusable input and says why', async () => {
     const [glb, , , , , , gltf] = cases
     const face = faceOf(glb.face, glb.files)
     const { document } = source
@@ -88,7 +88,7 @@ describe('the studio exports', () => {
   })
 })
 
-it('a face in Draco is decoded in the browser', async () => {
+it('decodes a Draco face in the browser', async () => {
   const read = async (name: string) => {
     const file = new Uint8Array(await (await fetch(`/packed/${name}.glb`)).arrayBuffer())
     const document = await documentOf(decodeGlb(file, name, 'test'), name, 'test')
@@ -98,36 +98,36 @@ it('a face in Draco is decoded in the browser', async () => {
   expect(await read('draco')).toEqual(await read('images'))
 })
 
-describe('the studio validates', () => {
-  it('as furrow validate does, files of all kinds, whole and with damaged images', async () => {
+describe("the studio's validation", () => {
+  it('agrees with furrow validate on intact and damaged files of all formats', async () => {
     const faces: DamagedFace[] = await (await fetch('/damaged-faces.json')).json()
     const differing: string[] = []
-    for (const { what, file, fault, isUnsure } of faces) {
+    for (const { name, file, problem, isUnsure } of faces) {
       const findings = await checkWrinkles(decodeGlb(bytesOf(file), 'face.glb', 'test'))
       const error = findings.find(({ severity }) => severity === 'error')
-      // WebKit shows what it can of a damaged image in a lossy format, or of WebP.
-      const isShown = IS_WEBKIT && /webp|jpeg/.test(what) && !error
-      if (Boolean(error) !== (fault !== null) && !isUnsure && !isShown)
-        differing.push(`${what}: ${fault}; here: ${error?.message}`)
+      // WebKit shows damaged lossy images and WebP as far as they decode.
+      const isShown = IS_WEBKIT && /webp|jpeg/.test(name) && !error
+      if (Boolean(error) !== (problem !== null) && !isUnsure && !isShown)
+        differing.push(`${name}: ${problem}; here: ${error?.message}`)
     }
     expect(differing).toEqual([])
   })
 
-  it('whatever is wrong with a file, in the same words', async () => {
-    for (const { what, file, findings } of faulty) {
+  it('reports the findings of furrow validate in the same words', async () => {
+    for (const { name, file, findings } of invalid) {
       const found = await validate({ name: 'face.glb', bytes: bytesOf(file) })
-      // Only the words of what was thrown inside the validator are those of the engine.
+      // Messages of errors thrown inside the validator depend on the JavaScript engine.
       const own = ({ code, message, ...rest }: Finding) => ({
         code,
         ...rest,
         ...(code !== GAVE_UP && { message }),
       })
-      expect(found.map(own), what).toEqual(findings.map(own))
+      expect(found.map(own), name).toEqual(findings.map(own))
       expect(found.some(({ severity }) => severity === 'error')).toBe(true)
     }
   })
 
-  it('faces without wrinkles, and says of other files what they are', async () => {
+  it('accepts faces without wrinkles, and says why other files are no faces', async () => {
     const [{ packed }] = cases
     const { face } = await readFace({ name: 'face.glb', bytes: bytesOf(packed) })
     const findings = await validate({ name: 'face.glb', bytes: face })

@@ -24,14 +24,14 @@ import type { Harness } from './harness.ts'
 export const WIDTH = 240
 export const HEIGHT = 320
 
-/** The shipped face, and its wrinkles without the drivers, which would add to what tests set. */
+/** Loads the shipped face and its wrinkles without drivers, which would add to the activations that tests set. */
 export async function loadUndriven(): Promise<{ face: Face; set: WrinkleSet }> {
   const face = await loadFace('/faces/human.glb')
   const { drivers: _, ...set } = await loadWrinkleSet('/faces/human/wrinkles.json')
   return { face, set }
 }
 
-/** A scene with one face and two plain lights. */
+/** Creates a scene with one face and two lights. */
 export function faceScene({ root, skin }: Pick<Face, 'root' | 'skin'>, view: ViewName) {
   const scene = new Scene()
   const key = new DirectionalLight(0xffffff, 1.6)
@@ -57,7 +57,7 @@ export async function renderWith(
   return pixels
 }
 
-/** A material that writes u, v and 1: its picture holds the texture coordinates of each visible pixel, for the reference. */
+/** Creates a material that writes u, v and 1, to read the texture coordinates of each visible pixel. */
 export function uvMaterial(harness: Harness): Material {
   if (harness.name !== 'webgl') {
     const material = new MeshBasicNodeMaterial()
@@ -75,7 +75,7 @@ export function uvMaterial(harness: Harness): Material {
   return material
 }
 
-/** A copy of the skin's material with the wrinkles combined with its normal map. */
+/** Copies the skin's material, with the wrinkles combined with its normal map. */
 export function wrinkledMaterial(plain: MeshStandardMaterial, set: WrinkleSet): MeshStandardMaterial {
   const combined = combineNormals(readTexture(plain.normalMap!, 'test'), set.layers[0].normal)
   const material = plain.clone()
@@ -83,7 +83,7 @@ export function wrinkledMaterial(plain: MeshStandardMaterial, set: WrinkleSet): 
   return material
 }
 
-/** A texture with the filters of the layers' maps. */
+/** Creates a texture with the filters of the layers' maps. */
 export function mapOf({ data, width, height }: RgbaImage, anisotropy = 1): DataTexture {
   const map = new DataTexture(data, width, height)
   map.minFilter = LinearMipmapLinearFilter
@@ -94,7 +94,7 @@ export function mapOf({ data, width, height }: RgbaImage, anisotropy = 1): DataT
   return map
 }
 
-/** The reference's influence at every pixel of a picture drawn with `uvMaterial`; NaN where no skin is visible. */
+/** Computes the reference's influence at every pixel of a picture drawn with `uvMaterial`; NaN where no skin is visible. */
 export function referenceInfluence(
   uvs: Float32Array,
   set: WrinkleSet,

@@ -33,18 +33,18 @@ function sceneOf(mesh: Mesh): Scene {
   return new Scene().add(mesh, light, new AmbientLight(0xffffff, 0.2))
 }
 
-/** Some frames, so that what a renderer reports late has its effect; then the picture. */
+/** Draws a few frames, so that late renderer errors take effect, and returns the last. */
 async function picture(harness: Harness, mesh: Mesh): Promise<string> {
   const scene = sceneOf(mesh)
   for (let i = 0; i < 3; i++) await harness.renderBytes(scene, squareCamera(), 16)
   return (await harness.renderBytes(scene, squareCamera(), 16)).join()
 }
 
-/** The warnings of Furrow; three.js has its own. */
+/** Returns Furrow's warnings, without those of three.js. */
 const warnings = () =>
   written.warn.mock.calls.map(([text]) => String(text)).filter((text) => /^Wrinkles/.test(text))
 
-/** Expects that a face is drawn without wrinkles, as it was, and that one warning says why. */
+/** Expects the plain face and one warning that gives the reason. */
 async function expectPlain(harness: Harness, mesh: Mesh, why: RegExp) {
   const plain = await picture(harness, mesh)
   const wrinkles = new harness.Wrinkles(mesh, set(), { areaSize: 8 })
@@ -56,7 +56,7 @@ async function expectPlain(harness: Harness, mesh: Mesh, why: RegExp) {
   wrinkles.dispose()
 }
 
-/** Expects that a face wrinkles in a mode, and is as before without. */
+/** Expects wrinkles in a mode, and the plain face after they are removed. */
 async function expectWrinkles(harness: Harness, mesh: Mesh, mode: 'default' | 'composed') {
   const plain = await picture(harness, mesh)
   const wrinkles = new harness.Wrinkles(mesh, set(), { areaSize: 8 })
@@ -76,9 +76,9 @@ describe.each(RENDERERS)('materials on %s', (name) => {
     ['matcap', () => new MeshMatcapMaterial()],
     ['normal', () => new MeshNormalMaterial()],
   ]
-  it.each(unlit)('%s wrinkles', (_, create) => expectWrinkles(harness, square(create()), 'default'))
+  it.each(unlit)('wrinkle: %s', (_, create) => expectWrinkles(harness, square(create()), 'default'))
 
-  it.each(unlit)('%s ignores maps that it has no use for', async (_, create) => {
+  it.each(unlit)('ignore maps they cannot use: %s', async (_, create) => {
     const { layers, areas } = set()
     const gray = { width: 16, height: 16, data: new Uint8Array(256).fill(90) }
     const layer = { ...layers[0], baseColor: layers[0].normal, roughness: gray, occlusion: gray }
@@ -92,7 +92,7 @@ describe.each(RENDERERS)('materials on %s', (name) => {
     wrinkles.dispose()
   })
 
-  it('the first material with a normal map shows the wrinkles of a mesh with several', async () => {
+  it('show the wrinkles of a multi-material mesh on the first material with a normal map', async () => {
     const mesh = square(new MeshBasicMaterial()) as Mesh<Mesh['geometry'], Material | Material[]>
     mesh.material = [new MeshBasicMaterial(), new MeshStandardMaterial({ name: 'skin' })]
     mesh.geometry.addGroup(0, 3, 0)
@@ -106,7 +106,7 @@ describe.each(RENDERERS)('materials on %s', (name) => {
     wrinkles.dispose()
   })
 
-  it('the name of a mesh or material, whatever is in it, breaks no shader', async () => {
+  it('accept any characters in the name of a mesh or material', async () => {
     const hostile = 'a\n#error "b"\\'
     const mesh = square(new MeshStandardMaterial())
     const plain = await picture(harness, mesh)
@@ -124,7 +124,7 @@ describe.each(RENDERERS)('materials on %s', (name) => {
   })
 
   it.each(['default', 'composed', 'paper'] as const)(
-    'the entry for the other renderer leaves the face plain in %s mode, and says once which is right',
+    "stay plain in %s mode with the wrong renderer's entry point, with one warning that names the right one",
     async (mode) => {
       const Other = name === 'webgl' ? WebGPUWrinkles : WebGLWrinkles
       const mesh = square(new MeshStandardMaterial())
@@ -152,7 +152,7 @@ describe.each(RENDERERS)('materials on %s', (name) => {
 describe('shaders on webgl', () => {
   const harness = harnessOn('webgl')
 
-  it("the user's own edits stay, and what they leave of the normal map is patched", async () => {
+  it("keep the user's own edits, and are patched around them", async () => {
     const material = new MeshStandardMaterial()
     material.onBeforeCompile = (shader) => {
       shader.fragmentShader = shader.fragmentShader.replace(
@@ -163,7 +163,7 @@ describe('shaders on webgl', () => {
     await expectWrinkles(harness, square(material), 'default')
   })
 
-  it('one that the user edited beyond patching shows the composed map from the second frame on', async () => {
+  it("show the composed map from the second frame on if the user's edits prevent patching", async () => {
     const material = new MeshStandardMaterial()
     material.onBeforeCompile = (shader) => {
       shader.fragmentShader = shader.fragmentShader.replace(
@@ -177,7 +177,7 @@ describe('shaders on webgl', () => {
     expect(material.normalMap).toBe(own)
   })
 
-  it('a ShaderMaterial that reads its normal map in its own way shows the composed map at once', async () => {
+  it('show the composed map at once if a ShaderMaterial reads its normal map in its own way', async () => {
     const mesh = square(new OwnShader('texture2D( normalMap, vUv ).xyz'))
     await expectWrinkles(harness, mesh, 'composed')
     const wrinkles = new harness.Wrinkles(mesh, set())
@@ -191,7 +191,7 @@ describe('shaders on webgl', () => {
     wrinkles.dispose()
   })
 
-  it('one without a normal map is refused, and stays as it was', () => {
+  it('stay plain if they have no normal map', () => {
     const mesh = square(new OwnShader('vec3( vUv, 0.5 )'))
     expect(() => new harness.Wrinkles(mesh, set())).toThrow(
       /material ShaderMaterial does not support normal maps/,
@@ -200,7 +200,7 @@ describe('shaders on webgl', () => {
   })
 
   it.each([true, false])(
-    'one that does not compile with wrinkles is plain again, with one warning (checkShaderErrors %s)',
+    'fall back to the plain face, with one warning, if they fail to compile with wrinkles (checkShaderErrors %s)',
     async (checkShaderErrors) => {
       const material = new MeshStandardMaterial()
       material.customProgramCacheKey = () => `taken ${checkShaderErrors}`
@@ -220,7 +220,7 @@ describe('shaders on webgl', () => {
     },
   )
 
-  it('instances whose shader cannot be patched stay plain, with one warning', async () => {
+  it('of instances stay plain, with one warning, if they cannot be patched', async () => {
     const { InstancedMesh, Matrix4 } = await import('three')
     const material = new MeshStandardMaterial()
     material.onBeforeCompile = (shader) => {
@@ -235,7 +235,7 @@ describe('shaders on webgl', () => {
 describe.each(available(['webgpu', 'webgpu on webgl2'] as const))('nodes on %s', (name) => {
   const harness = harnessOn(name)
 
-  /** Nodes that fail only in a material whose normals are patched. */
+  /** Nodes that fail only in a material with patched normals. */
   const failing = (fail: () => Node<'vec3'>) => {
     const material = new MeshStandardNodeMaterial()
     material.emissiveNode = Fn((_: [], builder: NodeBuilder) => {
@@ -248,17 +248,17 @@ describe.each(available(['webgpu', 'webgpu on webgl2'] as const))('nodes on %s',
   it.each([
     ['shaders that the GPU refuses', () => vec3(expression('furrow_undeclared', 'vec3') as never)],
     ['nodes that cannot be built', () => vec3(new Unbuildable('vec3') as never)],
-  ])('%s cost the wrinkles and one warning', async (_, fail) => {
+  ])('fall back to the plain face with one warning: %s', async (_, fail) => {
     await expectPlain(harness, square(failing(fail)), /does not compile in the default mode/)
   })
 
-  it("a material's own normals stay under the wrinkles", async () => {
+  it("keep the material's own normals under the wrinkles", async () => {
     const material = new MeshStandardNodeMaterial()
     material.normalNode = vec3(0.3, 0.2, 0.93).normalize()
     await expectWrinkles(harness, square(material), 'default')
   })
 
-  it('compiled in advance, while frames are drawn, it wrinkles', async () => {
+  it('wrinkle a material that is compiled ahead while frames are drawn', async () => {
     const mesh = square(new MeshStandardNodeMaterial())
     const plain = await picture(harness, mesh)
     const wrinkles = new harness.Wrinkles(mesh, set(), { areaSize: 8 })
@@ -280,7 +280,7 @@ class Unbuildable extends Node {
   }
 }
 
-/** A material of another library: unlit, with a normal map that shows as colour. */
+/** Material of another library: unlit, with its normal map shown as colour. */
 class OwnShader extends ShaderMaterial {
   constructor(colour: string) {
     super({

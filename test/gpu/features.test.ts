@@ -22,11 +22,11 @@ import { seeded } from '../random.ts'
 import { type Harness, harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 
 interface Feature {
-  /** Sets the feature up for the square; returns the mesh to add wrinkles to. */
+  /** Sets the feature up for the square. Returns the mesh to add wrinkles to. */
   apply(mesh: Mesh, scene: Scene, harness: Harness): Mesh
 }
 
-/** Features of three.js that a user's character relies on besides its material. */
+/** Features of three.js that users' characters rely on besides the material. */
 const FEATURES: Record<string, Feature> = {
   'morph targets': {
     apply(mesh) {
@@ -110,7 +110,7 @@ const FEATURES: Record<string, Feature> = {
 describe.each(RENDERERS)("the user's scene on %s", (name) => {
   const harness = harnessOn(name)
 
-  it.each(Object.entries(FEATURES))('%s keep working with wrinkles', async (_, { apply }) => {
+  it.each(Object.entries(FEATURES))('keeps %s working with wrinkles', async (_, { apply }) => {
     const scene = new Scene()
     const light = new DirectionalLight(0xffffff, 2)
     light.name = 'key'

@@ -22,7 +22,7 @@ describe.each(RENDERERS)("filtering of the layers' maps on %s", (name) => {
     [8, [1, 1]],
     [1, [0.05, 0.05]],
   ])(
-    "is that of the material's own map, with anisotropy %d, over %j of the map",
+    "equals that of the material's own map, with anisotropy %d, over %j of the map",
     async (anisotropy, part) => {
       const normals = randomNormals(seeded(5), MAP)
       const flat = randomNormals(() => 0.5, MAP)

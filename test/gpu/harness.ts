@@ -22,13 +22,13 @@ import { available } from './available.ts'
 const PATHS = ['webgl', 'webgpu', 'webgpu on webgl2'] as const
 export type RendererName = (typeof PATHS)[number]
 
-/** Renderers that are tested: before every change without the second renderer's other backend, which runs the same nodes. */
+/** Tested renderers. The quick run leaves out `WebGPURenderer` on WebGL 2, which runs the same nodes. */
 export const RENDERERS: readonly RendererName[] = available(inject('inDepth') ? PATHS : ['webgl', 'webgpu'])
 
-/** The number of random cases that are compared with the reference, or the first of them. */
+/** Number of random cases compared with the reference. */
 export const casesIn = (all: number) => (inject('inDepth') ? all : Math.ceil(all / 4))
 
-/** The same by path: fewer on the second renderer's other backend, which runs the same nodes. */
+/** Number of random cases by path: fewer for `WebGPURenderer` on WebGL 2, which runs the same nodes. */
 export const casesOn = (name: RendererName) => casesIn(name === 'webgpu on webgl2' ? 50 : 200)
 
 export interface Harness {
@@ -36,7 +36,7 @@ export interface Harness {
   renderer: WebGLRenderer | WebGPURenderer
   Wrinkles: typeof WebGLWrinkles | typeof WebGPUWrinkles
   Plugin: typeof WebGLPlugin | typeof WebGPUPlugin
-  /** The graphics adapter, by the name that its driver gives it. */
+  /** Name of the graphics adapter as reported by its driver. */
   adapter: string
   /** Renders into a target and reads it back: linear RGBA, floats in 0..1, row 0 at the bottom. */
   render(scene: Scene, camera: Camera, width: number, height?: number): Promise<Float32Array>
@@ -47,7 +47,7 @@ export interface Harness {
   dispose(): void
 }
 
-/** Creates a renderer; fails if it is not available, or if WebGPU falls back to WebGL 2. */
+/** Creates a renderer. Fails if it is not available, or if WebGPU falls back to WebGL 2. */
 export async function createHarness(name: RendererName): Promise<Harness> {
   const canvas = document.createElement('canvas')
   const renderer =
@@ -91,7 +91,7 @@ export async function createHarness(name: RendererName): Promise<Harness> {
   }
 }
 
-/** A harness of all tests that are described where this is called. */
+/** Creates a harness for all tests in the current `describe`. */
 export function harnessOn(name: RendererName): Harness {
   const harness = {} as Harness
   beforeAll(async () => void Object.assign(harness, await createHarness(name)))
@@ -99,7 +99,7 @@ export function harnessOn(name: RendererName): Harness {
   return harness
 }
 
-/** A square that fills the frame; `uv = (x, 1 - y) * scale + offset`, v downwards as in glTF. */
+/** Creates a square that fills the frame. `uv = (x, 1 - y) * scale + offset`, v pointing down as in glTF. */
 export function square(material: Material, scale = 1, offset = [0, 0]): Mesh {
   const geometry = new PlaneGeometry(2, 2)
   const uv = [0, 0, 1, 0, 0, 1, 1, 1].map((value, i) => value * scale + offset[i % 2])
@@ -107,14 +107,14 @@ export function square(material: Material, scale = 1, offset = [0, 0]): Mesh {
   return new Mesh(geometry, material)
 }
 
-/** A camera whose frame `square` fills. */
+/** Creates a camera whose frame `square` fills. */
 export function squareCamera(): OrthographicCamera {
   const camera = new OrthographicCamera(-1, 1, 1, -1, 0, 10)
   camera.position.z = 5
   return camera
 }
 
-/** How many images a renderer has drawn, nested ones included. */
+/** Returns the number of images drawn, including nested ones. */
 export function imagesOf({ info }: WebGLRenderer | WebGPURenderer): number {
   return 'calls' in info ? info.calls : info.render.frame
 }
@@ -140,7 +140,7 @@ async function readBack(
   return onWebGPU ? flipRows(unpadded(pixels, width, height), width, height) : pixels
 }
 
-/** r186 returns rows padded to 256 bytes, as WebGPU copies them. */
+/** Removes row padding: r186 returns rows padded to 256 bytes, as WebGPU copies them. */
 function unpadded<T extends Float32Array | Uint8Array>(pixels: T, width: number, height: number): T {
   const row = width * 4
   if (pixels.length === row * height) return pixels
@@ -150,7 +150,7 @@ function unpadded<T extends Float32Array | Uint8Array>(pixels: T, width: number,
   return rows
 }
 
-/** Flips rows, which WebGPU reads from the top. */
+/** Flips rows, because WebGPU reads from the top. */
 function flipRows<T extends Float32Array | Uint8Array>(pixels: T, width: number, height: number): T {
   const rows = pixels.slice() as T
   const stride = width * 4

@@ -1,10 +1,10 @@
-/** Writes PNG files byte by byte, for what a canvas cannot write: 16 bits, huge sizes. */
+/** Writes PNG files that a canvas cannot: 16 bits, huge sizes. */
 
 import { crc32 } from '../crc32.ts'
 
 /**
- * @param raw scanlines without filter bytes.
- * @param filter of all rows, 0 to 4: what `raw` was filtered by.
+ * @param raw scanlines without filter bytes, already filtered.
+ * @param filter filter type of all rows, 0 to 4.
  */
 export async function png(
   width: number,
@@ -36,7 +36,7 @@ export async function png(
   })
 }
 
-/** A uniform gray image of 8 bits. */
+/** Uniform 8-bit gray image. */
 export const grayPng = (width: number, height: number, value: number) =>
   png(width, height, 8, 0, new Uint8Array(width * height).fill(value))
 

@@ -2,11 +2,11 @@ import type { Area, GrayImage } from 'furrow'
 import { packAreas, reference } from 'furrow/internal'
 
 /**
- * The reference's influence at a point, as a function of u, v and the index of a layer.
+ * Returns the reference's influence as a function of u, v and layer index.
  *
  * @param activations of the areas.
- * @param layers names of the layers; not needed where there is one.
- * @param size width and height of influence maps in texels.
+ * @param layers names of the layers; optional for one layer.
+ * @param size side of influence maps, texels.
  */
 export function influenceAt(
   areas: readonly Area[],

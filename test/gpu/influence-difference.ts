@@ -1,19 +1,19 @@
 import type { WrinkleSet } from 'furrow'
 import { influenceAt } from './influence-at.ts'
 
-/** The square's texture coordinates, see `square`. */
+/** Texture coordinates of the square, see `square`. */
 export interface UvTransform {
   scale: number
   offset: readonly number[]
 }
 
 /**
- * Largest difference over the pixels of a drawn square between the influence and the float64 reference.
+ * Returns the largest difference between the influence of a drawn square and the float64 reference.
  *
  * @param set with areas of `areaSize` x `areaSize` texels.
  * @param activations of the areas when the square was drawn.
- * @param shown influence at a pixel, given its index.
- * @param side of the picture in pixels.
+ * @param shown influence at a pixel index.
+ * @param side side of the picture, pixels.
  */
 export function influenceDifference(
   set: WrinkleSet,

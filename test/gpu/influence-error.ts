@@ -6,7 +6,7 @@ import { influenceDifference, type UvTransform } from './influence-difference.ts
 const PIXELS = 32
 
 /**
- * Largest error over the pixels of a square of the wrinkles' influence against the float64 reference.
+ * Returns the largest error of the wrinkles' influence on a square against the float64 reference.
  *
  * @param set with areas of 32 x 32 texels.
  * @param activations of the areas when the square is drawn.

@@ -36,7 +36,7 @@ describe.each(RENDERERS)('influence on %s', (name) => {
   it(`is within 1/255 of the reference in ${cases} random cases`, async () => {
     const random = seeded(2008)
     let worst = 0
-    // Each case is disposed after the next is drawn, so that the renderer keeps their common program.
+    // Dispose after the next draw, so that the renderer keeps the shared program.
     let release = () => {}
     for (let i = 0; i < cases; i++) {
       const count = 1 + Math.floor(random() * 64)
@@ -53,30 +53,27 @@ describe.each(RENDERERS)('influence on %s', (name) => {
     expect(worst).toBeLessThanOrEqual(STEP)
   })
 
-  it.each(['meshes', 'instances'])(
-    'of %s is that of the reference at the edges of UV space',
-    async (kind) => {
-      const set = edgeSet()
-      const meshes = kind === 'meshes' ? FACES.map(edgeMesh) : [edgeInstances()]
-      const all = meshes.map((mesh) => new harness.Wrinkles(mesh, set, { areaSize: AREA }))
-      const materials = all.map((wrinkles) => wrinkles.createInfluenceMaterial() as MeshStandardMaterial)
-      for (const [i, mesh] of meshes.entries()) mesh.material = materials[i]
-      const scene = new Scene().add(...meshes)
-      const draw = (shownBy: (face: number) => number) => {
-        for (const face of FACES) {
-          const [wrinkles, instance] = kind === 'meshes' ? [all[face], 0] : [all[0], face]
-          for (const [i, value] of activationsOf(shownBy(face)).entries())
-            wrinkles.setActivation(set.areas[i].name, value, instance)
-        }
-        return harness.render(scene, squareCamera(), PIXELS)
+  it.each(['meshes', 'instances'])('of %s matches the reference at the edges of UV space', async (kind) => {
+    const set = edgeSet()
+    const meshes = kind === 'meshes' ? FACES.map(edgeMesh) : [edgeInstances()]
+    const all = meshes.map((mesh) => new harness.Wrinkles(mesh, set, { areaSize: AREA }))
+    const materials = all.map((wrinkles) => wrinkles.createInfluenceMaterial() as MeshStandardMaterial)
+    for (const [i, mesh] of meshes.entries()) mesh.material = materials[i]
+    const scene = new Scene().add(...meshes)
+    const draw = (shownBy: (face: number) => number) => {
+      for (const face of FACES) {
+        const [wrinkles, instance] = kind === 'meshes' ? [all[face], 0] : [all[0], face]
+        for (const [i, value] of activationsOf(shownBy(face)).entries())
+          wrinkles.setActivation(set.areas[i].name, value, instance)
       }
-      // The cells of all but one are cleared, in which the other area was drawn before.
-      await draw((face) => face && face + 1)
-      const pixels = await draw((face) => face)
-      expect(edgeError(set, (i) => pixels[i * 4])).toBeLessThanOrEqual(STEP)
-      for (const own of [...materials, ...all, ...meshes.map(({ geometry }) => geometry)]) own.dispose()
-    },
-  )
+      return harness.render(scene, squareCamera(), PIXELS)
+    }
+    // Draws the other area into all cells but one, which must then be cleared.
+    await draw((face) => face && face + 1)
+    const pixels = await draw((face) => face)
+    expect(edgeError(set, (i) => pixels[i * 4])).toBeLessThanOrEqual(STEP)
+    for (const own of [...materials, ...all, ...meshes.map(({ geometry }) => geometry)]) own.dispose()
+  })
 })
 
 function edgeGeometry(): BufferGeometry {

@@ -2,20 +2,20 @@ import { DirectionalLight, Mesh, type Object3D, Scene } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { type Harness, squareCamera } from './harness.ts'
 
-/** Loads a file with the plugin for the harness's renderer. */
+/** Loads a file with the harness's plugin. */
 export function loadFile({ Plugin }: Harness, file: Uint8Array): Promise<GLTF> {
   const loader = new GLTFLoader().register((parser) => new Plugin(parser))
   return loader.parseAsync(file.slice().buffer, '')
 }
 
-/** A picture of 32 x 32 pixels under one light; see `Harness.render`. */
+/** Renders 32 x 32 pixels under one light; see `Harness.render`. */
 export function litPicture(harness: Harness, root: Object3D): Promise<Float32Array> {
   const light = new DirectionalLight(0xffffff, 2)
   light.position.set(1, 1, 1)
   return harness.render(new Scene().add(root, light), squareCamera(), 32)
 }
 
-/** A mesh that a page makes with the geometry of a loaded one, as R3F makes `<mesh geometry={} material={} morphTargetInfluences={} />`. */
+/** Creates a mesh with the geometry of a loaded one, as R3F does for `<mesh geometry={} material={} morphTargetInfluences={} />`. */
 export function pageMesh(
   { geometry, material: own, morphTargetDictionary }: Mesh,
   morphTargetInfluences: number[],

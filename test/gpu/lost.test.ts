@@ -20,7 +20,7 @@ function wrinkledScene(harness: Harness, set = randomSet(seeded(4), 6, 8, 16)) {
 }
 
 describe('after a loss of the graphics device', () => {
-  it('wrinkles remain when a WebGL context is restored', async () => {
+  it('keeps wrinkles when a WebGL context is restored', async () => {
     const harness = await createHarness('webgl')
     const { scene, wrinkles } = wrinkledScene(harness)
     const before = await harness.renderBytes(scene, squareCamera(), 32)
@@ -31,7 +31,7 @@ describe('after a loss of the graphics device', () => {
     harness.dispose()
   })
 
-  it('wrinkles show what was changed before, during and after the loss of a WebGL context', async () => {
+  it('shows changes made before, during and after the loss of a WebGL context', async () => {
     const harness = await createHarness('webgl')
     const random = seeded(5)
     const set = randomSet(random, 6, 8, 16)
@@ -59,7 +59,7 @@ describe('after a loss of the graphics device', () => {
     harness.dispose()
   })
 
-  it('wrinkles remain when the page creates another renderer on WebGPU', async () => {
+  it('keeps wrinkles when the page creates another renderer on WebGPU', async () => {
     const harness = await createHarness('webgpu')
     const { scene, wrinkles } = wrinkledScene(harness)
     const before = await harness.renderBytes(scene, squareCamera(), 32)

@@ -37,7 +37,7 @@ describe.each(RENDERERS)("the layers' other maps on %s", (name) => {
     })
   })
 
-  it('are mixed into maps that the page gives the material later, or takes away', async () => {
+  it('are mixed into maps that the page adds or removes later', async () => {
     const random = seeded(29)
     const layers = [randomLayer(random, 'layer', KINDS)]
     const areas = randomAreas(random, 12, MAP).map((area) => ({ ...area, layer: 'layer' }))
@@ -124,7 +124,7 @@ describe.each(RENDERERS)('highlights of lights on %s', (name) => {
   })
 })
 
-/** Pictures with wrinkles, at rest, and of a plain material whose maps hold the reference's mixture at every pixel. */
+/** Renders with wrinkles, at rest, and a plain material whose maps hold the reference's mixture at every pixel. */
 async function compare(harness: Harness, random: () => number, kinds: Kind[][], hasMaps: boolean) {
   const layers = kinds.map((ofLayer, i) => randomLayer(random, `layer${i}`, ofLayer))
   const areas = randomAreas(random, 12, MAP).map((area, i) => ({
@@ -164,7 +164,7 @@ async function compare(harness: Harness, random: () => number, kinds: Kind[][], 
   const colour = mixed('baseColor')
   exactMaterial.map = pictureOf((u, v) => reference.bloodColour(colour(u, v), blood(u, v)[0]))
   exactMaterial.roughnessMap = pictureOf(mixed('roughness'))
-  // The material's intensity applies to its own map only; a layer has its own strength.
+  // The material's intensity applies only to its own map; a layer has its own strength.
   if (!hasMaps) exactMaterial.aoMapIntensity = 1
   exactMaterial.aoMap = pictureOf(mixed('occlusion'))
   mesh.material = exactMaterial
@@ -192,7 +192,7 @@ function linearTexture(image: ReturnType<typeof randomImage>): DataTexture {
   return map
 }
 
-/** A texture with a value for every pixel of the picture; single numbers are in all channels. */
+/** Creates a texture with a value per pixel of the picture. Single numbers fill all channels. */
 function pictureOf(at: (u: number, v: number) => number[]): DataTexture {
   const data = new Float32Array(PIXELS * PIXELS * 4).fill(1)
   for (let i = 0; i < PIXELS * PIXELS; i++) {
@@ -201,7 +201,7 @@ function pictureOf(at: (u: number, v: number) => number[]): DataTexture {
     data.set(value.length === 1 ? [...value, ...value, ...value] : value, 4 * i)
   }
   const map = new DataTexture(data, PIXELS, PIXELS, undefined, FloatType)
-  // From the square's texture coordinates back to pixels.
+  // Maps the square's texture coordinates back to pixels.
   map.matrixAutoUpdate = false
   map.matrix.set(1 / 0.8, 0, -0.125, 0, -1 / 0.8, 1.125, 0, 0, 1)
   map.needsUpdate = true

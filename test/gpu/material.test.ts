@@ -44,20 +44,23 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
   }
 
   describe.each(Object.entries(MATERIALS))('%s', (_, Kind) => {
-    it.each(['default', 'paper'] as const)('wrinkles in %s mode, and is restored', async (mode) => {
-      const material = new Kind({ color: 0xd0a080 })
-      const plain = await picture(square(material))
-      const { mesh, wrinkles } = wrinkled(material, mode)
-      wrinkles.setActivation('area1', 1)
-      expect(await picture(mesh)).not.toBe(plain)
-      wrinkles.mode = 'off'
-      expect(await picture(mesh)).toBe(plain)
-      wrinkles.mode = mode
-      expect(await picture(mesh)).not.toBe(plain)
-      wrinkles.dispose()
-      expect(await picture(mesh)).toBe(plain)
-      expect(material.normalMap).toBeNull()
-    })
+    it.each(['default', 'paper'] as const)(
+      'wrinkles in %s mode, and is restored on dispose',
+      async (mode) => {
+        const material = new Kind({ color: 0xd0a080 })
+        const plain = await picture(square(material))
+        const { mesh, wrinkles } = wrinkled(material, mode)
+        wrinkles.setActivation('area1', 1)
+        expect(await picture(mesh)).not.toBe(plain)
+        wrinkles.mode = 'off'
+        expect(await picture(mesh)).toBe(plain)
+        wrinkles.mode = mode
+        expect(await picture(mesh)).not.toBe(plain)
+        wrinkles.dispose()
+        expect(await picture(mesh)).toBe(plain)
+        expect(material.normalMap).toBeNull()
+      },
+    )
   })
 
   it.each([
@@ -85,7 +88,7 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
     ['default', 'off'],
     ['paper', 'off'],
     ['default', 'paper'],
-  ] as const)('in %s mode again after %s, it follows activations', async (mode, other) => {
+  ] as const)('follows activations in %s mode again after %s', async (mode, other) => {
     const { mesh, wrinkles } = wrinkled(new MeshStandardMaterial(), mode)
     const show = (area: string) => {
       for (const each of wrinkles.areaNames) wrinkles.setActivation(each, each === area ? 1 : 0)
@@ -101,20 +104,20 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
     expect(await show('area0')).toBe(pictures[0])
   })
 
-  it('warns once when the page has replaced it, and can be moved to its successor', async () => {
+  it('logs one warning after the page replaced it, and can be moved to the replacement', async () => {
     const { mesh, wrinkles } = wrinkled(new MeshStandardMaterial())
     wrinkles.setActivation('area1', 1)
     const shown = await picture(mesh)
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const [own, other] = [mesh.material, new MeshStandardMaterial({ name: 'next' })]
-    // A pass that exchanges materials in every frame.
+    // A pass that swaps materials in every frame.
     for (let i = 0; i < 40; i++) {
       mesh.material = other
       await picture(mesh)
       mesh.material = own
       await picture(mesh)
     }
-    // A page that looks at the influence.
+    // A page that shows the influence.
     mesh.material = wrinkles.createInfluenceMaterial()
     for (let i = 0; i < 40; i++) await picture(mesh)
     expect(warn).not.toHaveBeenCalled()
@@ -140,11 +143,11 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
     const weak = await picture(mesh)
     material.normalScale.set(0, 0)
     expect(weak).not.toBe(full)
-    // Scaling acts after mixing, so that 0 is flat.
+    // Scaling follows mixing, so 0 is flat.
     expect(await picture(mesh)).toBe(flat)
   })
 
-  it('follows changes of its colour', async () => {
+  it('keeps up with changes of its colour', async () => {
     const material = new MeshStandardMaterial({ color: 0xffffff })
     const { mesh, wrinkles } = wrinkled(material)
     wrinkles.setActivation('area0', 1)
@@ -153,7 +156,7 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
     expect(await picture(mesh)).not.toBe(white)
   })
 
-  it('follows the transform of the base normal map', async () => {
+  it('keeps up with the transform of the base normal map', async () => {
     const material = new MeshStandardMaterial({ normalMap: normalMap(5, 16) })
     const { mesh, wrinkles } = wrinkled(material)
     wrinkles.setActivation('area0', 1)
@@ -162,7 +165,7 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
     expect(await picture(mesh)).not.toBe(rest)
   })
 
-  it('refuses what is not supported, and does not change the material', () => {
+  it('stays unchanged if wrinkles are refused as unsupported', () => {
     const set = randomSet(seeded(3), 1, 8, 16)
     const material = new MeshStandardMaterial()
     const two = { layers: [set.layers[0], layer('more', 'detail', set.layers[0].normal)], areas: set.areas }

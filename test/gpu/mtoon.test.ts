@@ -48,7 +48,7 @@ describe.each(RENDERERS)('MToon on %s', (name) => {
   it.each([
     ['with a normal map', () => mtoon({ normalMap: normalMap(1, 16) })],
     ['without one', () => mtoon()],
-  ])('wrinkles clearly %s, is as before at rest, and is restored', async (_, create) => {
+  ])('wrinkles clearly %s, looks the same at rest, and is restored on dispose', async (_, create) => {
     const warn = vi.spyOn(console, 'warn')
     const material = create()
     const { normalMap } = material
@@ -69,7 +69,7 @@ describe.each(RENDERERS)('MToon on %s', (name) => {
     expect(warn.mock.calls.filter(([text]) => /^Wrinkles/.test(text))).toEqual([])
   })
 
-  it('keeps its outline, which is a second material of the mesh', async () => {
+  it('keeps its outline, a second material of the mesh', async () => {
     const mesh = square(mtoon()) as Mesh<Mesh['geometry'], Material | Material[]>
     const outline = mtoon({ isOutline: true })
     mesh.material = [mesh.material as Material, outline]
@@ -106,7 +106,7 @@ describe.each(
   it.each([
     ['before', [wrinkled, vrm]],
     ['after', [vrm, wrinkled]],
-  ])("wrinkles, its plugin registered %s three-vrm's", async (_, plugins) => {
+  ])("wrinkles with its plugin registered %s three-vrm's", async (_, plugins) => {
     const warn = vi.spyOn(console, 'warn')
     const plain = await load(vrm)
     const gltf = await load(...plugins)
@@ -142,7 +142,7 @@ describe.each(
   const { vrm, wrinkled, load } = loadersOf(harness, name, () => vrmFile(hasOutline))
   const picture = (root: Object3D) => pictureOf(harness, root)
 
-  it("wrinkles as before after three-vrm's own optimisations, and in first person", async () => {
+  it("wrinkles the same after three-vrm's own optimisations, and in first person", async () => {
     const gltf = await load(vrm, wrinkled)
     move(gltf.scene, 1)
     const moved = await picture(gltf.scene)
@@ -158,7 +158,7 @@ describe.each(
     expect(meanDifference(await picture(gltf.scene), moved)).toBeGreaterThan(5)
   })
 
-  it('wrinkles by itself in each copy, and as a mesh that a page makes', async () => {
+  it('wrinkles independently in each copy, and on a mesh that a page makes', async () => {
     const gltf = await load(vrm, wrinkled)
     const rest = await picture(gltf.scene)
     const copy = cloneSkinned(gltf.scene) as Group
@@ -181,7 +181,7 @@ describe.each(
   })
 })
 
-it('an MToon face with tangents, whose shader takes no normal map, stays plain with one warning', async () => {
+it('an MToon face with tangents stays plain with one warning, because its shader takes no normal map', async () => {
   const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
   vi.spyOn(console, 'error').mockImplementation(() => {})
   const harness = await createHarness('webgl')
@@ -224,9 +224,9 @@ function move(root: Object3D, weight: number): void {
   for (const { morphTargetInfluences } of faceMeshes(root)) morphTargetInfluences![0] = weight
 }
 
-/** Several frames later, since the first one tells what becomes of the shader. */
+/** Draws several frames, because the first reveals whether the shader compiles. */
 async function pictureOf(harness: Harness, object: Object3D) {
-  // Light from the front, where MToon shows the same colour whatever the normal.
+  // Light from the front, where MToon shows the same colour for any normal.
   const light = new DirectionalLight(0xffffff, 2)
   light.position.set(0, 0.2, 1)
   const scene = new Scene().add(object, light, new AmbientLight(0xffffff, 0.2))

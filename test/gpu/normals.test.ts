@@ -36,7 +36,7 @@ beforeAll(async () => {
 afterEach(() => expect(errors).toEqual([]))
 afterAll(() => harness.dispose())
 
-/** A ball with two random blendshapes that move coincident vertices alike. */
+/** Creates a ball with two random blendshapes that move coincident vertices equally. */
 function ball(geometry: BufferGeometry = new SphereGeometry(1, 24, 16)): Mesh {
   const { position } = geometry.attributes
   const random = seeded(5)
@@ -57,7 +57,7 @@ function ball(geometry: BufferGeometry = new SphereGeometry(1, 24, 16)): Mesh {
   return new Mesh(geometry)
 }
 
-/** Reads an attribute from the CPU or the GPU: x, y and z of each vertex. */
+/** Reads x, y and z of each vertex of an attribute, from the CPU or the GPU. */
 async function read(mesh: Mesh, name: 'normal' | 'tangent'): Promise<Float32Array> {
   const attribute = mesh.geometry.attributes[name] as BufferAttribute
   const values =
@@ -71,7 +71,7 @@ async function read(mesh: Mesh, name: 'normal' | 'tangent'): Promise<Float32Arra
   )
 }
 
-/** Angles between the vectors of two lists in degrees, ascending. */
+/** Returns the angles between the vectors of two lists, degrees, ascending. */
 function angles(a: Float32Array, b: Float32Array): Float64Array {
   return Float64Array.from({ length: a.length / 3 }, (_, i) => {
     const [u, v] = [a, b].map((list) => list.subarray(3 * i, 3 * i + 3))
@@ -146,7 +146,7 @@ describe('RecomputedNormals on WebGPU', () => {
     normals.dispose()
   })
 
-  it('follows changed positions', async () => {
+  it('updates after positions changed', async () => {
     const mesh = new Mesh(new PlaneGeometry(1, 1, 9, 9))
     const normals = new RecomputedNormals(mesh)
     normals.update(renderer)
@@ -180,7 +180,7 @@ describe('RecomputedNormals on WebGPU', () => {
     normals.dispose()
   })
 
-  // three.js r186 frees storage buffers with the renderer only.
+  // three.js r186 frees storage buffers only with the renderer.
   it.skipIf(Number.parseInt(REVISION, 10) < 187)('frees its GPU buffers', () => {
     const { memory } = renderer.info as unknown as { memory: { storageAttributes: number } }
     const before = memory.storageAttributes
@@ -210,7 +210,7 @@ describe('RecomputedNormals on WebGPU', () => {
     const normals = new RecomputedNormals(skin)
     normals.update(renderer)
     expect(skin.geometry.morphAttributes.normal).toBeUndefined()
-    // Pixels at an edge may have the colour of either side, so that one in a thousand may differ.
+    // Edge pixels may take the colour of either side, so one pixel in a thousand may differ.
     const [found, changes] = [await draw(), largestDifference(uncorrected, expected)]
     expect(changes).toBeGreaterThan(40)
     expect(found.filter((value, i) => Math.abs(value - expected[i]) > 2).length).toBeLessThan(
@@ -236,7 +236,7 @@ describe("RecomputedNormals on WebGPURenderer's WebGL 2", () => {
   })
 })
 
-/** Turns the offsets of a mesh's targets into positions. */
+/** Converts the offsets of a mesh's targets to positions. */
 function absolute(mesh: Mesh): Mesh {
   const { geometry } = mesh
   const rest = geometry.attributes.position.array

@@ -2,12 +2,15 @@ import type { TestProjectInlineConfiguration } from 'vitest/config'
 
 declare module 'vitest' {
   export interface ProvidedContext {
-    /** The release of three.js that a project runs on; the newest by default. */
+    /** Release of three.js that a project runs on; default newest. */
     threeRelease?: 'oldest' | 'newest'
   }
 }
 
-/** Tests of what breaks first on an older three.js: array textures, blending, the paper's lighting, changed geometries, batches, KTX2Loader, ranges to draw, copies into textures, compiling ahead. */
+/**
+ * Tests of features that break first on older three.js: array textures, blending, the paper's lighting, changed
+ * geometries, batches, KTX2Loader, draw ranges, texture copies, compiling ahead.
+ */
 export const FILES_FOR_OLDEST = [
   'three-version',
   'layers',
@@ -22,7 +25,7 @@ export const FILES_FOR_OLDEST = [
   'relief/relief',
 ].map((name) => `test/gpu/${name}.test.ts`)
 
-/** Runs a project on `three-oldest`, the oldest three.js whose `WebGPURenderer` is supported; `WebGLRenderer` is supported from r160 on. */
+/** Runs a project on `three-oldest`, the oldest three.js whose `WebGPURenderer` is supported. `WebGLRenderer` is supported from r160 on. */
 export function onOldestThree(project: TestProjectInlineConfiguration): TestProjectInlineConfiguration {
   const oldest = (name: string) => name.replace(/^three(?=\/|$)/, 'three-oldest')
   return {

@@ -15,13 +15,13 @@ export { BARE_FACES }
 
 const FACES = fileURLToPath(new URL('../../faces', import.meta.url))
 
-/** What users do to files before they publish them, and to which file. */
+/** Transforms that users apply before publishing, and the file each starts from. */
 const TRANSFORMED: Record<string, [from: string, ...transforms: Transform[]]> = {
   transformed: ['shipped', ...compressing(true)],
   'transformed-lossy': ['shipped', ...compressing(false)],
   draco: ['images', draco()],
   quantized: ['images', quantize()],
-  // One image each, as tools write them that know of no arrays.
+  // One image each, as written by tools without support for arrays.
   ktx2: [
     'images',
     textureCompress({ encoder: sharp, targetFormat: 'png', resize: [512, 512] }),
@@ -34,16 +34,18 @@ const TRANSFORMED: Record<string, [from: string, ...transforms: Transform[]]> = 
 }
 
 /**
- * Packs what tests in the browser load, each file once: `images` and `arrays`, the shipped face with maps of 512 x 512 in both forms;
- * `shipped`, that face itself; `bare-0`, `bare-1` ... of `BARE_FACES`, and `drawn-0` ..., these with drawn wrinkles; and those
- * of `TRANSFORMED`, as glTF-Transform leaves them.
+ * Packs files for tests in the browser, each once:
+ * - `shipped`: the shipped face
+ * - `images`, `arrays`: the shipped face with maps of 512 x 512 in both forms
+ * - `bare-N`: the faces of `BARE_FACES`; `drawn-N`: the same with drawn wrinkles
+ * - names of `TRANSFORMED`: those files after glTF-Transform
  *
- * @param folder an empty one.
- * @returns a function from a name to the path of its file.
+ * @param folder an empty folder.
+ * @returns function from a name to the path of its file.
  */
 export function facePacker(folder: string): (name: string) => Promise<string> {
   const packed = new Map<string, Promise<string>>()
-  // Commands keep the options of their last run, so only one may run at a time.
+  // Commands keep the options of their last run, so only one runs at a time.
   let last: Promise<unknown> = Promise.resolve()
   const run = (name: CommandName, ...words: string[]) => {
     last = last.catch(() => {}).then(async () => runAlone(await commandOf(name), words))

@@ -9,10 +9,10 @@ import type { Harness } from './harness.ts'
 
 const draco = new DRACOLoader().setDecoderPath('/node_modules/three/examples/jsm/libs/draco/gltf/')
 
-/** What one expression moves. */
+/** Weights of one expression. */
 const POSE = { browInnerUp: 1, browOuterUpLeft: 1, mouthSmileLeft: 1, mouthSmileRight: 1, cheekSquintLeft: 1 }
 
-/** Loads one of the faces of `pack-faces.ts` with its wrinkles. */
+/** Loads a face of `pack-faces.ts` with its wrinkles. */
 export function loadPacked({ Plugin }: Harness, file: string, loader = new GLTFLoader()): Promise<GLTF> {
   return loader
     .setMeshoptDecoder(MeshoptDecoder)
@@ -21,7 +21,7 @@ export function loadPacked({ Plugin }: Harness, file: string, loader = new GLTFL
     .loadAsync(`/packed/${file}.glb`)
 }
 
-/** The posed face with its wrinkles, without, or their influence as gray. */
+/** Renders the posed face with wrinkles, without, or with influence as gray. */
 export async function posedPicture(harness: Harness, gltf: GLTF, mode: 'default' | 'off' | 'influence') {
   const skin = skinOf(gltf)
   const wrinkles = wrinklesOf(skin)!
@@ -43,13 +43,13 @@ function skinOf(gltf: GLTF): Mesh {
   return meshes.find((mesh) => wrinklesOf(mesh))!
 }
 
-/** What wrinkles do to the picture of a face. */
+/** Returns the difference that wrinkles make in the picture of a face. */
 export async function wrinklesAlone(harness: Harness, gltf: GLTF): Promise<Float32Array> {
   const smooth = await posedPicture(harness, gltf, 'off')
   return (await posedPicture(harness, gltf, 'default')).map((value, i) => value - smooth[i])
 }
 
-/** Compares what `wrinklesAlone` gives of two faces: in the same places (1), and as strong (1). */
+/** Compares the `wrinklesAlone` of two faces: correlation and relative strength, both 1 if equal. */
 export function compareWrinkles(a: Float32Array, b: Float32Array) {
   const [own, others] = [dot(a, a), dot(b, b)]
   return { strength: own, correlation: dot(a, b) / Math.sqrt(own * others), ratio: Math.sqrt(others / own) }

@@ -30,12 +30,12 @@ describe.each(RENDERERS)('figures on %s', (name) => {
   let set: WrinkleSet
   beforeAll(async () => {
     ;({ face, set } = await loadUndriven())
-    // Colours as stored, like the paper's: decoding before or after filtering gives other results in fine hair.
+    // Colours as stored, like the paper's: decoding before or after filtering changes fine hair.
     const { map } = face.skin.material as MeshStandardMaterial
     map!.colorSpace = NoColorSpace
   })
 
-  it.each(FIGURES)('figure $figure is as the reference computes it', async ({ expression, view }) => {
+  it.each(FIGURES)("equal the reference's, in figure $figure", async ({ expression, view }) => {
     const stage = faceScene(face, view)
     const wrinkles = new harness.Wrinkles(face.skin, set, { mode: 'paper' })
     const player = new ExpressionPlayer(face.root, wrinkles)

@@ -12,7 +12,7 @@ import { faceMeshes, wrinkledFile } from './wrinkled-file.ts'
 
 const SIDE = 32
 
-/** A square with wrinkles, and before it a mesh that is drawn first and receives its shadow. */
+/** Creates a square with wrinkles, and a mesh in front that is drawn first and receives the square's shadow. */
 function sceneOf(harness: Harness, mesh = square(new MeshStandardMaterial())) {
   const light = new DirectionalLight('white', 3)
   light.position.set(0.5, 0.5, 1)
@@ -37,7 +37,7 @@ function sceneOf(harness: Harness, mesh = square(new MeshStandardMaterial())) {
   }
 }
 
-/** A picture of it, and the same after what it shows was drawn beside frames. */
+/** Expects wrinkles in a picture, and the same wrinkles after other passes were drawn. */
 async function expectWrinkles(harness: Harness, shoot: (scene: Scene) => Promise<Uint8Array>) {
   const { scene, wrinkles, set } = sceneOf(harness)
   set(0.4)
@@ -52,7 +52,7 @@ async function expectWrinkles(harness: Harness, shoot: (scene: Scene) => Promise
   wrinkles.dispose()
 }
 
-it.each(RENDERERS)('wrinkles of a face that is drawn as a shadow first are there on %s', async (name) => {
+it.each(RENDERERS)('wrinkles show on a face that is first drawn as a shadow, on %s', async (name) => {
   const harness = await createHarness(name)
   await expectWrinkles(harness, async (scene) =>
     (await harness.renderBytes(scene, squareCamera(), SIDE)).slice(),
@@ -61,7 +61,7 @@ it.each(RENDERERS)('wrinkles of a face that is drawn as a shadow first are there
 })
 
 it.each(RENDERERS.slice(1))(
-  'passes with several outputs, and of what is opaque, have wrinkles on %s',
+  'wrinkles show in passes with several outputs and in opaque-only passes, on %s',
   async (name) => {
     const harness = await createHarness(name)
     const renderer = harness.renderer as WebGPURenderer
@@ -83,17 +83,17 @@ it.each(RENDERERS.slice(1))(
   },
 )
 
-/** Expects wrinkles that have just been activated in the next picture already. */
+/** Expects newly activated wrinkles in the very next picture. */
 async function expectAtOnce(picture: () => Promise<Uint8Array>, none: Uint8Array): Promise<void> {
   const some = await picture()
   expect(largestDifference(some, none)).toBeGreaterThan(8)
   expect(largestDifference(await picture(), some)).toBe(0)
 }
 
-/** Returns how often a target that a function draws into or clears is begun, at most. */
+/** Returns a function that reports how often the same target is begun while a function draws. */
 function watchTargets(renderer: Harness['renderer']): (draw: () => void) => number {
   const gl = renderer.getContext() as WebGL2RenderingContext
-  /** In the order in which they are drawn into. */
+  /** Targets in draw order. */
   const targets: (WebGLFramebuffer | null)[] = []
   for (const method of ['clear', 'clearBufferfv', 'drawArrays', 'drawElements'] as const) {
     const draw = gl[method].bind(gl) as (...parameters: unknown[]) => void
@@ -120,7 +120,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     const harness = await createHarness(name)
     const { renderer } = harness
     const { scene, wrinkles, picture, set } = sceneOf(harness)
-    // `WebGPURenderer` draws shadows in the midst itself.
+    // `WebGPURenderer` draws shadows in the middle of a picture.
     renderer.shadowMap.enabled = false
     const mostBegun = watchTargets(renderer)
     const begun = (value: number) => {
@@ -131,7 +131,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     await frameEnd()
     expect([0.2, 0.3, 0.4].map(begun)).toEqual([1, 1, 1])
     const shown = await picture()
-    // A page may take over what the scene calls, and call what was there or not.
+    // A page may replace the scene's callback, and call the previous one or not.
     for (const isCalled of [true, false]) {
       const { onBeforeRender } = scene
       let calls = 0
@@ -153,7 +153,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     const harness = await createHarness(name)
     const { scene: loaded } = await loadFile(harness, await wrinkledFile())
     const meshes = faceMeshes(loaded).map((mesh) => pageMesh(mesh, mesh.morphTargetInfluences!))
-    // What is drawn before a face needs not have wrinkles.
+    // Meshes in front of a face may lack wrinkles.
     const front = new Mesh(new PlaneGeometry(0.2, 0.2), new MeshStandardMaterial())
     front.position.z = 0.5
     const scene = new Scene().add(front, ...meshes)
@@ -169,7 +169,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     harness.dispose()
   })
 
-  it('leaves the scene as it was, when there are no wrinkles any more', async () => {
+  it('restores the scene when no wrinkles are left', async () => {
     const harness = await createHarness(name)
     const { scene, wrinkles } = sceneOf(harness)
     const own = () => {}
@@ -184,7 +184,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     harness.dispose()
   })
 
-  it('waits for what the page does before the mesh is drawn', async () => {
+  it("is drawn after the page's own callbacks before the mesh", async () => {
     const harness = await createHarness(name)
     const mesh = square(new MeshStandardMaterial())
     let value = 0
@@ -199,7 +199,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     harness.dispose()
   })
 
-  it('is drawn once in an image, of all faces, whatever else of the scene is drawn', async () => {
+  it('is drawn once per image for all faces, whatever else the scene draws', async () => {
     const harness = await createHarness(name)
     const { renderer } = harness
     const { scene, wrinkles } = sceneOf(harness)
@@ -208,7 +208,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     const away = squareCamera()
     away.position.x = 100
     const overridden = new MeshStandardMaterial()
-    /** Images of a frame, those of influence included. */
+    /** Images of a frame, including influence. */
     const frame = (value: number, images: (() => void)[]) => {
       for (const face of [wrinkles, other]) for (const area of face.areaNames) face.setActivation(area, value)
       const before = imagesOf(renderer)
@@ -233,7 +233,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     harness.dispose()
   })
 
-  it('is hooked a few times only by a scene that puts something in front each time', async () => {
+  it('hooks a scene only a few times, even if the page puts a mesh in front each time', async () => {
     const harness = await createHarness(name)
     const { scene, wrinkles } = sceneOf(harness)
     harness.renderer.shadowMap.enabled = false
@@ -254,7 +254,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     harness.dispose()
   })
 
-  it('is in time for what the page puts before a mesh later', async () => {
+  it('is ready for meshes that the page puts in front later', async () => {
     const harness = await createHarness(name)
     const { wrinkles, picture, set } = sceneOf(harness)
     const { mesh } = wrinkles

@@ -10,7 +10,7 @@ const COUNTS = [1, 2, 8, 19, 30, 256]
 describe.each(RENDERERS)('shader programs on %s', (name) => {
   const harness = harnessOn(name)
 
-  it.each(['default', 'paper'] as const)('one program serves 1 to 256 areas in %s mode', async (mode) => {
+  it.each(['default', 'paper'] as const)('use one program for 1 to 256 areas in %s mode', async (mode) => {
     const random = seeded(19)
     const areas = randomAreas(random, 256, 8)
     const set = randomSet(random, 1, 8)
@@ -37,7 +37,7 @@ describe.each(RENDERERS)('shader programs on %s', (name) => {
         removeArea(wrinkles, wrinkles.areaNames[wrinkles.areaNames.length - 1])
       expect(await draw(), `back at ${count} areas`).toBe(programs)
     }
-    // The last area of each count differs, so that the array was rebuilt; removing areas gives the same pictures again.
+    // The last area of each count differs, which proves that the array was rebuilt. Removing areas restores the earlier pictures.
     expect(new Set(pictures).size).toBe(COUNTS.length)
     wrinkles.dispose()
   })

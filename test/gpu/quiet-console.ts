@@ -2,7 +2,7 @@ import { afterEach, beforeEach, type MockInstance, vi } from 'vitest'
 
 type Spy = MockInstance<(...parts: unknown[]) => void>
 
-/** Warnings and errors of the current test, which are not printed; to be called where tests are described. */
+/** Captures warnings and errors of the current test instead of printing them. Call inside `describe`. */
 export function quietConsole(): { readonly warn: Spy; readonly error: Spy } {
   const spies = {} as { warn: Spy; error: Spy }
   beforeEach(() => {

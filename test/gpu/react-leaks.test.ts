@@ -19,7 +19,7 @@ import { wrinkledFile } from './wrinkled-file.ts'
 const SIZE = 16
 const CYCLES = 30
 
-describe.each(['webgl', 'webgpu'] as const)('components that come and go, %s', (name) => {
+describe.each(['webgl', 'webgpu'] as const)('components that are mounted and unmounted, %s', (name) => {
   const { extendLoader, useWrinkles, Wrinkles } = name === 'webgl' ? forWebGL : forWebGPU
   const harness = harnessOn(name)
   let react: ReactScene
@@ -27,7 +27,7 @@ describe.each(['webgl', 'webgpu'] as const)('components that come and go, %s', (
   let added: MockInstance
   let removed: MockInstance
   let frame: RendererFrame
-  /** Faces that take part in frames, more than before the first cycle. */
+  /** Number of faces in the frame loop beyond those before the first cycle. */
   let members = 0
   const made: WeakRef<object>[] = []
   const set = randomSet(seeded(3), 1, 16)
@@ -71,15 +71,15 @@ describe.each(['webgl', 'webgpu'] as const)('components that come and go, %s', (
     ),
   ]
 
-  /** One mount and one unmount, each drawn. */
+  /** Mounts, draws, unmounts and draws. */
   const cycle = async () => {
     const { scene } = await react.show(page())
     const meshes = scene.getObjectsByProperty('isMesh', true) as Mesh[]
     for (const { morphTargetInfluences } of meshes) morphTargetInfluences?.fill(1)
-    // Meshes that the page makes have wrinkles from their second frame on.
+    // Meshes made by the page wrinkle from their second frame on.
     await react.advance(2)
     const faces = new Set(meshes.map((mesh) => wrinklesOf(mesh)!))
-    // The file's, which the first copy shares, one for each mesh with a material of its own, and the one of a set.
+    // Faces: the file's, shared by the first copy; one per mesh with its own material; and the one of a set.
     expect([...faces].filter((face) => !face.isDisposed)).toHaveLength(4)
     made.push(...[...faces, ...meshes].map((object) => new WeakRef<object>(object)))
     await react.show(null)
@@ -87,7 +87,7 @@ describe.each(['webgl', 'webgpu'] as const)('components that come and go, %s', (
     expect([...faces].filter((face) => !face.isDisposed)).toHaveLength(1)
     frame = added.mock.contexts[0] as RendererFrame
     members += added.mock.calls.length - removed.mock.calls.length
-    // Spies hold what they were called with.
+    // Spies keep their arguments alive.
     added.mockClear()
     removed.mockClear()
   }
@@ -100,7 +100,7 @@ describe.each(['webgl', 'webgpu'] as const)('components that come and go, %s', (
     objects: await alive(made),
   })
 
-  it(`leave nothing behind in ${CYCLES} times`, async () => {
+  it(`free everything in ${CYCLES} cycles`, async () => {
     for (let i = 0; i < 2; i++) await cycle()
     const first = await counts()
     for (let i = 2; i < CYCLES; i++) await cycle()
@@ -109,7 +109,7 @@ describe.each(['webgl', 'webgpu'] as const)('components that come and go, %s', (
   })
 })
 
-/** How many listeners meshes, their geometries and their materials have. */
+/** Counts the listeners of meshes, geometries and materials. */
 function listenersOf(root: Object3D): number {
   let count = 0
   root.traverse((object) => {

@@ -5,14 +5,14 @@ import { vi } from 'vitest'
 import type { Harness } from './harness.ts'
 
 export interface ReactScene {
-  /** Renders elements in StrictMode, beside a light. */
+  /** Renders elements in StrictMode with a light. */
   show(children: ReactNode): Promise<RootState>
-  /** Lets time go on by frames of 0.1 s, with what components do in them. */
+  /** Advances by frames of 0.1 s, including the components' frame callbacks. */
   advance(frames: number): Promise<void>
   dispose(): Promise<void>
 }
 
-/** React Three Fiber on the renderer of a test, which draws when it is told to. */
+/** Creates a React Three Fiber root on the test's renderer, which draws on demand. */
 export async function createReactScene(harness: Harness, size: number): Promise<ReactScene> {
   vi.stubGlobal('IS_REACT_ACT_ENVIRONMENT', true)
   extend(THREE as never)

@@ -27,7 +27,7 @@ describe('the state of wrinkles in React', () => {
   })
   beforeEach(async () => {
     const loader = new GLTFLoader()
-    // As hooks do for each file.
+    // Hooks extend the loader for each file.
     for (let i = 0; i < 2; i++) extendLoader(loader)
     gltf = await loader.parseAsync((await wrinkledFile()).buffer, '')
     face = wrinklesOf(gltf)[0]
@@ -61,7 +61,7 @@ describe('the state of wrinkles in React', () => {
   })
   const REST = { activations: [0, 0.25, 0, 0], age: 0, mode: 'default', relief: 'near' }
 
-  it('is of one face, however often the loader is extended', () => {
+  it('belongs to one face, however often the loader is extended', () => {
     expect(wrinklesOf(gltf)).toHaveLength(1)
   })
 
@@ -83,7 +83,7 @@ describe('the state of wrinkles in React', () => {
   })
 
   it.each(WAYS)(
-    'plays expressions %s over some frames, and lets go of the blendshapes',
+    'plays expressions %s over several frames, and then releases the blendshapes',
     async (_, element) => {
       const expression = (name: string, ...targets: { name: string; weight: number }[]) => ({
         type: 'expression',
@@ -115,7 +115,7 @@ describe('the state of wrinkles in React', () => {
     },
   )
 
-  it('reaches copies of a face, each by itself', async () => {
+  it('is separate for each copy of a face', async () => {
     const copy = (age: number) =>
       createElement(
         Wrinkles,
@@ -130,7 +130,7 @@ describe('the state of wrinkles in React', () => {
     expect(face.inputs.get('age')).toBe(0)
   })
 
-  it('leaves out what a face cannot do, with one warning, and does the rest', async () => {
+  it('skips features that a face lacks, with one warning, and applies the rest', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const state = {
       mode: 'fancy' as never,
@@ -157,7 +157,7 @@ describe('the state of wrinkles in React', () => {
     }
   })
 
-  it('adds a set to a mesh, and takes it away with the component', async () => {
+  it('adds a set to a mesh, and removes it with the component', async () => {
     const material = new MeshStandardMaterial()
     const geometry = new PlaneGeometry()
     const set = randomSet(seeded(3), 1, 16)
@@ -174,7 +174,7 @@ describe('the state of wrinkles in React', () => {
     expect([own.isDisposed, wrinklesOf(mesh)]).toEqual([true, undefined])
   })
 
-  it('leaves a mesh plain that cannot have the set, with one warning', async () => {
+  it('leaves a mesh plain, with one warning, if it cannot take the set', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const broken = createElement(Wrinkles, { set: { layers: [], areas: [] } })
     await react.show(createElement('mesh', null, createElement('planeGeometry'), broken))
@@ -183,7 +183,7 @@ describe('the state of wrinkles in React', () => {
     for (const [text] of warn.mock.calls) expect(text).toMatch(/^Wrinkles: /)
   })
 
-  it('keeps a face without wrinkles as it is, but for its expression', async () => {
+  it('changes only the expression of a face without wrinkles', async () => {
     const plain = await new GLTFLoader().parseAsync((await wrinkledFile()).buffer, '')
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const state: WrinkleState = { activations: { a: 1 }, inputs: { age: 70 }, mode: 'composed' }
@@ -201,7 +201,7 @@ describe('the state of wrinkles in React', () => {
     ])
   })
 
-  it('leaves nothing after a hundred mounts', async () => {
+  it('frees everything after a hundred mounts', async () => {
     const { memory } = (harness.renderer as WebGLRenderer).info
     const mount = async () => {
       for (const [, element] of WAYS) {
@@ -217,7 +217,7 @@ describe('the state of wrinkles in React', () => {
     expect([memory.textures, memory.geometries]).toEqual([textures, geometries])
   })
 
-  it('has the options of the loader', async () => {
+  it("takes the loader's options", async () => {
     const loader = new GLTFLoader()
     extendLoader(loader, { mode: 'composed' })
     const file = await loader.parseAsync((await wrinkledFile()).buffer, '')

@@ -38,7 +38,7 @@ describe('a loaded face in React Three Fiber', () => {
     scene = (await react.show(children)).scene
   }
   const picture = async () => {
-    // Faces that the page has made wrinkle from their second frame on.
+    // Faces made by the page wrinkle from their second frame on.
     await harness.render(scene, squareCamera(), SIZE)
     return harness.render(scene, squareCamera(), SIZE)
   }
@@ -50,7 +50,7 @@ describe('a loaded face in React Three Fiber', () => {
   }
   const loadedMeshes = () => gltf.scene.getObjectByName('face')!.children as THREE.Mesh[]
 
-  /** As gltfjsx writes it. */
+  /** Component as written by gltfjsx. */
   function Face({ file, own = false }: { file: GLTF; own?: boolean }) {
     const { nodes, materials } = useGraph(file.scene)
     const meshes = nodes.face.children as THREE.Mesh[]
@@ -80,30 +80,33 @@ describe('a loaded face in React Three Fiber', () => {
       () => createElement(Clone, { object: gltf.scene, deep: 'materialsOnly' }),
     ],
   ]
-  /** Nobody disposes of the geometries that drei copies for it. */
+  /** drei copies geometries for a deep clone and never disposes of them. */
   const DEEP: (typeof WAYS)[number] = [
     'as a deep <Clone>',
     () => createElement(Clone, { object: gltf.scene, deep: true }),
   ]
 
-  it.each([...WAYS, DEEP])('wrinkles %s as its blendshapes move, and leaves nothing', async (_, element) => {
-    const warn = vi.spyOn(console, 'warn')
-    await show(element())
-    expect(shownMeshes()).toHaveLength(2)
-    const rest = await picture()
-    move(1)
-    const moved = await picture()
-    expect(moved).not.toEqual(rest)
-    const faces = shownMeshes().map((mesh) => wrinklesOf(mesh) as Wrinkles)
-    expect(faces.map((face) => face.getActivation('a'))).toEqual([1, 1])
-    move(0)
-    expect(await picture()).toEqual(rest)
-    await show(null)
-    for (const face of faces) expect(face.isDisposed).toBe(!wrinklesOf(gltf).includes(face))
-    expect(warn.mock.calls.filter(([text]) => /wrinkle/i.test(text))).toEqual([])
-  })
+  it.each([...WAYS, DEEP])(
+    'wrinkles %s as its blendshapes move, and frees everything',
+    async (_, element) => {
+      const warn = vi.spyOn(console, 'warn')
+      await show(element())
+      expect(shownMeshes()).toHaveLength(2)
+      const rest = await picture()
+      move(1)
+      const moved = await picture()
+      expect(moved).not.toEqual(rest)
+      const faces = shownMeshes().map((mesh) => wrinklesOf(mesh) as Wrinkles)
+      expect(faces.map((face) => face.getActivation('a'))).toEqual([1, 1])
+      move(0)
+      expect(await picture()).toEqual(rest)
+      await show(null)
+      for (const face of faces) expect(face.isDisposed).toBe(!wrinklesOf(gltf).includes(face))
+      expect(warn.mock.calls.filter(([text]) => /wrinkle/i.test(text))).toEqual([])
+    },
+  )
 
-  it('leaves no texture on the GPU, however often its copies come and go', async () => {
+  it('leaves no texture on the GPU, however often copies come and go', async () => {
     const { memory } = (harness.renderer as THREE.WebGLRenderer).info
     const mount = async () => {
       for (const [, element] of WAYS) {
@@ -113,7 +116,7 @@ describe('a loaded face in React Three Fiber', () => {
       }
       await show(null)
     }
-    // Cells of the influence atlas that are drawn alone take a geometry, of the atlas and once.
+    // Single cells of the influence atlas take one geometry, once per atlas.
     for (let i = 0; i < 2; i++) await mount()
     const { textures, geometries } = memory
     for (let i = 0; i < 4; i++) await mount()
@@ -124,8 +127,8 @@ describe('a loaded face in React Three Fiber', () => {
   it.each([
     ['<Clone> makes', () => createElement(Clone, { object: gltf.scene })],
     ['a page makes once', () => createElement(Face, { file: { scene: clone(gltf.scene) } as GLTF })],
-  ])('wrinkles a copy of a face with a skeleton that %s, and leaves nothing', async (_, create) => {
-    // SkeletonUtils copies a scene as a whole as soon as anything in it has a skeleton.
+  ])('wrinkles a copy of a face with a skeleton that %s, and frees everything', async (_, create) => {
+    // SkeletonUtils copies a scene as one if anything in it has a skeleton.
     const skinned = new THREE.SkinnedMesh()
     skinned.visible = false
     skinned.bind(new THREE.Skeleton([new THREE.Bone()]))
@@ -134,7 +137,7 @@ describe('a loaded face in React Three Fiber', () => {
     for (let i = 0; i < 2; i++) {
       await show(element)
       move(1)
-      // `useGraph` gives both meshes the material of the first, which wrinkles a frame earlier than its copy for the second.
+      // `useGraph` gives both meshes the first one's material, which wrinkles a frame before its copy for the second.
       for (let frame = 0; frame < 2; frame++) await picture()
       const meshes = shownMeshes().filter((mesh) => mesh.visible)
       const faces = meshes.map((mesh) => wrinklesOf(mesh) as Wrinkles)
@@ -145,7 +148,7 @@ describe('a loaded face in React Three Fiber', () => {
     expect(wrinklesOf(gltf)[0].isDisposed).toBe(false)
   })
 
-  it('keeps two copies apart, side by side', async () => {
+  it('keeps two copies side by side independent', async () => {
     const copies = [-1, 1].map((x) =>
       createElement(Clone, { key: x, object: gltf.scene, position: [x, 0, 0] }),
     )

@@ -3,9 +3,9 @@ import type { WebGPURenderer } from 'three/webgpu'
 import type { Harness } from './harness.ts'
 
 /**
- * Reads one level of a texture back from the GPU, of an array one slice: bytes, row by row from the top, as they were uploaded.
+ * Reads one level of a texture, or of one array slice, back from the GPU: bytes in upload order, top row first.
  *
- * @param slice of an array; null for any other texture.
+ * @param slice slice index for array textures; null for others.
  */
 export async function readLevel(
   { renderer }: Harness,
@@ -16,7 +16,7 @@ export async function readLevel(
   const { width, height, data, depth } = texture.image as {
     width: number
     height: number
-    /** Targets have none. */
+    /** Absent in render targets. */
     data?: Uint8Array
     depth?: number
   }
@@ -40,7 +40,7 @@ export async function readLevel(
   )
 }
 
-/** Where three.js keeps the texture: WebGPU, its WebGL 2 backend, `WebGLRenderer`. */
+/** Places where three.js keeps the texture: WebGPU, its WebGL 2 backend, `WebGLRenderer`. */
 interface Textures {
   texture: GPUTexture
   textureGPU: WebGLTexture

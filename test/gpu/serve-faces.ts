@@ -9,11 +9,13 @@ import type { facePacker } from './pack-faces.ts'
 const moduleOf = (name: string) => fileURLToPath(new URL(name, import.meta.url))
 
 /**
- * Serves the faces of `pack-faces.ts` at `/packed/NAME.glb`, each of which is packed when it is first asked for, and the
- * list of bare faces at `/packed/bare-faces.json`; those of `damaged-faces.ts` at `/damaged-faces.json`, and the cases of
- * `export-cases.ts` at `/export-cases.json`; and the digest that `auto-digest.ts` makes in Node at `/auto-digest.json`.
+ * Serves generated files to tests in the browser, each made on first request:
+ * - `/packed/NAME.glb`: faces of `pack-faces.ts`; `/packed/bare-faces.json` lists the bare ones
+ * - `/damaged-faces.json`: files of `damaged-faces.ts`
+ * - `/export-cases.json`: cases of `export-cases.ts`
+ * - `/auto-digest.json`: digest computed in Node by `auto-digest.ts`
  *
- * @param sources how the modules that make them are resolved, in Node.
+ * @param sources resolution of the modules that make the files, in Node.
  */
 export function serveFaces(sources: Sources): Plugin {
   return {
@@ -58,7 +60,7 @@ type Modules = typeof import('./pack-faces.ts') &
 
 type Sources = Pick<InlineConfig, 'resolve' | 'ssr'>
 
-/** In a server of its own: Vitest's changes dynamic imports so that they work in the browser alone. */
+/** Uses a separate server, because Vitest's rewrites dynamic imports for the browser only. */
 async function openModules(root: string, { resolve, ssr }: Sources): Promise<Modules> {
   const server = await createServer({
     root,

@@ -5,10 +5,10 @@ import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
 import { createHarness, type Harness, imagesOf, RENDERERS, square, squareCamera } from './harness.ts'
 
-/** Width and height of the pictures, in pixels. */
+/** Side of the pictures, pixels. */
 const SIDE = 64
 
-/** A face that one renderer draws. */
+/** Creates a face for one renderer. */
 function faceOn(harness: Harness) {
   const mesh = square(new MeshPhysicalMaterial())
   const light = new DirectionalLight()
@@ -25,7 +25,7 @@ function faceOn(harness: Harness) {
     wrinkles,
     scene,
     picture,
-    /** How many images a picture takes. */
+    /** Returns the number of images that a picture takes. */
     async images() {
       const before = imagesOf(harness.renderer)
       await picture()
@@ -34,9 +34,9 @@ function faceOn(harness: Harness) {
   }
 }
 
-it.each(RENDERERS)('faces of two renderers on one page do not disturb each other on %s', async (name) => {
+it.each(RENDERERS)('faces of two renderers on one page are independent on %s', async (name) => {
   const harnesses = [await createHarness(name), await createHarness(name)]
-  // One has drawn more images than the other, such as those of a page that loads.
+  // One renderer is ahead of the other by some images, like a page that loads.
   for (const lead of [0, 1, 2, 3]) {
     const faces = harnesses.map((harness) => faceOn(harness))
     const [first, second] = faces
@@ -47,7 +47,7 @@ it.each(RENDERERS)('faces of two renderers on one page do not disturb each other
       expect(largestDifference(await second.picture(), wanted), `${lead} second ${i}`).toBe(0)
       expect(largestDifference(await first.picture(), wanted), `${lead} first ${i}`).toBe(0)
     }
-    // A face that stands still is not drawn again because the other renderer drew its own.
+    // The other renderer's drawing must not redraw a static face.
     for (let i = 0; i < 2; i++) for (const { images } of faces) expect(await images()).toBe(1)
     for (const { set } of faces) set(0.9)
     const moved = await first.picture()

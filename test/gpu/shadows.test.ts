@@ -23,13 +23,13 @@ describe.each(RENDERERS)('shadows on %s', (name) => {
     harness.renderer.shadowMap.enabled = true
   })
 
-  // Shadows are drawn by a material of the renderer's own, with the nodes of the mesh's colour.
+  // A renderer draws shadows with its own material, which uses the colour nodes of the mesh.
   it.each([
     ['standard', false, MeshStandardMaterial],
     ['standard', true, MeshStandardMaterial],
     ['toon', true, MeshToonMaterial],
   ])(
-    'of a %s material with maps of its own: %s, are those of the plain mesh',
+    'of a %s material with its own maps (%s) equal those of the plain mesh',
     async (_, hasMaps, Material) => {
       const random = seeded(4)
       const material = new Material({
@@ -54,14 +54,14 @@ describe.each(RENDERERS)('shadows on %s', (name) => {
     },
   )
 
-  /** The ground alone is seen: the mesh is above what the camera shows. */
+  /** Shows only the ground: the mesh is above the camera's view. */
   function shoot(scene: Scene, castsShadow: boolean) {
     scene.children[0]!.castShadow = castsShadow
     return harness.render(scene, squareCamera(), PIXELS)
   }
 })
 
-/** A scene in which a mesh beside the picture casts a shadow into it. */
+/** Creates a scene where a mesh outside the picture casts a shadow into it. */
 function shadowed(mesh: Mesh): Scene {
   const ground = new Mesh(new PlaneGeometry(4, 4), new MeshStandardMaterial())
   ground.position.z = -1

@@ -26,7 +26,7 @@ import { createHarness, type Harness, type RendererName, squareCamera } from './
 
 const full: GrayImage = { width: 1, height: 1, data: Uint8Array.of(255) }
 const MEASURES = ['compression', 'stretch'] as const
-/** Milliseconds to wait for the GPU, which may be a slow software rasteriser. */
+/** Timeout for the GPU, milliseconds; software rasterisers are slow. */
 const TIMEOUT = 300_000
 const disposers: (() => void)[] = []
 
@@ -46,7 +46,7 @@ afterEach(() => {
   for (const dispose of disposers.splice(0)) dispose()
 })
 
-/** Adds wrinkles whose activations are the tension of a mesh; returns a function that draws until it is measured, and reads it. */
+/** Adds wrinkles whose activations are the tension of a mesh. Returns a function that draws until tension is measured, and reads it. */
 function createMeasurement(mesh: Mesh, weights = full, direction?: [number, number]) {
   mesh.material = new MeshStandardMaterial()
   mesh.frustumCulled = false
@@ -70,14 +70,14 @@ function createMeasurement(mesh: Mesh, weights = full, direction?: [number, numb
   const scene = new Scene()
   scene.add(mesh)
   return async () => {
-    // A measurement of an earlier frame may be under way in the first; the second starts the one that the third shows.
+    // The first frame may finish an earlier measurement. The second starts the measurement that the third shows.
     for (let frame = 0; frame < 3; frame++) await harness.renderBytes(scene, squareCamera(), 4)
     const [compression, stretch] = MEASURES.map((name) => 2 * wrinkles.getActivation(name) - 1)
     return { compression, stretch }
   }
 }
 
-/** A sheet of 1 x 1 with `side` x `side` squares. */
+/** Creates a sheet of 1 x 1 with `side` x `side` squares. */
 function sheet(side: number): BufferGeometry {
   return new PlaneGeometry(1, 1, side, side)
 }
@@ -91,7 +91,7 @@ function deform({ attributes: { position } }: BufferGeometry, change: (point: Ve
   position.needsUpdate = true
 }
 
-/** Mean tension over all triangles in float64, weighted by their rest areas and by `weigh` at their centroids. */
+/** Computes the mean tension of all triangles in float64, weighted by rest area and by `weigh` at centroids. */
 function exactTension(mesh: Mesh, rest: ArrayLike<number>, weigh: (centroid: number[]) => number = () => 1) {
   const { count } = mesh.geometry.attributes.position
   const now = new Float64Array(3 * count)
@@ -112,7 +112,7 @@ function exactTension(mesh: Mesh, rest: ArrayLike<number>, weigh: (centroid: num
   return { compression: compression / sum, stretch: stretch / sum }
 }
 
-/** The same along a direction of a sheet's texture, which is that of its x and y: how long a step along it is when deformed. */
+/** Computes the relative length of a step along a direction of the sheet's texture, which equals its x and y. */
 function exactTensionAlong(mesh: Mesh, rest: ArrayLike<number>, direction: [number, number]): number {
   const triangles = mesh.geometry.index!.array
   const step = new Vector3(...direction, 0).normalize()
@@ -133,7 +133,7 @@ function exactTensionAlong(mesh: Mesh, rest: ArrayLike<number>, direction: [numb
   return stretch / sum
 }
 
-/** A skinned sheet whose upper half a joint rotates and scales. */
+/** Creates a skinned sheet whose upper half is rotated and scaled by a joint. */
 function skinnedSheet(): SkinnedMesh {
   const geometry = sheet(12)
   const { position } = geometry.attributes
@@ -190,7 +190,7 @@ describe('tension on WebGPU', () => {
   afterAll(() => harness.dispose())
 
   it.each([1, 7, 40])(
-    'a sheet of %d squares a side shortened by a fifth along x reports 0.20',
+    'of a sheet of %d squares a side shortened by a fifth along x is 0.20',
     async (side) => {
       const mesh = new Mesh(sheet(side))
       const measure = createMeasurement(mesh)
@@ -201,7 +201,7 @@ describe('tension on WebGPU', () => {
     },
   )
 
-  it.each([1, 7, 40])('a rigid motion of %d squares a side reports 0', async (side) => {
+  it.each([1, 7, 40])('of a rigid motion of %d squares a side is 0', async (side) => {
     const mesh = new Mesh(sheet(side))
     const measure = createMeasurement(mesh)
     const turn = new Matrix4().makeRotationFromEuler(new Euler(0.4, 1.2, -2)).setPosition(0.3, -0.1, 0.7)
@@ -209,7 +209,7 @@ describe('tension on WebGPU', () => {
     for (const value of Object.values(await measure())) expect(Math.abs(value)).toBeLessThan(1e-5)
   })
 
-  it('a fold along an edge reports 0', async () => {
+  it('of a fold along an edge is 0', async () => {
     const mesh = new Mesh(sheet(8))
     const measure = createMeasurement(mesh)
     deform(mesh.geometry, ({ x, y }) => new Vector3(Math.min(x, 0), y, Math.max(0, x)))
@@ -234,7 +234,7 @@ describe('tension on WebGPU', () => {
     const rest = mesh.geometry.attributes.position.array
     const found = await createMeasurement(mesh, weights)()
     const texel = (coordinate: number) => Math.floor(coordinate * size)
-    // The plane's v increases with y, and row 0 of an image is at v = 0.
+    // v of the plane grows with y, and row 0 of an image is at v = 0.
     const expected = exactTension(
       mesh,
       rest,
@@ -249,7 +249,7 @@ describe('tension on WebGPU', () => {
     [1, 0],
     [0, 2],
     [1, -1],
-  ])('along %d, %d of the texture it is the change of length of that direction', async (...direction) => {
+  ])('along %d, %d of the texture is the change of length in that direction', async (...direction) => {
     const mesh = skinnedSheet()
     addTargets(mesh)
     mesh.morphTargetInfluences?.splice(0, 2, 0.9, -0.4)
@@ -261,7 +261,7 @@ describe('tension on WebGPU', () => {
     expect(Math.abs(compression + expected)).toBeLessThan(1e-4)
   })
 
-  it('follows a moving mesh, and does nothing while it is at rest', async () => {
+  it('follows a moving mesh, and is not measured while the mesh rests', async () => {
     const mesh = new Mesh(sheet(3))
     const measure = createMeasurement(mesh)
     for (const width of [0.9, 0.7, 1.1]) {
@@ -275,7 +275,7 @@ describe('tension on WebGPU', () => {
     expect(compute.calls).toBe(before)
   })
 
-  it('measures positions that a simulation writes on the GPU', async () => {
+  it('includes positions that a simulation writes on the GPU', async () => {
     const geometry = sheet(6)
     const { array, count } = geometry.attributes.position
     const position = new StorageBufferAttribute(array.slice(), 3)
@@ -310,7 +310,7 @@ describe('tension on WebGPU', () => {
     await vi.waitFor(() => expect(memory.storageAttributes).toBe(before), TIMEOUT)
   })
 
-  it('is measured on the CPU until the first result has arrived', async () => {
+  it('is measured on the CPU until the first result arrives', async () => {
     const mesh = new Mesh(sheet(4))
     createMeasurement(mesh)
     const scene = new Scene()

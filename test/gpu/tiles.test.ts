@@ -17,7 +17,7 @@ import { createHarness, type Harness, harnessOn, RENDERERS, square, squareCamera
 
 const MAP = 16
 const PIXELS = 64
-/** A range within a tile, in steps that are exact in float32 in all of these tiles. */
+/** Range within a tile whose steps are exact in float32 in all tested tiles. */
 const [SCALE, START] = [0.875, 0.0625]
 const TILES = [
   [1, -1],
@@ -49,7 +49,7 @@ describe.each(RENDERERS)('skin in another UV tile on %s', (name) => {
 })
 
 it.each(RENDERERS)(
-  'a normal map that the page moves into another tile shows the same on %s',
+  'a normal map that the page moves into another tile looks the same on %s',
   async (name) => {
     const harness = await createHarness(name)
     const normals = repeating(randomNormals(seeded(20), MAP))
@@ -63,7 +63,7 @@ it.each(RENDERERS)(
     const first = await picture()
     expect(new Set(first).size).toBeGreaterThan(30)
     normals.offset.set(1, -2)
-    // three.js transforms it when it is drawn next.
+    // three.js applies the transform in the next frame.
     await picture()
     expect(await picture()).toEqual(first)
     wrinkles.dispose()
@@ -72,7 +72,7 @@ it.each(RENDERERS)(
 )
 
 it.each(RENDERERS)(
-  'a mesh that crosses tiles has no seam on %s where another of the face does not',
+  'a mesh that crosses tiles has no seam on %s, even if another mesh of the face stays within one',
   async (name) => {
     const harness = await createHarness(name)
     const pictures = []
@@ -94,7 +94,7 @@ it.each(RENDERERS)(
   },
 )
 
-it('coordinates in 0..1, both ends included, do not repeat', () => {
+it('coordinates in 0..1, including both ends, do not repeat', () => {
   const array = { width: 4, height: 1, depth: 1, channels: 1, data: Uint8Array.of(10, 90, 170, 250) } as const
   const at = (u: number) => 255 * reference.sampleArray(array, u, 0.5, 0)
   expect([at(0), at(1)]).toEqual([10, 250])
@@ -102,7 +102,7 @@ it('coordinates in 0..1, both ends included, do not repeat', () => {
     for (const tile of [-2, -1, 1, 3]) expect(at(u + tile)).toBeCloseTo(at(u), 9)
 })
 
-/** A lit square with random maps and areas. */
+/** Renders a lit square with random maps and areas. */
 async function draw(
   harness: Harness,
   mode: 'default' | 'composed' | 'paper',

@@ -6,13 +6,13 @@ import { seeded } from '../random.ts'
 import { harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 import { influenceAt } from './influence-at.ts'
 
-/** Width and height of maps in texels and of the picture in pixels. */
+/** Side of the maps (texels) and of the picture (pixels). */
 const SIZE = 32
 
 describe.each(RENDERERS)('a toon material on %s', (name) => {
   const harness = harnessOn(name)
 
-  it('draws wrinkles as the lines of the reference, where its steps hide all slopes', async () => {
+  it("draws wrinkles as the reference's lines, although its steps hide all slopes", async () => {
     const random = seeded(21)
     const normals = randomNormals(random, SIZE)
     const areas = randomAreas(random, 4, 16)

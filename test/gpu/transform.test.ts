@@ -17,7 +17,7 @@ describe.each(RENDERERS)('a face compressed by glTF-Transform, on %s', (name) =>
     return wrinkles
   }
 
-  // Wrinkles that were lost or moved would not correlate; wrinkles that were halved would have half the strength.
+  // Minimum correlation, which lost or moved wrinkles fail, and tolerance of strength, which halved wrinkles fail.
   it.each([
     ['dedup, prune, resize, lossless WebP and meshopt', 'transformed', 0.98, 0.05],
     ['dedup, prune, resize, lossy WebP and meshopt', 'transformed-lossy', 0.9, 0.2],

@@ -29,7 +29,7 @@ const AREA = 16
 const MAP = 64
 const KINDS = ['normal', 'baseColor', 'roughness', 'occlusion', 'blood'] as const
 
-/** Rectangles in the middle, at borders and corners, all, and of one texel. */
+/** Rectangles in the middle, at borders and corners, complete, and of one texel. */
 const REGIONS: Bounds[] = [
   { x0: 13, y0: 22, x1: 30, y1: 41 },
   { x0: 0, y0: 0, x1: 9, y1: 5 },
@@ -40,7 +40,7 @@ const REGIONS: Bounds[] = [
 
 type AnyWrinkles = InstanceType<Harness['Wrinkles']>
 
-describe.each(RENDERERS)('wrinkles that are changed while they are shown, on %s', (name) => {
+describe.each(RENDERERS)('wrinkles that change while shown, on %s', (name) => {
   const harness = harnessOn(name)
   let errors: string[]
   beforeEach(() => {
@@ -48,7 +48,7 @@ describe.each(RENDERERS)('wrinkles that are changed while they are shown, on %s'
   })
   afterEach(() => expect(errors).toEqual([]))
 
-  /** A square in a scene, with its wrinkles. */
+  /** Creates a square in a scene with its wrinkles. */
   function faceOf(source: WrinkleSet | AnyWrinkles, mode: WrinkleMode = 'default') {
     const mesh = square(new MeshStandardMaterial({ color: 0xd0e0f0 }))
     const wrinkles = new harness.Wrinkles(mesh, source, { areaSize: AREA, mode })
@@ -56,7 +56,7 @@ describe.each(RENDERERS)('wrinkles that are changed while they are shown, on %s'
     return { mesh, wrinkles }
   }
 
-  /** A picture of so many pixels: few show small levels of the maps. */
+  /** Renders `pixels` x `pixels`. Small pictures show small mipmap levels. */
   const picture = (mesh: Mesh, pixels = MAP, by = harness) => {
     const scene = new Scene()
     const light = new DirectionalLight(0xffffff, 2)
@@ -65,7 +65,7 @@ describe.each(RENDERERS)('wrinkles that are changed while they are shown, on %s'
     return by.renderBytes(scene, squareCamera(), pixels)
   }
 
-  /** Expects the picture of wrinkles created anew, whose influence map is elsewhere in the atlas and so rounded differently. */
+  /** Expects the picture of newly created wrinkles, which differs by rounding because their influence map is elsewhere in the atlas. */
   async function expectFresh(mesh: Mesh, set: WrinkleSet, pixels: number, tolerance = 1) {
     const shown = await picture(mesh, pixels)
     const fresh = faceOf(set)
@@ -76,9 +76,9 @@ describe.each(RENDERERS)('wrinkles that are changed while they are shown, on %s'
   }
 
   /**
-   * Expects the textures on the GPU of wrinkles created anew. GPUs round mipmaps differently by up to 1, on each level anew.
+   * Expects the GPU textures of newly created wrinkles. GPUs round each mipmap level differently, by up to 1.
    *
-   * @param by the renderer that has drawn the wrinkles.
+   * @param by renderer that has drawn the wrinkles.
    */
   async function expectFreshTextures(wrinkles: AnyWrinkles, set: WrinkleSet, by = harness) {
     const fresh = faceOf(set)
@@ -89,7 +89,7 @@ describe.each(RENDERERS)('wrinkles that are changed while they are shown, on %s'
       for (let slice = 0; slice < depth; slice++) {
         for (let level = 0; level < levels; level++) {
           const [own, others] = [texture, wanted[i]].map((each) => readLevel(by, each, slice, level))
-          // Levels that are halved in one direction only are averaged by graphics cards in ways of their own: 22 was seen.
+          // GPUs average levels that are halved in one direction only in different ways; differences of 22 occur.
           const isHalvedTwice = Math.min(width, height) >> (level - 1) > 1
           const tolerance = level === 0 ? 0 : isHalvedTwice ? 2 : 32
           expect(largestDifference(await own, await others)).toBeLessThanOrEqual(tolerance)
@@ -99,13 +99,13 @@ describe.each(RENDERERS)('wrinkles that are changed while they are shown, on %s'
     fresh.wrinkles.dispose()
   }
 
-  it('show new weights of areas, again and again, as if created with them', async () => {
+  it('show new area weights, repeatedly, as if created with them', async () => {
     const random = seeded(41)
     const set = randomMaps(random)
     const { mesh, wrinkles } = faceOf(set)
     let before = await picture(mesh)
     for (let i = 0; i < 4; i++) {
-      // Shrinking and growing areas, so that their rectangles do too; the last is resampled.
+      // Shrinks and grows areas and so their rectangles; the last area is resampled.
       const index = i % 2
       const weights =
         i === 3 ? randomWeights(random, 40) : cropped(randomWeights(random, AREA), 3 * i, 14 - i)
@@ -134,7 +134,7 @@ describe.each(RENDERERS)('wrinkles that are changed while they are shown, on %s'
     wrinkles.dispose()
   })
 
-  it('show an area that was empty, and none where it was emptied', async () => {
+  it('show an area that was empty, and hide one that was emptied', async () => {
     const random = seeded(43)
     const set = randomMaps(random)
     const empty = { width: AREA, height: AREA, data: new Uint8Array(AREA * AREA) }
@@ -169,7 +169,7 @@ describe.each(RENDERERS)('wrinkles that are changed while they are shown, on %s'
   })
 
   it.each(['default', 'composed'] as const)(
-    'show layers more or less strongly, in the mode %s',
+    'show layers at another strength, in the mode %s',
     async (mode) => {
       const set = randomMaps(seeded(48))
       const { mesh, wrinkles } = faceOf(set, mode)
@@ -226,7 +226,7 @@ describe.each(RENDERERS)('wrinkles that are changed while they are shown, on %s'
     wrinkles.dispose()
   })
 
-  it('change on all faces that share their textures, and stay when one gets other areas', async () => {
+  it('change on all faces that share their textures, and stay after one gets other areas', async () => {
     const random = seeded(47)
     const set = randomMaps(random)
     const first = faceOf(set)
@@ -245,12 +245,12 @@ describe.each(RENDERERS)('wrinkles that are changed while they are shown, on %s'
     for (const { wrinkles } of [first, second]) wrinkles.dispose()
   })
 
-  it('change in every renderer, however many changes it has missed', async () => {
+  it('change in every renderer, however many changes it missed', async () => {
     const random = seeded(48)
     const set = randomMaps(random)
     const { wrinkles } = faceOf(set)
     const other = await createHarness(name)
-    // Not by drawing: two of `WebGPURenderer` cannot draw one influence map in turns.
+    // Uploads without drawing, because two `WebGPURenderer`s cannot take turns drawing one influence map.
     const upload = (by: Harness) => meshOf(wrinkles).shaderInputs.textures.upload?.(by.renderer)
     for (const by of [harness, other]) upload(by)
     for (let i = 0; i < 80; i++) {
@@ -301,7 +301,7 @@ describe.each(RENDERERS)('wrinkles that are changed while they are shown, on %s'
   })
 })
 
-/** Two layers with all maps, and eight areas, some of which cover a part only. */
+/** Creates two layers with all maps, and eight areas, some of which cover only a part. */
 function randomMaps(random: () => number, width = MAP, height = width): WrinkleSet {
   const layers = (['replace', 'detail'] as const).map((kind, i): Layer => {
     const maps = Object.fromEntries(KINDS.map((map) => [map, randomMap(random, map, width, height)]))
@@ -319,7 +319,7 @@ function randomMaps(random: () => number, width = MAP, height = width): WrinkleS
   return { layers, areas }
 }
 
-/** Copies of all maps of a layer, with other pixels in a rectangle. */
+/** Copies all maps of a layer, with other pixels in a rectangle. */
 function repainted(random: () => number, layer: Layer, { x0, y0, x1, y1 }: Bounds): LayerImages {
   const images = KINDS.flatMap((kind) => {
     if (!layer[kind]) return []
@@ -346,7 +346,7 @@ function randomWeights(random: () => number, width: number, height = width): Gra
   return { width, height, data: Uint8Array.from({ length: width * height }, () => random() * 256) }
 }
 
-/** Weights in the columns and rows from..to - 1 only. */
+/** Keeps weights only in the columns and rows from..to - 1. */
 function cropped({ width, height, data }: GrayImage, from: number, to: number): GrayImage {
   const isInside = (x: number) => x >= from && x < to
   const kept = data.map((weight, i) => (isInside(i % width) && isInside(Math.floor(i / width)) ? weight : 0))

@@ -17,7 +17,7 @@ import type { DamagedFace } from './damaged-faces.ts'
 import { largestDifference, ROUNDING } from './difference.ts'
 import { harnessOn, squareCamera } from './harness.ts'
 
-describe('a loader and validate', () => {
+describe('the loader and furrow validate', () => {
   const harness = harnessOn('webgl')
   let ktx2: KTX2Loader
   let faces: DamagedFace[]
@@ -42,35 +42,35 @@ describe('a loader and validate', () => {
     return loader.register((parser) => new WrinkleLoaderPlugin(parser)).parseAsync(file, '')
   }
 
-  it('agree about files of all kinds, whole and with damaged images', async () => {
+  it('agree on intact and damaged files of all kinds', async () => {
     const differing: string[] = []
     let refused = 0
-    for (const { what, file, fault, isUnsure } of faces) {
+    for (const { name, file, problem, isUnsure } of faces) {
       warn.mockClear()
       const [wrinkles] = wrinklesOf(await load(bytesOf(file).buffer))
-      if (fault !== null) refused++
-      if (Boolean(wrinkles) !== (fault === null) && !(isUnsure && wrinkles)) {
+      if (problem !== null) refused++
+      if (Boolean(wrinkles) !== (problem === null) && !(isUnsure && wrinkles)) {
         const loader = wrinkles ? 'yes' : warn.mock.calls[0]
-        differing.push(`${what}: validate: ${fault ?? 'yes'}; loader: ${loader}`)
+        differing.push(`${name}: validate: ${problem ?? 'yes'}; loader: ${loader}`)
       }
       wrinkles?.dispose()
     }
     expect(differing).toEqual([])
-    // Both outcomes must occur, or the damage proves nothing.
+    // Both outcomes must be frequent, otherwise the damage proves nothing.
     expect(refused).toBeGreaterThan(faces.length / 3)
     expect(refused).toBeLessThan((faces.length * 4) / 5)
   })
 
   it.each(['uastc images and an array', 'etc1s images', 'webp'])(
-    'take %s in files beside a .gltf as in one file',
+    'treat %s next to a .gltf as in one file',
     async (kind) => {
-      const { file, fault } = faces.find(({ what }) => what === kind)!
+      const { file, problem } = faces.find(({ name }) => name === kind)!
       const { json, files } = split(bytesOf(file))
       const addresses = new Map(files.map(([name, bytes]) => [name, URL.createObjectURL(new Blob([bytes]))]))
       const manager = new LoadingManager().setURLModifier((url) => addresses.get(url) ?? url)
       const beside = await load(JSON.stringify(json), manager)
       expect(warn.mock.calls).toEqual([])
-      expect(fault).toBeNull()
+      expect(problem).toBeNull()
       const picture = await pictureOf(beside)
       const inOne = await pictureOf(await load(bytesOf(file).buffer))
       expect(largestDifference(picture, inOne)).toBeLessThan(ROUNDING)
@@ -91,7 +91,7 @@ describe('a loader and validate', () => {
 
 const bytesOf = (base64: string) => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))
 
-/** A `.glb` as a `.gltf` with its buffer and its images in files of their own. */
+/** Splits a `.glb` into a `.gltf` with separate buffer and images. */
 function split(glb: Uint8Array<ArrayBuffer>) {
   const length = new DataView(glb.buffer).getUint32(12, true)
   const json = JSON.parse(new TextDecoder().decode(glb.subarray(20, 20 + length)))

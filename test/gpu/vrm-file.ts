@@ -2,9 +2,9 @@ import { addMToon, asVrm1 } from '../vrm.ts'
 import { wrinkledFile } from './wrinkled-file.ts'
 
 /**
- * `wrinkledFile` as a VRM 1.0 whose face has MToon, with an outline or without.
+ * Returns `wrinkledFile` as a VRM 1.0 whose face uses MToon, optionally with an outline.
  *
- * @param change changes the JSON of the whole file.
+ * @param change edits the complete JSON.
  */
 export async function vrmFile(
   hasOutline: boolean,

@@ -8,12 +8,12 @@ import { png } from './images.ts'
 
 const SIZE = 16
 
-/** Weights of four areas, in the channels of one image. */
+/** Weights of four areas in the channels of one image. */
 export const WEIGHTS = Uint8Array.from({ length: SIZE * SIZE * 4 }, seeded(11)).map(
   (_, i) => (i * 37 + (i >> 4) * 11) % 256,
 )
 
-/** The extension's JSON, as far as tests spoil it. */
+/** Parts of the extension's JSON that tests edit. */
 export interface WrinkleJson {
   layers: { normalTexture: { index: number } }[]
   areas: { name: string; layer?: number }[]
@@ -30,10 +30,10 @@ export const driver = (area: string, target: string) => ({
   ] as [number, number][],
 })
 
-/** Two quads side by side with one material, one blendshape, and four areas in the channels of one image. */
+/** Creates two quads side by side with one material, one blendshape, and four areas in the channels of one image. */
 export async function wrinkledFile(
   spoil: (json: WrinkleJson) => unknown = () => {},
-  // biome-ignore lint/suspicious/noExplicitAny: the whole JSON of the file, as a careless program would edit it
+  // biome-ignore lint/suspicious/noExplicitAny: the complete JSON of the file
   edit: (json: any) => unknown = () => {},
 ): Promise<Uint8Array<ArrayBuffer>> {
   const document = new Document()
@@ -99,12 +99,12 @@ function quad(document: Document, x: number, material: FileMaterial) {
     )
 }
 
-/** Its two quads in the scene of a loaded file, or in a copy of it. */
+/** Returns the face's two quads in a loaded scene or a copy of it. */
 export function faceMeshes(root: Object3D): Mesh[] {
   return root.getObjectByName('face')!.children as Mesh[]
 }
 
-/** For `edit` of `wrinkledFile`: a mesh `eyes` before the face, which has the same material and other blendshapes. */
+/** Adds a mesh `eyes` before the face with the same material and other blendshapes, as `edit` of `wrinkledFile`. */
 // biome-ignore lint/suspicious/noExplicitAny: JSON
 export function addEyes(json: any): void {
   const [face] = json.meshes

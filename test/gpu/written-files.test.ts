@@ -18,7 +18,7 @@ import { afterAll, beforeAll, beforeEach, describe, expect, it, vi } from 'vites
 import activations from '../fixtures/files-2026-11/pictures/activations.json'
 import { createHarness, type Harness } from './harness.ts'
 
-// Files that users have, see the README.md there, and pictures of them.
+// Users' files, see the README.md there, and pictures of them.
 const FOLDER = '../fixtures/files-2026-11/'
 const files = import.meta.glob('../fixtures/files-2026-11/**/*.{glb,vrm}', {
   query: '?url',
@@ -38,7 +38,7 @@ const TOLERANCE = 2
 /** Frames until everything that is measured, compiled or transcoded shows. */
 const FRAMES = 4
 
-/** Weights of blendshapes; of automatic wrinkles and muscles too, where the face has them. */
+/** Blendshape weights, which also move automatic wrinkles and muscles if the face has them. */
 const WEIGHTS: Readonly<Record<string, number>> = {
   browInnerUp: 0.7,
   browDownLeft: 0.3,
@@ -62,14 +62,14 @@ beforeAll(async () => {
     .setKTX2Loader(ktx2)
     .setMeshoptDecoder(MeshoptDecoder)
     .register((parser) => new VRMLoaderPlugin(parser))
-    // The pictures show no relief, which may come in any frame.
+    // Pictures show no relief, because its frame of arrival varies.
     .register((parser) => new harness.Plugin(parser, { relief: 'off' }))
 })
 afterAll(() => {
   ktx2.dispose()
   harness.dispose()
 })
-// The faces have a driver of a type that nobody knows, which is told.
+// The faces have a driver of an unknown type, which logs a warning.
 beforeEach(() => {
   vi.spyOn(console, 'warn').mockImplementation(() => {})
   return () => vi.restoreAllMocks()
@@ -81,7 +81,7 @@ it('all files have pictures', () => {
 })
 
 describe.each(NAMES)('%s', (name) => {
-  it('looks as it did when it was written, and moves its wrinkles the same', async () => {
+  it('looks and moves its wrinkles as when it was written', async () => {
     const gltf = await loader.loadAsync(files[FOLDER + name] as string)
     const [maps] = await readWrinkleMaps(gltf)
     const shown = await pose(gltf)
@@ -96,7 +96,7 @@ describe.each(NAMES)('%s', (name) => {
   })
 })
 
-/** Moves everything that drivers read, and draws until it shows. Returns the activations. */
+/** Moves all driver inputs, and draws until the effect shows. Returns the activations. */
 async function pose({ scene, animations }: GLTF): Promise<Record<string, number>> {
   const mesh = skinOf(scene)
   const wrinkles = wrinklesOf(mesh)!
@@ -130,7 +130,7 @@ function skinOf(scene: Object3D): Mesh {
   return skins[0]
 }
 
-/** From the front, with light from above and a side: RGBA, rows from the bottom. */
+/** Renders from the front with light from above and one side: RGBA, rows from the bottom. */
 function draw(face: Object3D): Promise<Uint8Array> {
   const light = new DirectionalLight(0xffffff, 2.5)
   light.position.set(-1, 1.2, 1)
@@ -144,7 +144,7 @@ function draw(face: Object3D): Promise<Uint8Array> {
   return harness.renderBytes(scene, camera, PIXELS)
 }
 
-/** RGBA, rows from the bottom. */
+/** Reads a picture: RGBA, rows from the bottom. */
 async function read(url: string): Promise<Uint8Array> {
   const bitmap = await createImageBitmap(await (await fetch(url)).blob(), {
     colorSpaceConversion: 'none',

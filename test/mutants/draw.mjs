@@ -1,18 +1,18 @@
-// Draws mutants of the sources at random, the same for the same seed: node test/mutants/draw.mjs [SEED] > test/mutants/mutants.json
-//
-// Each is a change of one expression or statement, as a mistake might be: found again by the text of its line, wherever that has moved.
+// Draws random mutants of the sources, deterministic per seed:
+//     node test/mutants/draw.mjs [SEED] > test/mutants/mutants.json
+// Each changes one expression or statement, like a programming error. Mutants are located by the text of their line.
 
 import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
-// The site has the last release with a compiler API.
+// The site has the last TypeScript release with a compiler API.
 import ts from '../../site/node_modules/typescript/lib/typescript.js'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 const LIBRARY = 'packages/furrow/src'
 const CLI = 'packages/cli/src'
 
-/** Rooms, their folders, and how many mutants each gets. */
+/** Rooms with their folders and the number of mutants each gets. */
 const ROOMS = {
   core: { folders: [`${LIBRARY}/core`], count: 30 },
   math: { folders: [`${LIBRARY}/math`], count: 20 },
@@ -26,7 +26,7 @@ const ROOMS = {
   },
 }
 
-/** Files whose code is about to be merged with others. */
+/** Files whose code will be merged with others. */
 const LEFT_OUT =
   /(usual-maps|morph-drivers|unusual-file|map-source|array-source|other-image|basis-tables|\.d)\.ts$|platform\/browser\//
 
@@ -70,12 +70,12 @@ function drawRoom(room, folders, count) {
   const found = folders
     .flatMap(filesIn)
     .flatMap((file) => mutantsOf(file).map((mutant) => ({ room, ...mutant })))
-  // Numbers are a third of everything that can be changed.
+  // Numbers are a third of all candidates.
   const all = found.filter(({ kind }) => kind !== 'number + 1' || random() < 0.4)
   const taken = []
   while (taken.length < count) {
     const [mutant] = all.splice(Math.floor(random() * all.length), 1)
-    // One for each line: the same line has the same mistakes.
+    // One per line, because equal lines have equal mutants.
     if (taken.every(({ file, line }) => file !== mutant.file || line !== mutant.line)) taken.push(mutant)
   }
   return taken.sort((a, b) => (a.file < b.file ? -1 : a.file > b.file ? 1 : 0))
@@ -89,7 +89,7 @@ function filesIn(folder) {
     .sort()
 }
 
-/** All mutants of a file. */
+/** Lists all mutants of a file. */
 function mutantsOf(file) {
   const text = readFileSync(join(ROOT, file), 'utf8')
   const lines = text.split('\n')
@@ -118,7 +118,7 @@ function mutantsOf(file) {
   }
 
   function visit(node) {
-    // Messages, types and names are no behaviour.
+    // Messages, types and names are not behaviour.
     if (ts.isThrowStatement(node) || ts.isTypeNode(node) || ts.isImportDeclaration(node)) return
     if (ts.isNewExpression(node) && node.expression.getText() === 'FurrowError') return
     mutate(node)

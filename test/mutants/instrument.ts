@@ -2,16 +2,16 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Plugin } from 'vite'
 
-/** A change of a line of the sources. */
+/** Change of one source line. */
 export interface Mutant {
   id: number
   /** Path of the file when the mutant was drawn. */
   file: string
   /** Text of the line, without indentation. */
   line: string
-  /** Index among equal lines of the file; 0 by default. */
+  /** Index among equal lines of the file; default 0. */
   nth?: number
-  /** Column in the text of the line. */
+  /** Column within the line's text. */
   at: number
   was: string
   becomes: string
@@ -19,16 +19,16 @@ export interface Mutant {
   isStatement?: boolean
 }
 
-/** A mutant, and where its line is now. */
+/** Mutant and the current position of its line. */
 export interface FoundMutant extends Mutant {
   path: string
-  /** Index in the text of the file. */
+  /** Index in the file's text. */
   start: number
 }
 
 const SOURCES = ['packages/furrow/src', 'packages/cli/src', 'packages/files/src']
 
-/** Finds each mutant: in the file it was drawn from, or else in the only other file with that line. */
+/** Locates each mutant in the file it was drawn from, or in the only other file with that line. */
 export function findMutants(
   mutants: readonly Mutant[],
   root: string,
@@ -63,7 +63,7 @@ function textsIn(root: string, folder: string): [string, string][] {
   return sources.map((path) => [path, readFileSync(join(root, path), 'utf8')])
 }
 
-/** Where the mutated text begins; undefined where the file has no such line. */
+/** Returns where the mutated text begins, or undefined if the file has no matching line. */
 function startOf({ line, at, was }: Mutant, text: string, nth: number): number | undefined {
   let begin = 0
   for (const each of text.split('\n')) {
@@ -78,9 +78,9 @@ function startOf({ line, at, was }: Mutant, text: string, nth: number): number |
 }
 
 /**
- * Puts mutants into modules as they are loaded.
+ * Applies mutants to modules while they load.
  *
- * @param only the one that is put in place of the code; by default all are, each behind a switch that `switch.ts` sets.
+ * @param only mutant to apply permanently; by default all are applied, each behind a switch in `switch.ts`.
  */
 export function mutate(mutants: readonly FoundMutant[], root: string, only?: number): Plugin {
   const chosen = only === undefined ? mutants : mutants.filter(({ id }) => id === only)
@@ -95,7 +95,7 @@ export function mutate(mutants: readonly FoundMutant[], root: string, only?: num
       for (const { id, start, was, becomes, isStatement } of own.toSorted((a, b) => b.start - a.start)) {
         if (!text.startsWith(was, start)) throw new Error(`${path}: the text of mutant ${id} has moved`)
         const switched = `(globalThis.furrowMutant?.(${id}) ? (${becomes}) : (${was}))`
-        // A statement that begins with a bracket would go on from the line before it.
+        // A statement starting with a bracket would continue the previous line.
         const instead = only !== undefined ? becomes : isStatement ? `void ${switched}` : switched
         text = text.slice(0, start) + instead + text.slice(start + was.length)
       }

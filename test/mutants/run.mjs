@@ -1,6 +1,6 @@
-// Runs each mutant against the tests that reach it: node test/mutants/run.mjs [--mutants shaders.json] [--ids 1,2] [--output FILE]
-//
-// A mutant is killed by the first test file that fails. Its known killers run first, so that a run that finds no loss is short.
+// Runs each mutant against the tests that reach it:
+//     node test/mutants/run.mjs [--mutants shaders.json] [--ids 1,2] [--output FILE]
+// The first failing test file kills a mutant. Known killers run first, so a run without losses is short.
 
 import { execFileSync, spawn } from 'node:child_process'
 import { existsSync, mkdtempSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
@@ -13,16 +13,16 @@ import { createVitest } from 'vitest/node'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 const CONFIG = join(ROOT, 'test/mutants/vitest.config.ts')
-/** Seconds until a mutant counts as killed by an endless loop, beyond six times those that the test file takes without one. */
+/** Time limit in seconds beyond six times the file's usual time. A longer run counts as killed by an endless loop. */
 const PATIENCE = 60
 
 const { values } = parseArgs({
   options: {
     mutants: { type: 'string', default: 'mutants.json' },
     ids: { type: 'string' },
-    // Folder of an earlier run with FURROW_REACHED, to save another one.
+    // Folder of an earlier run with FURROW_REACHED, to avoid measuring again.
     reached: { type: 'string' },
-    // Seconds of tests, as they take without a mutant, after which a mutant counts as a survivor.
+    // Test time in seconds, as measured without mutants, after which a mutant counts as a survivor.
     budget: { type: 'string', default: 'Infinity' },
     output: { type: 'string' },
   },
@@ -48,13 +48,13 @@ const killed = chosen.length - survivors.length
 console.info(`${killed} of ${chosen.length} killed; lost: ${lost.length}; survivors: ${survivors.join(', ')}`)
 process.exit()
 
-/** A mutant on each line. */
+/** Writes one mutant per line. */
 function textOf({ mutants, ...others }) {
   const lines = mutants.map((mutant) => `    ${JSON.stringify(mutant)}`)
   return `${JSON.stringify({ ...others, mutants: [] }, null, 2).replace('[]', () => `[\n${lines.join(',\n')}\n  ]`)}\n`
 }
 
-/** Ids of mutants whose line was rewritten. */
+/** Returns ids of mutants whose line was rewritten. */
 async function findLost() {
   const { module } = await runnerImport(join(ROOT, 'test/mutants/instrument.ts'))
   const { lost } = module.findMutants(list.mutants, ROOT)
@@ -62,14 +62,14 @@ async function findLost() {
   return lost.map(({ id }) => id)
 }
 
-/** Tests of the same name and of the same room first, then the quickest: most mutants are killed by these. */
+/** Orders tests: same name and room first, then the fastest, because those kill most mutants. */
 async function killersOf(mutant) {
   const known = (mutant.killers ?? []).filter((path) => existsSync(join(ROOT, path)))
   for (const file of known) {
     const killers = await failing(mutant, [{ file, seconds: PATIENCE }])
     if (killers.length > 0) return killers
   }
-  reached ??= await whatIsReached()
+  reached ??= await measureReach()
   const tests = reached
     .filter((each) => each.reached.includes(mutant.id))
     .sort((a, b) => distance(mutant, a) - distance(mutant, b) || a.seconds - b.seconds)
@@ -93,7 +93,7 @@ function secondsOf(tests) {
   return tests.reduce((sum, { seconds }) => sum + seconds, 0)
 }
 
-/** The test files that fail with a mutant; all of them where they do not end in time. */
+/** Returns the test files that fail with a mutant; all of them on timeout. */
 async function failing({ id }, tests) {
   process.env.FURROW_MUTANT = String(id)
   vitest ??= await createVitest('test', { config: CONFIG, root: ROOT, watch: false, reporters: [{}] })
@@ -113,7 +113,7 @@ async function failing({ id }, tests) {
     const modules = new Map(ended.testModules.map((module) => [module.moduleId, module]))
     return tests.map(({ file }) => file).filter((file) => !modules.get(join(ROOT, file))?.ok())
   }
-  // A worker that hangs, or that has died.
+  // Ends a hanging or dead worker.
   for (const child of childrenOf(process.pid)) process.kill(child, 'SIGKILL')
   vitest = undefined
   return tests.map(({ file }) => file)
@@ -127,8 +127,8 @@ function childrenOf(pid) {
     .map(([child]) => Number(child))
 }
 
-/** Reach and time of each test file. Files that fail by themselves are left out. */
-async function whatIsReached() {
+/** Measures reach and time of each test file. Files that fail without mutants are left out. */
+async function measureReach() {
   const folder = values.reached ?? mkdtempSync(join(tmpdir(), 'furrow-reached-'))
   const report = join(folder, 'report')
   if (!values.reached) await runAlone([], { FURROW_REACHED: folder }, report)
@@ -138,7 +138,7 @@ async function whatIsReached() {
   return files.filter(({ file }) => !failed.includes(file))
 }
 
-/** On the renderer of the shader, one file after the other: each takes a browser. */
+/** Runs on the shader's renderer, one file after the other, because each needs a browser. */
 async function killersOfShader({ id, file, tests, killers = [] }) {
   const renderer = file.includes('/webgpu/') ? 'webgpu(?! on)' : 'webgl'
   for (const test of killers.length > 0 ? killers : tests) {
@@ -151,7 +151,7 @@ async function killersOfShader({ id, file, tests, killers = [] }) {
   return []
 }
 
-/** In a process of its own. */
+/** Runs in a separate process. */
 function runAlone(words, env, report) {
   const options = ['run', '--config', CONFIG, '--reporter=json', `--outputFile=${report}`, ...words]
   const child = spawn(process.execPath, ['node_modules/vitest/vitest.mjs', ...options], {

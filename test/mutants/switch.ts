@@ -1,4 +1,4 @@
-/** Switches one mutant on, and notes which ones the code of a test file reaches. */
+/** Switches one mutant on, and records which mutants a test file reaches. */
 
 import { writeFileSync } from 'node:fs'
 import { afterAll, expect } from 'vitest'

@@ -14,7 +14,7 @@ import sharp from 'sharp'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { batchPage } from '../../packages/cli/src/batch/report/page.ts'
 import type { ResultLine } from '../../packages/cli/src/batch/results.ts'
-import { isWhole, makeFaces } from '../batch/faces.ts'
+import { isCompleteGlb, makeFaces } from '../batch/faces.ts'
 import { sheet, sheetGlb } from '../unit/cli/sheet.ts'
 import { openBrowser, openPage } from './browser.ts'
 import { runFurrow, startFurrow } from './run-furrow.ts'
@@ -51,7 +51,7 @@ const linesOf = (folder: string, file = 'out/results.jsonl'): ResultLine[] =>
 /** The outputs in a folder, all of them whole. */
 function outputs(folder: string): string[] {
   const names = readdirSync(join(folder, 'out')).filter((name) => name.endsWith('.glb'))
-  for (const name of names) expect(isWhole(readFileSync(join(folder, 'out', name)))).toBe(true)
+  for (const name of names) expect(isCompleteGlb(readFileSync(join(folder, 'out', name)))).toBe(true)
   return names.sort()
 }
 
@@ -164,11 +164,11 @@ describe('a batch', () => {
 
 describe('what a batch downloads', () => {
   /** A server without tags, and how much of a face it sends: all of it, or half, and then nothing more. */
-  async function serve(bytes: Uint8Array, isWhole: boolean) {
+  async function serve(bytes: Uint8Array, isCompleteGlb: boolean) {
     const server = createServer((request, response) => {
       response.writeHead(200)
       if (request.method === 'HEAD') return void response.end()
-      if (isWhole || asked++ === 0) return void response.end(bytes)
+      if (isCompleteGlb || asked++ === 0) return void response.end(bytes)
       response.write(bytes.subarray(0, bytes.length / 2))
     })
     let asked = 0

@@ -3,12 +3,12 @@ import type { BrowserKind } from './driven-browser.ts'
 import { firefox } from './firefox.ts'
 import { webkit } from './webkit.ts'
 
-/** `npm run browsers` compares the others with Chromium, in which all other tests run. */
+/** Includes Chromium, which all other tests run in, as the baseline of `npm run browsers`. */
 const KINDS: readonly BrowserKind[] = [
   firefox,
   webkit,
   ...(process.env.FURROW_BROWSERS === 'all' ? [chromium] : []),
 ]
 
-/** Browsers that tests drive by WebDriver, by their names. */
+/** Browsers driven by WebDriver, with their names for `describe.each`. */
 export const DRIVEN = KINDS.map((kind) => [kind.name, kind] as const)

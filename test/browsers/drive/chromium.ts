@@ -1,14 +1,14 @@
 import { launchBrowser } from '../../../packages/cli/src/browser.ts'
 import type { BrowserKind } from './driven-browser.ts'
 
-/** An action of WebDriver. */
+/** WebDriver action. */
 interface Action {
   type: string
   x: number
   y: number
 }
 
-/** Chromium by Playwright, with the same commands: it is in the table of browsers beside the others. */
+/** Chromium through Playwright, with the interface of the other browsers. */
 export const chromium: BrowserKind = {
   name: 'chromium',
   async launch() {

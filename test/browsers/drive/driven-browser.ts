@@ -1,39 +1,39 @@
 import type { ChildProcess } from 'node:child_process'
 
-/** A way to start a browser. */
+/** How to start a browser. */
 export interface BrowserKind {
   name: 'chromium' | 'firefox' | 'webkit'
   launch(start: Start): Promise<DrivenBrowser>
 }
 
-/** Starts a program on the display of a browser, with a folder of its own; both end with the browser. */
+/** Starts programs on a browser's own display and in its own folder. Both are removed with the browser. */
 export interface Start {
   folder: string
   run(program: string, words: string[], env?: Record<string, string>): ChildProcess
 }
 
-/** A browser with one window, driven by WebDriver. */
+/** Browser with one window, driven by WebDriver. */
 export interface DrivenBrowser {
   version: string
   open(url: string): Promise<void>
   /**
    * Runs the body of an async function on the page.
    *
-   * @returns its result, which is sent as JSON.
+   * @returns its result, passed as JSON.
    */
   evaluate<T>(body: string): Promise<T>
-  /** Performs actions of WebDriver: real input of mouse and keyboard. */
+  /** Performs WebDriver actions: real mouse and keyboard input. */
   act(actions: object[]): Promise<void>
-  /** Picture of the page, as PNG. */
+  /** Takes a PNG screenshot of the page. */
   screenshot(): Promise<Buffer>
   resize(width: number, height: number): Promise<void>
   close(): Promise<void>
 }
 
-/** Milliseconds that a browser may take to start. */
+/** Time limit for starting a browser, milliseconds. */
 const STARTING = 60_000
 
-/** Waits for a text in the output of a program; its first group. */
+/** Waits until a program prints a text, and returns the first capture group. */
 export function outputOf(child: ChildProcess, stream: 'stdout' | 'stderr', text: RegExp): Promise<string> {
   return new Promise((resolve, reject) => {
     let output = ''

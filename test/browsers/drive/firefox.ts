@@ -4,7 +4,7 @@ import { WebSocket } from 'ws'
 import { type BrowserKind, outputOf } from './driven-browser.ts'
 
 const PREFERENCES = {
-  // Software rasterisers are blocked otherwise.
+  // Firefox blocks software rasterisers by default.
   'webgl.force-enabled': true,
   'browser.shell.checkDefaultBrowser': false,
   'browser.startup.page': 0,
@@ -13,12 +13,12 @@ const PREFERENCES = {
   'app.update.enabled': false,
   'network.captive-portal-service.enabled': false,
   'network.connectivity-service.enabled': false,
-  // Long scripts are not interrupted.
+  // Long scripts must not be interrupted.
   'dom.max_script_run_time': 0,
   'dom.ipc.reportProcessHangs': false,
 }
 
-/** Firefox by WebDriver BiDi, the protocol that it speaks by itself. */
+/** Firefox through WebDriver BiDi, which it supports natively. */
 export const firefox: BrowserKind = {
   name: 'firefox',
   async launch({ folder, run }) {
@@ -62,7 +62,7 @@ export const firefox: BrowserKind = {
   },
 }
 
-// biome-ignore lint/suspicious/noExplicitAny: answers of the protocol.
+// biome-ignore lint/suspicious/noExplicitAny: protocol responses.
 type Send = (method: string, params: object) => Promise<any>
 
 async function connect(address: string): Promise<Send> {

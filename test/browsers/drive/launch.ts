@@ -4,21 +4,18 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { type BrowserKind, type DrivenBrowser, outputOf, type Start } from './driven-browser.ts'
 
-/** Larger than every window, with room for the browser's own bars. */
+/** Larger than any test window plus the browser's toolbars. */
 const SCREEN = '1600x1300x24'
 
-/**
- * Draws on Mesa's software rasteriser. Its quick filter for 8-bit textures has 8 bits of precision, less than tests
- * allow, so it is switched off.
- */
+/** Mesa's software rasteriser. Its fast path for 8-bit textures filters with 8 bits, less than tests allow, so it is disabled. */
 const SOFTWARE = { LIBGL_ALWAYS_SOFTWARE: '1', GALLIVM_PERF: 'no_aos_sampling' }
 
-/** Starts a browser on a display of its own; the caller closes it. */
+/** Starts a browser on its own display. The caller must close it. */
 export async function launch({ name, launch: start }: BrowserKind): Promise<DrivenBrowser> {
   const folder = mkdtempSync(join(tmpdir(), `furrow-${name}-`))
   const children: ChildProcess[] = []
   const end = () => {
-    // Groups: browsers are several processes.
+    // Ends process groups, because a browser is several processes.
     for (const { pid } of children.toReversed()) if (pid) endGroup(pid)
     rmSync(folder, { recursive: true, force: true, maxRetries: 5 })
   }
@@ -56,6 +53,6 @@ function endGroup(pid: number): void {
   try {
     process.kill(-pid, 'SIGKILL')
   } catch {
-    // It has ended by itself.
+    // The process has already exited.
   }
 }

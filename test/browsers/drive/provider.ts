@@ -3,7 +3,7 @@ import type { BrowserProvider, BrowserProviderOption } from 'vitest/node'
 import type { BrowserKind, DrivenBrowser } from './driven-browser.ts'
 import { launch } from './launch.ts'
 
-/** Runs Vitest's tests in a browser that Playwright cannot drive. */
+/** Runs Vitest's tests in a browser that Playwright does not support. */
 export function driven(kind: BrowserKind): BrowserProviderOption {
   return defineBrowserProvider({
     name: 'driven',

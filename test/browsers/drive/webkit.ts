@@ -2,14 +2,14 @@ import { createServer } from 'node:net'
 import { MINI_BROWSER } from '../../../scripts/lib/other-browsers.mjs'
 import type { BrowserKind } from './driven-browser.ts'
 
-/** Milliseconds between attempts to reach the driver, and until one gives up. */
+/** Interval between attempts to reach the driver, and the time limit, milliseconds. */
 const STEP = 100
 const STARTING = 60_000
 
-/** Milliseconds that a script may take. */
+/** Time limit for scripts, milliseconds. */
 const SCRIPT = 900_000
 
-/** WebKitGTK by WebDriver. */
+/** WebKitGTK through WebDriver. */
 export const webkit: BrowserKind = {
   name: 'webkit',
   async launch({ run }) {
@@ -55,7 +55,7 @@ export const webkit: BrowserKind = {
   },
 }
 
-// biome-ignore lint/suspicious/noExplicitAny: answers of the protocol.
+// biome-ignore lint/suspicious/noExplicitAny: protocol responses.
 async function send(port: number, method: string, path: string, body?: object): Promise<any> {
   const headers = { 'content-type': 'application/json' }
   const request = { method, headers, body: body && JSON.stringify(body) }
@@ -65,7 +65,7 @@ async function send(port: number, method: string, path: string, body?: object): 
   return value
 }
 
-/** The first answer of a driver that is starting. */
+/** Retries until the driver answers. */
 async function whenReady<T>(ask: () => Promise<T>): Promise<T> {
   const until = Date.now() + STARTING
   for (;;) {

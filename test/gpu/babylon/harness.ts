@@ -19,23 +19,23 @@ export type EngineName = (typeof ENGINES)[number]
 export interface BabylonHarness {
   name: EngineName
   engine: Engine | WebGPUEngine
-  /** An empty scene, seen by a camera whose frame `square` fills. */
+  /** Creates an empty scene with a camera that `square` fills. */
   createScene(): Scene
   /** Renders a scene and reads it back: linear RGBA, floats, row 0 at the bottom. */
   render(scene: Scene, width: number, height?: number): Promise<Float32Array>
-  /** What the GPU has complained of. */
+  /** Errors reported by the GPU. */
   errors: string[]
   dispose(): void
 }
 
 /**
- * On WebGPU a busy browser may take the texture of the canvas, 300 x 150 by default, back before a frame that clears it is submitted: nothing of
- * that frame is drawn then, not even the picture, which is elsewhere.
+ * WebGPU error of a lost frame. A busy browser may take back the canvas texture, 300 x 150 by default, before a frame
+ * that clears it is submitted. The GPU then drops the complete frame, including render targets.
  */
 const LOST_CANVAS = /Destroyed texture \[Texture \(unlabeled 300x150 px/
 const ATTEMPTS = 3
 
-/** A harness of all tests that are described where this is called. */
+/** Creates a harness for all tests in the current `describe`. */
 export function harnessOn(name: EngineName): BabylonHarness {
   const harness = {} as BabylonHarness
   beforeAll(async () => void Object.assign(harness, await createHarness(name)))
@@ -43,12 +43,12 @@ export function harnessOn(name: EngineName): BabylonHarness {
   return harness
 }
 
-/** The reference is bilinear, and pictures are read back after the first frame. */
+/** The reference is bilinear, and pictures are read after the first frame. */
 function limitCaps(engine: Engine | WebGPUEngine): void {
   Object.assign(engine.getCaps(), { maxAnisotropy: 1, parallelShaderCompile: undefined })
 }
 
-/** Creates an engine; fails if it is not available. */
+/** Creates an engine. Fails if the engine is not available. */
 export async function createHarness(name: EngineName): Promise<BabylonHarness> {
   const canvas = document.createElement('canvas')
   const errors: string[] = []
@@ -73,7 +73,7 @@ export async function createHarness(name: EngineName): Promise<BabylonHarness> {
     createScene() {
       const scene = new Scene(engine)
       scene.clearColor = new Color4(0, 0, 0, 0)
-      // Colours stay linear, without tone mapping.
+      // Keeps colours linear, without tone mapping.
       scene.imageProcessingConfiguration.applyByPostProcess = true
       const camera = new FreeCamera('camera', new Vector3(0, 0, -5), scene)
       camera.mode = Camera.ORTHOGRAPHIC_CAMERA
@@ -101,12 +101,12 @@ export async function createHarness(name: EngineName): Promise<BabylonHarness> {
     })
     const camera = scene.activeCamera!
     camera.outputRenderTarget = target
-    // Each target has programs of its own. Babylon.js waits for those of the camera, and compiles others in the frame that needs them.
+    // Each render target has its own programs. Babylon.js waits only for those of the camera; others compile during the frame.
     const { renderPassId } = camera
     camera.renderPassId = target.renderPassId
     await scene.whenReadyAsync(true)
     camera.renderPassId = renderPassId
-    // A frame that waits loses the texture of the canvas, on WebGPU.
+    // Waiting inside a frame loses the canvas texture on WebGPU.
     engine.beginFrame()
     scene.render()
     engine.endFrame()
@@ -117,13 +117,13 @@ export async function createHarness(name: EngineName): Promise<BabylonHarness> {
   }
 }
 
-/** Disposes of a scene once it is ready: Babylon.js 8 prepares a texture of its own even after that, and fails. */
+/** Disposes of a scene when it is ready. Babylon.js 8 fails if it prepares its own textures after disposal. */
 export async function disposeScene(scene: Scene): Promise<void> {
   if (!scene.isDisposed) await scene.whenReadyAsync()
   scene.dispose()
 }
 
-/** Draws the influence maps of a scene once more with its next frame: those of a frame that was lost are lost with it. */
+/** Redraws the scene's influence maps with the next frame, because a lost frame loses them too. */
 function redrawInfluence({ materials }: Scene): void {
   for (const { pluginManager } of materials) {
     const plugin = pluginManager?.getPlugin<WrinklePlugin>(WrinklePlugin.NAME)
@@ -131,7 +131,7 @@ function redrawInfluence({ materials }: Scene): void {
   }
 }
 
-/** A square that fills the frame; `uv = (x, 1 - y) * scale + offset`, v downwards as in glTF. */
+/** Creates a square that fills the frame. `uv = (x, 1 - y) * scale + offset`, v pointing down as in glTF. */
 export function square(scene: Scene, scale = 1, offset = [0, 0]): Mesh {
   const mesh = new Mesh('square', scene)
   const data = new VertexData()

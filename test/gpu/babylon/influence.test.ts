@@ -29,7 +29,7 @@ const CASES = casesIn(200)
 const PIXELS = 32
 const AREA = 32
 
-/** Roughness in Babylon.js's debug modes: neither normalised nor in gamma space. */
+/** Roughness in Babylon.js's debug modes; not normalised, not gamma-encoded. */
 const SHOW_ROUGHNESS = 63
 
 describe.each(ENGINES)('influence in Babylon.js on %s', (name) => {
@@ -40,7 +40,7 @@ describe.each(ENGINES)('influence in Babylon.js on %s', (name) => {
     const random = seeded(2008)
     const scene = harness.createScene()
     let worst = 0
-    // Each case is disposed of after the next is drawn, so that the engine keeps their common program.
+    // Dispose after the next draw, so that the engine keeps the shared program.
     let release = () => {}
     for (let i = 0; i < CASES; i++) {
       const count = 1 + Math.floor(random() * 64)
@@ -59,7 +59,7 @@ describe.each(ENGINES)('influence in Babylon.js on %s', (name) => {
   })
 
   it.each(['meshes', 'thin instances'])(
-    'of %s is that of the reference at the edges of UV space',
+    'of %s matches the reference at the edges of UV space',
     async (kind) => {
       const scene = harness.createScene()
       const set = smooth(edgeSet())
@@ -88,7 +88,7 @@ function edgeMesh(scene: Scene, material: PBRMaterial): Mesh {
   const mesh = new Mesh('edges', scene)
   const { positions, uvs, triangles } = edgeSquares()
   const data = new VertexData()
-  // The camera looks along z.
+  // The camera looks along +z.
   Object.assign(data, {
     positions,
     uvs,
@@ -100,13 +100,13 @@ function edgeMesh(scene: Scene, material: PBRMaterial): Mesh {
   return mesh
 }
 
-/** Fully wrinkled skin has no roughness: what is left of the material's own is 1 less the influence. */
+/** Sets the roughness of fully wrinkled skin to 0, so that the remaining roughness is 1 minus the influence. */
 function smooth({ layers: [layer], areas }: WrinkleSet): WrinkleSet {
   const { width, height } = layer.normal as GrayImage
   return { layers: [{ ...layer, roughness: { width, height, data: new Uint8Array(width * height) } }], areas }
 }
 
-/** Shows its roughness alone. */
+/** Creates a material that shows only its roughness. */
 function roughnessMaterial(scene: Scene): PBRMaterial {
   const material = new PBRMaterial('skin', scene)
   return Object.assign(material, { metallic: 0, roughness: 1, debugMode: SHOW_ROUGHNESS, debugLimit: -1 })

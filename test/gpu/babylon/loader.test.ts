@@ -15,7 +15,7 @@ import { type BabylonHarness, disposeScene, ENGINES, harnessOn } from './harness
 
 const PIXELS = 32
 
-// biome-ignore lint/suspicious/noExplicitAny: tests spoil files in ways that no type allows
+// biome-ignore lint/suspicious/noExplicitAny: tests edit files in ways that no type allows
 type Any = any
 
 beforeAll(() => registerWrinkleMaps())
@@ -26,7 +26,7 @@ async function load(scene: Scene, file: Uint8Array) {
   return container
 }
 
-/** A scene that is lit, and seen from where glTF's faces look. */
+/** Creates a lit scene, seen from the front of glTF faces. */
 function litScene(harness: BabylonHarness): Scene {
   const scene = harness.createScene()
   const camera = scene.activeCamera as FreeCamera
@@ -58,13 +58,13 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
   }
   const picture = () => harness.render(scene, PIXELS)
 
-  it('leaves eyes with the material of the skin plain', async () => {
+  it("leaves eyes that share the skin's material plain", async () => {
     const { meshes } = await open(undefined, addEyes)
     const wrinkled = meshes.filter((mesh) => wrinklesOf(mesh)).map(({ name }) => name)
     expect(new Set(wrinkled)).toEqual(new Set(['face_primitive0', 'face_primitive1']))
   })
 
-  it('wrinkles as its blendshapes move, on all primitives', async () => {
+  it('wrinkles all primitives as its blendshapes move', async () => {
     const { meshes } = await open()
     const rest = await picture()
     setTarget(meshes, 1)
@@ -75,7 +75,7 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
     expect(written.warn).not.toHaveBeenCalled()
   })
 
-  it('finds blendshapes that the mesh spells in another way, of copies too', async () => {
+  it('finds blendshapes whose names the mesh spells differently, also on copies', async () => {
     const container = await open(
       () => {},
       (json) => {
@@ -102,7 +102,7 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
     expect(meshes[2].morphTargetManager!.getTarget(0).influence).toBeCloseTo(0.3, 6)
   })
 
-  it('gives clones and instances activations of their own', async () => {
+  it('gives clones and instances their own activations', async () => {
     const container = await open()
     const [, left] = container.meshes as Mesh[]
     const clone = left.clone('clone')
@@ -131,7 +131,7 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
   it.each([
     ['instances', (mesh: Mesh) => mesh.createInstance('copy')],
     ['clones with the same material', (mesh: Mesh) => mesh.clone('copy')],
-  ])('gives %s that are drawn at once wrinkles of their own', async (_, copyOf) => {
+  ])('gives %s their own wrinkles in the first frame', async (_, copyOf) => {
     const container = await open()
     const [, left, right] = container.meshes as Mesh[]
     right.setEnabled(false)
@@ -150,7 +150,7 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
     )
   })
 
-  it('gives thin instances cells of their own', async () => {
+  it('gives thin instances their own cells', async () => {
     const container = await open()
     const [, left, right] = container.meshes as Mesh[]
     right.setEnabled(false)
@@ -163,7 +163,7 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
     expect([0, PIXELS / 2].map((half) => differs(rest, moved, half)).filter(Boolean)).toHaveLength(1)
   })
 
-  it('gives copies of a container wrinkles of their own, with materials of their own or not', async () => {
+  it('gives copies of a container their own wrinkles, with shared or separate materials', async () => {
     for (const cloneMaterials of [false, true]) {
       const container = await open()
       const copy = container.instantiateModelsToScene(undefined, cloneMaterials, { doNotInstantiate: true })
@@ -180,9 +180,9 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
     }
   })
 
-  // Nothing in Babylon.js loses a device of WebGPU and gets it again.
+  // Babylon.js has no way to lose and restore a WebGPU device.
   if (name === 'webgl')
-    it('has its influence and maps again after the context was lost', async () => {
+    it('redraws its influence and maps after the context was lost', async () => {
       const [wrinkles] = wrinklesOf(await open())
       wrinkles.setActivation('d', 1)
       const before = await picture()
@@ -193,14 +193,14 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
       await new Promise((resolve) => setTimeout(resolve, 50))
       extension.restoreContext()
       await restored
-      // Babylon.js does not draw with programs of before, plain or not, in the frames of this test.
+      // Toggling the mode forces new programs. In these frames Babylon.js does not draw with programs from before the loss.
       wrinkles.mode = 'off'
       await picture()
       wrinkles.mode = 'default'
       expect(await picture()).toEqual(before)
     })
 
-  it('leaves nothing behind in 20 loads and disposes', async () => {
+  it('frees everything in 20 loads and disposals', async () => {
     const file = await wrinkledFile()
     scene = litScene(harness)
     const counts = () => {
@@ -285,7 +285,7 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
     expect(written.warn.mock.calls.map(String)).toEqual([expect.stringMatching(warning)])
   })
 
-  it('leaves out drivers that are malformed, unknown or without their inputs, with one warning each', async () => {
+  it('skips drivers that are malformed, unknown or lack inputs, with one warning each', async () => {
     const container = await open((maps) => {
       maps.drivers = [
         driver('a', 'browInnerUp'),
@@ -301,7 +301,7 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
   })
 })
 
-describe('what only three.js shows', () => {
+describe('features that only three.js supports', () => {
   it.each([
     [{ mode: 'paper' }, /a mode that Babylon.js does not have, got "paper"/],
     [{ mode: 'composed' }, /a mode that Babylon.js does not have/],
@@ -310,7 +310,7 @@ describe('what only three.js shows', () => {
     [{ fadeBelow: 100 }, /an option that Babylon.js does not have/],
     [{ areaSize: 1 }, /areaSize/],
     [{ transcoderPath: 1 }, /transcoderPath/],
-  ])('is refused: %j', (options, message) => {
+  ])('are refused: %j', (options, message) => {
     expect(() => registerWrinkleMaps(options as never)).toThrow(message)
   })
 })

@@ -68,7 +68,7 @@ describe.each(ENGINES)("the layers' other maps in Babylon.js on %s", (name) => {
     }
   })
 
-  it('shadow the highlights of lights in valleys, and leave their diffuse light', async () => {
+  it('darken highlights in valleys and leave diffuse light unchanged', async () => {
     const random = seeded(31)
     const scene = harness.createScene()
     const own = { ...randomLayer(random, 'layer', ['occlusion']), occlusionStrength: 1 }
@@ -83,7 +83,7 @@ describe.each(ENGINES)("the layers' other maps in Babylon.js on %s", (name) => {
     const influenceOf = influenceAt(areas, activations, MAP)
     const cosine = 0.5 / Math.hypot(0.8, 0.1, 0.5)
     for (const metallic of [1, 0]) {
-      // Metal reflects, and black paint does not, so that there is nothing but highlights or nothing but diffuse light.
+      // A metal reflects without diffuse light, and black paint has no reflection, so each picture shows one of the two.
       Object.assign(material, { metallic, roughness: 0.9, metallicF0Factor: metallic })
       for (const area of wrinkles.areaNames) wrinkles.setActivation(area, 0)
       const plain = await harness.render(scene, PIXELS)
@@ -105,10 +105,10 @@ describe.each(ENGINES)("the layers' other maps in Babylon.js on %s", (name) => {
   })
 })
 
-/** What is read off a picture: the colour, or one of the values. */
+/** Quantity read from a picture. */
 type Shown = 'colour' | 'roughness' | 'occlusion'
 
-/** A material, and what the material itself has at a point, linear. */
+/** Material with its own value at a point, linear. */
 interface Skin {
   material: PBRMaterial | StandardMaterial
   own(kind: Kind, u: number, v: number): number[]
@@ -151,7 +151,7 @@ function physicalWithMaps(scene: Scene, random: () => number, shown: Shown): Ski
   return { material, own }
 }
 
-/** Shows its colour, decoded from the space that it computes in. */
+/** Creates a material that shows its colour, decoded from the material's working space. */
 function standard(scene: Scene): Skin {
   const material = new StandardMaterial('skin', scene)
   material.disableLighting = true
@@ -187,7 +187,7 @@ function linearTexture(image: RgbaImage, scene: Scene): RawTexture {
   return texture
 }
 
-/** Activates all areas at random; returns the activations. */
+/** Sets random activations on all areas and returns them. */
 function activate(wrinkles: Wrinkles, random: () => number): number[] {
   return wrinkles.areaNames.map((name) => {
     wrinkles.setActivation(name, random() * 0.6)
@@ -244,7 +244,7 @@ function exactOf(shown: Shown, material: Skin['material'], mixed: (kind: Kind) =
   if (shown === 'roughness') return [0.8 * mixed('roughness')[0]]
   const colour = reference.bloodColour(mixed('baseColor'), mixed('blood')[0])
   if (material instanceof PBRMaterial) return colour
-  // The standard material's occlusion is of all light, in the space that it computes in.
+  // StandardMaterial occludes all light, in its own working space.
   const occlusion = mixed('occlusion')
   return colour.map((value, c) => value * occlusion[c % occlusion.length] ** 2.2)
 }

@@ -28,7 +28,7 @@ beforeAll(async () => {
 })
 afterAll(() => harness.dispose())
 
-it('tension, muscles and joints are measured as in three.js', () => {
+it('tension, muscles and joints have the same values as in three.js', () => {
   const [shown] = babylon.wrinklesOf(container)
   const [exact] = three.wrinklesOf(gltf)
   const drivers = driversOf(exact)
@@ -48,7 +48,7 @@ it('tension, muscles and joints are measured as in three.js', () => {
   expect(found.filter((value, i) => Math.abs(value - rest[i]) > 0.01).length).toBeGreaterThan(5)
 })
 
-/** Tension of most areas, and the angle of a joint for the last. */
+/** Tension for most areas, and a joint angle for the last. */
 function driversOf({ areaNames, mesh }: three.WrinklesBase): WrinkleDriver[] {
   const { position } = mesh.geometry.attributes
   const forehead = [0, 1, 2].map((axis) => position.getComponent(0, axis))

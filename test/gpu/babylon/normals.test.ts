@@ -47,7 +47,7 @@ describe.each(ENGINES)('normals in Babylon.js on %s', (name) => {
     }
   })
 
-  it('without influence are those of the material, to the last bit, also after dispose', async () => {
+  it("without influence equal the material's own bit for bit, also after dispose", async () => {
     const random = seeded(6)
     for (const hasMap of [true, false]) {
       const scene = harness.createScene()
@@ -67,7 +67,7 @@ describe.each(ENGINES)('normals in Babylon.js on %s', (name) => {
     }
   })
 
-  it('are shown of a mesh whose vertices are on the GPU only', async () => {
+  it('are shown on a mesh whose vertices are only on the GPU', async () => {
     const pictures: Float32Array[] = []
     for (const isCleared of [false, true]) {
       const random = seeded(8)
@@ -82,7 +82,7 @@ describe.each(ENGINES)('normals in Babylon.js on %s', (name) => {
     expect(largestDifference(pictures[0], pictures[1])).toBeLessThanOrEqual(1 / 255)
   })
 
-  it('follow a normal map that the page moves beyond the edges of the layers, and back', async () => {
+  it("follow a normal map that the page moves beyond the layers' edges and back", async () => {
     const moved = (uOffset: number) => {
       const random = seeded(7)
       const scene = harness.createScene()
@@ -106,7 +106,7 @@ describe.each(ENGINES)('normals in Babylon.js on %s', (name) => {
     for (const { scene } of [face, beyond]) scene.dispose()
   })
 
-  it('are the same when another face joins one that was alone in its influence map', async () => {
+  it('stay the same when a second face joins the influence map', async () => {
     const random = seeded(9)
     const scene = harness.createScene()
     const { mesh } = skin(scene, random, true, shownByPbr)
@@ -126,7 +126,7 @@ describe.each(ENGINES)('normals in Babylon.js on %s', (name) => {
   })
 })
 
-/** In the canvas, where a material keeps its shaders: each target of its own has others. */
+/** Draws to the canvas, where a material keeps its shaders: render targets have separate ones. */
 async function canvasPicture({ engine }: BabylonHarness, scene: Scene): Promise<Uint8Array> {
   await scene.whenReadyAsync()
   engine.beginFrame()
@@ -136,20 +136,20 @@ async function canvasPicture({ engine }: BabylonHarness, scene: Scene): Promise<
   return new Uint8Array((await pixels).buffer.slice(0))
 }
 
-/** How a material shows its normal, and what is to be seen of a normal in tangent space. */
+/** Material that shows its normal, and the value expected for a tangent-space normal. */
 interface Shown {
   material: PBRMaterial | StandardMaterial
   seen(normal: readonly number[]): number[]
 }
 
-/** The whole normal, in world space, where z points away from the camera. */
+/** Shows the complete normal in world space, where z points away from the camera. */
 function shownByPbr(scene: Scene): Shown {
   const material = new PBRMaterial('skin', scene)
   Object.assign(material, { metallic: 0, roughness: 1, debugMode: SHOW_NORMAL, debugLimit: -1 })
   return { material, seen: ([x, y, z]) => [x, y, -z].map((value) => value * 0.5 + 0.5) }
 }
 
-/** One light along each axis, of one primary colour each. The material's output is decoded as sRGB. */
+/** Uses one light per axis, each in one primary colour. The material's output is decoded as sRGB. */
 function shownByStandard(scene: Scene): Shown {
   const material = new StandardMaterial('skin', scene)
   material.specularColor = Color3.Black()

@@ -19,11 +19,11 @@ const PIXELS = 64
 describe.each(ENGINES)('shadows in Babylon.js on %s', (name) => {
   const harness = harnessOn(name)
 
-  it('of a face that its blendshapes move are those of the plain one', async () => {
+  it('of a face moved by blendshapes equal those of the plain face', async () => {
     const { scene, mesh, target } = shadowed(harness)
     const pose = async (weight: number) => {
       target.influence = weight
-      // The map of a frame may be drawn before all shaders are there.
+      // Shadow maps may be drawn before all shaders are ready.
       for (let i = 0; i < 3; i++) await harness.render(scene, PIXELS)
       return harness.render(scene, PIXELS)
     }
@@ -41,7 +41,7 @@ describe.each(ENGINES)('shadows in Babylon.js on %s', (name) => {
   })
 })
 
-/** A scene in which a mesh beside the picture casts a shadow into it, which its morph target moves. */
+/** Creates a scene where a mesh outside the picture casts a shadow into it. A morph target moves the mesh. */
 function shadowed(harness: BabylonHarness) {
   const scene = harness.createScene()
   const ground = square(scene, 1)

@@ -17,13 +17,13 @@ import { type BabylonHarness, disposeScene } from '../babylon/harness.ts'
 import { addressOf, type ExpectedPoint, type ExpectedPose } from './samples.ts'
 import { at, type OpenedSample, PIXELS, type Pixels } from './suite.ts'
 
-/** Frames until a pose has taken effect. */
+/** Frames until a pose takes effect. */
 const FRAMES = 2
 
-/** What Babylon.js's material shows in its debug modes. */
+/** Debug modes of Babylon.js's material. */
 const SHOWN = { normal: 5, roughness: 63, occlusion: 89 }
 
-/** Decoders, by default fetched from elsewhere. */
+/** Decoders, which Babylon.js fetches from a CDN by default. */
 const DRACO = '/node_modules/three/examples/jsm/libs/draco/gltf/'
 DracoDecoder.DefaultConfiguration = {
   wasmUrl: `${DRACO}draco_wasm_wrapper.js`,
@@ -34,7 +34,7 @@ MeshoptCompression.Configuration = { decoder: { url: '/node_modules/meshoptimize
 
 registerWrinkleMaps({ transcoderPath: '/node_modules/three/examples/jsm/libs/basis' })
 
-/** Loads a sample file into a scene of its own. */
+/** Loads a sample file into a new scene. */
 export async function openSample(harness: BabylonHarness, name: string): Promise<OpenedSample> {
   const scene = harness.createScene()
   const camera = scene.activeCamera as FreeCamera
@@ -49,7 +49,7 @@ class BabylonSample implements OpenedSample {
   readonly #harness: BabylonHarness
   readonly #scene: Scene
   readonly #container: AssetContainer
-  /** None where the file was refused. */
+  /** Undefined if the file was refused. */
   readonly #wrinkles: Wrinkles | undefined
   #milliseconds = 0
 
@@ -86,7 +86,7 @@ class BabylonSample implements OpenedSample {
 
   async normals() {
     const shown = await this.#show('normal')
-    // Files are loaded into a left-handed world, where x is the other way round.
+    // Babylon.js loads files into a left-handed world, so x is negated.
     const component = (axis: number) =>
       shown.map((_, i) => (2 * shown[i - (i % 4) + axis] - 1) * (axis === 0 ? -1 : 1))
     return { pictures: [0, 1, 2].map(component), areColoured: false }

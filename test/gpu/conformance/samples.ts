@@ -1,6 +1,6 @@
-/** The sample files of the conformance suite, as they lie in the repository: what any engine's runner reads. */
+/** Sample files of the conformance suite in the repository, as any engine's runner reads them. */
 
-/** What must follow from one pose. */
+/** Inputs of a pose and expected results. */
 export interface ExpectedPose {
   weights?: Record<string, number>
   inputs?: Record<string, number>
@@ -8,11 +8,11 @@ export interface ExpectedPose {
   translations?: Record<string, number[]>
   seconds?: number
   activations: Record<string, number>
-  /** None where the pose moves the square. */
+  /** Absent if the pose moves the square. */
   points?: ExpectedPoint[]
 }
 
-/** At the centre of a pixel of the square, counted from the top left. */
+/** Expected values at the centre of a pixel of the square, counted from the top left. */
 export interface ExpectedPoint {
   column: number
   row: number
@@ -46,7 +46,7 @@ const pictures = import.meta.glob('../../../conformance/files/*.png', {
   import: 'default',
 })
 
-/** By name. */
+/** Names of the samples. */
 export const SAMPLES = Object.keys(models).map((path) => path.slice(FOLDER.length, -'.glb'.length))
 
 export const addressOf = (name: string) => models[`${FOLDER}${name}.glb`] as string
@@ -54,7 +54,7 @@ export const addressOf = (name: string) => models[`${FOLDER}${name}.glb`] as str
 export const expectedOf = (name: string) =>
   JSON.parse(texts[`${FOLDER}${name}.json`] as string) as ExpectedSample
 
-/** The picture of the normals in a pose: RGB of 8 bits, rows from the top. */
+/** Loads the picture of the normals in a pose: 8-bit RGB, rows from the top. */
 export async function pictureOf(name: string, pose: number): Promise<ImageData> {
   const response = await fetch(pictures[`${FOLDER}${name}-${pose}.png`] as string)
   const bitmap = await createImageBitmap(await response.blob(), { colorSpaceConversion: 'none' })

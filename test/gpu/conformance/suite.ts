@@ -1,40 +1,40 @@
 import { beforeEach, expect, it, vi } from 'vitest'
 import { type ExpectedPoint, type ExpectedPose, expectedOf, pictureOf, SAMPLES } from './samples.ts'
 
-/** Pixels along a side of a picture that the square fills. */
+/** Side of a picture that the square fills, pixels. */
 export const PIXELS = 32
 
 const TOLERANCE = 2 / 255
 
-/** A picture in a file is rounded to bytes: half a step of a number from -1 to 1. */
+/** Half a step of a byte that stores -1 to 1. */
 const ROUNDING = 1 / 255
 
 /** Linear RGBA, rows from the bottom. */
 export type Pixels = Float32Array
 
-/** A sample file that an engine has loaded. */
+/** Sample file loaded by an engine. */
 export interface OpenedSample {
   readonly isWrinkled: boolean
   /** Sets a pose, draws, and reads the activations. */
   pose(pose: ExpectedPose): Promise<Record<string, number>>
   /**
-   * x, y and z of the normals, each a picture of its own, in all channels. Negative ones may be 0, and values may be multiplied by the
-   * base colour, as a light from there shows them.
+   * Renders x, y and z of the normals as three pictures, each in all channels. Negative values may appear as 0, and
+   * values may be multiplied by the base colour, as under a light along that axis.
    */
   normals(): Promise<{ pictures: readonly Pixels[]; areColoured: boolean }>
-  /** The base colour, which may be multiplied by the occlusion, as light from all sides shows it. */
+  /** Renders the base colour. Ambient light may multiply it by the occlusion. */
   colours(): Promise<{ picture: Pixels; areOccluded: boolean }>
-  /** Roughness at points, within the tolerance of what is expected. */
+  /** Tells whether roughness at these points is within the tolerance. */
   hasRoughness(points: readonly ExpectedPoint[], tolerance: number): Promise<boolean>
-  /** Occlusion, where colours are without. */
+  /** Renders occlusion, if colours do not include it. */
   occlusion?(): Promise<Pixels>
   dispose(): void | Promise<void>
 }
 
 /**
- * Tests that an engine finds what must follow from each sample file.
+ * Tests that an engine produces the expected results of each sample file.
  *
- * @param missing samples that need what the engine does not have yet: their faces must stay plain.
+ * @param missing samples that need unsupported features: their faces must stay plain.
  */
 export function testSamples(
   open: (name: string) => Promise<OpenedSample>,
@@ -86,12 +86,12 @@ async function checkPoints(opened: OpenedSample, points: readonly ExpectedPoint[
   expect(await opened.hasRoughness(points, TOLERANCE)).toBe(true)
 }
 
-/** Negative values need not be seen. */
+/** Compares values after clamping negative ones to 0. */
 function checkPositive(shown: number, expected: number): void {
   expect(Math.abs(Math.max(0, shown) - Math.max(0, expected))).toBeLessThanOrEqual(TOLERANCE)
 }
 
-/** The normals of all pixels. */
+/** Compares the normals of all pixels. */
 function checkPicture(shown: readonly Pixels[], { data }: ImageData): void {
   let worst = 0
   for (const axis of [0, 1, 2]) {
@@ -104,7 +104,7 @@ function checkPicture(shown: readonly Pixels[], { data }: ImageData): void {
   expect(worst).toBeLessThanOrEqual(TOLERANCE + ROUNDING)
 }
 
-/** Index of a pixel, counted from the top left. */
+/** Returns the index of a pixel counted from the top left. */
 export function at(column: number, row: number): number {
   return column + (PIXELS - 1 - row) * PIXELS
 }

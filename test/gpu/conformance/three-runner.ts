@@ -18,10 +18,10 @@ import { at, type OpenedSample, PIXELS, type Pixels } from './suite.ts'
 
 type Square = Mesh<BufferGeometry, MeshPhysicalMaterial>
 
-/** Frames until a pose has taken effect. */
+/** Frames until a pose takes effect. */
 const FRAMES = 4
 
-/** Reads sample files, and draws them, with three.js. */
+/** Reads and draws sample files with three.js. */
 export class ThreeRunner {
   readonly #harness: Harness
   readonly #loader: GLTFLoader
@@ -48,12 +48,12 @@ export class ThreeRunner {
   }
 }
 
-/** A loaded sample file. */
+/** Loaded sample file. */
 class ThreeSample implements OpenedSample {
   readonly #harness: Harness
   readonly #root: Object3D
   readonly #meshes: Square[] = []
-  /** None where the file was refused. */
+  /** Undefined if the file was refused. */
   readonly #wrinkles: Wrinkles | undefined
   #milliseconds = 0
 
@@ -84,14 +84,14 @@ class ThreeSample implements OpenedSample {
     })
     this.#root.updateMatrixWorld()
     this.#milliseconds += 1000 * seconds
-    // On WebGPU tension is measured by the graphics card, which takes some frames.
+    // On WebGPU the GPU measures tension, which takes some frames.
     for (let i = 0; i < FRAMES; i++) await this.#draw(new AmbientLight())
     return Object.fromEntries(
       this.#wrinkles!.areaNames.map((area) => [area, this.#wrinkles!.getActivation(area)]),
     )
   }
 
-  /** A light along an axis shows that component. */
+  /** Lights each axis in turn to show that component. */
   async normals() {
     const pictures: Pixels[] = []
     for (const axis of [0, 1, 2]) {
@@ -106,7 +106,7 @@ class ThreeSample implements OpenedSample {
     return { picture: await this.#draw(new AmbientLight(0xffffff, Math.PI)), areOccluded: true }
   }
 
-  /** Compares highlights with those of the plain material with the roughness of a point. */
+  /** Compares highlights with those of a plain material that has the point's roughness. */
   async hasRoughness(points: readonly ExpectedPoint[], tolerance: number): Promise<boolean> {
     if (points.every(({ roughness }) => roughness === 1)) return true
     const shown = await this.#highlights()
@@ -125,7 +125,7 @@ class ThreeSample implements OpenedSample {
     }
   }
 
-  /** With wrinkles, or of the plain material with some roughness everywhere. */
+  /** Renders with wrinkles, or the plain material with uniform roughness. */
   async #highlights(plainRoughness?: number): Promise<Pixels> {
     const light = new DirectionalLight(0xffffff, Math.PI).translateZ(1)
     const [{ material }] = this.#meshes

@@ -11,14 +11,14 @@ describe.each(RENDERERS)('a mesh that a page makes with the material of a loaded
 
   const load = async () => loadFile(harness, await wrinkledFile())
   const picture = (root: Group) => litPicture(harness, root)
-  /** The picture of the loaded face itself, at rest and moved. */
+  /** Renders the loaded face itself, at rest and moved. */
   const expected = async (weight: number) => {
     const gltf = await load()
     for (const mesh of faceMeshes(gltf.scene)) mesh.morphTargetInfluences![0] = weight
     return picture(gltf.scene)
   }
 
-  it('is the same face where it has its blendshape weights, from the first frame on', async () => {
+  it("is the same face if it has the loaded mesh's blendshape weights, from the first frame on", async () => {
     const gltf = await load()
     const [face] = wrinklesOf(gltf)
     const loaded = faceMeshes(gltf.scene)
@@ -34,7 +34,7 @@ describe.each(RENDERERS)('a mesh that a page makes with the material of a loaded
     expect(wrinklesOf(meshes[0])).toBeUndefined()
   })
 
-  it('wrinkles by itself where it has its own, until it is removed', async () => {
+  it('wrinkles independently if it has its own weights, until it is removed', async () => {
     const gltf = await load()
     const [face] = wrinklesOf(gltf)
     const loaded = faceMeshes(gltf.scene)
@@ -45,7 +45,7 @@ describe.each(RENDERERS)('a mesh that a page makes with the material of a loaded
     expect(largestDifference(await picture(root), await expected(1))).toBeLessThan(ROUNDING)
     expect(meshes.map((mesh) => wrinklesOf(mesh)!.getActivation('a'))).toEqual([1, 1])
     expect(face.getActivation('a')).toBe(0)
-    // As React does when a prop changes back and forth.
+    // React does this when a prop changes back and forth.
     const own = meshes[0].material
     meshes[0].material = shared
     await picture(root)

@@ -46,14 +46,14 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
     return harness.render(scene, camera as OrthographicCamera, SIZE)
   }
 
-  /** Lets wrinkles fade in: a frame adds 50 ms at most. */
+  /** Lets wrinkles fade in. A frame adds at most 50 ms. */
   const appear = async (wrinkles: WrinklesBase, gltf: GLTF) => {
     let now = 0
     wrinkles.clock = { now: () => (now += 50) }
     for (let frame = 0; frame < 8; frame++) await picture(gltf)
   }
 
-  it('gets them after it was loaded, and they fade in', async () => {
+  it('gets wrinkles after loading, and they fade in', async () => {
     const gltf = await load(await bareSheet())
     expect(wrinklesOf(gltf)).toEqual([])
     const mesh = firstMesh(gltf.scene)
@@ -84,12 +84,12 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
     expect(firstMesh(gltf.scene).children.map((child) => 'isReliefMesh' in child)).toEqual([true])
   })
 
-  it('is found in the cache by its content and options, and is then the same', async () => {
+  it('loads identical wrinkles from the cache, by content and options', async () => {
     const steps = vi.fn()
     const first = await load(await bareSheet(), { ...AUTO, seed: 7, progress: steps })
     const [made] = await wrinklesReady(first)
     expect(steps).toHaveBeenCalled()
-    // Kept after they were shown.
+    // Cached after the wrinkles are shown.
     await vi.waitFor(async () => expect(await keptCount()).toBeGreaterThan(0))
     const again = vi.fn()
     const second = await load(await bareSheet(), { ...AUTO, seed: 7, progress: again })
@@ -100,14 +100,14 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
     for (const { scene } of [first, second]) firstMesh(scene).morphTargetInfluences![0] = 1
     await appear(made!, first)
     await appear(found!, second)
-    // Software rasterisers round differently where threads share a picture out.
+    // Software rasterisers round differently when threads split a picture.
     expect(largestDifference(await picture(second), await picture(first))).toBeLessThan(1e-5)
     const other = vi.fn()
     await wrinklesReady(await load(await bareSheet(), { ...AUTO, seed: 8, progress: other }))
     expect(other).toHaveBeenCalled()
   })
 
-  // Nothing is drawn: one renderer tells.
+  // One renderer is enough: nothing is drawn.
   if (name === 'webgl') {
     it.each([
       ['quantised', quantise],
@@ -127,7 +127,7 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
       expect(difference(own, others) / difference(own, new Uint8Array(own.length))).toBeLessThan(0.05)
     })
 
-    it('reads names of blendshapes that are on a primitive', async () => {
+    it('reads blendshape names from a primitive', async () => {
       const gltf = await load(await bareSheet(moveNames))
       const [wrinkles] = await wrinklesReady(gltf)
       const mesh = firstMesh(gltf.scene)
@@ -159,7 +159,7 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
       expect(warn.mock.calls).toEqual([[expect.stringMatching(message)]])
     })
 
-    it('is left alone once it was disposed of, or the page says so, in silence', async () => {
+    it('stays plain without a warning after it was disposed of or the page cancelled', async () => {
       const warn = vi.spyOn(console, 'warn')
       const disposed = await load(await bareSheet(), { ...AUTO, seed: 21 })
       firstMesh(disposed.scene).geometry.dispose()
@@ -173,7 +173,7 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
       })
       expect(await wrinklesReady(cancelled)).toEqual([])
       expect(warn).not.toHaveBeenCalled()
-      // Others go on.
+      // Other faces are unaffected.
       expect(await wrinklesReady(await load(await bareSheet()))).toHaveLength(1)
     })
   }
@@ -194,7 +194,7 @@ async function ourCaches(): Promise<string[]> {
   return (await caches.keys()).filter((name) => name.startsWith('furrow-auto-'))
 }
 
-/** Results in the browser's cache. */
+/** Counts the results in the browser's cache. */
 async function keptCount(): Promise<number> {
   const lists = await Promise.all((await ourCaches()).map(async (name) => (await caches.open(name)).keys()))
   return lists.flat().length

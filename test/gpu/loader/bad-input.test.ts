@@ -15,12 +15,12 @@ import { seeded } from '../../random.ts'
 import { grayPng, png } from '../images.ts'
 
 describe('images', () => {
-  it('reads 8 bits exactly', async () => {
+  it('have exact 8-bit values', async () => {
     const values = Uint8Array.from({ length: 256 }, (_, i) => i)
     expect([...toGray(await decodeImage(await png(256, 1, 8, 0, values), 'ramp')).data]).toEqual([...values])
   })
 
-  it('reads 16 bits within one step of 8', async () => {
+  it('have 16-bit values within one step of 8 bits', async () => {
     const raw = new Uint8Array(512)
     for (let i = 0; i < 256; i++) new DataView(raw.buffer).setUint16(i * 2, i * 257)
     const image = toGray(await decodeImage(await png(256, 1, 16, 0, raw), 'ramp'))
@@ -44,13 +44,13 @@ describe('images', () => {
       () => grayPng(16384, 4, 0),
       /^area.png: image too large, got "16384 x 4", allowed: 8192 texels on a side; scale it down/,
     ],
-  ])('refuses one that is %s', async (_, make, message) => {
+  ])('are refused: %s', async (_, make, message) => {
     const error = await decodeImage(await make(), 'area.png').catch((caught) => caught)
     expect(error).toBeInstanceOf(FurrowError)
     expect(error.message).toMatch(message)
   })
 
-  it('refuses one that is truncated anywhere', async () => {
+  it('are refused if truncated anywhere', async () => {
     const whole = await png(
       64,
       64,
@@ -66,14 +66,14 @@ describe('images', () => {
     }
   })
 
-  it('refuses an area of a single texel', async () => {
+  it('are refused as areas of a single texel', async () => {
     const image = toGray(await decodeImage(await grayPng(1, 1, 0), 'dot.png'))
     expect(() => areaWeights(image, 'paper', 'dot.png')).toThrow(/^dot.png: an area one texel wide/)
   })
 })
 
 describe('loadWrinkleSet', () => {
-  it('reads a set with its drivers and all its maps, from where a folder has them by default', async () => {
+  it("reads a set with its drivers and maps from a folder's default paths", async () => {
     const layer = {
       name: 'a#b',
       normalScale: 0.5,
@@ -151,35 +151,32 @@ describe('meshes', () => {
   const set = randomSet(seeded(1), 2, 8)
   const mesh = () => new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
 
-  it.each(['uv', 'normal', 'position'])(
-    'refuses one without %s, and does not change its material',
-    (attribute) => {
-      const bare = mesh()
-      bare.name = 'head'
-      bare.geometry.deleteAttribute(attribute)
-      const before = JSON.stringify(bare.material.toJSON())
-      expect(() => new Wrinkles(bare, set)).toThrow(
-        new RegExp(
-          `^Wrinkles: mesh without ${attribute}, got "head", allowed: a mesh with positions, normals and UVs; `,
-        ),
-      )
-      expect(JSON.stringify(bare.material.toJSON())).toBe(before)
-    },
-  )
+  it.each(['uv', 'normal', 'position'])('are refused without %s, and keep their material', (attribute) => {
+    const bare = mesh()
+    bare.name = 'head'
+    bare.geometry.deleteAttribute(attribute)
+    const before = JSON.stringify(bare.material.toJSON())
+    expect(() => new Wrinkles(bare, set)).toThrow(
+      new RegExp(
+        `^Wrinkles: mesh without ${attribute}, got "head", allowed: a mesh with positions, normals and UVs; `,
+      ),
+    )
+    expect(JSON.stringify(bare.material.toJSON())).toBe(before)
+  })
 
-  it('refuses an unlit material', () => {
+  it('are refused with an unlit material', () => {
     const unlit = new Mesh(new PlaneGeometry(), new MeshBasicMaterial())
     expect(() => new Wrinkles(unlit, set)).toThrow(/material MeshBasicMaterial does not support normal maps/)
   })
 
-  it('refuses several unlit materials', () => {
+  it('are refused with several unlit materials', () => {
     const several = new Mesh(new PlaneGeometry(), [new MeshBasicMaterial(), new MeshBasicMaterial()])
     expect(() => new Wrinkles(several as unknown as Mesh, set)).toThrow(
       /material MeshBasicMaterial does not support normal maps.*use a lit material/,
     )
   })
 
-  it('refuses expressions for a face without targets', () => {
+  it('are refused without targets for an expression', () => {
     const bare = mesh()
     bare.name = 'statue'
     expect(() => new ExpressionPlayer(bare, new Wrinkles(bare, set))).toThrow(
@@ -188,8 +185,8 @@ describe('meshes', () => {
   })
 })
 
-describe('maps and areas', () => {
-  it("refuses the paper's mode for maps of unequal size, and keeps the mode it had", () => {
+describe('wrinkles', () => {
+  it("refuse the paper's mode for maps of unequal size, and keep the previous mode", () => {
     const set = randomSet(seeded(1), 2, 8, 16)
     const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
     mesh.material.map = new DataTexture(randomImage(seeded(2), 32).data, 32, 32)
@@ -200,7 +197,7 @@ describe('maps and areas', () => {
     expect(wrinkles.mode).toBe('default')
   })
 
-  it('changes nothing if an area cannot be added or removed', () => {
+  it('stay unchanged if an area cannot be added or removed', () => {
     const set = randomSet(seeded(1), 1, 8)
     const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
     const wrinkles = new Wrinkles(mesh, set)
@@ -216,7 +213,7 @@ describe('maps and areas', () => {
     expect(wrinkles.areaNames).toEqual(['area0'])
   })
 
-  it('lists the names of expressions that a face lacks in one warning', () => {
+  it('play expressions with missing names, and list those names in one warning', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const mesh = new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
     mesh.morphTargetDictionary = { jawOpen: 0 }

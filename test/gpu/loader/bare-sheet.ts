@@ -4,10 +4,10 @@ import { sheet } from '../../unit/author/auto/sheet.ts'
 
 /** Squares per side. */
 const N = 24
-/** Half of its side in metres. */
+/** Half of the sheet's side, metres. */
 export const HALF = 0.04
 
-/** A file with a flat sheet round the origin, which a blendshape shortens, and no wrinkles. */
+/** Returns a file without wrinkles: a flat sheet around the origin with a blendshape that shortens it. */
 export async function bareSheet(
   edit: (document: Document) => void = () => {},
 ): Promise<Uint8Array<ArrayBuffer>> {
@@ -51,14 +51,14 @@ export async function bareSheet(
   return bytes as Uint8Array<ArrayBuffer>
 }
 
-/** Names of blendshapes where glTF has none. */
+/** Moves blendshape names to a place that glTF does not define. */
 export function moveNames(document: Document): void {
   const [mesh] = document.getRoot().listMeshes()
   mesh!.listPrimitives()[0]!.setExtras(mesh!.getExtras())
   mesh!.setExtras({})
 }
 
-/** Positions and offsets in 16 bits, texture coordinates in 16 bits, interleaved, as gltfpack writes them. */
+/** Stores positions, offsets and texture coordinates in 16 bits, interleaved like gltfpack. */
 export function quantise(document: Document): void {
   document.createExtension(KHRMeshQuantization).setRequired(true)
   const [primitive] = document.getRoot().listMeshes()[0]!.listPrimitives()
@@ -74,7 +74,7 @@ export function quantise(document: Document): void {
   document.getRoot().listNodes()[0]!.setScale([scale, scale, scale])
 }
 
-/** Half of the triangles each, with all vertices. */
+/** Splits the triangles between two primitives that keep all vertices. */
 export function splitInTwo(document: Document): void {
   const [mesh] = document.getRoot().listMeshes()
   const [first] = mesh!.listPrimitives()
@@ -101,7 +101,7 @@ export function withoutIndex(document: Document): void {
   expand(primitive!.listTargets()[0]!.getAttribute('POSITION')!)
 }
 
-/** In centimetres, upside down. */
+/** Scales to centimetres, upside down. */
 export function scaleNode(document: Document): void {
   const [primitive] = document.getRoot().listMeshes()[0]!.listPrimitives()
   for (const attribute of [
@@ -130,7 +130,7 @@ export function stillTarget(document: Document): void {
   offsets.setArray(new Float32Array(offsets.getArray()!.length))
 }
 
-/** A second node with the same mesh. */
+/** Adds a second node with the same mesh. */
 export function showTwice(document: Document): void {
   const [mesh] = document.getRoot().listMeshes()
   document.getRoot().listScenes()[0]!.addChild(document.createNode('twin').setMesh(mesh!))

@@ -13,14 +13,14 @@ import { driver, wrinkledFile } from '../wrinkled-file.ts'
 
 const written = quietConsole()
 
-/** The whole JSON of a file, and that of its extension. */
-// biome-ignore lint/suspicious/noExplicitAny: tests spoil it in ways that no type allows
+/** Damages a file, given the extension's JSON and the complete JSON. */
+// biome-ignore lint/suspicious/noExplicitAny: tests edit the JSON in ways that no type allows
 type Spoil = (maps: any, json: any) => unknown
 
 const spoiled = (spoil: Spoil) =>
   wrinkledFile(undefined, (json) => spoil(json.materials[0].extensions.FURROW_wrinkle_maps, json))
 
-/** The image of the layer's normals. */
+/** Returns the image of the layer's normals. */
 // biome-ignore lint/suspicious/noExplicitAny: as above
 const normals = (maps: any, json: any): any =>
   json.images[json.textures[maps.layers[0].normalTexture.index].source]
@@ -123,7 +123,7 @@ describe.each(RENDERERS)('a damaged file on %s', (name) => {
     expect(error).toBeInstanceOf(FurrowError)
   })
 
-  it('does not lose the other faces', async () => {
+  it('does not affect other faces', async () => {
     const file = await wrinkledFile(undefined, (json) => {
       const [skin] = json.materials
       const damaged = structuredClone(skin)
@@ -172,7 +172,7 @@ describe.each(RENDERERS)('a damaged file on %s', (name) => {
     expect(face.getActivation('a')).toBe(1)
   })
 
-  it('warns once of all drivers that are broken', async () => {
+  it('logs one warning for all broken drivers', async () => {
     const broken = Array.from({ length: 300 }, () => ({ area: 'b' }))
     await load(await wrinkledFile((json) => json.drivers.push(...broken)))
     expect(written.warn.mock.calls).toEqual([
@@ -180,7 +180,7 @@ describe.each(RENDERERS)('a damaged file on %s', (name) => {
     ])
   })
 
-  it('loses only its drivers where they are not a list', async () => {
+  it('loses only its drivers if they are not a list', async () => {
     const gltf = await load(await spoiled((maps) => (maps.drivers = { 0: 'morph' })))
     expect(written.warn.mock.calls).toEqual([[expect.stringMatching(/drivers must be an array/)]])
     expect(wrinklesOf(gltf)[0].getActivation('b')).toBe(0.25)
@@ -225,8 +225,8 @@ interface Animated {
   samplers: { input: number; output: number }[]
 }
 
-/** Adds an animation of the first two areas, spoiled. */
-// biome-ignore lint/suspicious/noExplicitAny: the whole JSON of a file
+/** Adds a damaged animation of the first two areas. */
+// biome-ignore lint/suspicious/noExplicitAny: the complete JSON of a file
 function animate(json: any, spoil: (json: Animated) => unknown): void {
   const add = (...values: number[]) => {
     const bytes = new Uint8Array(Float32Array.from(values).buffer)

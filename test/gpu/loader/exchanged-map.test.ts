@@ -9,7 +9,7 @@ import { quietConsole } from '../quiet-console.ts'
 
 const MODES = ['default', 'composed'] as const
 
-describe.each(RENDERERS)('a normal map that the page takes away or exchanges, on %s', (name) => {
+describe.each(RENDERERS)('a normal map that the page removes or replaces, on %s', (name) => {
   const console = quietConsole()
   const harness = harnessOn(name)
 
@@ -31,8 +31,8 @@ describe.each(RENDERERS)('a normal map that the page takes away or exchanges, on
   }
   const nothingSaid = () => expect([console.warn.mock.calls, console.error.mock.calls]).toEqual([[], []])
 
-  describe.each(MODES)('in the mode %s', (mode) => {
-    it('shows wrinkles on smooth skin, and on another map', async () => {
+  describe.each(MODES)('in %s mode', (mode) => {
+    it('shows wrinkles on smooth skin and on another map', async () => {
       const [first, other] = [normalMap(1, 16), normalMap(2, 16)]
       const smooth = await picture(wrinkled(null, mode).mesh)
       const onOther = await picture(wrinkled(other, mode).mesh)
@@ -48,7 +48,7 @@ describe.each(RENDERERS)('a normal map that the page takes away or exchanges, on
       nothingSaid()
     })
 
-    it('is left as the page has it', async () => {
+    it('stays as the page set it', async () => {
       const { material, mesh, wrinkles } = wrinkled(normalMap(1, 16), mode)
       await picture(mesh)
       exchange(material, null)
@@ -66,7 +66,7 @@ describe.each(RENDERERS)('a normal map that the page takes away or exchanges, on
     })
   })
 
-  it('leaves wrinkles in their place', async () => {
+  it('leaves wrinkles in place', async () => {
     const place = (texture: DataTexture) => {
       texture.repeat.set(0.5, 0.5)
       texture.offset.set(0.25, 0.5)
@@ -91,7 +91,7 @@ describe.each(RENDERERS)('a normal map that the page takes away or exchanges, on
     nothingSaid()
   })
 
-  it('is shown as influence by its place', async () => {
+  it('shows the influence at its new place', async () => {
     const { material, mesh, wrinkles } = wrinkled(normalMap(1, 16), 'default')
     const influence = wrinkles.createInfluenceMaterial()
     mesh.material = influence as MeshStandardMaterial

@@ -9,7 +9,7 @@ import { editGlb } from '../../glb.ts'
 const NOSE = 3
 const TIMES = [0, 0.5, 2]
 const LINEAR = [0, 1, 0.25]
-/** In-tangent, value and out-tangent of each key frame. */
+/** In-tangent, value and out-tangent per key frame. */
 const CUBIC = [0, 0.1, 2, 1, 0.8, -1, 0, 0.2, 0]
 
 let file: Uint8Array
@@ -61,7 +61,7 @@ async function load(...channels: Channel[]): Promise<GLTF> {
 
 const pointerTo = (area: number) => `/materials/0/extensions/FURROW_wrinkle_maps/areas/${area}/activation`
 
-/** Activations of an area at some times of a clip that plays on an object. */
+/** Returns an area's activations at several times while a clip plays on an object. */
 function activationsDuring(
   root: Object3D,
   clip: AnimationClip,
@@ -79,8 +79,8 @@ function activationsDuring(
 
 const SAMPLE_TIMES = [0, 0.1, 0.4, 0.5, 1, 1.5, 1.9]
 
-describe('key frames of a file', () => {
-  it('animate an area as the same track made in code does', async () => {
+describe('key frames in a file', () => {
+  it('animate an area like the same track made in code', async () => {
     const gltf = await load({ values: LINEAR, pointer: pointerTo(NOSE) })
     const [wrinkles]: WrinklesBase[] = gltf.userData.wrinkles
     const area = wrinkles.areaNames[NOSE]
@@ -119,7 +119,7 @@ describe('key frames of a file', () => {
       expect(curved[i], `at ${t}`).toBeCloseTo(Math.min(1, spline(t)), 5)
   })
 
-  it('play on one copy only, and set the resting activation, to which drivers add', async () => {
+  it('play on one copy only, and set the resting activation that drivers add to', async () => {
     const gltf = await load({ values: LINEAR, pointer: pointerTo(NOSE) })
     const [wrinkles]: WrinklesBase[] = gltf.userData.wrinkles
     const area = wrinkles.areaNames[NOSE]
@@ -130,7 +130,7 @@ describe('key frames of a file', () => {
     expect(copied.getRestingActivation(area)).toBe(0.5)
   })
 
-  it('warn once of an area that was removed, and ignore pointers to anything else', async () => {
+  it('log one warning for a removed area, and ignore pointers to anything else', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const gltf = await load(
       { values: LINEAR, pointer: pointerTo(NOSE) },

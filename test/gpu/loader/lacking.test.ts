@@ -7,12 +7,12 @@ import { quietConsole } from '../quiet-console.ts'
 import { wrinkledFile } from '../wrinkled-file.ts'
 import { bareSheet } from './bare-sheet.ts'
 
-describe.each(RENDERERS)('in a browser that lacks something, on %s', (name) => {
+describe.each(RENDERERS)('a browser with missing APIs, on %s', (name) => {
   const harness = harnessOn(name)
   const spies = quietConsole()
   afterEach(() => void vi.unstubAllGlobals())
 
-  it('OffscreenCanvas is not needed', async () => {
+  it('shows wrinkles without OffscreenCanvas', async () => {
     vi.stubGlobal('OffscreenCanvas', undefined)
     const gltf = await loadFile(harness, await wrinkledFile())
     await litPicture(harness, gltf.scene)
@@ -21,9 +21,9 @@ describe.each(RENDERERS)('in a browser that lacks something, on %s', (name) => {
   })
 
   it.each(['DecompressionStream', 'createImageBitmap'])(
-    'without %s a face with wrinkles stays plain, with one warning at most',
-    async (lacking) => {
-      vi.stubGlobal(lacking, undefined)
+    'shows a face without %s, with at most one warning',
+    async (missing) => {
+      vi.stubGlobal(missing, undefined)
       const gltf = await loadFile(harness, await wrinkledFile())
       const picture = await litPicture(harness, gltf.scene)
       expect(picture.some((value) => value > 0)).toBe(true)
@@ -32,7 +32,7 @@ describe.each(RENDERERS)('in a browser that lacks something, on %s', (name) => {
     },
   )
 
-  it('without Worker a face that is to get wrinkles stays plain, with one warning', async () => {
+  it('keeps a face plain without Worker, with one warning, if its wrinkles are automatic', async () => {
     vi.stubGlobal('Worker', undefined)
     const { Plugin } = harness
     const auto = { size: 256, areaSize: 32 }

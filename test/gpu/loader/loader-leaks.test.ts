@@ -12,13 +12,13 @@ const SIZE = 8
 
 type Face = Mesh<BufferGeometry, MeshStandardMaterial>
 
-/** A file whose layer has heights: a red channel of its textures. */
+/** File whose layer has heights in a red channel of its textures. */
 const fileWithHeights = () =>
   wrinkledFile(({ layers: [layer] }) =>
     Object.assign(layer, { heightTexture: { index: 2, amplitude: 0.05 } }),
   )
 
-/** A camera that sees some millimetres, so that a relief of any size is fine enough. */
+/** Camera that sees a few millimetres, so that relief of any size is drawn in full. */
 function close() {
   const camera = squareCamera()
   camera.zoom = 200
@@ -26,7 +26,7 @@ function close() {
   return camera
 }
 
-describe.each(['webgl', 'webgpu'] as const)('files that come and go, %s', (name) => {
+describe.each(['webgl', 'webgpu'] as const)('files that are loaded and disposed of, %s', (name) => {
   it.each([
     ['with wrinkles.dispose()', wrinkledFile, { disposes: true }],
     ['with geometry and material alone', wrinkledFile, {}],
@@ -37,7 +37,7 @@ describe.each(['webgl', 'webgpu'] as const)('files that come and go, %s', (name)
       fileWithHeights,
       { relief: true, clones: 1 },
     ],
-  ] as const)(`leave nothing behind in ${LOADS} loads and disposes %s`, async (_, makeFile, options) => {
+  ] as const)(`free everything in ${LOADS} loads and disposals %s`, async (_, makeFile, options) => {
     const harness = await createHarness(name)
     const file = await makeFile()
     const made: WeakRef<object>[] = []
@@ -55,7 +55,7 @@ describe.each(['webgl', 'webgpu'] as const)('files that come and go, %s', (name)
     ['default', {}],
     ['composed', { mode: 'composed' }],
     ['paper', { mode: 'paper' }],
-  ] as const)('show their wrinkles again when drawn after a disposal, %s', async (_, options) => {
+  ] as const)('show their wrinkles again if drawn after a disposal, %s', async (_, options) => {
     const harness = await createHarness(name)
     const { scene, meshes } = await load(harness, await wrinkledFile(), options)
     const draw = () => harness.renderBytes(scene, squareCamera(), SIZE)
@@ -69,7 +69,7 @@ describe.each(['webgl', 'webgpu'] as const)('files that come and go, %s', (name)
     harness.dispose()
   })
 
-  it('keep what a clone still shows', async () => {
+  it('keep resources that a clone still shows', async () => {
     const harness = await createHarness(name)
     const { gltf, scene, meshes } = await load(harness, await wrinkledFile())
     const copy = clone(gltf.scene)
@@ -85,13 +85,13 @@ describe.each(['webgl', 'webgpu'] as const)('files that come and go, %s', (name)
 })
 
 interface LoadOptions {
-  /** Whether the wrinkles are disposed of too. */
+  /** Whether to dispose of the wrinkles too. */
   disposes?: boolean
   relief?: boolean
   clones?: number
 }
 
-/** Loads a face, shows its wrinkles, and disposes of all that a page knows. */
+/** Loads a face, shows its wrinkles, and disposes of everything a page can reach. */
 async function loadAndDispose(
   harness: Harness,
   file: Uint8Array<ArrayBuffer>,
@@ -103,7 +103,7 @@ async function loadAndDispose(
   const draw = () => harness.renderBytes(scene, camera, SIZE)
   for (let i = 0; i < 3; i++) await draw()
   const faces = new Set(facesIn(scene).map((mesh) => wrinklesOf(mesh)!))
-  // Each of a clone's two meshes is a face.
+  // Each of a clone's two meshes counts as a face.
   expect(faces.size).toBe(1 + 2 * clones)
   for (const face of faces) {
     expect(face.getActivation('a')).toBe(1)
@@ -127,7 +127,7 @@ async function load(harness: Harness, file: Uint8Array<ArrayBuffer>, options: ob
   return { gltf, scene, meshes }
 }
 
-/** Meshes that the file or a clone brought, without those of relief. */
+/** Lists meshes of the file or a clone, without those of relief. */
 function facesIn(scene: Scene): Face[] {
   const meshes: Face[] = []
   scene.traverse((object) => object instanceof Mesh && wrinklesOf(object) && meshes.push(object))

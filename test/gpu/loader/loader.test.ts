@@ -29,7 +29,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     left.morphTargetInfluences![0] = right.morphTargetInfluences![0] = 1
     const moved = await picture(gltf)
     expect(moved).not.toEqual(rest)
-    // Both primitives have the same material, and so its wrinkles.
+    // Both primitives share the material and its wrinkles.
     for (const half of [0, 16]) expect(differs(rest, moved, half), `half at ${half}`).toBe(true)
     left.morphTargetInfluences![0] = right.morphTargetInfluences![0] = 0
     expect(await picture(gltf)).toEqual(rest)
@@ -38,7 +38,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
   it.each([
     ['before', true],
     ['after', false],
-  ])("follows a VRM's expressions by name, its plugin registered %s three-vrm's", async (_, isFirst) => {
+  ])("follows a VRM's expressions by name, with its plugin registered %s three-vrm's", async (_, isFirst) => {
     const file = editGlb(await wrinkledFile(), (json) => {
       const node = json.nodes.findIndex(({ mesh }: { mesh?: number }) => mesh !== undefined)
       const smile = { morphTargetBinds: [{ node, index: 0, weight: 0 }], overrideBlink: 'block' }
@@ -74,7 +74,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     expressions.update()
     await picture(gltf)
     expect(wrinkles.getActivation('a')).toBeCloseTo(0.5, 6)
-    // `happy` blocks the blink, so that the area that it drives is at rest.
+    // `happy` blocks the blink, so the area driven by the blink is at rest.
     expect(wrinkles.getActivation('b')).toBeCloseTo(b, 6)
     expressions.setValue('happy', 0)
     expressions.update()
@@ -82,7 +82,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     expect(wrinkles.getActivation('b')).toBe(1)
   })
 
-  it('reads each channel exactly, also alpha', async () => {
+  it('reads each channel exactly, including alpha', async () => {
     const gltf = await load(await wrinkledFile())
     const [wrinkles] = gltf.userData.wrinkles
     const [left, right] = meshesOf(gltf)
@@ -108,7 +108,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     expect(wrinklesOf(plain)).toEqual([])
   })
 
-  it('gives each copy of a face its own wrinkles, with the same textures', async () => {
+  it('gives each copy of a face its own wrinkles with shared textures', async () => {
     const gltf = await load(await wrinkledFile())
     await picture(gltf)
     const { textures } = (harness.renderer as WebGLRenderer).info.memory
@@ -119,10 +119,10 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     for (const half of [0, 16]) expect(differs(rest, moved, half), `half at ${half}`).toBe(true)
     expect(original.map((mesh) => wrinklesOf(mesh)!.getActivation('a'))).toEqual([0, 0])
     expect(cloned.map((mesh) => wrinklesOf(mesh)!.getActivation('a'))).toEqual([1, 1])
-    // The original looks like the copy with the same blendshape weights.
+    // The original looks like the copy at equal blendshape weights.
     for (const mesh of original) mesh.morphTargetInfluences![0] = 1
     expect(largestDifference(await picture(gltf), moved)).toBeLessThan(ROUNDING)
-    // At most one texture more, for a larger atlas.
+    // At most one extra texture, for a larger atlas.
     expect((harness.renderer as WebGLRenderer).info.memory.textures).toBeLessThanOrEqual(textures + 1)
     gltf.userData.wrinkles[0].dispose()
     expect(await picture({ scene: copy } as GLTF), 'after dispose of the original').toEqual(moved)
@@ -130,7 +130,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     expect(cloned.map((mesh) => wrinklesOf(mesh))).toEqual([undefined, undefined])
   })
 
-  it('leaves eyes with the material of the skin plain', async () => {
+  it("leaves eyes that share the skin's material plain", async () => {
     const gltf = await load(await wrinkledFile(undefined, addEyes))
     expect(wrinklesOf(gltf)).toHaveLength(1)
     const [wrinkles] = gltf.userData.wrinkles
@@ -169,7 +169,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     expect(mesh.onBeforeRender).toBe(Object.getPrototypeOf(mesh).onBeforeRender)
   })
 
-  it('warns of a driver with an unknown target, and runs the others', async () => {
+  it('warns about a driver with an unknown target, and runs the others', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const gltf = await load(await wrinkledFile((json) => json.drivers.push(driver('b', 'trunkUp'))))
     expect(warn.mock.calls.map(([text]) => text)).toEqual([

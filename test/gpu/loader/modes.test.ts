@@ -25,7 +25,7 @@ describe.each(RENDERERS)('a loaded face on %s', (name) => {
     return { wrinkles, picture }
   }
 
-  it('has the wrinkles of the class that pages use', async () => {
+  it('has wrinkles of the class that the page imports', async () => {
     const { wrinkles } = await load('default')
     expect(wrinkles).toBeInstanceOf(harness.Wrinkles)
     expect(wrinkles.constructor).toBe(harness.Wrinkles)
@@ -46,7 +46,7 @@ describe.each(RENDERERS)('a loaded face on %s', (name) => {
     expected.wrinkles.dispose()
   })
 
-  it('fades in the first frame where it is small', async () => {
+  it('has fully faded wrinkles from the first frame on if it is small on screen', async () => {
     const [hidden, usual] = [await load('off'), await load('default')]
     const plain = await hidden.picture()
     expect(await usual.picture()).not.toBe(plain)

@@ -6,16 +6,16 @@ import { quietConsole } from '../quiet-console.ts'
 import { vrmFile } from '../vrm-file.ts'
 import { wrinkledFile } from '../wrinkled-file.ts'
 
-// Two quads as one face: see `wrinkledFile`.
+// Two quads that form one face: see `wrinkledFile`.
 
 quietConsole()
 
 const droppedAs = (name: string, ...parts: BlobPart[]) => ({ path: name, file: new File(parts, name) })
 
-// biome-ignore lint/suspicious/noExplicitAny: the whole JSON of the file, as a careless program would edit it
+// biome-ignore lint/suspicious/noExplicitAny: the complete JSON of the file
 type Edit = (json: any) => unknown
 
-/** Opens `wrinkledFile` with its JSON changed. */
+/** Opens `wrinkledFile` with edited JSON. */
 async function open(edit: Edit) {
   return openAvatar(droppedAs('face.glb', await wrinkledFile(undefined, edit)))
 }
@@ -33,7 +33,7 @@ describe('an opened avatar', () => {
     expect(face.wrinkles?.set.areas.map(({ name }) => name)).toEqual(['a', 'b', 'c', 'd'])
   })
 
-  it('is plain where its wrinkles are damaged, with a note', async () => {
+  it('is plain with a note if its wrinkles are damaged', async () => {
     const avatar = await openAvatar(
       droppedAs('face.glb', await wrinkledFile((maps) => delete (maps as Partial<typeof maps>).layers)),
     )
@@ -65,7 +65,7 @@ describe('an opened avatar', () => {
       },
       'face has no blendshapes: it can be painted, but no expression moves it',
     ],
-  ])('has a note where it has %s', async (_, edit, note) => {
+  ])('has a note if the file has %s', async (_, edit, note) => {
     const avatar = await open((json) => {
       plain(json)
       edit(json)
@@ -73,7 +73,7 @@ describe('an opened avatar', () => {
     expect(avatar.notes).toEqual([note])
   })
 
-  it('opens without names of its blendshapes', async () => {
+  it('opens without blendshape names', async () => {
     const avatar = await open((json) => {
       plain(json)
       delete json.meshes[0].extras
@@ -82,9 +82,9 @@ describe('an opened avatar', () => {
     expect(avatar.notes).toEqual([])
   })
 
-  it('has another skin when one is chosen', async () => {
+  it('has another skin after the user picks one', async () => {
     const avatar = await open((json) => {
-      // The second quad becomes a mesh of its own.
+      // Makes the second quad a separate mesh.
       json.meshes.push({ name: 'other', primitives: json.meshes[0].primitives.splice(1) })
       json.nodes.push({ name: 'other', mesh: 1 })
       json.scenes[0].nodes.push(json.nodes.length - 1)
@@ -93,7 +93,7 @@ describe('an opened avatar', () => {
     expect(faceOf({ ...avatar, skin: 1 }).skin).toBe(avatar.skins[1].meshes[0])
   })
 
-  it('frees its geometries and images when it is disposed of', async () => {
+  it('frees its geometries and images on dispose', async () => {
     const avatar = await open(() => {})
     const { skin } = faceOf(avatar)
     const image = (skin.material as { normalMap?: { image: ImageBitmap } }).normalMap!.image
@@ -127,7 +127,7 @@ describe('an opened VRM', () => {
   )
 
   it.each(['VRM 0', 'VRM 1.0'])(
-    'has the expressions of its file as a %s, by the blendshapes',
+    'has the expressions of its file as a %s, as blendshapes',
     async (version) => {
       const bytes = await wrinkledFile()
       const avatar = await openAvatar(
@@ -150,7 +150,7 @@ describe('an opened VRM', () => {
     },
   )
 
-  it('is opened as a glTF file where what makes it a VRM is broken', async () => {
+  it('opens as plain glTF if its VRM extension is broken', async () => {
     const bytes = await wrinkledFile(undefined, (json) => {
       json.extensionsUsed.push('VRMC_vrm')
       json.extensions = { VRMC_vrm: { specVersion: '1.0', meta: {}, humanoid: { humanBones: { hips: {} } } } }
@@ -161,7 +161,7 @@ describe('an opened VRM', () => {
   })
 })
 
-describe('a file that is compressed', () => {
+describe('a compressed file', () => {
   it.each(['ktx2', 'draco'])('is decoded: %s', async (name) => {
     const bytes = await (await fetch(`/packed/${name}.glb`)).arrayBuffer()
     const avatar = await openAvatar(droppedAs(`${name}.glb`, bytes))
@@ -199,7 +199,7 @@ describe('the files of a .gltf', () => {
     ['data.bin', [], 'refers to a file that was not dropped, got "data.bin"'],
     ['data.bin', ['b/data.bin', 'c/data.bin'], 'refers to one of 2 files of the same name, got "data.bin"'],
     ['https://example.org/data.bin', [], 'refers to a file that is not on this computer'],
-  ])('are missed: %s among %j', async (uri, others, expected) => {
+  ])('are reported missing: %s among %j', async (uri, others, expected) => {
     const { gltf } = await split(uri)
     const face = droppedAs('a/face.gltf', gltf)
     const files = [face, ...others.map((path) => droppedAs(path, 'x'))]
@@ -207,13 +207,13 @@ describe('the files of a .gltf', () => {
   })
 })
 
-describe('a file that cannot be opened', () => {
+describe('an unreadable file', () => {
   it.each<[string, BlobPart, string]>([
     ['empty', '', 'it is empty'],
     ['text', 'hello', 'it is text, not glTF'],
     ['JSON of something else', '{}', 'its JSON has no asset.version'],
     ['glTF 1', Uint8Array.of(0x67, 0x6c, 0x54, 0x46, 1, ...Array(15).fill(0)), 'it has version 1'],
-  ])('is refused in one line: %s', async (_, content, problem) => {
+  ])('is refused with a one-line error: %s', async (_, content, problem) => {
     const error = await openAvatar(droppedAs('face.glb', content)).catch((thrown: Error) => thrown)
     expect((error as Error).name).toBe('FurrowError')
     expect((error as Error).message).toMatch(/^Studio: face\.glb is not usable: [^\n]+$/)
@@ -228,7 +228,7 @@ describe('a file that cannot be opened', () => {
     ],
     ['counts beyond all proportion', (json) => Object.assign(json.accessors[0], { count: 1e9 }), 'decode to'],
     ['no mesh', (json) => delete json.nodes[0].mesh, 'has no mesh'],
-  ])('is refused in one line: %s', async (_, edit, problem) => {
+  ])('is refused with a one-line error: %s', async (_, edit, problem) => {
     const error = await open(edit).catch((thrown: Error) => thrown)
     expect((error as Error).name).toBe('FurrowError')
     expect((error as Error).message).toContain(problem)

@@ -4,13 +4,13 @@ import { readImage } from '../../../packages/furrow/src/runtime/file/read-image.
 import { seeded } from '../../random.ts'
 import { png } from '../images.ts'
 
-/** Random pixels, some rows of which are smooth. */
+/** Random pixels with some smooth rows. */
 function pixels(channels: number): Uint8Array {
   const random = seeded(channels)
   return Uint8Array.from({ length: 33 * 17 * channels }, (_, i) => (i % 3 === 0 ? random() * 256 : i % 256))
 }
 
-/** The browser's own decoder, and all of what it gives. */
+/** Decodes with the browser, without colour conversion. */
 async function byWebGL(file: Blob) {
   const options = { colorSpaceConversion: 'none', premultiplyAlpha: 'none' } as const
   return readImage(await createImageBitmap(file, options))
@@ -24,7 +24,7 @@ const COLOURS = [
 ] as const
 
 describe('pixels of a PNG file', () => {
-  it.each(COLOURS)('of %s are read as WebGL reads them', async (_, colour, channels) => {
+  it.each(COLOURS)("of %s equal WebGL's", async (_, colour, channels) => {
     for (const filter of [0, 1, 2, 3, 4]) {
       const file = await png(33, 17, 8, colour, pixels(channels), filter)
       const bytes = new Uint8Array(await file.arrayBuffer())
@@ -34,7 +34,7 @@ describe('pixels of a PNG file', () => {
     }
   })
 
-  it.each(COLOURS)('of %s in 16 bits are the upper 8 in every browser', async (_, colour, channels) => {
+  it.each(COLOURS)('of %s in 16 bits are the upper 8 bits in every browser', async (_, colour, channels) => {
     const values = pixels(2 * channels)
     const bytes = new Uint8Array(await (await png(33, 17, 16, colour, values)).arrayBuffer())
     const { data } = await decodeBytes(bytes, 'test')
@@ -47,7 +47,7 @@ describe('pixels of a PNG file', () => {
     expect([...data]).toEqual(expected.flat())
   })
 
-  it('with alpha are refused where there are too few', async () => {
+  it('with alpha are refused if there are too few', async () => {
     const few = await png(33, 17, 8, 6, pixels(4).subarray(0, 33 * 16 * 4))
     await expect(decodeBytes(new Uint8Array(await few.arrayBuffer()), 'x.png')).rejects.toThrow(
       /^x.png: not a readable image, got "\d+ bytes"/,

@@ -10,16 +10,16 @@ import { vrmFile } from '../vrm-file.ts'
 import { driver, faceMeshes } from '../wrinkled-file.ts'
 import { bareSheet } from './bare-sheet.ts'
 
-/** Names of the face's blendshapes. One is called as an expression that moves another too. */
+/** Blendshapes of the face. One has the name of an expression that moves others too. */
 const SHAPES = ['browInnerUp', 'other', 'sad']
-/** By expression: the weights of those. */
+/** Weights of these blendshapes by expression. */
 const EXPRESSIONS: Record<string, number[]> = {
   happy: [0.5, 0, 0],
   sad: [0.7, 0, 1],
   angry: [0, 1, 0],
   surprised: [1, 1, 0],
 }
-/** What VRM 0 calls them. */
+/** Names of the expressions in VRM 0. */
 const PRESETS: Record<string, string> = { happy: 'joy', sad: 'sorrow', angry: 'angry' }
 
 afterEach(() => vi.restoreAllMocks())
@@ -59,7 +59,7 @@ describe.each([
     const wrinkles = wrinklesOf(faceMeshes(root)[0])!
     return ['a', 'c', 'd'].map((area) => wrinkles.getActivation(area))
   }
-  /** Those of each expression, then of some together. */
+  /** Returns the activations of each expression, then of combinations. */
   const responses = async (gltf: GLTF) => {
     const { expressionManager } = gltf.userData.vrm as VRM
     const poses = Object.keys(EXPRESSIONS).map((name): Record<string, number> => ({ [name]: 1 }))
@@ -86,7 +86,7 @@ describe.each([
   it.each([
     ['before the first frame', 0],
     ['after some frames', 3],
-  ])('wrinkles as before if that is called %s', async (_, frames) => {
+  ])('wrinkles the same if combineMorphs is called %s', async (_, frames) => {
     const warn = vi.spyOn(console, 'warn')
     const gltf = await load()
     for (let i = 0; i < frames; i++) expect(await responses(gltf)).toEqual(close(EXPECTED))
@@ -95,7 +95,7 @@ describe.each([
     expect(warn.mock.calls.filter(([text]) => /wrinkle/i.test(text))).toEqual([])
   })
 
-  it('is played by the expressions of the file, by their blendshapes, in a copy too', async () => {
+  it("is played by the file's expressions through their blendshapes, on copies too", async () => {
     const { scene } = await load()
     for (const root of [scene, cloneSkinned(scene)]) {
       const [mesh] = faceMeshes(root)
@@ -113,8 +113,8 @@ describe.each([
   it.each([
     ['before', true],
     ['after', false],
-  ])('and so does a copy that was made %s it', async (_, isBefore) => {
-    // Copies have no expression manager, and so before it no input of the name `angry`.
+  ])('gives copies made %s combineMorphs the same wrinkles', async (_, isBefore) => {
+    // Copies have no expression manager, and so no input `angry` before combineMorphs.
     vi.spyOn(console, 'warn').mockImplementation(() => {})
     const gltf = await load()
     const early = isBefore && cloneSkinned(gltf.scene)
@@ -129,7 +129,7 @@ describe.each([
   })
 })
 
-it('automatic wrinkles that are done after combineMorphs follow expressions too', async () => {
+it('automatic wrinkles that finish after combineMorphs follow expressions too', async () => {
   const harness = await createHarness('webgl')
   const shown = async (isCombined: boolean) => {
     const file = asVrm1(await bareSheet(), (json) => {

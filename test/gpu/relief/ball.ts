@@ -9,19 +9,19 @@ import {
   SphereGeometry,
 } from 'three'
 
-/** Metres. */
+/** Radius of the ball, metres. */
 export const RADIUS = 0.05
 
-/** Metres from black to white of the heights. */
+/** Height difference from black to white, metres. */
 export const AMPLITUDE = 0.003
 
 const SIZE = 256
 
-/** A ball with a seam of its texture, a blendshape that stretches it, and a material that shines by itself. */
+/** Creates a ball with a UV seam, a blendshape that stretches it, and an emissive material. */
 export function ball(segments = 16): Mesh {
   const geometry = new SphereGeometry(RADIUS, segments, segments)
   const { position } = geometry.attributes
-  // Cosine and sine of a full turn are not to the bit those of none.
+  // Snaps cosine and sine of a full turn to those of zero.
   const rounded = Float32Array.from(position.array, (value) => Math.round(value * 1e6) / 1e6 + 0)
   geometry.setAttribute('position', new BufferAttribute(rounded, 3))
   const taller = rounded.map((value, i) => (i % 3 === 1 ? 0.3 * value : 0))
@@ -32,7 +32,7 @@ export function ball(segments = 16): Mesh {
   return mesh
 }
 
-/** Heights that rise and fall round the ball: bytes as in an image. */
+/** Returns heights that rise and fall around the ball, as image bytes. */
 export function heightBytes(): Uint8Array {
   return Uint8Array.from({ length: SIZE * SIZE }, (_, i) => {
     const [u, v] = [(i % SIZE) / SIZE, Math.floor(i / SIZE) / SIZE]
@@ -40,7 +40,7 @@ export function heightBytes(): Uint8Array {
   })
 }
 
-/** Wrinkles all over, all of which are heights. */
+/** Creates wrinkles over the complete ball that are pure heights. */
 export function heightSet(): WrinkleSet {
   const normal = { width: 1, height: 1, data: new Uint8Array([128, 128, 255, 255]) }
   const height = { width: SIZE, height: SIZE, data: heightBytes() }
@@ -51,7 +51,7 @@ export function heightSet(): WrinkleSet {
   }
 }
 
-/** A camera whose frame is `side` metres wide and high. */
+/** Creates a camera whose frame is `side` metres wide and high. */
 export function sideCamera(side: number): OrthographicCamera {
   const camera = new OrthographicCamera(-side / 2, side / 2, side / 2, -side / 2, 0, 1)
   camera.position.z = 0.5

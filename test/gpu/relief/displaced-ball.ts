@@ -7,7 +7,7 @@ import { MAX_LEVEL } from '../../../packages/furrow/src/relief/welded-edges.ts'
 import { finish } from '../../unit/relief/coarse.ts'
 import { AMPLITUDE, heightBytes } from './ball.ts'
 
-/** A ball with full relief as the reference in float64 has it, its blendshape included. */
+/** Displaces a ball by the float64 reference with full relief, including its blendshape. */
 export function displacedBall({ geometry, morphTargetInfluences }: Mesh) {
   const { attributes, index, morphAttributes } = geometry
   const rest = attributes.position.array as Float32Array
@@ -24,7 +24,7 @@ export function displacedBall({ geometry, morphTargetInfluences }: Mesh) {
   return { triangles: dense.triangles, positions: displace(dense, { positions, normals }, heightAt, room) }
 }
 
-/** The same as a mesh of its own, to draw. */
+/** Creates a drawable mesh of the displaced ball. */
 export function displacedMesh(ball: Mesh): Mesh {
   const { triangles, positions } = displacedBall(ball)
   const geometry = new BufferGeometry()

@@ -3,13 +3,13 @@ import { createHarness } from '../harness.ts'
 import { bandedFace, displacedSkin, type RaisedFace, shippedFace } from './raised-face.ts'
 import { cutsOf, lengthAway } from './self-intersections.ts'
 
-/** Metres within which a cut is one that is there without relief too: heights reach as far. */
+/** Distance within which a cut counts as existing without relief, metres; the reach of heights. */
 const NEAR = 0.001
 
-/** Metres of new cuts at most, with heights of which no wrinkles are; closed lids would have 0.02 if heights near them reached as far as elsewhere. */
+/** Largest length of new cuts with heights unlike any wrinkle, metres. Closed lids would reach 0.02 if nearby heights were not reduced. */
 const FEW = 0.012
 
-/** Cuts of a face in a pose, and those that it has without relief. */
+/** Returns the cuts of a face in a pose, and those without relief. */
 function cutsIn(face: RaisedFace, targets: readonly string[]) {
   const { morphTargetDictionary, morphTargetInfluences } = face.skin
   for (const target of targets) morphTargetInfluences![morphTargetDictionary![target]] = 1
@@ -22,7 +22,7 @@ const length = (cuts: ReturnType<typeof cutsOf>) => lengthAway(cuts, [], 0)
 it.each([
   ['lids', ['eyeBlinkLeft', 'eyeBlinkRight', 'cheekSquintLeft', 'cheekSquintRight']],
   ['lips', ['mouthPressLeft', 'mouthPressRight', 'mouthRollUpper', 'mouthRollLower']],
-])('%s of the shipped face do not cut each other more with its relief', async (_, targets) => {
+])('%s of the shipped face do not cut each other more with relief', async (_, targets) => {
   const harness = await createHarness('webgl')
   const face = await shippedFace(harness)
   const { before, cuts } = cutsIn(face, targets)
@@ -35,7 +35,7 @@ it.each([
 it.each([
   ['closed lids', ['eyeBlinkLeft', 'eyeBlinkRight']],
   ['pressed lips', ['mouthPressLeft', 'mouthPressRight']],
-])('%s with bands of 2 mm all over cut each other hardly more', async (_, targets) => {
+])('%s with 2 mm bands everywhere hardly cut each other more', async (_, targets) => {
   const harness = await createHarness('webgl')
   const face = await bandedFace(harness)
   const { before, cuts } = cutsIn(face, targets)

@@ -6,22 +6,22 @@ import { createHarness, RENDERERS, squareCamera } from '../harness.ts'
 import { wrinkledFile } from '../wrinkled-file.ts'
 import { sceneOf } from './ball.ts'
 
-/** A file whose layer has heights: a red channel of its textures, by index. They are as high as a mesh of that size allows. */
-// biome-ignore lint/suspicious/noExplicitAny: the whole JSON of the file, as a careless program would edit it
+/** Returns a file whose layer has heights in the red channel of the texture `index`, as high as a mesh of that size allows. */
+// biome-ignore lint/suspicious/noExplicitAny: the complete JSON of the file
 const fileWithHeights = (index = 2, edit: (json: any) => unknown = () => {}) =>
   wrinkledFile(
     ({ layers: [layer] }) => Object.assign(layer, { heightTexture: { index, amplitude: 0.05 } }),
     edit,
   )
 
-/** A file whose heights are in an image that is none. */
+/** Returns a file whose height image is invalid. */
 const fileWithoutImage = () =>
   fileWithHeights(3, (json) => {
     json.images.push({ uri: 'data:image/png;base64,AAAA' })
     json.textures.push({ source: json.images.length - 1 })
   })
 
-/** A camera that sees some millimetres. */
+/** Camera that sees a few millimetres. */
 function close() {
   const camera = squareCamera()
   camera.zoom = 200
@@ -37,15 +37,15 @@ afterEach(() => {
   vi.restoreAllMocks()
 })
 
-describe.each(RENDERERS)('loaded for %s', (name) => {
+describe.each(RENDERERS)('a face loaded for %s', (name) => {
   const load = async (file: Uint8Array<ArrayBuffer>, relief: 'on' | 'off' | 'near') => {
     const harness = await createHarness(name)
     const loader = new GLTFLoader().register((parser) => new harness.Plugin(parser, { relief }))
     return { harness, gltf: await loader.parseAsync(file.slice().buffer, '') }
   }
 
-  it('a file shows its relief, with all of its primitives, and copies have their own', async () => {
-    // A quad of a metre has more than the budget of triangles.
+  it('shows relief on all primitives, and copies have their own', async () => {
+    // A quad of a metre exceeds the triangle budget.
     vi.spyOn(console, 'warn').mockImplementation(() => {})
     const { harness, gltf } = await load(await fileWithHeights(), 'on')
     const meshes = meshesOf(gltf)
@@ -60,7 +60,7 @@ describe.each(RENDERERS)('loaded for %s', (name) => {
     harness.dispose()
   })
 
-  it('without relief no heights are read, and damaged ones do no harm', async () => {
+  it('reads no heights without relief, and ignores damaged ones', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const { harness, gltf } = await load(await fileWithoutImage(), 'off')
     const [mesh] = meshesOf(gltf)
@@ -71,7 +71,7 @@ describe.each(RENDERERS)('loaded for %s', (name) => {
     harness.dispose()
   })
 
-  it('by size heights are read when a millimetre is more than a pixel, and not before', async () => {
+  it('reads heights by size only when a millimetre exceeds a pixel', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const { harness, gltf } = await load(await fileWithoutImage(), 'near')
     const scene = sceneOf(gltf.scene as never)
@@ -84,7 +84,7 @@ describe.each(RENDERERS)('loaded for %s', (name) => {
     harness.dispose()
   })
 
-  it('heights that cannot be read cost the relief only', async () => {
+  it('loses only the relief if heights cannot be read', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const { harness, gltf } = await load(await fileWithoutImage(), 'on')
     const [mesh] = meshesOf(gltf)
@@ -98,7 +98,7 @@ describe.each(RENDERERS)('loaded for %s', (name) => {
   })
 })
 
-it('heights are part of what a file holds', async () => {
+it("furrow/three exposes a file's heights", async () => {
   const gltf = await new GLTFLoader().parseAsync((await fileWithHeights()).buffer, '')
   const [{ set }] = await readWrinkleMaps(gltf)
   expect(set.layers[0]).toMatchObject({ height: { width: 16, height: 16 }, heightAmplitude: 0.05 })

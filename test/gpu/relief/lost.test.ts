@@ -8,7 +8,7 @@ import { displacedMesh } from './displaced-ball.ts'
 
 const draw = (harness: Harness, mesh = ball()) => harness.renderBytes(sceneOf(mesh), sideCamera(0.15), 256)
 
-/** A ball whose relief has been drawn. */
+/** Creates a ball and draws its relief. */
 async function drawnBall(harness: Harness) {
   const mesh = ball()
   const wrinkles = new harness.Wrinkles(mesh, heightSet(), { relief: 'on' })
@@ -35,7 +35,7 @@ it('relief is drawn again after the loss of a WebGL context', async () => {
   harness.dispose()
 })
 
-it('relief is drawn by another renderer after the loss of a WebGPU device, and still moves', async () => {
+it('another renderer draws the relief, still moving, after the loss of a WebGPU device', async () => {
   const harness = await createHarness('webgpu')
   const { mesh, wrinkles, before } = await drawnBall(harness)
   const { device } = (harness.renderer as WebGPURenderer).backend as unknown as {

@@ -49,7 +49,7 @@ it.each([
   harness.dispose()
 })
 
-it('the outline of MToon is drawn round the relief, as wide as the page sets it, and shared by copies', async () => {
+it("the MToon outline follows the relief, keeps the page's width, and is shared by copies", async () => {
   const harness = await createHarness('webgl')
   const mesh = ball() as Mesh<Mesh['geometry'], Material[]>
   const outline = new MToonMaterial({
@@ -90,7 +90,7 @@ it('the outline of MToon is drawn round the relief, as wide as the page sets it,
   harness.dispose()
 })
 
-it('an avatar loaded by three-vrm has its outlines round its relief, and so has a copy', async () => {
+it('an avatar loaded by three-vrm, and its copy, have outlines around their relief', async () => {
   const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
   const harness = await createHarness('webgl')
   const file = await vrmFile(true, ({ layers: [layer] }) =>
@@ -120,7 +120,7 @@ it('an avatar loaded by three-vrm has its outlines round its relief, and so has 
   harness.dispose()
 })
 
-/** Every point of a mesh farther from the origin. */
+/** Returns a copy of the mesh with every vertex `width` farther from the origin. */
 function widened(mesh: Mesh, width: number): Mesh {
   const { position } = mesh.geometry.attributes
   const point = new Vector3()
@@ -131,7 +131,7 @@ function widened(mesh: Mesh, width: number): Mesh {
   return mesh
 }
 
-/** White wherever anything is drawn. */
+/** Turns drawn pixels white. */
 function silhouette(pixels: Uint8Array): Uint8Array {
   return pixels.map((_, i) => (pixels[i - (i % 4) + 1] > 8 ? 255 : 0))
 }

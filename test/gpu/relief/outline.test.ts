@@ -5,15 +5,15 @@ import { ball, heightSet, sceneOf, sideCamera } from './ball.ts'
 import { displacedBall } from './displaced-ball.ts'
 import { distances, fractionWithin, type Outline, outlineOf, projectedOutline } from './outline.ts'
 
-/** Pixels of a picture, and of those in which distances are given: outlines are drawn twice as fine. */
+/** Side of the drawn picture, pixels, and of a pixel that distances refer to. Outlines are drawn twice as fine. */
 const FINE = 3200
 const PIXEL = FINE / 1600
 const SIDE = 0.15
 
-describe.each(RENDERERS)('%s', (name) => {
+describe.each(RENDERERS)('relief on %s', (name) => {
   const harness = harnessOn(name)
 
-  it('heights move the outline to where the reference has it', async () => {
+  it('has the outline of the reference', async () => {
     const mesh = ball()
     mesh.morphTargetInfluences![0] = 0.5
     const wrinkles = new harness.Wrinkles(mesh, heightSet(), { relief: 'on' })

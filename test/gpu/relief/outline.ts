@@ -1,10 +1,10 @@
-/** Where an outline begins and ends in each row of a picture, in pixels from its left; infinite where there is none. */
+/** Left and right end of an outline in each row of a picture, pixels from the left; infinite in empty rows. */
 export interface Outline {
   left: Float64Array
   right: Float64Array
 }
 
-/** The outline of what is drawn over black. */
+/** Finds the outline of everything drawn on black. */
 export function outlineOf(pixels: Uint8Array, width: number, height: number): Outline {
   const outline = emptyOutline(height)
   for (let y = 0; y < height; y++) {
@@ -14,9 +14,9 @@ export function outlineOf(pixels: Uint8Array, width: number, height: number): Ou
 }
 
 /**
- * The outline of a mesh in float64, at the centres of the rows.
+ * Computes the outline of a mesh at row centres in float64.
  *
- * @param project x and y in pixels of a vertex, upwards.
+ * @param project returns x and y of a vertex in pixels, y up.
  */
 export function projectedOutline(
   triangles: ArrayLike<number>,
@@ -36,7 +36,7 @@ export function projectedOutline(
   return outline
 }
 
-/** Distances between two outlines in pixels, of each row that either has; by those on the left, then those on the right. */
+/** Returns the distances of two outlines in pixels for every row that either covers: left ends first, then right ends. */
 export function distances(a: Outline, b: Outline): number[] {
   const found: number[] = []
   for (const side of ['left', 'right'] as const) {
@@ -47,7 +47,7 @@ export function distances(a: Outline, b: Outline): number[] {
   return found
 }
 
-/** The fraction of distances that are no more than a limit. */
+/** Returns the fraction of distances within a limit. */
 export function fractionWithin(limit: number, found: readonly number[]): number {
   return found.filter((distance) => distance <= limit).length / found.length
 }

@@ -11,18 +11,18 @@ import { splitMesh } from '../../../packages/furrow/src/relief/split-mesh.ts'
 import { finish } from '../../unit/relief/coarse.ts'
 import type { Harness } from '../harness.ts'
 
-/** Metres from black to white. */
+/** Height difference from black to white, metres. */
 const AMPLITUDE = 0.002
 const SIDE = 512
 
-/** What moves the surface. */
+/** Heights that displace the surface. */
 export interface Heights {
   height: GrayImage
-  /** Metres. */
+  /** Height difference from black to white, metres. */
   heightAmplitude: number
 }
 
-/** Bands across the whole texture, of some millimetres on the skin: far more than wrinkles are. */
+/** Bands across the complete texture, several millimetres wide on the skin: far more than wrinkles. */
 const bands: GrayImage = {
   width: SIDE,
   height: SIDE,
@@ -42,12 +42,12 @@ export interface RaisedFace {
   dispose(): void
 }
 
-/** The shipped face with bands in place of the heights of its wrinkles, all areas of which are active. */
+/** Loads the shipped face with bands in place of its heights, with all areas active. */
 export async function bandedFace(harness: Harness): Promise<RaisedFace> {
   return raisedFace(harness, () => BANDS)
 }
 
-/** The shipped face with its own heights, all areas active. */
+/** Loads the shipped face with its own heights, with all areas active. */
 export async function shippedFace(harness: Harness): Promise<RaisedFace> {
   return raisedFace(harness, ([{ height, heightAmplitude }]) => {
     if (!height || !('data' in height)) throw new Error('the shipped face has no heights')
@@ -70,7 +70,7 @@ async function raisedFace(
   return { root: gltf.scene, skin, heights, areas, wrinkles, dispose: () => wrinkles.dispose() }
 }
 
-/** The skin with its relief in float64, and without: triangles, and positions in the mesh's space. */
+/** Returns the skin with and without relief in float64: triangles, and positions in mesh space. */
 export function displacedSkin({ skin, heights, areas: activeAreas }: RaisedFace) {
   const { height: map, heightAmplitude } = heights
   const { attributes, index, morphAttributes } = skin.geometry
@@ -79,7 +79,7 @@ export function displacedSkin({ skin, heights, areas: activeAreas }: RaisedFace)
   const areas = packAreas(activeAreas.map(({ weights }) => weights as GrayImage))
   const active = activeAreas.map(({ combine = 'sum' }) => ({ activation: 1, layer: 0, combine }) as const)
   const slices = activeAreas.map((_, slice) => slice)
-  // Wherever areas are, and as finely as it gets: more than the shaders' mesh, which is split where heights need it.
+  // Splits at the finest level wherever areas are, unlike the shaders' mesh, which is split only where heights need it.
   const halvings = mostHalvings(coveredTriangles(coarse, weightedTexels(areas, slices)))
   const dense = finish(splitMesh(coarse, halvings))
   const room = finish(outwardRoom(coarse, attributes.normal.array, dense.firstOf, heightAmplitude / 2))

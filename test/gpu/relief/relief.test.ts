@@ -30,7 +30,7 @@ import { displacedMesh } from './displaced-ball.ts'
 const SIZE = 256
 const SIDE = 0.15
 
-describe.each(RENDERERS)('%s', (name) => {
+describe.each(RENDERERS)('relief on %s', (name) => {
   const harness = harnessOn(name)
   beforeEach(() => {
     vi.restoreAllMocks()
@@ -39,14 +39,14 @@ describe.each(RENDERERS)('%s', (name) => {
   const picture = (scene: Scene, camera: OrthographicCamera = sideCamera(SIDE)) =>
     harness.renderBytes(scene, camera, SIZE)
 
-  /** Wrinkles whose relief is drawn from now on. */
+  /** Adds wrinkles whose relief is drawn from now on. */
   async function raised(mesh: Mesh, set = heightSet(), options = {}) {
     const wrinkles = new harness.Wrinkles(mesh, set, { relief: 'on', ...options })
     await wrinkles.reliefReady()
     return wrinkles
   }
 
-  it('relief that is switched off, or disposed of, leaves the mesh as it was', async () => {
+  it('leaves the mesh as it was when switched off or disposed of', async () => {
     const mesh = ball()
     const scene = sceneOf(mesh)
     const plain = await picture(scene)
@@ -69,7 +69,7 @@ describe.each(RENDERERS)('%s', (name) => {
     expect(differing(await picture(scene), plain)).toBe(0)
   })
 
-  it('relief is back in the frame in which wrinkles are shown again, however long they were off', async () => {
+  it('returns in the first frame that shows wrinkles again, however long they were off', async () => {
     const mesh = ball()
     const scene = sceneOf(mesh)
     const wrinkles = await raised(mesh)
@@ -83,7 +83,7 @@ describe.each(RENDERERS)('%s', (name) => {
     wrinkles.dispose()
   })
 
-  it('blendshapes and activations move the relief in the frame in which they change', async () => {
+  it('follows blendshapes and activations in the same frame', async () => {
     const mesh = ball()
     const wrinkles = await raised(mesh)
     const scene = sceneOf(mesh)
@@ -95,7 +95,7 @@ describe.each(RENDERERS)('%s', (name) => {
     wrinkles.dispose()
   })
 
-  it('shadows have the outline of the relief', async () => {
+  it('casts shadows with its outline', async () => {
     const shadowOf = async (mesh: Mesh) => {
       const scene = sceneOf(mesh)
       const ground = new Mesh(new PlaneGeometry(1, 1), new MeshStandardMaterial())
@@ -129,7 +129,7 @@ describe.each(RENDERERS)('%s', (name) => {
     shadowMap.enabled = false
   })
 
-  it('each instance has a relief of its own', async () => {
+  it('is separate for each instance', async () => {
     const { geometry, material } = ball()
     geometry.morphAttributes = {}
     const mesh = new InstancedMesh(geometry, material, 2)
@@ -153,7 +153,7 @@ describe.each(RENDERERS)('%s', (name) => {
     wrinkles.dispose()
   })
 
-  it('a skeleton moves the relief, and a copy has one of its own', async () => {
+  it('follows a skeleton, and is separate for a copy', async () => {
     const { mesh, bone } = skinnedBall()
     const wrinkles = await raised(mesh)
     const scene = sceneOf(mesh)
@@ -169,7 +169,7 @@ describe.each(RENDERERS)('%s', (name) => {
     wrinkles.dispose()
   })
 
-  it('shading keeps the normals of the mesh: heights do not count twice', async () => {
+  it("keeps the mesh's shading normals, so that heights do not count twice", async () => {
     const lit = (mesh: Mesh) => {
       const light = new DirectionalLight(0xffffff, 3)
       light.position.set(1, 1, 1)
@@ -192,7 +192,7 @@ describe.each(RENDERERS)('%s', (name) => {
     wrinkles.dispose()
   })
 
-  it('rays hit the mesh, once', async () => {
+  it('is hit by rays once, on the mesh', async () => {
     const mesh = ball()
     const wrinkles = await raised(mesh)
     const hits = new Raycaster(new Vector3(0, 0, 1), new Vector3(0, 0, -1)).intersectObject(
@@ -204,7 +204,7 @@ describe.each(RENDERERS)('%s', (name) => {
     wrinkles.dispose()
   })
 
-  it('a pass with another material draws the face, and no second one', async () => {
+  it('is drawn once in a pass with another material', async () => {
     const mesh = ball()
     const wrinkles = await raised(mesh)
     const scene = sceneOf(mesh)
@@ -218,7 +218,7 @@ describe.each(RENDERERS)('%s', (name) => {
     wrinkles.dispose()
   })
 
-  it('the composed mode has relief too', async () => {
+  it('works in composed mode', async () => {
     const mesh = ball()
     const scene = sceneOf(mesh)
     const wrinkles = await raised(mesh, heightSet(), { mode: 'composed' })
@@ -228,7 +228,7 @@ describe.each(RENDERERS)('%s', (name) => {
     wrinkles.dispose()
   })
 
-  it('the smaller it is in the picture, the fewer triangles are drawn', async () => {
+  it('uses fewer triangles the smaller it is in the picture', async () => {
     const mesh = ball(48)
     const wrinkles = await raised(mesh)
     const scene = sceneOf(mesh)
@@ -243,7 +243,7 @@ describe.each(RENDERERS)('%s', (name) => {
     wrinkles.dispose()
   })
 
-  it('by size on screen, relief is drawn only where it can be seen', async () => {
+  it('is drawn by size only where it can be seen', async () => {
     const mesh = ball()
     const wrinkles = new harness.Wrinkles(mesh, heightSet(), { relief: 'near' })
     const scene = sceneOf(mesh)
@@ -260,7 +260,7 @@ describe.each(RENDERERS)('%s', (name) => {
     wrinkles.dispose()
   })
 
-  it('a face at rest is drawn as without relief, also where it is large', async () => {
+  it('is not drawn for a face at rest, at any size', async () => {
     const mesh = ball()
     const plain = await picture(sceneOf(ball()))
     const wrinkles = new harness.Wrinkles(mesh, heightSet())
@@ -281,7 +281,7 @@ describe.each(RENDERERS)('%s', (name) => {
     wrinkles.dispose()
   })
 
-  it('a mesh that gets another geometry is split again', async () => {
+  it('splits the mesh again after it gets another geometry', async () => {
     const mesh = ball()
     const wrinkles = await raised(mesh)
     const scene = sceneOf(mesh)
@@ -296,7 +296,7 @@ describe.each(RENDERERS)('%s', (name) => {
     wrinkles.dispose()
   })
 
-  it('triangles without area under an area are drawn as what they are: nothing', async () => {
+  it('draws no degenerate triangles below an area', async () => {
     const [mesh, other] = [ball(), ball()]
     const indices = [...other.geometry.index!.array]
     other.geometry.setIndex([...indices, 40, 40, 40, 60, 61, 61, indices[90], indices[91], indices[90]])
@@ -310,7 +310,7 @@ describe.each(RENDERERS)('%s', (name) => {
     others.dispose()
   })
 
-  it('heights of one texel move the surface as a whole', async () => {
+  it('moves the complete surface with heights of one texel', async () => {
     const { layers, areas } = heightSet()
     const height = { width: 1, height: 1, data: new Uint8Array([255]) }
     const mesh = ball(64)
@@ -326,7 +326,7 @@ describe.each(RENDERERS)('%s', (name) => {
   it.each([
     ['heights of 10 m', () => ball(), 10, 'reach too far'],
     ['positions that are not numbers', () => brokenBall(), 0.003, 'positions that are not numbers'],
-  ])('%s cost the relief and one warning, also by size', async (_, make, heightAmplitude, message) => {
+  ])('is left out with one warning, by size too: %s', async (_, make, heightAmplitude, message) => {
     for (const relief of ['on', 'near'] as const) {
       const { layers, areas } = heightSet()
       const { warnings } = await drawn(make(), { layers: [{ ...layers[0], heightAmplitude }], areas }, relief)
@@ -343,7 +343,7 @@ describe.each(RENDERERS)('%s', (name) => {
     ],
     ['batches', () => batch(), 'BatchedMesh'],
     ['instances with blendshapes of their own', () => crowd(), 'instances with blendshapes of their own'],
-  ])('%s have no relief: by size silently, with a warning once it is asked for', async (_, make, message) => {
+  ])('is missing for %s: silently by size, with one warning if requested', async (_, make, message) => {
     const { layers, areas } = heightSet()
     const readHeight = vi.fn()
     const unread = { ...layers[0], height: undefined, readHeight }
@@ -356,7 +356,7 @@ describe.each(RENDERERS)('%s', (name) => {
     expect((await drawn(make(), heightSet(), 'on')).warnings).toEqual([expect.stringContaining(message)])
   })
 
-  it('more triangles than the budget make longer edges: by size silently, with a warning once it is asked for', async () => {
+  it('has longer edges if triangles exceed the budget: silently by size, with one warning if requested', async () => {
     const large = ball()
     large.geometry.scale(20, 20, 20)
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
@@ -368,11 +368,11 @@ describe.each(RENDERERS)('%s', (name) => {
     wrinkles.dispose()
   })
 
-  /** What has been warned of when a mesh that cannot have relief was drawn some times, and will be. */
+  /** Returns the warnings after drawing a mesh without support for relief several times. */
   async function drawn(mesh: Mesh, set: WrinkleSet, relief: 'on' | 'near') {
     const warnings: string[] = []
     vi.spyOn(console, 'warn').mockImplementation((text) => {
-      // three.js itself says so where a browser, such as Firefox, draws batches one by one.
+      // three.js warns that the browser, such as Firefox, draws batches one by one.
       if (!text.includes('WEBGL_multi_draw extension not supported')) warnings.push(text)
     })
     const wrinkles = await raised(mesh, set, { relief })
@@ -384,7 +384,7 @@ describe.each(RENDERERS)('%s', (name) => {
   }
 })
 
-/** A ball one of whose vertices, which no triangle has, is nowhere. Its bounds are known: three.js complains of such positions. */
+/** Ball with one unused vertex at NaN. Its bounds are preset, because three.js warns about NaN positions. */
 function brokenBall() {
   const mesh = ball()
   const { geometry } = mesh
@@ -393,7 +393,7 @@ function brokenBall() {
   return mesh
 }
 
-/** A ball on one bone. */
+/** Ball on one bone. */
 function skinnedBall() {
   const { geometry, material } = ball()
   geometry.morphAttributes = {}
@@ -408,7 +408,7 @@ function skinnedBall() {
   return { mesh, bone }
 }
 
-/** Two instances, one of which is taller. */
+/** Two instances, one taller. */
 function crowd(): InstancedMesh {
   const { geometry, material } = ball()
   const mesh = new InstancedMesh(geometry, material, 2)

@@ -1,20 +1,20 @@
-/** Where a surface runs through itself. */
+/** Finds where a surface intersects itself. */
 
-/** Metres: triangles are sorted into cubes of this size. */
+/** Side of the cubes that triangles are sorted into, metres. */
 const CUBE = 0.003
 
 type Point = readonly [number, number, number]
 
-/** A line along which two triangles cut each other. */
+/** Line along which two triangles intersect. */
 export interface Cut {
   from: Point
   to: Point
 }
 
 /**
- * Finds the lines along which triangles cut each other; those with a corner in common do not count.
+ * Finds the lines along which triangles intersect. Pairs with a common corner are skipped.
  *
- * @param positions x, y and z of each vertex, in metres.
+ * @param positions x, y and z of each vertex, metres.
  */
 export function cutsOf(positions: ArrayLike<number>, triangles: ArrayLike<number>): Cut[] {
   const cuts: Cut[] = []
@@ -55,7 +55,7 @@ export function cutsOf(positions: ArrayLike<number>, triangles: ArrayLike<number
   return cuts
 }
 
-/** Metres of cuts that are farther from all others than some metres. */
+/** Returns the total length of cuts farther than a distance from all others, metres. */
 export function lengthAway(cuts: readonly Cut[], others: readonly Cut[], metres: number): number {
   return cuts.reduce((sum, { from, to }) => {
     const isNear = others.some((other) => distanceTo(middleOf(from, to), other) <= metres)
@@ -78,7 +78,10 @@ function touch(a: readonly Point[], b: readonly Point[]): boolean {
   return a.some((p) => b.some((q) => p[0] === q[0] && p[1] === q[1] && p[2] === q[2]))
 }
 
-/** Where edges of one triangle go through another (T. Möller, B. Trumbore, "Fast, Minimum Storage Ray-Triangle Intersection", 1997). */
+/**
+ * Returns the points where edges of one triangle pass through another (T. Möller, B. Trumbore, "Fast, Minimum Storage
+ * Ray-Triangle Intersection", 1997).
+ */
 function crossings(edges: readonly Point[], [a, b, c]: readonly Point[]): Point[] {
   const [u, v] = [minus(b, a), minus(c, a)]
   return edges.flatMap((from, k) => {

@@ -1,4 +1,4 @@
-// The browser's private file system stands in for a folder that a user picks: its handles are of the same kind.
+// Uses the browser's private file system in place of a picked folder: both have the same handles.
 
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { FolderFile } from '../../../studio/src/files/folder-files.ts'
@@ -6,7 +6,7 @@ import { askToWrite, canWriteFolders, pickFolder, writeFolder } from '../../../s
 
 const text = (content: string) => new TextEncoder().encode(content)
 
-/** A project's files, with the images that its `studio.json` lists. */
+/** Returns a project's files with the images listed in its `studio.json`. */
 function filesOf(images: Record<string, string>, listed = Object.keys(images)): FolderFile[] {
   return [
     { path: 'face.glb', content: new Blob(['the face']) },
@@ -45,7 +45,7 @@ afterEach(async () => {
 })
 
 describe('a folder on disk', () => {
-  it('gets all files, and then only those that changed', async () => {
+  it('receives all files first, and later only the changed ones', async () => {
     const files = filesOf(IMAGES)
     expect((await writeFolder(folder, files)).length).toBe(5)
     expect(await contents()).toMatchObject({ ...IMAGES, 'face.glb': 'the face', 'wrinkles.json': '{}' })
@@ -57,7 +57,7 @@ describe('a folder on disk', () => {
     expect((await contents())['areas/frown.png']).toBe('other')
   })
 
-  it('loses the images that the studio wrote before, and nothing else', async () => {
+  it('loses only images that the studio wrote earlier', async () => {
     await writeFolder(folder, filesOf({ ...IMAGES, 'layers/up/normal.psd': 'source' }, Object.keys(IMAGES)))
     const next = filesOf({ 'layers/up/normal.png': 'normals' })
     expect(await writeFolder(folder, next)).toEqual(['studio.json', 'areas/frown.png'])
@@ -71,7 +71,7 @@ describe('a folder on disk', () => {
     ])
   })
 
-  it('is not made to lose other files by its studio.json', async () => {
+  it('keeps other files even if its studio.json lists them', async () => {
     await writeFolder(folder, [
       ...filesOf(IMAGES, ['notes.txt', '../x', 3 as never]),
       { path: 'notes.txt', content: text('mine') },
@@ -80,7 +80,7 @@ describe('a folder on disk', () => {
     expect((await contents())['notes.txt']).toBe('mine')
   })
 
-  it('keeps a file whole whose writing fails', async () => {
+  it('keeps the previous version of a file if writing fails', async () => {
     await writeFolder(folder, filesOf(IMAGES))
     vi.spyOn(FileSystemWritableFileStream.prototype, 'write').mockRejectedValue(new Error('disk full'))
     const painted = filesOf({ ...IMAGES, 'areas/frown.png': 'other' })
@@ -90,7 +90,7 @@ describe('a folder on disk', () => {
     expect((await contents())['areas/frown.png']).toBe('frown')
   })
 
-  it('is written to when the user allows it again', async () => {
+  it('is written to again after the user grants permission', async () => {
     const asked = vi.fn().mockResolvedValue('granted')
     const kept = { name: 'kept', queryPermission: async () => 'prompt', requestPermission: asked }
     await askToWrite(kept as unknown as FileSystemDirectoryHandle)
@@ -101,7 +101,7 @@ describe('a folder on disk', () => {
     )
   })
 
-  it('is picked, or not', async () => {
+  it('can be picked or not', async () => {
     vi.stubGlobal('showDirectoryPicker', async () => folder)
     expect(canWriteFolders()).toBe(true)
     expect(await pickFolder()).toBe(folder)

@@ -1,4 +1,4 @@
-// No GPU is used, but a browser: its database, locks and quota are not those of Node.
+// Uses no GPU, but a browser: database, locks and quota differ from Node's.
 
 import { signal } from '@preact/signals'
 import { openDB } from 'idb'
@@ -18,7 +18,7 @@ let name: string
 let stores: ProjectStore[]
 let projects: Project[]
 
-/** A store as another tab has it, or this page after it was loaded again. */
+/** Opens a store like another tab, or like this page after a reload. */
 function openStore(): ProjectStore {
   const store = new ProjectStore(name)
   stores.push(store)
@@ -31,7 +31,7 @@ async function create(store: ProjectStore, of = document): Promise<Project> {
   return project
 }
 
-/** Ends everything without saving, as a crash does, and opens the project anew. */
+/** Closes everything without saving, as a crash would, and reopens the project. */
 async function reopen(id: string): Promise<Project> {
   for (const project of projects) await project.close()
   for (const store of stores) store.close()
@@ -40,7 +40,7 @@ async function reopen(id: string): Promise<Project> {
   return project
 }
 
-/** All records of a table by key. */
+/** Returns all records of a table by key. */
 async function recordsOf(table: string): Promise<Map<string, unknown>> {
   const database = await openDB(name)
   const [keys, values] = await Promise.all([database.getAllKeys(table), database.getAll(table)])
@@ -55,7 +55,7 @@ async function changeRecord(table: string, key: IDBValidKey, value: unknown): Pr
   database.close()
 }
 
-/** Counts what is written to a table. */
+/** Counts writes to a table. */
 function watchWrites(table: string) {
   const put = IDBObjectStore.prototype.put
   const written: unknown[] = []
@@ -66,7 +66,7 @@ function watchWrites(table: string) {
   return written
 }
 
-/** Lets every write to a table fail. */
+/** Makes every write to a table fail. */
 function failPuts(table: string, error: string): void {
   const put = IDBObjectStore.prototype.put
   vi.spyOn(IDBObjectStore.prototype, 'put').mockImplementation(function (this: IDBObjectStore, value, key) {
@@ -90,7 +90,7 @@ afterEach(async () => {
 })
 
 describe('a project', () => {
-  it('is there again after the page was closed, with the files as they were dropped', async () => {
+  it('reopens after the page was closed, with its files as dropped', async () => {
     const { id } = await create(openStore())
     const project = await reopen(id)
     expect(project.opened).toEqual(document)
@@ -99,7 +99,7 @@ describe('a project', () => {
     expect(project.isReadOnly).toBe(false)
   })
 
-  it('is listed with its name, its date, its size and its picture, the last one first', async () => {
+  it('is listed with name, date, size and picture, newest first', async () => {
     const store = openStore()
     const first = await create(store)
     await create(store)
@@ -113,7 +113,7 @@ describe('a project', () => {
     expect(other.thumbnail).toBeUndefined()
   })
 
-  it('is renamed while it is open, duplicated and deleted', async () => {
+  it('can be renamed while open, duplicated and deleted', async () => {
     const store = openStore()
     const project = await create(store)
     await project.setThumbnail(new Blob(['small']))
@@ -133,14 +133,14 @@ describe('a project', () => {
     }
   })
 
-  it('that is gone is an error', async () => {
+  it('that was deleted cannot be opened', async () => {
     await expect(openStore().open('nothing')).rejects.toThrow('Studio: the project is gone')
     await expect(openStore().rename('nothing', 'x')).rejects.toThrow('Studio: the project is gone')
   })
 })
 
 describe('a save', () => {
-  it('writes only the images that are new', async () => {
+  it('writes only new images', async () => {
     const project = await create(openStore())
     const written = watchWrites('images')
     await project.save(setArea(document, 'frown', { activation: 1 }))
@@ -153,7 +153,7 @@ describe('a save', () => {
     expect((await reopen(project.id)).opened).toEqual(painted)
   })
 
-  it('writes only new images of a project that was opened again', async () => {
+  it('writes only new images of a reopened project', async () => {
     const project = await reopen((await create(openStore())).id)
     const written = watchWrites('images')
     const painted = paintArea(project.opened, 'frown', weightsOf(7))
@@ -162,7 +162,7 @@ describe('a save', () => {
     expect((await reopen(project.id)).opened).toEqual(painted)
   })
 
-  it('deletes images that the document has no longer, and stores them again after undo', async () => {
+  it('deletes images that the document no longer uses, and stores them again after undo', async () => {
     const project = await create(openStore())
     await project.save(removeArea(document, 'frown'))
     expect((await recordsOf('images')).size).toBe(3)
@@ -171,7 +171,7 @@ describe('a save', () => {
     expect((await reopen(project.id)).opened).toEqual(document)
   })
 
-  it('stores an image once that two areas have in common, and none of the buffer around it', async () => {
+  it('stores an image shared by two areas once, without the rest of its buffer', async () => {
     const whole = new Uint8Array(1 << 20)
     const bytes = whole.subarray(100, 103)
     const { weights } = document.areas[0]
@@ -183,7 +183,7 @@ describe('a save', () => {
     expect(images.find((image) => image.bytes)!.bytes!.buffer.byteLength).toBe(3)
   })
 
-  it('is all or nothing', async () => {
+  it('is atomic', async () => {
     const project = await create(openStore())
     const before = await recordsOf('images')
     failPuts('saves', 'UnknownError')
@@ -194,7 +194,7 @@ describe('a save', () => {
     expect((await reopen(project.id)).opened).toEqual(document)
   })
 
-  it('goes on after the browser closed its storage, and after it cleared it', async () => {
+  it('continues after the browser closed or cleared its storage', async () => {
     const store = openStore()
     const project = await create(store)
     store.close()
@@ -211,7 +211,7 @@ describe('a save', () => {
     expect(await again.files[1].file.text()).toBe('a picture')
   })
 
-  it('has been handed over when the page that hides goes on', async () => {
+  it('is complete before a hidden page continues', async () => {
     const project = await create(openStore())
     const edited = signal<StudioDocument>(document)
     const autosave = new AutoSave(edited, (next) => project.save(next))
@@ -225,8 +225,8 @@ describe('a save', () => {
   })
 })
 
-describe('storage that fails', () => {
-  it('for want of room leaves what is stored, and works again when there is some', async () => {
+describe('failing storage', () => {
+  it('keeps the saved project when full, and saves again once there is room', async () => {
     const project = await create(openStore())
     const painted = paintArea(document, 'frown', weightsOf(7))
     failPuts('documents', 'QuotaExceededError')
@@ -237,7 +237,7 @@ describe('storage that fails', () => {
     expect((await reopen(project.id)).opened).toEqual(painted)
   })
 
-  it('because the browser allows none is one clear message', async () => {
+  it('reports one clear message if the browser blocks storage', async () => {
     vi.stubGlobal('indexedDB', undefined)
     await expect(openStore().list()).rejects.toThrow(
       'Studio: the browser does not let this page store anything',
@@ -249,7 +249,7 @@ describe('storage that fails', () => {
     await expect(create(openStore())).rejects.toThrow('does not let this page store anything')
   })
 
-  it('because a later version of the page stored there is one clear message', async () => {
+  it('reports one clear message if a later version of the page stored there', async () => {
     ;(await openDB(name, 99)).close()
     await expect(openStore().list()).rejects.toThrow(
       'stored by a later version of the studio; reload the page',
@@ -257,8 +257,8 @@ describe('storage that fails', () => {
   })
 })
 
-describe('records', () => {
-  it('that are damaged do not hide the others', async () => {
+describe('invalid records', () => {
+  it('do not hide the others if damaged', async () => {
     const store = openStore()
     const [whole, damaged] = [await create(store), await create(store)]
     await changeRecord('projects', damaged.id, { version: 1 })
@@ -282,7 +282,7 @@ describe('records', () => {
     ['an image', 'images', undefined, /its (area|map) \w+ is missing/],
     ['the parts of a document', 'documents', { version: 1, document: {} }, 'layers must be an array'],
     ['the right version of a document', 'documents', { version: 3 }, 'stored by a later version'],
-  ])('without %s are one clear message', async (_, table, value, message) => {
+  ])('without %s are refused with a clear message', async (_, table, value, message) => {
     const project = await create(openStore())
     const [key] = (await recordsOf(table)).keys()
     await changeRecord(table, JSON.parse(key), value)
@@ -290,8 +290,8 @@ describe('records', () => {
   })
 })
 
-describe('two tabs on one project', () => {
-  it('the second can look at it, and not save', async () => {
+describe('two tabs with one project', () => {
+  it('let the second tab look, but not save', async () => {
     const first = await create(openStore())
     const second = await openStore().open(first.id)
     expect([first.isReadOnly, second.isReadOnly]).toEqual([false, true])
@@ -303,7 +303,7 @@ describe('two tabs on one project', () => {
     expect((await reopen(first.id)).opened).toEqual(painted)
   })
 
-  it('the second can save a copy', async () => {
+  it('let the second tab save a copy', async () => {
     const first = await create(openStore())
     const store = openStore()
     const second = await store.open(first.id)
@@ -313,7 +313,7 @@ describe('two tabs on one project', () => {
     expect((await reopen(copy.id)).opened).toEqual(removeArea(document, 'frown'))
   })
 
-  it('the second can take it, once the first has saved', async () => {
+  it('let the second tab take over once the first has saved', async () => {
     const first = await create(openStore())
     const changed = removeArea(document, 'frown')
     first.whenWanted(() => void first.save(changed).then(() => first.close()))
@@ -324,18 +324,18 @@ describe('two tabs on one project', () => {
     await second.close()
   })
 
-  it('the second can take it from one that does not answer', async () => {
+  it('let the second tab take over if the first does not answer', async () => {
     const first = await create(openStore())
     let isWanted = 0
     first.whenWanted(() => isWanted++)
     const second = await openStore().open(first.id, true)
     expect([first.isReadOnly, second.isReadOnly]).toEqual([true, false])
-    // When it was asked, and when it lost the project.
+    // First when asked, then when the project was lost.
     await expect.poll(() => isWanted).toBe(2)
     await second.close()
   })
 
-  it('the next one to open it may save when the first has closed it', async () => {
+  it('let the next tab that opens it save after the first has closed it', async () => {
     const first = await create(openStore())
     await first.close()
     const second = await openStore().open(first.id)
