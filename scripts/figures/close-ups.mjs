@@ -45,7 +45,7 @@ function closeUps(name, view) {
   )
 }
 
-/** Figures of `docs/skin.md`. */
+/** Figures of `docs/realism.md`. */
 export const CLOSE_UPS = Object.fromEntries(
   Object.keys(FACES).flatMap((name) =>
     Object.keys(VIEWS).map((view) => [`skin/${name}-${view}`, closeUps(name, view)]),

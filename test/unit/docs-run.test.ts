@@ -45,11 +45,11 @@ function face() {
 }
 
 describe('examples of the documentation run', () => {
-  it('drivers: follow sets the scores of each picture, and looks for names once', async () => {
+  it('expressions: follow sets the scores of each picture, and looks for names once', async () => {
     const { mesh } = face()
     const bind = vi.spyOn(mesh, 'traverse')
     const set = vi.spyOn(FaceScores.prototype, 'set')
-    const follow = (await example('docs/drivers.md', 'follow'))(mesh)
+    const follow = (await example('docs/expressions.md', 'follow'))(mesh)
     for (let i = 0; i < 3; i++) {
       follow({ faceBlendshapes: [{ categories: [{ categoryName: 'jawOpen', score: 0.5 }] }] })
     }
@@ -57,16 +57,16 @@ describe('examples of the documentation run', () => {
     expect([set.mock.calls.length, bind.mock.calls.length]).toEqual([3, 1])
   })
 
-  it('drivers: react plays expressions', async () => {
+  it('expressions: react plays expressions', async () => {
     const { mesh, wrinkles } = face()
-    const player = (await example('docs/drivers.md', 'react'))(mesh, wrinkles)
+    const player = (await example('docs/expressions.md', 'react'))(mesh, wrinkles)
     player.update(1)
     expect(mesh.morphTargetInfluences!.some((weight) => weight > 0)).toBe(true)
   })
 
-  it('drivers: scorn animates an area', async () => {
+  it('expressions: scorn animates an area', async () => {
     const { mesh, wrinkles } = face()
-    const mixer = (await example('docs/drivers.md', 'scorn'))(mesh)
+    const mixer = (await example('docs/expressions.md', 'scorn'))(mesh)
     mixer.update(0.5)
     expect(wrinkles.getActivation('nose')).toBe(1)
   })
@@ -77,21 +77,21 @@ describe('examples of the documentation run', () => {
     expect(wrinkles.inputs.get('loudness')).toBe(70)
   })
 
-  it('guide: raiseBrow activates an area', async () => {
+  it('three: raiseBrow activates an area', async () => {
     const { wrinkles } = face()
-    ;(await example('docs/guide.md', 'raiseBrow'))(wrinkles, 0.5)
+    ;(await example('docs/three.md', 'raiseBrow'))(wrinkles, 0.5)
     expect(wrinkles.getActivation('foreheadLeft')).toBe(0.5)
   })
 
-  it('guide: play plays an expression of its own', async () => {
+  it('expressions: play plays an expression of its own', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const { mesh, wrinkles } = face()
-    ;(await example('docs/guide.md', 'play'))(mesh, wrinkles)
+    ;(await example('docs/expressions.md', 'play'))(mesh, wrinkles)
     expect(warn).not.toHaveBeenCalled()
   })
 
   it('name areas of the shipped face alone', () => {
-    for (const page of ['docs/babylon.md', 'docs/drivers.md', 'docs/guide.md']) {
+    for (const page of ['docs/babylon.md', 'docs/crowds.md', 'docs/three.md']) {
       const names = [...read(page).matchAll(/setActivation\('(\w+)'/g)].map(([, name]) => name)
       // Added by the example itself.
       expect(AREAS, page).toEqual(expect.arrayContaining(names.filter((name) => name !== 'scar')))

@@ -1,4 +1,4 @@
-"""Converts lines drawn on a body, in millimetres from a joint, to strokes in its texture (docs/strokes.md)."""
+"""Converts lines drawn on a body, in millimetres from a joint, to strokes in its texture (docs/strokes-format.md)."""
 
 import json
 

@@ -6,7 +6,7 @@ import { describe, expect, it } from 'vitest'
 import { compareWithParser, MUTATED } from '../gltf/mutations.ts'
 import { STROKES } from '../gltf/sample.ts'
 
-const page = readFileSync('docs/strokes.md', 'utf8')
+const page = readFileSync('docs/strokes-format.md', 'utf8')
 const schema = JSON.parse(readFileSync('docs/schema/strokes.schema.json', 'utf8'))
 const validate = new Ajv2020().compile(schema)
 

@@ -229,7 +229,7 @@ describe('parseStrokes', () => {
   })
 
   it('reads the example of the documentation', () => {
-    const text = readFileSync(new URL('../../../docs/strokes.md', import.meta.url), 'utf8')
+    const text = readFileSync(new URL('../../../docs/strokes-format.md', import.meta.url), 'utf8')
     const example = /```json\n([\s\S]*?)```/.exec(text)?.[1]
     const { strokes, areas } = parseStrokes(JSON.parse(example!))
     expect(strokes.length).toBeGreaterThan(1)

@@ -11,14 +11,14 @@ const PAGES = {
   auto: 'docs/auto.md',
   bake: 'docs/bake.md',
   batch: 'docs/batch.md',
-  inspect: 'docs/pack.md',
+  inspect: 'docs/inspect.md',
   normals: 'docs/normals.md',
   pack: 'docs/pack.md',
   strokes: 'docs/strokes.md',
   unpack: 'docs/pack.md',
   uv: 'docs/pack.md',
-  validate: 'docs/pack.md',
-  worker: 'docs/batch.md',
+  validate: 'docs/inspect.md',
+  worker: 'docs/batch-machines.md',
 }
 
 const shop = new Workshop()

@@ -93,10 +93,7 @@ function tableOf(page: string, heading: string): [string, string][] {
 
 describe('the schema of wrinkles.json', () => {
   it('has the fields of the documents, required and with defaults where they say so', () => {
-    const documented = new Map([
-      ...tableOf('docs/pack.md', '## wrinkles.json'),
-      ...tableOf('docs/guide.md', '## Painted maps'),
-    ])
+    const documented = new Map(tableOf('docs/wrinkles-json.md', '## Fields'))
     const paths = OBJECTS.flatMap(([start, { properties }]) =>
       Object.keys(properties).map((name) => start + name),
     )
@@ -131,10 +128,12 @@ describe('the schema of wrinkles.json', () => {
     expect(parseWrinkleSetDocument({ ...FULL, shapes: 'none' }).areas).toHaveLength(1)
   })
 
-  it('accepts the example of the guide, and the shipped sets', () => {
-    const [, example] = /```json\n([\s\S]+?)```/.exec(read('docs/guide.md'))!
+  it('accepts the examples of the documentation, and the shipped sets', () => {
+    const examples = ['docs/guide.md', 'docs/wrinkles-json.md'].map(
+      (page) => /```json\n([\s\S]+?)```/.exec(read(page))![1],
+    )
     const sets = ['human', 'human-2', 'hand', 'neck'].map((name) => read(`faces/${name}/wrinkles.json`))
-    for (const text of [example, ...sets]) {
+    for (const text of [...examples, ...sets]) {
       expect(validate(JSON.parse(text)), JSON.stringify(validate.errors)).toBe(true)
       expect(parseWrinkleSetDocument(JSON.parse(text)).version).toBe(1)
     }

@@ -58,7 +58,7 @@ export const strokesCommand = createCommand('strokes')
   .addHelpText(
     'after',
     `
-At least one of -o, --normal, --areas and --into is needed. Documents of strokes: docs/strokes.md.
+At least one of -o, --normal, --areas and --into is needed. Documents of strokes: docs/strokes-format.md.
 
 Examples:
   $ furrow strokes scars.json --face avatar.glb --normal normal.png --areas areas

@@ -88,7 +88,7 @@ const STROKE_FIELDS = [
 ] as const
 
 /**
- * Reads a strokes document (docs/strokes.md) and fills in the defaults. The input is not changed.
+ * Reads a strokes document (docs/strokes-format.md) and fills in the defaults. The input is not changed.
  *
  * @throws FurrowError that names the field by its path, for anything malformed, unknown fields included.
  */
