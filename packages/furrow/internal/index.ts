@@ -30,14 +30,19 @@ export type { Edges } from '../src/author/normals/slope.ts'
 export { correctSkin, parseCorrections, type ShapeCorrection } from '../src/author/shapes/corrections.ts'
 export { isSided, SHAPE_NAMES } from '../src/author/shapes/families.ts'
 export { type RecognisedShape, recogniseShapes } from '../src/author/shapes/recognise.ts'
-export { canvasAgain, canvasArrays, mapSkin, type SkinCanvasArrays } from '../src/author/skin/canvas.ts'
+export { canvasArrays, canvasFromArrays, mapSkin, type SkinCanvasArrays } from '../src/author/skin/canvas.ts'
 export type { SkinTexels, TexelVisitor } from '../src/author/skin/skin-texels.ts'
 export { crossOf, type SkinSurface } from '../src/author/skin/surface.ts'
 export { type UvGrid, UvLocator } from '../src/author/skin/uv-locator.ts'
 export { barycentricsAt, positionAt, walk } from '../src/author/skin/walk.ts'
 export type { GroupShape, PolygonShape } from '../src/author/strokes/area-definitions.ts'
 export type { LocatedSkin } from '../src/author/strokes/curve.ts'
-export { type AreaShape, type CurveKind, SCALES, STROKE_DEFAULTS } from '../src/author/strokes/document.ts'
+export {
+  type AreaShape,
+  type CurveKind,
+  SCALE_RANGE,
+  STROKE_DEFAULTS,
+} from '../src/author/strokes/document.ts'
 export {
   nearestOnStroke,
   type StrokeCurve,

@@ -1,5 +1,5 @@
 import { AUTO_REGIONS } from 'furrow/author'
-import { JsonReader, LARGEST, MAX_IMAGE_SIDE, parseCorrections, SCALES } from 'furrow/internal'
+import { JsonReader, LARGEST, MAX_IMAGE_SIDE, parseCorrections, SCALE_RANGE } from 'furrow/internal'
 import {
   AUTO_AGES,
   AUTO_STRENGTHS,
@@ -108,7 +108,7 @@ type ParseField<T> = (reader: JsonReader, value: unknown, path: string) => T
 
 /** Schema: a parser per field. */
 const FIELDS: { [Name in Exclude<keyof StudioFile, 'version'>]-?: ParseField<StudioFile[Name]> } = {
-  scale: (reader, value, path) => reader.number(value, path, ...SCALES, 'mm per unit'),
+  scale: (reader, value, path) => reader.number(value, path, ...SCALE_RANGE, 'mm per unit'),
   mapSize: (reader, value, path) => reader.integer(value, path, 16, MAX_IMAGE_SIDE),
   auto: parseAuto,
   automaticAreas: (reader, value, path) =>

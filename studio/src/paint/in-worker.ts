@@ -1,7 +1,7 @@
 import { transfer } from 'comlink'
 import { FurrowError } from 'furrow'
 import type { Skin, SkinCanvas } from 'furrow/author'
-import { buffersOf, canvasAgain, type SkinCanvasArrays } from 'furrow/internal'
+import { buffersOf, canvasFromArrays, type SkinCanvasArrays } from 'furrow/internal'
 import { runOnce } from '../workers/run-once.ts'
 import type { MadeSkin } from './make-skin.ts'
 import type { SkinService } from './worker.ts'
@@ -35,7 +35,7 @@ export async function makeCanvasInWorker(
     (service) => service.makeCanvas(mesh, size, scale),
     died,
   )
-  return canvasAgain(mesh, arrays)
+  return canvasFromArrays(mesh, arrays)
 }
 
 function startWorker(): Worker {

@@ -104,7 +104,7 @@ describe('points of a stroke', () => {
   it('are removed but for two', () => {
     const short = { ...wave, points: wave.points.slice(0, 2) }
     expect(() => removePoint(short, 0, canvas)).toThrow('removePoint: a stroke needs two points')
-    expect(() => removePoint(wave, 5, canvas)).toThrow('removePoint: the stroke has no such point')
+    expect(() => removePoint(wave, 5, canvas)).toThrow('removePoint: point index out of range')
   })
 
   it('are smoothed over the skin and across the seam, but for the ends', () => {
@@ -164,7 +164,7 @@ describe('a stroke that is split', () => {
 
   it('is cut at inner points only', () => {
     for (const index of [0, 4, 1.5])
-      expect(() => splitStroke(wave, index, canvas)).toThrow(/splitStroke: the stroke has no such point/)
+      expect(() => splitStroke(wave, index, canvas)).toThrow(/splitStroke: point index out of range/)
   })
 })
 

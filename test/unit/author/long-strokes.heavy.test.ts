@@ -4,7 +4,7 @@ import { layOutStrokes } from '../../../packages/furrow/src/author/strokes/lay-o
 import { across } from '../../strokes.ts'
 import { sheet } from './auto/sheet.ts'
 
-test('strokes that are too long together are refused, whether their maps or their areas are drawn', () => {
+test('strokes beyond the total length limit are refused by maps and areas', () => {
   const { positions, uvs, indices } = sheet(8, 0)
   const canvas = skinCanvas({ positions, uvs, indices }, 16, 16, 1)
   const stroke = {
@@ -24,5 +24,5 @@ test('strokes that are too long together are refused, whether their maps or thei
     () => paintAreas(document(110), canvas),
     () => strokesToHeight(document(110).strokes, canvas),
   ])
-    expect(draw).toThrow(/the strokes are too long together, got "1718 strokes", allowed: 100 m;/)
+    expect(draw).toThrow(/strokes too long in total, got "1718 strokes", allowed: 100 m;/)
 })

@@ -200,7 +200,7 @@ describe('commands refuse in one line', () => {
       const mesh = { name: 'hostile', primitives: Array(times).fill(primitive) }
       return shop.write('hostile.glb', joinGlb({ json: { ...json, meshes: [mesh] }, bin }))
     }
-    const onTop = 'too many triangles of the skin lie on top of each other in its texture'
+    const onTop = 'too many overlapping triangles in UV space'
     await shop.fails(onTop, 'auto', hostile(400, 1), ...out)
     const product = 'the mesh "hostile" has too many triangles times blendshapes'
     await shop.fails(product, 'auto', hostile(20, 1200), ...out)

@@ -24,15 +24,14 @@ describe('furrow uv', () => {
     expect(green).toBeGreaterThan(blue)
   })
 
-  it('refuses triangles that lie on top of each other by the hundred', async () => {
+  it('refuses hundreds of overlapping triangles', async () => {
     const piled = editGlb(await faceBytes(['head']), ({ meshes }) => {
       meshes[0].primitives = Array(200).fill(meshes[0].primitives[0])
     })
     const path = shop.write('piled.glb', piled)
-    const onTop =
-      'too many triangles of the skin lie on top of each other in its texture, got "200 times its size"'
+    const onTop = 'too many overlapping triangles in UV space, got "200 times the texture"'
     await shop.fails(onTop, 'uv', path, '-o', shop.path('x.png'))
-    await shop.fails('too many triangles', 'inspect', path, '--sheet', shop.path('x.png'))
+    await shop.fails('too many overlapping triangles', 'inspect', path, '--sheet', shop.path('x.png'))
   })
 
   it('takes another mesh by name, and refuses one that is not there', async () => {

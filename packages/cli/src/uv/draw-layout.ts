@@ -7,7 +7,7 @@ import sharp from 'sharp'
  *
  * @param size side in texels.
  * @returns RGBA, size x size texels.
- * @throws FurrowError when the base colour cannot be decoded, or triangles lie on top of each other by the hundred.
+ * @throws FurrowError if the base colour cannot be decoded, or hundreds of triangles overlap.
  */
 export async function drawSkinLayout(
   glb: Glb,

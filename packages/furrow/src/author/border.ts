@@ -1,44 +1,43 @@
 /**
- * What lies beyond the border of a UV island. Filtering and mipmaps read texels there, so every map needs values for them.
+ * Fills texels beyond the border of UV islands, where filtering and mipmaps read them:
  *
- * | map | policy | why |
- * | --- | --- | --- |
- * | strokes and `auto`: height, occlusion, areas, strain | `extendPlanes` | they follow from the position on the skin: where it continues in the plane of its border triangle, both sides of a seam are filtered alike |
- * | metric | `copyNearest` | polygons and slopes read it at any texel, and a copied form stays positive definite |
- * | normals made from heights | none | they follow from the heights and the metric of the texels around them |
- * | `bake`: normal, height, occlusion; `targetArea` | `dilate` | only values of texels are known; means hide the steps between them |
+ * - Strokes and `auto` (height, occlusion, areas, strain) use `extendPlanes`, because values follow from the position on the skin. Both sides
+ *   of a seam filter alike.
+ * - The metric uses `copyNearest`, because polygons and slopes read it at any texel. Copies stay positive definite.
+ * - Normals from heights need no filling: they derive from the heights and the metric of neighbouring texels.
+ * - `bake` and `targetArea` use `dilate`, because only texel values are known. Averaging hides the steps between them.
  */
 
 import { length2 } from '../math/vector.ts'
 
 /** Texels beyond an island that filtering without mipmaps reads. */
 export const FILTER_MARGIN = 3
-/** Texels that maps with mipmaps need: at the third level filtering reads 12 texels beyond, and slopes are taken over two more. */
+/** Texels beyond an island that mipmapped maps need: at the third level filtering reads 12 texels beyond, and slopes need two more. */
 export const MIPMAP_MARGIN = 14
 
-/** An edge of a triangle at the border of an island, in texels. */
+/** Triangle edge at the border of an island, in texels. */
 export interface BorderEdge {
   triangle: number
-  /** Where it starts, and the vector to its end. */
+  /** Start, and the vector to the end. */
   x: number
   y: number
   dx: number
   dy: number
 }
 
-/** How many edges shorter than a texel are continued from one texel: beyond it their planes cannot be told apart. */
-const MOST_SHORT_EDGES = 8
-/** Side of a square of texels that an edge leaves out together where others are nearer. */
+/** Maximum number of edges shorter than a texel extended from one texel: their planes are indistinguishable beyond it. */
+const MAX_SHORT_EDGES = 8
+/** Side of a square block of texels, skipped as one if other edges are nearer. */
 const BLOCK = 4
-/** More than what single precision adds to the square of a distance. */
+/** Margin for single-precision rounding of a squared distance. */
 const ROUNDING = 1.000001
 
 /**
- * Continues border triangles in their planes: each free texel within the margin goes to the triangle of the nearest edge. Where edges are
- * dense, each reaches only as far as the next: hundreds of thousands of triangles may have no neighbours.
+ * Extends border triangles in their planes: each free texel within the margin goes to the triangle of the nearest edge.
+ * Where edges are dense, each reaches only as far as the next, because hundreds of thousands of triangles may have no neighbours.
  *
- * @param edges are gone through twice.
- * @param claim is given the texel and the triangle, again where a nearer edge is found later.
+ * @param edges iterated twice.
+ * @param claim called with the texel and the triangle, again if a later edge is nearer.
  */
 export function extendPlanes(
   edges: () => Iterable<BorderEdge>,
@@ -60,7 +59,7 @@ export function extendPlanes(
       const t = along < 0 ? 0 : along > 1 ? 1 : along
       const offX = column - x - t * dx
       const offY = row - y - t * dy
-      // The hypotenuse costs ten times as much.
+      // Math.hypot is ten times slower.
       if (offX * offX + offY * offY > ROUNDING * nearest[texel] ** 2) return
       const distance = length2(offX, offY)
       if (distance > margin || distance >= nearest[texel]) return
@@ -91,19 +90,19 @@ export function extendPlanes(
   }
 }
 
-/** The first and last block of those from one coordinate to another. */
+/** Returns the first and last block in a coordinate range. */
 function blocksWithin(low: number, high: number, size: number): [first: number, last: number] {
   return [Math.max(Math.floor(low / BLOCK), 0), Math.floor(Math.min(high, size - 1) / BLOCK)]
 }
 
-/** The edges without those shorter than a texel where too many of them start in the same one. */
+/** Drops edges shorter than a texel if too many start in the same texel. */
 function* thinned(edges: Iterable<BorderEdge>, width: number, height: number): Generator<BorderEdge> {
   const counts = new Uint8Array(width * height)
   for (const edge of edges) {
     const [column, row] = [Math.round(edge.x), Math.round(edge.y)]
     const isInside = column >= 0 && column < width && row >= 0 && row < height
     if (isInside && edge.dx * edge.dx + edge.dy * edge.dy < 1) {
-      if (counts[row * width + column] === MOST_SHORT_EDGES) continue
+      if (counts[row * width + column] === MAX_SHORT_EDGES) continue
       counts[row * width + column]++
     }
     yield edge
@@ -111,8 +110,8 @@ function* thinned(edges: Iterable<BorderEdge>, width: number, height: number): G
 }
 
 /**
- * Of each block at least the distance from any of its texels to the nearest edge: by the steps from block to block to one that an edge starts
- * in (Rosenfeld and Pfaltz 1968, Distance functions on digital pictures).
+ * Computes an upper bound per block on the distance from its texels to the nearest edge. The bound counts steps between blocks, starting at
+ * blocks with an edge's start (Rosenfeld and Pfaltz 1968, Distance functions on digital pictures).
  */
 function distanceBounds(edges: Iterable<BorderEdge>, width: number, height: number): Float32Array {
   const [blocks, rows] = [Math.ceil(width / BLOCK), Math.ceil(height / BLOCK)]
@@ -122,7 +121,7 @@ function distanceBounds(edges: Iterable<BorderEdge>, width: number, height: numb
     const isInside = column >= 0 && column < blocks && row >= 0 && row < rows
     if (isInside) bounds[row * blocks + column] = Math.SQRT2 * BLOCK
   }
-  // Forwards with the neighbours on the left and above, then backwards with those on the right and below.
+  // Forward pass with the left and upper neighbours, then backward with the right and lower ones.
   for (const sign of [1, -1]) {
     for (let n = 0; n < bounds.length; n++) {
       const block = sign > 0 ? n : bounds.length - 1 - n
@@ -130,7 +129,7 @@ function distanceBounds(edges: Iterable<BorderEdge>, width: number, height: numb
         for (let across = -1; across <= (up < 0 ? 1 : -1); across++) {
           const column = (block % blocks) + sign * across
           if (column < 0 || column >= blocks) continue
-          // Above the first row and below the last it is NaN, which is never less.
+          // NaN above the first row and below the last, which is never less.
           const step = across !== 0 && up !== 0 ? Math.SQRT2 : 1
           const bound = bounds[block + sign * (across + up * blocks)] + step * BLOCK
           if (bound < bounds[block]) bounds[block] = bound
@@ -142,11 +141,11 @@ function distanceBounds(edges: Iterable<BorderEdge>, width: number, height: numb
 }
 
 /**
- * Copies the value of the nearest texel that has one to all others, breadth first over the four neighbours.
+ * Copies the value of the nearest known texel to all others, breadth first over four neighbours.
  *
  * @param known 1 where a texel has a value.
- * @param width of the maps in texels.
- * @param maps one value per texel; changed.
+ * @param width map width in texels.
+ * @param maps one value per texel; changed in place.
  */
 export function copyNearest(known: Uint8Array, width: number, maps: readonly Float32Array[]): void {
   const reached = known.slice()
@@ -170,13 +169,13 @@ export function copyNearest(known: Uint8Array, width: number, maps: readonly Flo
 }
 
 /**
- * Extends values outwards from the texels that have one, ring by ring: a new texel gets the mean of those of its eight
- * neighbours that had a value before its ring. Keeps mipmaps and filtering from showing seams round UV islands.
+ * Extends values outwards ring by ring, so that filtering and mipmaps show no seams around UV islands. Each new texel gets the mean of
+ * its eight neighbours that are already known.
  *
- * @param known 1 where a texel has a value; set to 1 for the texels reached.
- * @param width of the map in texels.
- * @param maps `channels` values per texel, interleaved; changed.
- * @param rings how far to extend, in texels.
+ * @param known 1 where a texel has a value; set to 1 for the texels filled.
+ * @param width map width in texels.
+ * @param maps `channels` values per texel, interleaved; changed in place.
+ * @param rings number of rings to fill, in texels.
  */
 export function dilate(
   known: Uint8Array,

@@ -1,15 +1,15 @@
 import { type PixelBox, rasterize } from '../math/rasterize.ts'
 import { uvToTexels } from '../math/triangle.ts'
 
-/** Lets triangles that share an edge both cover the texels on it, in spite of rounding. */
+/** Lets both triangles at a shared edge cover the texels on it despite rounding. */
 const TOLERANCE = 1e-6
 
 /**
- * Visits the texels of a map whose centres a triangle covers.
+ * Visits the texels whose centres a triangle covers.
  *
- * @param uvs u and v of each vertex, v = 0 at the top. Nothing outside 0..1 is visited.
- * @param vertices of the triangle.
- * @param visit is given the texel's index, row by row, and its barycentric coordinates.
+ * @param uvs packed uv per vertex, v = 0 at the top. Texels outside 0..1 are skipped.
+ * @param vertices indices of the triangle's vertices.
+ * @param visit called with the texel's row-major index and its barycentric coordinates.
  */
 export function coverTexels(
   uvs: ArrayLike<number>,

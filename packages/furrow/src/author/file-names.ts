@@ -1,19 +1,19 @@
-/** Most bytes in UTF-8: with an extension and a temporary suffix, a name stays within the 143 of encrypted folders. */
-const MOST_BYTES = 100
+/** Maximum length in UTF-8 bytes. With an extension and a temporary suffix, names stay within the 143 bytes of encrypted folders. */
+const MAX_BYTES = 100
 
-/** What some file system or shell refuses or hides: reserved characters, invisible ones, and dots or spaces at either end. */
+/** Characters that some file system or shell rejects or hides: reserved, invisible, and dots or spaces at either end. */
 const UNSAFE = /[<>:"/\\|?*\p{Cc}\p{Cf}\p{Cs}\p{Cn}\p{Zl}\p{Zp}]|^[ .]+|[ .]+$/gu
 
-/** Names of devices on Windows, with any extension. */
+/** Reserved device names on Windows, with any extension. */
 const DEVICE = /^(con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9¹²³])(?=\.|$)/i
 
 /**
- * Derives the names of files, without extension, from the names of layers or areas: valid on every file system, and different even where
- * case and Unicode normalisation are ignored. A name that is one already is kept. The order of the names matters only where two would be
- * the same.
+ * Derives file names without extension from layer or area names. They are valid on every file system and stay distinct if case and
+ * Unicode normalisation are ignored.
+ * Names that are already valid are kept. Order matters only between names that would collide.
  *
  * @param names distinct names of any characters.
- * @returns one name for each: at most 100 bytes in UTF-8, or some more where a number makes it unique.
+ * @returns one file name per name: at most 100 bytes in UTF-8, plus a number if needed to make it unique.
  */
 export function fileNamesOf(names: readonly string[]): string[] {
   const taken = new Set<string>()
@@ -25,7 +25,7 @@ export function fileNamesOf(names: readonly string[]): string[] {
     taken.add(folded(unique))
     fileNames[index] = unique
   }
-  // A folder that is packed again looks for the maps of a layer under its name: no other layer may take that.
+  // Packing a folder again looks up a layer's maps by its name, so valid names are assigned first.
   const changed: number[] = []
   for (const [i, name] of names.entries()) {
     if (isFileName(name) && !taken.has(folded(name))) take(i)
@@ -35,7 +35,7 @@ export function fileNamesOf(names: readonly string[]): string[] {
   return fileNames
 }
 
-/** Whether a name is the name of a file, without extension, on every file system; only then can a file be its only record. */
+/** Returns whether a name is a valid file name without extension on every file system, so that the file alone can store it. */
 export function isFileName(name: string): boolean {
   return name !== '' && safeName(name) === name.normalize('NFC')
 }
@@ -46,19 +46,19 @@ function safeName(name: string): string {
   return short === plain ? plain : short.replace(/[ .]+$/, '_')
 }
 
-/** As many whole characters as fit. */
+/** Truncates to the maximum length without splitting a character. */
 function shortened(text: string): string {
   const encoder = new TextEncoder()
   let [length, bytes] = [0, 0]
   for (const character of text) {
     bytes += encoder.encode(character).length
-    if (bytes > MOST_BYTES) break
+    if (bytes > MAX_BYTES) break
     length += character.length
   }
   return text.slice(0, length)
 }
 
-/** Equal for names that some file system takes for the same. */
+/** Returns a key that is equal for names that some file system treats as the same. */
 function folded(name: string): string {
   return name.normalize('NFKC').toUpperCase().toLowerCase()
 }

@@ -5,19 +5,20 @@ import { clamp } from '../math/scalar.ts'
 import { copyNearest } from './border.ts'
 import { coverTexels } from './cover-texels.ts'
 
-/** What the metric needs of a mesh. Its arrays are neither changed nor kept. */
+/** Mesh to measure. Its arrays are neither changed nor kept. */
 export interface MetricMesh {
-  /** x, y and z of each vertex, in metres unless said otherwise. */
+  /** Packed xyz per vertex, in metres unless a function says otherwise. */
   positions: ArrayLike<number>
-  /** u and v of each vertex, v = 0 at the top. */
+  /** Packed uv per vertex, v = 0 at the top. */
   uvs: ArrayLike<number>
-  /** Three vertices per triangle. Without them every three vertices are a triangle. */
+  /** Three vertices per triangle. Default: every three vertices form a triangle. */
   indices?: ArrayLike<number>
 }
 
 /**
- * True size of the texture on the skin: per texel the first fundamental form of the surface P(u, v) (do Carmo, Differential
- * Geometry of Curves and Surfaces, 2.5). A small step (du, dv) is sqrt(uu du^2 + 2 uv du dv + vv dv^2) millimetres long.
+ * Size of the texture on the skin: per texel, the first fundamental form of the surface P(u, v) (do Carmo, Differential Geometry of
+ * Curves and Surfaces, 2.5).
+ * A small step (du, dv) is sqrt(uu du^2 + 2 uv du dv + vv dv^2) millimetres long.
  * All maps have width x height values; row 0 is at v = 0.
  */
 export interface Metric {
@@ -29,21 +30,22 @@ export interface Metric {
   uv: Float32Array
   /** dP/dv . dP/dv in mm^2. */
   vv: Float32Array
-  /** 1 where a triangle covers the texel's centre, 0 where the nearest values were copied. */
+  /** 1 where a triangle covers the texel's centre, 0 where the values are copied from the nearest covered texel. */
   inside: Uint8Array
 }
 
-/** Of a model in metres, as glTF has it. */
+/** Millimetres per unit of a model in metres, the unit of glTF. */
 export const MILLIMETRES_PER_METRE = 1000
 
-/** Least squared sine of the angle between dP/du and dP/dv: keeps distances finite on degenerate triangles. */
+/** Minimum squared sine of the angle between dP/du and dP/dv: keeps distances finite on degenerate triangles. */
 const MIN_SQUARED_SINE = 1e-4
 
 /**
- * Measures a mesh in its texture. Forms are averaged at the vertices by area (so that facets do not show), interpolated
- * across triangles, and copied outwards from the UV islands. Where islands overlap, the last triangle wins.
+ * Measures a mesh in its UV space. Forms are averaged at the vertices by area, which hides facets, and interpolated across triangles.
+ * Texels outside the UV islands copy the nearest one.
+ * Where islands overlap, the last triangle wins.
  *
- * @param width in texels, as is height.
+ * @param width map width in texels; also the default height.
  * @param scale millimetres per unit of the positions.
  * @throws FurrowError if no triangle covers a texel, or the arrays are inconsistent.
  */
@@ -66,7 +68,7 @@ export function surfaceMetric(
     inside: new Uint8Array(texels),
   }
   const forms = vertexForms(mesh, scale)
-  // From the last triangle, which wins, to the first: each texel is measured once.
+  // In reverse order, because the last triangle wins: each texel is measured once.
   const triangles = Math.floor(cornerCount(mesh) / 3)
   for (let t = triangles - 1; t >= 0; t--) rasterizeForms(metric, mesh, forms, 3 * t)
   if (!metric.inside.includes(1)) {
@@ -84,7 +86,7 @@ export function surfaceMetric(
 /**
  * Samples the metric bilinearly, clamped at the border.
  *
- * @param form takes uu, uv and vv.
+ * @param form receives uu, uv and vv.
  */
 export function metricAt(metric: Metric, u: number, v: number, form: Float64Array): void {
   const { width, height } = metric
@@ -113,7 +115,7 @@ function vertexAt({ indices }: MetricMesh, corner: number): number {
   return indices ? indices[corner] : corner
 }
 
-/** uu, uv and vv of each vertex: the mean of its triangles by their area in space; NaN where none has area. */
+/** Returns uu, uv and vv per vertex: the area-weighted mean of its triangles, NaN if none has area. */
 function vertexForms(mesh: MetricMesh, scale: number): Float64Array {
   const { positions, uvs } = mesh
   const vertices = positions.length / 3

@@ -6,21 +6,22 @@ import { dilate } from './border.ts'
 import { coverTexels } from './cover-texels.ts'
 import type { MetricMesh } from './metric.ts'
 
-/** Texels by which an area extends beyond the UV islands, so that filtering shows no seams. */
+/** Margin around the UV islands in texels, so that filtering shows no seams. */
 const MARGIN = 2
 /** Weight of skin that moves without being compressed: stretched skin loses its wrinkles. */
 const STRETCHED_WEIGHT = 0.12
-/** Weight of anything that moves at all: does not round to a byte of 0. */
+/** Minimum weight of moving skin, so that it does not round to byte 0. */
 const MIN_WEIGHT = 1.5 / 255
-/** Compression at which skin wrinkles fully, as a fraction of the strongest, which only a few folding triangles reach. */
+/** Compression at which skin wrinkles fully, as a fraction of the maximum, which only a few folding triangles reach. */
 const FULL_COMPRESSION = 0.35
 
 /**
- * The area that a blendshape or a muscle moves. Weights grow with the square root of the displacement, from 0 where the skin holds still
- * to 1 where it moves most, so that the edge is soft and yet everything that moves is included; they are small where skin is stretched
- * rather than compressed, as beyond a muscle's end.
+ * Computes the area that a blendshape or a muscle moves.
+ * Weights grow with the square root of the displacement, from 0 for still skin to 1 at the largest displacement: the edge is soft and
+ * includes everything that moves.
+ * Stretched skin, such as beyond a muscle's end, gets small weights.
  *
- * @param offsets x, y and z by which each vertex moves.
+ * @param offsets packed xyz displacement per vertex.
  * @param size side in texels.
  */
 export function targetArea(mesh: MetricMesh, offsets: ArrayLike<number>, size: number): GrayImage {
@@ -72,7 +73,7 @@ function weightVertices(
   })
 }
 
-/** Fraction by which skin is shortened round each vertex: the mean of its triangles, 0 where nothing is shortened. */
+/** Returns the fraction by which skin is shortened around each vertex: the mean of its triangles, 0 if none is shortened. */
 function vertexCompressions(
   { positions }: MetricMesh,
   triangles: ArrayLike<number>,

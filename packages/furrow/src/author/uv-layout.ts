@@ -11,32 +11,32 @@ const SKIN = [214, 212, 210]
 const WIRE = [40, 44, 52]
 const SEAM = [226, 88, 34]
 
-/** Widths in texels, and the opacity of lines that are as far apart as `SPARSE` or further; denser ones are fainter. */
+/** Line widths in texels. Lines at least `SPARSE` texels apart have `WIRE_OPACITY`; denser lines are fainter. */
 const WIRE_WIDTH = 0.8
 const SEAM_WIDTH = 2
 const WIRE_OPACITY = 0.5
 const SPARSE = 12
 
-/** How much of the base colour shows, 0..1: a template is a guide, not the painting. */
+/** Opacity of the base colour, 0..1: a template is a guide, not the painting. */
 const BASE_OPACITY = 0.6
 
-/** From the upper left in front of a face that looks along +z. */
+/** Light direction: from the upper left, in front of a face that looks along +z. */
 const LIGHT = [-0.35, 0.45, 0.82]
 
-/** What is drawn below the lines of a UV layout. */
+/** Options of `drawUvLayout`. */
 export interface UvLayoutOptions {
-  /** Colour of the skin as RGBA, size x size texels, sRGB; shown faintly. A light gray by default. */
+  /** Base colour, RGBA in sRGB, size x size texels, drawn faintly. Default: light gray. */
   base?: RgbaImage
 }
 
 /**
- * Draws the UV layout of a mesh as a template for painting: its islands shaded as the mesh would be, all edges as thin lines and the
- * borders of islands as thick ones. What no island covers is transparent.
+ * Draws the UV layout of a mesh as a painting template: shaded islands, thin edges and thick island borders. Texels outside the islands
+ * are transparent.
  *
- * @param mesh UVs outside 0..1 are drawn where they repeat.
+ * @param mesh UVs outside 0..1 are wrapped.
  * @param size side of the picture in texels.
- * @returns sRGB, alpha not premultiplied, row 0 at v = 0.
- * @throws FurrowError when triangles lie on top of each other by the hundred.
+ * @returns sRGB with straight alpha, row 0 at v = 0.
+ * @throws FurrowError if hundreds of triangles overlap.
  */
 export function drawUvLayout(mesh: MetricMesh, size: number, { base }: UvLayoutOptions = {}): RgbaImage {
   const triangles = trianglesOf(mesh, size)
@@ -74,11 +74,11 @@ export function drawUvLayout(mesh: MetricMesh, size: number, { base }: UvLayoutO
 
 interface LaidTriangle {
   vertices: [number, number, number]
-  /** x and y of each corner in texels, whose centres are at whole numbers. */
+  /** x and y of each corner in texels; texel centres are at whole numbers. */
   corners: number[]
 }
 
-/** Triangles in the tile 0..1, moved there as a whole. */
+/** Moves each triangle by whole tiles, so that its centre lies in 0..1. */
 function trianglesOf({ positions, uvs, indices }: MetricMesh, size: number): LaidTriangle[] {
   const corners = indices ?? Array.from({ length: positions.length / 3 }, (_, i) => i)
   const triangles: LaidTriangle[] = []
@@ -91,7 +91,7 @@ function trianglesOf({ positions, uvs, indices }: MetricMesh, size: number): Lai
   return triangles
 }
 
-/** 0.7 in the dark to 1 in the light, by smooth normals. */
+/** Shades vertices by their smooth normals: 0.7 (dark) to 1 (lit). */
 function vertexShades({ positions, indices }: MetricMesh): Float64Array {
   const count = positions.length / 3
   const { normals, pointOf } = weldSurface({
@@ -108,12 +108,12 @@ function vertexShades({ positions, indices }: MetricMesh): Float64Array {
 interface Edge {
   start: [x: number, y: number]
   end: [x: number, y: number]
-  /** Number of triangles that have it in the layout: 1 at the border of an island. */
+  /** Number of triangles that share the edge in the layout: 1 at the border of an island. */
   count: number
 }
 
 function edgesOf({ positions, uvs }: MetricMesh, triangles: readonly LaidTriangle[]): Iterable<Edge> {
-  // Vertices that differ in their normals only are one in the layout.
+  // Vertices that differ only in their normals are one point of the layout.
   const points = new Map<string, number>()
   const pointOf = (vertex: number) => {
     const key =
@@ -139,7 +139,7 @@ function edgesOf({ positions, uvs }: MetricMesh, triangles: readonly LaidTriangl
   return edges.values()
 }
 
-/** Covers the texels near a line; where lines cross, the more opaque one counts. */
+/** Covers the texels near a line, keeping the higher opacity where lines cross. */
 function drawLine(
   coverage: Float32Array,
   size: number,
@@ -153,7 +153,7 @@ function drawLine(
   const square = dx * dx + dy * dy
   const rows = [Math.min(y0, y1) - reach, Math.max(y0, y1) + reach]
   for (let y = Math.max(0, Math.ceil(rows[0])); y <= Math.min(size - 1, rows[1]); y++) {
-    // The part of the line in this row and its neighbours.
+    // Clip the line to this row and its neighbours.
     const [s, t] =
       dy === 0 ? [0, 1] : [(y - reach - y0) / dy, (y + reach - y0) / dy].map((at) => clamp(at, 0, 1))
     const [a, b] = [x0 + s * dx, x0 + t * dx]
@@ -168,7 +168,7 @@ function drawLine(
   }
 }
 
-/** Lays a colour over RGBA pixels (Porter and Duff: over, without premultiplied alpha). */
+/** Composites a colour over RGBA pixels (Porter and Duff's over operator, straight alpha). */
 function lay(data: Uint8Array, coverage: Float32Array, colour: readonly number[]): void {
   for (const [i, covered] of coverage.entries()) {
     if (covered === 0) continue

@@ -4,13 +4,13 @@ import { exp } from '../math/elementary.ts'
 import { clamp } from '../math/scalar.ts'
 import type { HeightMap } from './strokes/height.ts'
 
-/** Optical depth in green of the strongest flush: the amplitude of a layer whose blood is drawn. */
+/** Optical depth of the strongest flush in the green channel: the amplitude of layers with drawn blood. */
 export const BLOOD_AMPLITUDE = 0.35
-/** Deepest tone of a valley, as a fraction of the amplitude, and the millimetres of depth at which it has 63% of it. */
+/** Maximum tone of a valley, as a fraction of the amplitude, and the depth in millimetres that reaches 63% of it. */
 const VALLEY = 0.3
 const VALLEY_DEPTH = 0.7
 
-/** The blood of lines: valleys are a little deeper in tone. */
+/** Draws the blood of lines: valleys are slightly darker. */
 export function valleyBlood({ width, height, data }: HeightMap): GrayImage {
   const tones = new Uint8Array(data.length).fill(BLOOD_AT_REST)
   for (let i = 0; i < data.length; i++)
@@ -24,11 +24,11 @@ export function bloodByte(amount: number): number {
 }
 
 /**
- * The blood of a layer whose lines are other ones: what is not the tone of its valleys, such as a flush, stays.
+ * Replaces the valley tones in a layer's blood when its lines change. Everything else, such as a flush, stays.
  *
- * @param blood the map with the old lines.
- * @param before that of the old lines alone, see `valleyBlood`; undefined where they had none.
- * @param after that of the new lines. All have the same size.
+ * @param blood map with the old lines.
+ * @param before `valleyBlood` of the old lines; undefined if they had none.
+ * @param after `valleyBlood` of the new lines. All maps have the same size.
  */
 export function changedBlood(blood: GrayImage, before: GrayImage | undefined, after: GrayImage): GrayImage {
   const tone = (i: number) => after.data[i] - (before ? before.data[i] : BLOOD_AT_REST)

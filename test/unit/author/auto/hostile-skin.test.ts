@@ -12,18 +12,18 @@ import { sheet } from './sheet.ts'
 const repeated = <T>(list: ArrayLike<T>, times: number): T[] =>
   Array.from({ length: times }, () => Array.from(list)).flat()
 
-test('triangles that lie on top of each other by the hundred are refused', () => {
+test('hundreds of overlapping triangles are refused', () => {
   const { uvs, indices } = sheet(8, 0)
   expect(() => checkCoverage({ uvs, indices: repeated(indices, 20) }, 'test')).not.toThrow()
   expect(() => checkCoverage({ uvs, indices: repeated(indices, 200) }, 'test')).toThrow(
-    'too many triangles of the skin lie on top of each other in its texture',
+    'too many overlapping triangles in UV space',
   )
 })
 
 test('strokes are not drawn on such triangles', () => {
   const { positions, uvs, indices } = sheet(8, 0)
   expect(() => skinCanvas({ positions, uvs, indices: repeated(indices, 200) }, 16)).toThrow(
-    'skinCanvas: too many triangles of the skin lie on top of each other in its texture',
+    'skinCanvas: too many overlapping triangles in UV space',
   )
 })
 

@@ -13,11 +13,11 @@ import { type BakeMesh, sharedNormals } from './mesh.ts'
 import { type AnyHit, ambientVisibility } from './occlusion.ts'
 import { interpolateUnit, type TangentSpace, tangentSpaceOf } from './tangent-frame.ts'
 
-/** The detailed surface as rays see it. Directions are unit vectors, lengths are metres. */
+/** Detailed surface for ray casts. Directions are unit vectors; lengths are in metres. */
 export interface BakeSource {
   /**
-   * Finds the nearest hit within `far` on the front of the surface and writes its distance and shading normal (four numbers)
-   * into `hit`. Returns false if there is none.
+   * Finds the nearest hit within `far` on the front of the surface. Writes distance and shading normal (four numbers) into `hit`. Returns
+   * false if nothing is hit.
    */
   closestHit(
     x: number,
@@ -29,7 +29,7 @@ export interface BakeSource {
     far: number,
     hit: Float64Array,
   ): boolean
-  /** For occlusion only. */
+  /** Used only for occlusion. */
   anyHit: AnyHit
 }
 
@@ -37,15 +37,15 @@ export interface BakeSource {
 export interface BakeOptions {
   /** Side of the maps in texels. */
   size?: number
-  /** Largest distance of the detailed surface from the low mesh, outwards or inwards, in metres. */
+  /** Maximum distance between the detailed surface and the low mesh, outwards or inwards, in metres. */
   cage: number
   /** Rays per texel: 1, 4, 9 or 16. */
   samples?: number
   /** Occlusion rays per sample; 0 = no occlusion. */
   occlusionRays?: number
-  /** Largest distance of an occluder in metres. */
+  /** Maximum distance of occluders in metres. */
   occlusionReach?: number
-  /** Texels by which UV islands are dilated. */
+  /** Width in texels by which UV islands are dilated. */
   margin?: number
   /** Bits per channel of the normal map. */
   bits?: 8 | 16
@@ -61,32 +61,33 @@ export const BAKE_DEFAULTS = {
   bits: 8,
 } as const satisfies Omit<BakeOptions, 'cage'>
 
-/** The maps that {@link bakeMaps} makes, and how many of its rays missed. */
+/** Maps baked by {@link bakeMaps}, with statistics of its rays. */
 export interface BakedMaps {
   /** Green towards smaller v. */
   normal: NormalMap
   height: HeightMap
   /** 255 = open. */
   occlusion?: GrayImage
-  /** Samples on the mesh, and how many of their rays hit nothing. */
+  /** Number of samples on the mesh, and of rays that hit nothing. */
   samples: number
   misses: number
-  /** Texels of the UV islands all of whose rays hit nothing: filled from their neighbours, or flat. */
+  /** Number of texels in UV islands without any hit: filled from their neighbours, or flat. */
   emptyTexels: number
 }
 
-/** Bias of the origins of occlusion rays, as a fraction of the mesh's diagonal: float32 hits are inexact. */
+/** Offset of occlusion ray origins, as a fraction of the mesh's diagonal: float32 hits are inexact. */
 const BIAS = 1e-4
 
-/** Tolerance of barycentric coordinates: samples on an edge count for both triangles, none is lost to rounding. */
+/** Barycentric tolerance: samples on an edge count for both triangles, and none is lost to rounding. */
 const TOLERANCE = 1e-9
 
 /**
- * Bakes a detailed surface into maps of a low mesh. From each sample a ray starts `cage` outside the mesh and goes inwards
- * against its smooth normals; the first hit within twice the cage gives the normal, written in the frame in which renderers
- * read the map, and the height above the mesh. Samples are averaged per texel; where islands overlap, all count.
+ * Bakes a detailed surface into maps of a low mesh. A ray per sample starts `cage` outside the mesh and goes inwards along its smooth
+ * normals.
+ * The first hit within twice the cage gives the height and the normal, in the frame in which renderers read the map. Samples are averaged
+ * per texel, also across overlapping islands.
  *
- * @param progress is called now and then with the approximate number of samples done.
+ * @param progress called periodically with the approximate number of samples done.
  * @throws FurrowError if mesh or options are invalid, or no ray hits anything.
  */
 export function bakeMaps(
@@ -187,7 +188,7 @@ export function bakeMaps(
 
 type VisitSample = (first: number, a: number, b: number, c: number, texel: number, seed: number) => void
 
-/** Visits the samples on each triangle, selected in `tangentSpace`; the texture repeats. */
+/** Visits the samples of each triangle, selected in `tangentSpace`. UVs wrap. */
 function visitSamples(
   { uvs }: BakeMesh,
   tangentSpace: TangentSpace,
@@ -209,19 +210,19 @@ function visitSamples(
 
 const wrap = (i: number, side: number) => ((i % side) + side) % side
 
-/** Approximate number of samples on the mesh, by its area in the texture. */
+/** Estimates the number of samples on the mesh by its UV area. */
 function countSamples({ uvs }: BakeMesh, side: number): number {
   let sum = 0
   for (let i = 0; 2 * i < uvs.length; i += 3) sum += uvArea(uvs, i, i + 1, i + 2)
   return sum * side * side
 }
 
-/** Diagonal of the mesh's bounding box in metres. */
+/** Returns the diagonal of the mesh's bounding box in metres. */
 export function meshDiagonal({ positions }: Pick<BakeMesh, 'positions'>): number {
   return length(boundingBoxSize(positions))
 }
 
-/** Normalises, and maps -1..1 to the full range of the bits. */
+/** Normalises, and maps -1..1 to the full range of the bit depth. */
 function encode(normals: Float32Array, bits: 8 | 16): Uint8Array | Uint16Array {
   const out = new (bits === 8 ? Uint8Array : Uint16Array)(normals.length)
   const half = (2 ** bits - 1) / 2
@@ -245,7 +246,7 @@ function check(mesh: BakeMesh, { size, cage, samples }: Required<BakeOptions>): 
   if (!fits || (mesh.tangents && mesh.tangents.length !== 4 * corners)) {
     fail('arrays of the mesh differ in length', mesh.uvs.length, `${corners} corners`, 'check the mesh')
   }
-  // A larger triangle would repeat the texture across itself, which is never intended.
+  // A larger triangle would repeat the texture within itself, which is never intended.
   for (let i = 0; i < mesh.uvs.length; i++) {
     const extent = mesh.uvs[i] - mesh.uvs[i - (i % 6) + (i % 2)]
     if (!(Math.abs(extent) <= 1)) {

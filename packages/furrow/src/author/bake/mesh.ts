@@ -1,20 +1,20 @@
 import { length } from '../../math/vector.ts'
 
-/** A mesh that maps are baked for, unindexed: three corners per triangle. */
+/** Unindexed mesh to bake maps for: three corners per triangle. */
 export interface BakeMesh {
-  /** x, y and z of each corner in metres. */
+  /** Packed xyz per corner, in metres. */
   positions: Float32Array
   /** Unit shading normal of each corner. */
   normals: Float32Array
-  /** u and v of each corner, v = 0 at the top. The texture repeats outside 0..1. */
+  /** Packed uv per corner, v = 0 at the top. UVs outside 0..1 wrap. */
   uvs: Float32Array
-  /** Tangent of each corner, w = 1 or -1 as in glTF. Without tangents the map is for the derivative frame (see TangentFrame). */
+  /** Tangent of each corner, w = 1 or -1 as in glTF. Without tangents, the derivative frame is used (see TangentFrame). */
   tangents?: Float32Array
 }
 
 /**
- * One direction per corner, the same for all corners at the same position: the mean of their normals. Rays cast along it leave
- * no gaps at hard edges or texture seams.
+ * Returns one direction per corner, shared by all corners at the same position: the mean of their normals. Rays along it leave no gaps at
+ * hard edges or UV seams.
  */
 export function sharedNormals({ positions, normals }: Pick<BakeMesh, 'positions' | 'normals'>): Float32Array {
   const sums = new Map<string, Float64Array>()
@@ -33,7 +33,7 @@ export function sharedNormals({ positions, normals }: Pick<BakeMesh, 'positions'
   const shared = new Float32Array(positions.length)
   for (let i = 0; i < corners; i++) {
     const scale = length(sumOf[i])
-    // Where normals cancel out, on a knife edge, each corner keeps its own.
+    // Opposite normals cancel out on a knife edge: each corner keeps its own.
     for (let k = 0; k < 3; k++) shared[3 * i + k] = scale > 1e-3 ? sumOf[i][k] / scale : normals[3 * i + k]
   }
   return shared

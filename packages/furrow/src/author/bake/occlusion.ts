@@ -1,7 +1,7 @@
 import { cos, sin } from '../../math/elementary.ts'
 import { hash32 } from '../../math/hash.ts'
 
-/** Whether a ray hits anything within `far` metres, on either side of a surface. The direction is a unit vector. */
+/** Returns whether a ray hits either side of a surface within `far` metres. The direction is a unit vector. */
 export type AnyHit = (
   x: number,
   y: number,
@@ -13,13 +13,13 @@ export type AnyHit = (
 ) => boolean
 
 /**
- * Ambient visibility of a point: the cosine-weighted fraction of the hemisphere round its normal that is open, 0..1. Rays are
- * distributed by Malley's method (Pharr, Jakob and Humphreys, Physically Based Rendering, 13.6.3) over a Hammersley set,
- * rotated by a random amount that depends on `seed` alone, so that the same seed gives the same result.
+ * Returns the ambient visibility of a point: the cosine-weighted fraction of open directions in the hemisphere around its normal, 0..1.
+ * Rays follow Malley's method (Pharr, Jakob and Humphreys, Physically Based Rendering, 13.6.3) over a Hammersley set, randomly rotated by
+ * `seed`. Deterministic.
  *
  * @param point x, y and z.
  * @param n unit normal.
- * @param rays how many.
+ * @param rays number of rays.
  * @param far length of the rays in metres.
  */
 export function ambientVisibility(
@@ -31,7 +31,7 @@ export function ambientVisibility(
   seed: number,
 ): number {
   const [nx, ny, nz] = [n[0], n[1], n[2]]
-  // Two vectors at right angles to n (Duff et al. 2017, Building an Orthonormal Basis, Revisited).
+  // Two vectors perpendicular to n (Duff et al. 2017, Building an Orthonormal Basis, Revisited).
   const sign = nz < 0 ? -1 : 1
   const a = -1 / (sign + nz)
   const b = nx * ny * a
@@ -51,14 +51,14 @@ export function ambientVisibility(
   return open / rays
 }
 
-/** The bits of i mirrored about the binary point (van der Corput). */
+/** Mirrors the bits of i about the binary point (van der Corput). */
 function radicalInverse(i: number): number {
   let value = 0
   for (let half = 0.5, k = i; k > 0; half /= 2, k >>>= 1) if (k & 1) value += half
   return value
 }
 
-/** 0..1, 1 excluded. */
+/** Returns a random number in 0..1, excluding 1. */
 function random(seed: number): number {
   return hash32(seed) / 4294967296
 }

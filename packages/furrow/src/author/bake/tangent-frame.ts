@@ -8,22 +8,21 @@ export interface TangentSpace {
   /** Selects a triangle by its first corner. */
   select(corner: number): void
   /**
-   * Writes into `out` what a normal map must hold for `direction` to be shaded, not normalised. Returns false, and writes
-   * nothing, where the frame is degenerate.
-   *
-   * @param a, b, c barycentric coordinates.
+   * Computes the normal map value that a renderer shades as `direction`, not normalised. Returns false, leaving `out` unchanged, if the
+   * frame is degenerate. a, b and c are barycentric coordinates.
    */
   encode(a: number, b: number, c: number, direction: ArrayLike<number>, out: Float64Array): boolean
 }
 
-/** Determinant of a frame below which it is degenerate. */
+/** Determinant below which a frame is degenerate. */
 const DEGENERATE = 1e-6
 
 /**
- * The frame in which renderers read the map of this mesh. With tangents it is glTF's: the bitangent is made at the vertices as
- * cross(normal, tangent) w, and all three are interpolated and normalised, as three.js and the Khronos sample renderer do. Without,
- * it is three.js's derivative frame. Neither is orthogonal between vertices, so it is inverted as it is (Cramer's rule): the map
- * decodes to the wanted direction exactly.
+ * Returns the frame in which renderers read this mesh's normal map.
+ * With tangents: glTF's. Bitangents are cross(normal, tangent) w at the vertices; all three vectors are interpolated and normalised, as
+ * in three.js and the Khronos sample renderer.
+ * Without tangents: three.js's derivative frame.
+ * Interpolated frames are not orthogonal, so they are inverted exactly (Cramer's rule).
  */
 export function tangentSpaceOf(mesh: BakeMesh): TangentSpace {
   const readFrame = mesh.tangents ? vertexFrame(mesh, mesh.tangents) : derivativeFrame(mesh)
@@ -52,9 +51,9 @@ export function tangentSpaceOf(mesh: BakeMesh): TangentSpace {
 }
 
 /**
- * Interpolates the unit vectors of a triangle's three corners and normalises the result.
+ * Interpolates unit vectors at the corners of a triangle and normalises the result.
  *
- * @param first corner of the triangle.
+ * @param first first corner of the triangle.
  * @param a, b, c barycentric coordinates.
  */
 export function interpolateUnit(
@@ -77,7 +76,7 @@ interface FrameReader {
   read(wa: number, wb: number, wc: number, n: Float64Array, t: Float64Array, b: Float64Array): void
 }
 
-/** The frame of a mesh with tangents. */
+/** Frame of a mesh with tangents. */
 function vertexFrame({ normals }: BakeMesh, tangents: Float32Array): FrameReader {
   const bitangents = bitangentsOf(normals, tangents)
   let first = 0
@@ -105,9 +104,9 @@ function bitangentsOf(normals: Float32Array, tangents: Float32Array): Float32Arr
 }
 
 /**
- * The frame of a mesh without tangents, three.js's getTangentFrame (Schueler, Normal Mapping Without Precomputed Tangents,
- * ShaderX 5, 2006), with two edges for the two axes of the screen, and green towards smaller v: GLTFLoader flips
- * normalScale.y for meshes without tangents.
+ * Frame of a mesh without tangents: three.js's getTangentFrame (Schueler, Normal Mapping Without Precomputed Tangents, ShaderX 5, 2006).
+ * Triangle edges replace the screen axes. Green points towards smaller v, because GLTFLoader flips normalScale.y for meshes without
+ * tangents.
  */
 function derivativeFrame(mesh: BakeMesh): FrameReader {
   const [u, v] = [new Float64Array(6), new Float64Array(6)]
@@ -130,7 +129,7 @@ function derivativeFrame(mesh: BakeMesh): FrameReader {
   }
 }
 
-/** Both edges of a triangle, each times the change of u (and of v) along the other: the terms of the gradients. */
+/** Computes both edges of a triangle, each scaled by the change of u (or v) along the other: the terms of the gradients. */
 function scaleEdges(
   { positions, uvs, normals }: BakeMesh,
   corner: number,
@@ -141,7 +140,7 @@ function scaleEdges(
   const uv = (i: number, k: number) => uvs[2 * (corner + i) + k] - uvs[2 * corner + k]
   const faceNormal = new Float64Array(3)
   triangleNormal(faceNormal, positions, corner, corner + 1, corner + 2)
-  // On the screen the axes turn to the left as seen from the front, whatever the order of the corners.
+  // Screen axes are counterclockwise as seen from the front, whatever the winding of the triangle.
   const side = dot(faceNormal, normals.subarray(3 * corner, 3 * corner + 3)) < 0 ? -1 : 1
   for (let k = 0; k < 3; k++) {
     const [edge1, edge2] = [position(1, k), position(2, k)]

@@ -13,32 +13,32 @@ import type { Furrows } from './read-furrows.ts'
 import { FURROW_WIDTH, type Seeds, scatterSeeds, squareBy } from './scatter.ts'
 import { SeedGrid } from './seed-grid.ts'
 
-/** Levels of the net, from its cells down: size and depth as fractions. Small furrows divide the cells of large ones. */
+/** Levels of the net, coarse to fine: size and depth as fractions. Fine furrows divide the cells of coarse ones. */
 const LEVELS = [
   { size: 1, depth: 1 },
   { size: 0.45, depth: 0.45 },
 ] as const
 const SOFTNESS = 0.5
-/** Texels across a furrow from which on it is drawn, and from which on it is as deep as it should be. */
-export const LEAST_TEXELS = 1.7
-const ENOUGH_TEXELS = 2.2
-/** Sizes within which the seeds of the three nearest cells are, though distances from some count less. */
+/** Width of a furrow in texels at which it starts to be drawn, and at which it reaches full depth. */
+export const MIN_TEXELS = 1.7
+const FULL_TEXELS = 2.2
+/** Search radius in cell sizes that contains the seeds of the three nearest cells, including seeds with shortened distances. */
 const REACH = 2.2
 
-/** How much shallower furrows are than the deepest: at random, and where they run across lines, of the fraction that distances count less. */
+/** Maximum reductions of furrow depth, as fractions: random, and for furrows that run across the skin's lines. */
 const UNEVEN = 0.85
 const ACROSS = 0.9
 
-/** What furrows are drawn on. */
+/** Canvas for furrows. */
 type FurrowCanvas = Pick<SkinCanvas, 'surface' | 'texels' | 'metric' | 'locator'>
 
 /**
- * Draws the net of fine furrows on a skin (Bando, Kuratate and Nishita 2002, A simple method for modeling wrinkles on human skin): the borders of a
- * cellular pattern (Worley 1996, A cellular texture basis function), divided by those of a finer one. Its cells are stretched along the
- * lines of the skin near them. The pattern is one of space, so that seams of the texture do not show. Furrows that are less than two texels
- * wide are left out.
+ * Draws a net of fine furrows on a skin (Bando, Kuratate and Nishita 2002, A simple method for modeling wrinkles on human skin).
+ * Furrows are the borders of a cellular pattern (Worley 1996, A cellular texture basis function), divided by those of a finer one. Cells
+ * are stretched along nearby lines of the skin.
+ * The pattern is defined in 3D, so UV seams do not show. Furrows narrower than two texels are skipped.
  *
- * @param lines of the skin in millimetres; far from them, cells are as long as wide.
+ * @param lines of the skin in millimetres; far from lines, cells are as long as wide.
  */
 export function furrowHeights(
   canvas: FurrowCanvas,
@@ -67,7 +67,7 @@ export function furrowHeights(
   return { width, height, data }
 }
 
-/** Adds the net of fine furrows to heights. Its cells follow the lines of the strokes. */
+/** Adds a net of fine furrows, stretched along the strokes, to heights. */
 export function addFurrows(
   heights: HeightMap,
   canvas: SkinCanvas,
@@ -82,12 +82,12 @@ export function addFurrows(
   for (let i = 0; i < data.length; i++) heights.data[i] += data[i]
 }
 
-/** How much of a furrow texels can show, 0..1. */
+/** Returns how visible a furrow is at a texel size, 0..1. */
 function resolved(width: number, texelSize: number): number {
-  return smoothstep((width / texelSize - LEAST_TEXELS) / (ENOUGH_TEXELS - LEAST_TEXELS))
+  return smoothstep((width / texelSize - MIN_TEXELS) / (FULL_TEXELS - MIN_TEXELS))
 }
 
-/** Millimetres across the texels of each triangle, along the side on which they are longer. */
+/** Returns the texel size per triangle in millimetres, along the edge with the largest texels. */
 function texelSizesOf({ surface, locator, metric }: FurrowCanvas): Float64Array {
   const sizes = new Float64Array(surface.skinTriangles.length)
   const corners = [0, 1, 2].map((k) => Float64Array.from([0, 1, 2], (n) => (n === k ? 1 : 0)))
@@ -108,7 +108,7 @@ function texelSizesOf({ surface, locator, metric }: FurrowCanvas): Float64Array 
   return sizes
 }
 
-/** Texels between two places; no more than the map has, for triangles that repeat it. */
+/** Returns the texels between two UV points, at most width + height for triangles that repeat the texture. */
 function texelsBetween(from: readonly number[], to: readonly number[], { width, height }: Metric): number {
   return Math.min(length2((to[0] - from[0]) * width, (to[1] - from[1]) * height), width + height)
 }
@@ -118,7 +118,7 @@ function edgeLength(points: Float64Array, corners: Uint32Array, from: number, to
   return length3(points[b] - points[a], points[b + 1] - points[a + 1], points[b + 2] - points[a + 2])
 }
 
-/** Numbers of a seed of a tile: its distance from the middle of the tile, position, metric, and these. */
+/** Offsets within a seed of a tile: distance from the tile's centre, position, metric, then these. */
 const [SIZE, SCALE, VISIBLE, HASH] = [4 + TENSOR, 5 + TENSOR, 6 + TENSOR, 7 + TENSOR]
 const SEED = 8 + TENSOR
 
@@ -126,9 +126,9 @@ const SEED = 8 + TENSOR
 class FurrowPen {
   readonly #seeds: Seeds
   readonly #grid: SeedGrid
-  /** Millimetres within which the two nearest seeds of any position are. */
+  /** Radius in millimetres that contains the two nearest seeds of any position. */
   readonly #reach: number
-  /** The middle of the tile that is drawn, and the seeds near it, `#count` of them, the nearest first. */
+  /** Centre of the current tile, and the `#count` seeds near it, nearest first. */
   readonly #middle = new Float64Array(3)
   #tile = new Float64Array(64 * SEED)
   #count = 0
@@ -140,7 +140,7 @@ class FurrowPen {
     for (const index of seeds.sizes.keys()) this.#grid.add(index)
   }
 
-  /** Gathers the seeds near a box, for the positions in it that follow. */
+  /** Collects the seeds near a box for subsequent positions inside the box. */
   readonly isNear = (low: Float64Array, high: Float64Array): boolean => {
     this.#count = 0
     if (low[0] > high[0]) return false
@@ -164,7 +164,7 @@ class FurrowPen {
       if (third < second) [second, third] = [third, second]
       if (second < nearest) [nearest, second] = [second, nearest]
     }
-    // By its metric a seed is at most as far from a position as from the middle, and half the diagonal; at least as far as less that.
+    // By the triangle inequality, a seed's distance changes by at most half the diagonal between the centre and a position.
     const farthest = third + Math.sqrt(square)
     const near = [...distances.keys()].filter((n) => distances[n] <= farthest)
     near.sort((a, b) => distances[a] - distances[b])
@@ -187,7 +187,7 @@ class FurrowPen {
   }
 
   /**
-   * How deep in a furrow a position of the tile is, 0..1: the deepest of those between its three nearest seeds. The distance to the border
+   * Returns the depth at a position of the tile, 0..1: the deepest furrow between its three nearest seeds. The distance to a border
    * between two cells is half the difference of the distances to their seeds.
    */
   depthAt(position: Float64Array): number {
@@ -206,14 +206,14 @@ class FurrowPen {
       if (third < second) [second, b, third, c] = [third, c, second, b]
       if (second < nearest) [nearest, a, second, b] = [second, b, nearest, a]
     }
-    // As wide on one side as on the other.
+    // Equal width on both sides.
     const width = (seed: number) => FURROW_WIDTH * tile[seed + SCALE] * tile[seed + SIZE]
     const halfWidth = (width(a) + width(b)) / 4
     const visible = (tile[a + VISIBLE] + tile[b + VISIBLE]) / 2
     const valley = (square: number) =>
       valleyAt((Math.sqrt(square) - Math.sqrt(nearest)) / 2 / halfWidth, SOFTNESS)
     const own = this.#strength(a, b) * valley(second)
-    // Beside a shallow furrow, the deeper one that it runs into.
+    // Beside a shallow furrow, include the deeper one that it joins.
     const next = valley(third)
     return (
       visible *
@@ -221,12 +221,12 @@ class FurrowPen {
     )
   }
 
-  /** Depth of the furrow between two seeds of the tile, as a fraction: they differ, and are shallower across the lines of the skin. */
+  /** Returns the depth of the furrow between two seeds, as a fraction: random, and shallower across the lines of the skin. */
   #strength(a: number, b: number): number {
     const tile = this.#tile
     const [dx, dy, dz] = [tile[b + 1] - tile[a + 1], tile[b + 2] - tile[a + 2], tile[b + 3] - tile[a + 3]]
     const square = dx * dx + dy * dy + dz * dz
-    // How much less distances count along this way than across the lines.
+    // Fraction by which distances are shorter in this direction than across the lines.
     const across = (seed: number) => squareBy(tile, seed + 4, dx, dy, dz) / tile[seed + SCALE] ** 2
     const along = 2 * square - across(a) - across(b)
     const random = hash32(tile[a + HASH] ^ tile[b + HASH]) / 2 ** 32

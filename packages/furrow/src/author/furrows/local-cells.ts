@@ -3,20 +3,20 @@ import { positionAt } from '../skin/walk.ts'
 import type { LocatedSkin } from '../strokes/curve.ts'
 import type { Furrows } from './read-furrows.ts'
 
-/** Numbers of a region: its centre, the square of its radius, size and depth. */
+/** Count of numbers per region: centre, squared radius, size and depth. */
 const REGION = 6
-/** Weight of regions, together, at which the net is as deep as they say. */
+/** Total weight of regions at which the net reaches full depth. */
 const FULL = 0.6
 
-/** How large and deep the cells of a net are, from place to place. */
+/** Size and depth of a net's cells by position. */
 export class LocalCells {
-  /** The smallest and the largest size in millimetres. */
+  /** Smallest and largest size in millimetres. */
   readonly smallest: number
   readonly largest: number
-  /** Of the last position: millimetres across a cell, and of its depth, which is 0 where there is no net. */
+  /** Cell size and depth at the last position, in millimetres; depth is 0 outside the net. */
   size: number
   depth: number
-  /** Undefined where the cells are the same everywhere. */
+  /** Undefined if cells are uniform. */
   readonly #regions: Float64Array | undefined
 
   constructor({ size, depth, regions }: Furrows, { surface, locator }: LocatedSkin) {
@@ -36,7 +36,7 @@ export class LocalCells {
     this.largest = Math.max(...sizes)
   }
 
-  /** Finds the cells of a position: means of those of the regions it is in, by weights that fall to 0 at their radius. */
+  /** Computes the cells at a position: means of the regions that contain it, by weights that fall to 0 at their radius. */
   find(x: number, y: number, z: number): void {
     const regions = this.#regions
     if (!regions) return
@@ -53,7 +53,7 @@ export class LocalCells {
     this.depth = total > 0 ? (depth / total) * smoothstep(total / FULL) : 0
   }
 
-  /** Whether there may be a net in a box. */
+  /** Returns whether a box may contain a part of the net. */
   isIn(low: Float64Array, high: Float64Array): boolean {
     const regions = this.#regions
     if (!regions) return true

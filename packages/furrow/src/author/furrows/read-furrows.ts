@@ -1,33 +1,33 @@
 import { type JsonReader, or, type Uv } from '../../core/json.ts'
 
-/** The net of fine furrows that covers skin. */
+/** Net of fine furrows on the skin. */
 export interface Furrows {
-  /** Millimetres across a cell of the net, 0.2..20. */
+  /** Size of a cell in millimetres, 0.2..20. */
   size: number
-  /** Greatest depth of a furrow in millimetres, 0..2. */
+  /** Maximum depth of a furrow in millimetres, 0..2. */
   depth: number
-  /** How many times as long cells are along the lines of the skin as across, 1..2. */
+  /** Ratio of the length of cells along the lines of the skin to their width, 1..2. */
   stretch: number
-  /** 0..2^31 - 1; another one gives another net. */
+  /** Random seed, 0..2^31 - 1; same seed, same net. */
   seed: number
-  /** Name of its layer, in a document with the strokes of several. */
+  /** Name of the net's layer, in documents with several layers. */
   layer?: string
-  /** Where the net is, with sizes and depths of their own; all skin by default. */
+  /** Parts of the skin with their own sizes and depths; default: all skin. */
   regions?: FurrowRegion[]
 }
 
-/** A part of the skin with cells of its own: what is within a sphere. Where several overlap, cells are between those of each. */
+/** Part of the skin, inside a sphere, with its own cells. Overlapping regions blend. */
 export interface FurrowRegion {
-  /** Its centre, a place on the skin: [u, v], both 0..1, v = 0 at the top. */
+  /** Centre on the skin: [u, v], both 0..1, v = 0 at the top. */
   at: Uv
-  /** Millimetres from the centre at which the net has faded out, 1..1000. */
+  /** Radius in millimetres, 1..1000, where the net has faded out. */
   radius: number
-  /** As of `Furrows`. */
+  /** See `Furrows`. */
   size: number
   depth: number
 }
 
-/** A net of adult skin, between those of a cheek at 30 and at 70 years that `furrow auto` makes (docs/auto.md has the sources). */
+/** Net of adult skin, between those that `furrow auto` makes for a cheek at 30 and at 70 years (sources in docs/auto.md). */
 export const FINE_FURROW_DEFAULTS = {
   size: 1.5,
   depth: 0.05,
@@ -35,7 +35,7 @@ export const FINE_FURROW_DEFAULTS = {
   seed: 1,
 } as const satisfies Furrows
 
-const REGIONS_AT_MOST = 64
+const MAX_REGIONS = 64
 
 /** Reads the `furrows` of a strokes document. Throws FurrowError through `read`. */
 export function readFurrows(read: JsonReader, json: unknown): Furrows {
@@ -48,7 +48,7 @@ export function readFurrows(read: JsonReader, json: unknown): Furrows {
   if (field.layer !== undefined) furrows.layer = read.name(field.layer, 'furrows.layer')
   if (field.regions !== undefined) {
     furrows.regions = read
-      .array(field.regions, 'furrows.regions', 1, REGIONS_AT_MOST)
+      .array(field.regions, 'furrows.regions', 1, MAX_REGIONS)
       .map((region, i) => readRegion(read, region, `furrows.regions[${i}]`, furrows))
   }
   return furrows

@@ -9,70 +9,69 @@ import { SeedGrid } from './seed-grid.ts'
 
 /** Seeds of cells. */
 export interface Seeds {
-  /** x, y and z of each. */
+  /** Packed xyz. */
   positions: Float64Array
-  /** Of each the matrix by which the squares of distances from it are measured, `TENSOR` numbers. */
+  /** Matrix of each seed that measures squared distances from it, `TENSOR` numbers. */
   metrics: Float64Array
-  /** Millimetres across its cell. */
+  /** Size of each cell in millimetres. */
   sizes: Float64Array
-  /** By how much the matrix makes distances shorter, at most 1, besides along the lines of the skin. */
+  /** Isotropic factor of each matrix on distances, at most 1. */
   scales: Float64Array
-  /** How much of the furrows round it texels can show, 0..1. */
+  /** Visibility of the furrows around each seed at the texel size, 0..1. */
   visible: Float64Array
-  /** A random whole number of each. */
+  /** Random integer of each seed. */
   hashes: Uint32Array
 }
 
-/** What cells are like on a skin. */
+/** Distribution of cells on a skin. */
 export interface CellSource {
   surface: SkinSurface
   /** `directionsAlong` at the points of the surface. */
   directions: Float64Array
   cells: LocalCells
-  /** How many times as long as wide they are on a line. */
+  /** Ratio of length to width of cells on a line. */
   stretch: number
   seed: number
-  /** Fraction of the size of `cells` that these have. */
+  /** Size of this level's cells, as a fraction of `cells`. */
   part: number
-  /** How much of a furrow the texels of a triangle can show, 0..1. */
+  /** Returns how visible a furrow is at the texel size of a triangle, 0..1. */
   visible(triangle: number, width: number): number
 }
 
-/** Width of a furrow as a fraction of its cells' size. */
+/** Width of a furrow as a fraction of the cell size. */
 export const FURROW_WIDTH = 0.3
 
-/** Side of a cell of the lattice that candidates lie in, as a fraction of the smallest size. */
+/** Spacing of the candidate lattice as a fraction of the smallest cell size. */
 const LATTICE = 0.5
-/** Distance from the skin within which they count, as a fraction of the lattice's side: one per square of the lattice's side then does. */
+/** Maximum distance of candidates from the skin in lattice spacings. On average it selects one candidate per square of the spacing. */
 const SHELL = 0.5
-/** Least distance of two seeds as a fraction of the size: random disks so wide leave that size between their centres, on average. */
-const APART = 0.8
+/** Minimum distance between seeds as a fraction of the size: random disks this wide leave the size between centres on average. */
+const SEED_SPACING = 0.8
 /**
- * How much less than others' distances from a seed may count, as a fraction. Borders between cells of one kind are straight, and read as scales;
- * where distances from two seeds count differently, they are arcs (a multiplicatively weighted Voronoi diagram), and cells differ in size.
+ * Maximum reduction of distances from a seed, as a fraction. With equal seeds borders are straight and look like scales.
+ * Unequal seeds give arcs (a multiplicatively weighted Voronoi diagram) and cells of different sizes.
  */
-const UNEQUAL = 0.35
-/** Longest edge of a triangle whose box is searched, in cells of the lattice. */
-const LONGEST = 8
-/** Candidates at most, about: the lattice is coarser where there would be more. */
-const MOST_CANDIDATES = 1_500_000
+const MAX_SHORTENING = 0.35
+/** Maximum edge of a searched triangle in lattice spacings; longer ones are split. */
+const MAX_EDGE = 8
+/** Approximate maximum number of candidates; the lattice gets coarser to stay below. */
+const MAX_CANDIDATES = 1_500_000
 
 /**
- * Scatters seeds over a skin so that no two are near each other, and hardly a gap is between (Poisson disks). Candidates are the points of
- * a jittered lattice in space that are next to the skin: neither its triangles nor its texture change them. Where the skin has a direction,
- * disks are ellipses along it.
+ * Scatters seeds over a skin as Poisson disks. Candidates are the points of a jittered lattice in space close to the skin, independent of
+ * triangles and UVs. Where the skin has a direction, disks are ellipses along it.
  */
 export function scatterSeeds(source: CellSource): Seeds {
   const candidates = candidatesOn(source)
   const { positions, metrics, sizes } = candidates
   const count = sizes.length
-  const largest = APART * source.part * source.cells.largest * source.stretch
+  const largest = SEED_SPACING * source.part * source.cells.largest * source.stretch
   const grid = new SeedGrid(positions, largest)
   const kept: number[] = []
   for (const index of inRandomOrder(candidates.hashes)) {
     const position = positions.subarray(3 * index, 3 * index + 3)
     const [x, y, z] = position
-    const radius = APART * sizes[index]
+    const radius = SEED_SPACING * sizes[index]
     const near = grid.search(position, position, radius * source.stretch)
     let isFree = true
     for (let n = 0; n < near.length && isFree; n++) {
@@ -101,7 +100,7 @@ export function scatterSeeds(source: CellSource): Seeds {
   }
 }
 
-/** The square of a distance by the matrix that begins at an index. */
+/** Returns a squared distance by the matrix at an offset. */
 export function squareBy(m: Float64Array, i: number, dx: number, dy: number, dz: number): number {
   return (
     m[i] * dx * dx +
@@ -111,20 +110,20 @@ export function squareBy(m: Float64Array, i: number, dx: number, dy: number, dz:
   )
 }
 
-/** Indices in the order of their hashes. */
+/** Sorts indices by their hashes. */
 function inRandomOrder(hashes: Uint32Array): Uint32Array {
-  // Both numbers fit into the 53 bits of one.
+  // Pack hash and index into the 53 bits of a number.
   const bits = 2 ** 21
   const keys = Float64Array.from(hashes, (hash, i) => hash * bits + (i % bits)).sort()
   return Uint32Array.from(keys, (key) => key % bits)
 }
 
-/** Points of the lattice next to the skin that a furrow could be seen at. */
+/** Finds lattice points close to the skin where furrows would be visible. */
 function candidatesOn(source: CellSource): Seeds {
   const { surface, cells, part, seed } = source
   const triangles = visibleTriangles(source)
   const area = triangles.reduce((sum, { area }) => sum + area, 0)
-  const side = Math.max(LATTICE * part * cells.smallest, Math.sqrt(area / MOST_CANDIDATES))
+  const side = Math.max(LATTICE * part * cells.smallest, Math.sqrt(area / MAX_CANDIDATES))
   const [positions, metrics, sizes, scales, visibles, hashes]: number[][] = [[], [], [], [], [], []]
   const seen = new Set<number>()
   const [point, weights, normal] = [new Float64Array(3), new Float64Array(3), new Float64Array(3)]
@@ -143,11 +142,11 @@ function candidatesOn(source: CellSource): Seeds {
     if (!(weights[0] >= 0 && weights[1] >= 0 && weights[2] >= 0)) return
     cells.find(point[0], point[1], point[2])
     if (cells.depth === 0) return
-    // Skin in folds may come by twice.
+    // Folded skin may reach a cell twice.
     const key = ((i & 0x1ffff) * 0x20000 + (j & 0x1ffff)) * 0x20000 + (k & 0x1ffff)
     if (seen.has(key)) return
     seen.add(key)
-    const scale = 1 - UNEQUAL * (hash32(~hash) / 2 ** 32)
+    const scale = 1 - MAX_SHORTENING * (hash32(~hash) / 2 ** 32)
     metricAt(metric, source, triangle, weights, scale)
     positions.push(point[0], point[1], point[2])
     metrics.push(metric[0], metric[1], metric[2], metric[3], metric[4], metric[5])
@@ -158,7 +157,7 @@ function candidatesOn(source: CellSource): Seeds {
   }
   const visitBox = (triangle: VisibleTriangle, a: Position, b: Position, c: Position) => {
     const longest = longestEdge(a, b, c)
-    if (longest.square > (LONGEST * side) ** 2) {
+    if (longest.square > (MAX_EDGE * side) ** 2) {
       const [from, to, other] = longest.corners
       const middle = [0, 1, 2].map((n) => (from[n] + to[n]) / 2)
       visitBox(triangle, from, middle, other)
@@ -196,11 +195,11 @@ function candidatesOn(source: CellSource): Seeds {
 interface VisibleTriangle {
   triangle: number
   area: number
-  /** How much of its furrows texels can show, more than 0. */
+  /** Visibility of its furrows at the texel size, more than 0. */
   visible: number
 }
 
-/** Triangles that have a net which the texels can show. */
+/** Finds the triangles with a net visible at the texel size. */
 function visibleTriangles({ surface, cells, part, visible }: CellSource): VisibleTriangle[] {
   const found: VisibleTriangle[] = []
   const [low, high, normal] = [new Float64Array(3), new Float64Array(3), new Float64Array(3)]
@@ -219,7 +218,7 @@ function visibleTriangles({ surface, cells, part, visible }: CellSource): Visibl
 
 type Position = ArrayLike<number>
 
-/** The longest edge of a triangle: the square of its length, its two corners and the third. */
+/** Returns the longest edge of a triangle: squared length, its two corners and the third. */
 function longestEdge(a: Position, b: Position, c: Position) {
   const square = (p: Position, q: Position) => (p[0] - q[0]) ** 2 + (p[1] - q[1]) ** 2 + (p[2] - q[2]) ** 2
   const [ab, bc, ca] = [square(a, b), square(b, c), square(c, a)]
@@ -228,7 +227,7 @@ function longestEdge(a: Position, b: Position, c: Position) {
   return { square: ca, corners: [c, a, b] as const }
 }
 
-/** The identity, less what counts along the direction of the skin's lines, for distances times a scale. */
+/** Computes the metric at a position: identity shortened along the skin's lines, times the squared scale. */
 function metricAt(
   out: Float64Array,
   source: CellSource,

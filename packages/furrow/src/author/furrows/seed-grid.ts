@@ -1,18 +1,18 @@
-/** Positions by the cells of a cubic grid, in arrays: hashed, so that only cells with positions take memory. */
+/** Cubic grid of positions, hashed, so that only occupied cells use memory. */
 export class SeedGrid {
   readonly #positions: Float64Array
   readonly #side: number
   readonly #mask: number
-  /** The last position of each bucket, and the one before each position; -1 where there is none. */
+  /** Last position of each bucket, and the previous one of each position; -1 if none. */
   readonly #last: Int32Array
   readonly #before: Int32Array
-  /** The cell of each position. */
+  /** Cell of each position. */
   readonly #cells: Int32Array
   readonly #found: Int32Array
 
   /**
-   * @param positions x, y and z of each; those that are added are not changed any more.
-   * @param side of a cell.
+   * @param positions packed xyz; entries must not change once added.
+   * @param side cell size.
    */
   constructor(positions: Float64Array, side: number) {
     const count = positions.length / 3
@@ -34,10 +34,10 @@ export class SeedGrid {
   }
 
   /**
-   * Finds what was added in the cells that a box touches.
+   * Finds the positions added in the cells that a box touches.
    *
-   * @param reach by which the box is larger than its lowest and highest corner say.
-   * @returns indices, until the next search.
+   * @param reach distance by which the box is expanded.
+   * @returns indices, valid until the next search.
    */
   search(low: ArrayLike<number>, high: ArrayLike<number>, reach: number): Int32Array {
     const [cells, found] = [this.#cells, this.#found]
@@ -49,7 +49,7 @@ export class SeedGrid {
       for (let j = j0; j <= j1; j++) {
         for (let k = k0; k <= k1; k++) {
           for (let n = this.#last[this.#bucket(i, j, k)]; n >= 0; n = this.#before[n]) {
-            // Other cells may have the same bucket.
+            // Several cells may share a bucket.
             if (cells[3 * n] === i && cells[3 * n + 1] === j && cells[3 * n + 2] === k) found[count++] = n
           }
         }

@@ -1,15 +1,15 @@
 import { FurrowError } from '../../core/error.ts'
 import { type Edges, slopeAt } from './slope.ts'
 
-/** A bump map (Blinn 1978) on a flat image, painted or photographed; needs no mesh to be measured on. */
+/** Bump map (Blinn 1978) of a flat image, painted or photographed; needs no mesh. */
 export interface BumpMap {
   width: number
   height: number
-  /** Heights in texels: 1 is as high as a texel is wide. width x height values, row 0 at the top. */
+  /** Heights in texel widths, width x height values, row 0 at the top. */
   data: ArrayLike<number>
 }
 
-/** A tangent-space normal map of 8 or 16 bits per channel. */
+/** Tangent-space normal map with 8 or 16 bits per channel. */
 export interface NormalMap {
   width: number
   height: number
@@ -17,7 +17,7 @@ export interface NormalMap {
   data: Uint8Array | Uint16Array
 }
 
-/** Direction of green: `up`, towards smaller v, as in glTF and OpenGL; `down` as in Direct3D. */
+/** Direction of green: `up` (towards smaller v) as in glTF and OpenGL, `down` as in Direct3D. */
 export type Green = 'up' | 'down'
 
 /** Options of {@link bumpToNormal}; defaults are {@link BUMP_DEFAULTS}. */
@@ -31,11 +31,11 @@ export interface BumpOptions {
 export const BUMP_DEFAULTS = { edges: 'clamp', green: 'up', bits: 8 } as const satisfies BumpOptions
 
 /**
- * Normal map of a bump map with square texels of uniform size: n = (-dh/dx, -dh/dy, 1), normalised (do Carmo, Differential Geometry of
- * Curves and Surfaces, 2.5: the normal of a graph), dh by `slopeAt`. Rounding turns a normal by up to 0.32 degrees with 8 bits, 0.0012
+ * Converts a bump map with square texels to a normal map. Normals are (-dh/dx, -dh/dy, 1), normalised, with dh by `slopeAt` (the normal of a
+ * graph: do Carmo, Differential Geometry of Curves and Surfaces, 2.5). Rounding turns a normal by at most 0.32 degrees with 8 bits, 0.0012
  * degrees with 16.
  *
- * @param progress is called now and then with the number of rows done.
+ * @param progress called periodically with the number of rows done.
  * @throws FurrowError if the data does not match its size.
  */
 export function bumpToNormal(
@@ -56,7 +56,7 @@ export function bumpToNormal(
   }
   const data = new (bits === 8 ? Uint8Array : Uint16Array)(3 * width * height)
   const half = (2 ** bits - 1) / 2
-  // Rows go down, green goes up: a bump that rises downwards leans upwards.
+  // Rows go down and green goes up, so a downward slope is positive green.
   const greenSign = green === 'up' ? 1 : -1
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {

@@ -8,22 +8,23 @@ import type { HeightMap } from '../strokes/height.ts'
 import { SLOPE_REACH, slopeAt } from './slope.ts'
 
 /**
- * The frame in which a renderer reads a normal map.
+ * Tangent frame in which a renderer reads a normal map.
  *
- * `orthonormal`: MikkTSpace's, for meshes with tangents: unit tangent along +u, unit bitangent at a right angle to it.
- * `derivative`: three.js's for meshes without tangents: the gradients of u and v on the surface, both divided by the
- * longer of the two (Schueler, Normal Mapping Without Precomputed Tangents, ShaderX 5, 2006). It follows the deformed
- * surface, so that a crease drawn for it survives where an expression shears the skin.
+ * `orthonormal`: MikkTSpace, for meshes with tangents: unit tangent along +u, perpendicular unit bitangent.
+ * `derivative`: three.js for meshes without tangents. The gradients of u and v on the surface, both divided by the longer one (Schueler,
+ * Normal Mapping Without Precomputed Tangents, ShaderX 5, 2006).
+ * This frame follows the deformed surface, so creases survive where an expression shears the skin.
  *
- * The two agree wherever the texture is neither stretched nor sheared.
+ * Both agree where the texture is neither stretched nor sheared.
  */
 export type TangentFrame = 'orthonormal' | 'derivative'
 
 /**
- * Tangent-space normal map of heights: linear bytes, (n + 1) * 127.5 rounded, +Y (green) towards smaller v as in
- * glTF, alpha 255. Slopes are millimetres per millimetre on the skin: the gradient of the height is taken through the
- * first fundamental form (do Carmo, 2.5, exercise 14), then written in `frame`. Derivatives span five texels
- * (`slopeAt`); a wave of 8 texels keeps 95% of its slope, of 16 texels 99.8%.
+ * Converts heights to a tangent-space normal map: linear bytes, (n + 1) * 127.5 rounded, +Y (green) towards smaller v as in glTF, alpha
+ * 255.
+ * Slopes are millimetres per millimetre on the skin: the gradient is taken through the first fundamental form (do Carmo, 2.5, exercise
+ * 14), then written in `frame`.
+ * Derivatives span five texels (`slopeAt`): waves of 8 texels keep 95% of their slope, waves of 16 texels 99.8%.
  *
  * @throws FurrowError if height map and metric differ in size.
  */
@@ -36,9 +37,9 @@ export function heightToNormal(
 }
 
 /**
- * `heightToNormal` with a last word on the slopes.
+ * Converts heights like `heightToNormal`, with a final adjustment of the slopes.
  *
- * @param turn may change the two slopes of a texel, as they stand in red and green; it is not called where both are 0.
+ * @param turn may change the two slopes of a texel (red, green); skipped where both are 0.
  */
 export function turnedNormals(
   heights: HeightMap,
@@ -64,7 +65,7 @@ export function turnedNormals(
 /**
  * Draws a rectangle of `turnedNormals`.
  *
- * @param normal takes the normals; of the size of height map and metric.
+ * @param normal receives the normals; same size as height map and metric.
  */
 export function drawNormals(
   { data }: RgbaImage,
@@ -85,7 +86,7 @@ export function drawNormals(
       data[4 * i + 3] = 255
     }
   }
-  // Most skin has no wrinkle.
+  // Most skin has no wrinkles.
   const sloping = slopingTexels(heights, { x0, y0, x1, y1 })
   for (let y = y0; y < y1; y++) {
     for (let x = sloping[2 * (y - y0)]; x < sloping[2 * (y - y0) + 1]; x++) {
@@ -98,12 +99,12 @@ export function drawNormals(
       const vv = metric.vv[i]
       const det = uu * vv - uv * uv
       if (frame === 'derivative') {
-        // The gradient is hu grad(u) + hv grad(v), and |grad u|^2 = vv / det, |grad v|^2 = uu / det.
+        // The gradient is hu grad(u) + hv grad(v), with |grad u|^2 = vv / det and |grad v|^2 = uu / det.
         const longer = Math.sqrt(Math.max(uu, vv) / det)
         slope[0] = -longer * hu
         slope[1] = longer * hv
       } else {
-        // At a right angle to u the surface extends sqrt(det / uu) per unit of v; the part of v along u is subtracted.
+        // Perpendicular to u the surface extends sqrt(det / uu) per unit of v; subtract the part of v along u.
         slope[0] = -hu / Math.sqrt(uu)
         slope[1] = (hv - (uv / uu) * hu) * Math.sqrt(uu / det)
       }
@@ -117,7 +118,7 @@ export function drawNormals(
   }
 }
 
-/** Of each row of a rectangle the first texel that may have a slope, and the one behind the last: within reach of heights that are not 0. */
+/** Returns the range of texels per row that may have a slope: within reach of nonzero heights, end exclusive. */
 function slopingTexels({ width, height, data }: HeightMap, { x0, y0, x1, y1 }: Readonly<Bounds>): Int32Array {
   const sloping = new Int32Array(2 * (y1 - y0))
   for (let row = 0; row < y1 - y0; row++) sloping[2 * row] = x1

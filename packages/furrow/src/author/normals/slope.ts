@@ -1,19 +1,19 @@
 /**
- * How a map continues beyond its border. `wrap`: with the opposite side, for a texture that tiles. `clamp`: by extrapolating the
- * parabola through the last three texels, so that a slope does not fade at the border.
+ * Extrapolation beyond the border of a map. `wrap`: repeats, for textures that tile. `clamp`: continues the parabola through the last
+ * three texels, so slopes do not fade at the border.
  */
 export type Edges = 'wrap' | 'clamp'
 
-/** Texels to either side whose values a slope depends on, at a border as well. */
+/** Texels to either side that a slope depends on, also at borders. */
 export const SLOPE_REACH = 2
 
 /**
- * Slope per texel at texel `i` of a row or column: central difference of fourth order over five texels (Fornberg 1988, Generation of
- * finite difference formulas).
+ * Computes the slope per texel at texel `i` of a row or column: fourth-order central difference over five texels (Fornberg 1988,
+ * Generation of finite difference formulas).
  *
  * @param start index of the line's first texel.
- * @param stride from texel to texel of the line.
- * @param count texels of the line.
+ * @param stride step between texels of the line.
+ * @param count number of texels in the line.
  */
 export function slopeAt(
   data: ArrayLike<number>,
@@ -32,7 +32,7 @@ export function slopeAt(
   return slopeAtBorder(data, start, i, stride, count, edges)
 }
 
-/** Apart from `slopeAt`, whose every call would otherwise make the function in it. */
+/** Separate function: its closure would otherwise allocate on every call of `slopeAt`. */
 function slopeAtBorder(
   data: ArrayLike<number>,
   start: number,
@@ -48,7 +48,7 @@ function slopeAtBorder(
   return (8 * (read(i + 1) - read(i - 1)) - (read(i + 2) - read(i - 2))) / 12
 }
 
-/** The value at `k`; outside, that of the parabola, line or constant through the nearest texels. */
+/** Returns the value at `k`, extrapolated beyond the ends by a parabola, line or constant. */
 function extrapolate(
   data: ArrayLike<number>,
   start: number,
@@ -57,7 +57,7 @@ function extrapolate(
   count: number,
 ): number {
   if (k >= 0 && k < count) return data[start + k * stride]
-  // t texels beyond the border; its own texel is 0 and those inwards are 1 and 2.
+  // t texels beyond the border; the border texel is 0 and inner ones are 1 and 2.
   const t = k < 0 ? -k : k - count + 1
   const inner = (n: number) => data[start + (k < 0 ? n : count - 1 - n) * stride]
   if (count === 1) return inner(0)

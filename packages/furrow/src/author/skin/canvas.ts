@@ -6,9 +6,9 @@ import { SkinTexels } from './skin-texels.ts'
 import { pointAreas, type Skin, type SkinSurface, weldSurface } from './surface.ts'
 import { type UvGrid, UvLocator, uvGridOf } from './uv-locator.ts'
 
-/** What strokes are drawn on: the skin as a surface, and where on it the texels of a map are. */
+/** Canvas for strokes: the skin as a surface, and the positions of a map's texels on it. */
 export interface SkinCanvas {
-  /** In millimetres. */
+  /** Surface in millimetres. */
   surface: SkinSurface
   locator: UvLocator
   texels: SkinTexels
@@ -18,12 +18,12 @@ export interface SkinCanvas {
 }
 
 /**
- * Prepares a mesh to be drawn on. Vertices at one position are one point of the skin, so that lines run on across the seams of the texture;
- * where the left and the right half use the same texels, the left one (x > 0) is drawn.
+ * Prepares a mesh for drawing. Vertices at one position are one point of the skin, so lines cross UV seams. If the left and right halves
+ * share texels, the left one (x > 0) is drawn.
  *
- * @param width in texels, as is height.
+ * @param width map width in texels; also the default height.
  * @param scale millimetres per unit of the mesh's positions.
- * @throws FurrowError as `surfaceMetric` does, and where triangles lie on top of each other in the texture by the hundred.
+ * @throws FurrowError like `surfaceMetric`, or if hundreds of triangles overlap in UV space.
  */
 export function skinCanvas(
   mesh: MetricMesh,
@@ -43,7 +43,7 @@ export function skinCanvas(
   return { metric, scale, ...mapSkin(skin, surface, width, height) }
 }
 
-/** Finds the texels of a skin in a map, and its points in the texture. */
+/** Locates the texels of a map on a skin, and UV points on it. */
 export function mapSkin(
   skin: Pick<Skin, 'uvs' | 'indices'>,
   surface: SkinSurface,
@@ -58,11 +58,11 @@ export function mapSkin(
   }
 }
 
-/** A canvas as arrays that a worker can hand over. */
+/** Canvas as arrays that a worker can transfer. */
 export interface SkinCanvasArrays extends Pick<SkinCanvas, 'surface' | 'metric' | 'scale'> {
-  /** Of its locator. */
+  /** Grid of the locator. */
   grid: UvGrid
-  /** Of its texels. */
+  /** Owners of the texels. */
   owners: Int32Array
 }
 
@@ -70,8 +70,8 @@ export function canvasArrays({ locator, texels, ...plain }: SkinCanvas): SkinCan
   return { ...plain, grid: locator.grid, owners: texels.owners }
 }
 
-/** The canvas that arrays were made of. @param skin that of the canvas. */
-export function canvasAgain(
+/** Restores the canvas of a skin from its arrays. */
+export function canvasFromArrays(
   skin: Pick<Skin, 'uvs' | 'indices'>,
   { grid, owners, ...plain }: SkinCanvasArrays,
 ): SkinCanvas {

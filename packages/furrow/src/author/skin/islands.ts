@@ -1,4 +1,4 @@
-/** For each vertex a representative of the vertices that triangles connect it with (union-find with path halving). */
+/** Returns a representative vertex of each vertex's connected component (union-find with path halving). */
 export function islandsOf(indices: ArrayLike<number>, count: number): Uint32Array {
   const parents = Uint32Array.from({ length: count }, (_, i) => i)
   const rootOf = (vertex: number) => {

@@ -1,10 +1,10 @@
 import { cornersOf, type SkinSurface, triangleBox } from './surface.ts'
 
 /**
- * Finds the point of a surface that is nearest to a position (Ericson, Real-Time Collision Detection, 5.1.5).
+ * Finds the point of a surface nearest to a position (Ericson, Real-Time Collision Detection, 5.1.5).
  *
- * @param weights takes its barycentric coordinates.
- * @returns its triangle.
+ * @param weights receives the barycentric coordinates.
+ * @returns the triangle.
  */
 export function nearestOnSurface(
   surface: SkinSurface,

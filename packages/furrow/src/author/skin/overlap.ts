@@ -3,29 +3,29 @@ import { coverTexels } from '../cover-texels.ts'
 import { islandsOf } from './islands.ts'
 import { cornersOf, type Skin, type SkinSurface, skinVertices } from './surface.ts'
 
-/** Side of the map on which overlaps are searched, in texels. */
+/** Side in texels of the map used to detect overlaps. */
 const SIZE = 256
-/** Fraction of the covered texels that may be covered twice by chance. */
-const CHANCE = 0.05
+/** Maximum fraction of covered texels that may overlap without counting as an overlap. */
+const TOLERANCE = 0.05
 
-/** Texels that several parts of a skin use. */
+/** Texels shared by several parts of a skin. */
 export interface UvOverlap {
-  /** Fraction of the covered texels that are used more than once, 0..1. */
+  /** Fraction of the covered texels used more than once, 0..1. */
   fraction: number
-  /** Tells of each triangle whether it is in a UV island that left and right use together; undefined where there are none. */
+  /** Per triangle, whether its UV island is shared by left and right; undefined if no island is. */
   isMirrored: readonly boolean[] | undefined
 }
 
 type Textured = Pick<Skin, 'uvs' | 'indices'>
 
-/** How a part of the skin uses its texels. */
+/** Texel usage of a part of the skin. */
 interface Use {
   covered: number
   twice: number
   bothSides: number
 }
 
-/** Searches for texels that several parts of the skin use. */
+/** Detects texels used by several parts of the skin. */
 export function findOverlap(skin: Textured, surface: SkinSurface): UvOverlap {
   const { points, skinTriangles } = surface
   const sides = new Uint8Array(SIZE * SIZE)
@@ -50,7 +50,7 @@ export function findOverlap(skin: Textured, surface: SkinSurface): UvOverlap {
   }
 }
 
-/** The limbs of a body often use the same texels, and its face does not. */
+/** Decides per UV island: the limbs of a body often share texels while its face does not. */
 function mirroredTriangles(
   skin: Textured,
   surface: SkinSurface,
@@ -75,7 +75,7 @@ function mirroredTriangles(
   return useOf.map(usesBothSides)
 }
 
-/** Adjacent triangles both cover the texels of their edge, which are not visited. */
+/** Skips texels on edges, which adjacent triangles both cover. */
 function visitTexels(
   skin: Textured,
   surface: SkinSurface,
@@ -88,15 +88,15 @@ function visitTexels(
 }
 
 function usesBothSides({ covered, twice, bothSides }: Use): boolean {
-  return bothSides > CHANCE * covered && bothSides > twice / 2
+  return bothSides > TOLERANCE * covered && bothSides > twice / 2
 }
 
-/** Whether an overlap is more than chance. */
+/** Returns whether an overlap exceeds the tolerance. */
 export function isOverlapped({ fraction }: UvOverlap): boolean {
-  return fraction > CHANCE
+  return fraction > TOLERANCE
 }
 
-/** Tells whether a triangle is drawn into the texture: of halves that use the same texels, only those that reach the left side of the face are. */
+/** Selects the triangles drawn into the texture. Of halves that share texels, only triangles reaching the left side (x > 0) are drawn. */
 export function drawnTriangles(
   surface: SkinSurface,
   { isMirrored }: UvOverlap,

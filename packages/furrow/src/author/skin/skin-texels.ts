@@ -5,44 +5,45 @@ import { type BorderEdge, extendPlanes, FILTER_MARGIN } from '../border.ts'
 import { coverTexels } from '../cover-texels.ts'
 import { cornersOf, type Skin, type SkinSurface, skinVertices } from './surface.ts'
 
-/** How often progress is told. */
-const PARTS = 32
-/** Side of a tile of texels that are searched for together. */
+/** Number of progress reports. */
+const PROGRESS_STEPS = 32
+/** Side in texels of the tiles tested as one. */
 const TILE = 8
-/** Owner of a texel far from any island. */
+/** Marks texels far from any island. */
 const NONE = -1
-/** Barycentric coordinate up to which a texel is on the edge of a triangle. */
+/** Barycentric tolerance within which a texel is on the edge of a triangle. */
 const EDGE = 1e-3
-/** Twice the area, in square texels, below which a triangle has no plane to be continued in. */
+/** Doubled area, in square texels, below which a triangle has no plane to extend. */
 const NO_AREA = 1e-9
 
 /**
- * Is given a texel's index, and its position and normal, whose arrays the next call changes. Beyond an island the position is in the plane of
- * the border triangle, and the normal, which is not of length 1, that of its edge.
+ * Receives a texel's index, position and normal; the arrays are reused by the next call.
+ * Beyond an island the position is in the plane of the border triangle, and the normal, not normalised, is the edge's.
  */
 export type TexelVisitor = (texel: number, position: Float64Array, normal: Float64Array) => void
 
-/** Which texels of a map a skin covers, and where on it they are. */
+/** Maps the texels of a map to positions on a skin. */
 export class SkinTexels {
   readonly width: number
   readonly height: number
   readonly surface: SkinSurface
   readonly #skin: Pick<Skin, 'uvs' | 'indices'>
-  /** For each texel its triangle; -1 where there is no skin, -2 - triangle beyond the islands. */
+  /** Triangle per texel: -1 without skin, -2 - triangle beyond the islands. */
   readonly owners: Int32Array
-  /** The box round the skin of each tile, made when it is first asked for. */
+  /** Bounding box of each tile's skin, computed on first access. */
   #boxes: Float64Array | undefined
   readonly #weights = new Float64Array(3)
   readonly #position = new Float64Array(3)
   readonly #normal = new Float64Array(3)
-  /** The triangle that was located last, and its corners in texels. */
+  /** Last located triangle, and its corners in texels. */
   #last = NONE
   readonly #corners = new Float64Array(6)
 
   /**
-   * @param width of the map in texels, as is height.
-   * @param isDrawn tells whether a triangle is drawn into the texture; or `owners` that were found before.
-   * @param margin texels by which the skin is continued beyond its islands.
+   * @param width map width in texels.
+   * @param height map height in texels.
+   * @param isDrawn selects the triangles drawn into the texture; or previously computed `owners`.
+   * @param margin texels by which the skin extends beyond its islands.
    */
   constructor(
     skin: Pick<Skin, 'uvs' | 'indices'>,
@@ -77,9 +78,9 @@ export class SkinTexels {
   }
 
   /**
-   * Visits the texels whose centres triangles cover, and those beyond the islands.
+   * Visits the texels whose centres triangles cover, and those extended beyond the islands.
    *
-   * @param visit is given the texel's index, row by row, the triangle and barycentric coordinates, which are below 0 beyond an island.
+   * @param visit called with the texel's row-major index, the triangle and the barycentric coordinates, negative beyond an island.
    */
   visit(visit: (texel: number, triangle: number, a: number, b: number, c: number) => void): void {
     const weights = new Float64Array(3)
@@ -90,25 +91,25 @@ export class SkinTexels {
   }
 
   /**
-   * Visits the texels in some parts of space, and perhaps others near them.
+   * Visits the texels in parts of space, and possibly others near them.
    *
-   * @param isNear tells of a box, given by its lowest and highest x, y and z, whether it reaches into those parts.
+   * @param isNear tests whether a box, given by its lowest and highest x, y and z, intersects those parts.
    */
   visitNear(
     isNear: (low: Float64Array, high: Float64Array) => boolean,
     visit: TexelVisitor,
     progress?: (fraction: number) => void,
   ): void {
-    let told = 0
+    let reported = 0
     for (const done of this.visitNearInSteps(isNear, visit)) {
-      if (done - told < 1 / PARTS) continue
-      told = done
+      if (done - reported < 1 / PROGRESS_STEPS) continue
+      reported = done
       progress?.(done)
     }
     progress?.(1)
   }
 
-  /** As `visitNear`, and yields the fraction done after each tile of 64 texels that was visited: the caller may leave the rest for later. */
+  /** Like `visitNear`, but yields the fraction done after each visited tile of 64 texels, so that the caller can postpone the rest. */
   *visitNearInSteps(
     isNear: (low: Float64Array, high: Float64Array) => boolean,
     visit: TexelVisitor,
@@ -127,12 +128,12 @@ export class SkinTexels {
     }
   }
 
-  /** Visits the texels that triangles cover besides their own one: parts of the skin that use the same texels. */
+  /** Visits the texels covered by triangles that do not own them: overlapping parts of the skin. */
   visitOverlaps(visit: (texel: number, triangle: number, a: number, b: number, c: number) => void): void {
     for (let triangle = 0; triangle < this.surface.skinTriangles.length; triangle++) {
       const corners = skinVertices(this.#skin, this.surface, triangle)
       coverTexels(this.#skin.uvs, corners, this.width, this.height, (texel, a, b, c) => {
-        // Adjacent triangles both cover the texels of their edge.
+        // Adjacent triangles both cover the texels on their edge.
         if (this.owners[texel] !== triangle && Math.min(a, b, c) > EDGE) visit(texel, triangle, a, b, c)
       })
     }
@@ -142,7 +143,7 @@ export class SkinTexels {
     return Math.ceil(this.width / TILE) * Math.ceil(this.height / TILE)
   }
 
-  /** The lowest and highest x, y and z of the texels of each tile; of those without any the lowest is above the highest. */
+  /** Returns the lowest and highest x, y and z of each tile's texels; inverted for empty tiles. */
   #tileBoxes(): Float64Array {
     const boxes = new Float64Array(6 * this.#tileCount())
     for (let first = 0; first < boxes.length; first += 6) {
@@ -150,7 +151,7 @@ export class SkinTexels {
       boxes.fill(-Infinity, first + 3, first + 6)
       const { x0, y0, x1, y1 } = this.#boundsOf(first / 6)
       for (let row = y0; row < y1; row++) {
-        // Along a row the position on a triangle changes evenly: it is lowest and highest at the ends.
+        // Positions are linear along a row of one triangle: the extremes are at its ends.
         const end = row * this.width + x1
         for (let texel = row * this.width + x0; texel < end; texel++) {
           const owner = this.owners[texel]
@@ -165,7 +166,7 @@ export class SkinTexels {
     return boxes
   }
 
-  /** Widens a box by the position of a texel. */
+  /** Expands a box by the position of a texel. */
   #widen(boxes: Float64Array, first: number, texel: number): void {
     const weights = this.#weights
     const [a, b, c] = cornersOf(this.surface, this.locate(texel, weights))
@@ -194,7 +195,7 @@ export class SkinTexels {
         if (triangle === NONE) continue
         const [a, b, c] = cornersOf(surface, triangle)
         interpolate(this.#position, surface.points, 3, a, b, c, weights[0], weights[1], weights[2])
-        // Beyond an island positions are in the plane of its border triangle, but normals stay those of its edge.
+        // Beyond an island, positions extend the plane of the border triangle, but normals stay the edge's.
         for (let k = 0; k < 3; k++) weights[k] = Math.max(weights[k], 0)
         interpolate(this.#normal, surface.normals, 3, a, b, c, weights[0], weights[1], weights[2])
         visit(texel, this.#position, this.#normal)
@@ -203,10 +204,10 @@ export class SkinTexels {
   }
 
   /**
-   * Finds where on the skin a texel is.
+   * Locates a texel on the skin.
    *
-   * @param weights takes barycentric coordinates, which are below 0 beyond an island.
-   * @returns the triangle, -1 where there is none.
+   * @param weights receives the barycentric coordinates, negative beyond an island.
+   * @returns the triangle, -1 if there is none.
    */
   locate(texel: number, weights: Float64Array): number {
     const triangle = this.#triangleOf(texel)
@@ -222,13 +223,13 @@ export class SkinTexels {
     return owner < NONE ? -2 - owner : owner
   }
 
-  /** x and y of a triangle's corners in texels. */
+  /** Computes x and y of a triangle's corners in texels. */
   #toTexels(out: Float64Array, triangle: number): void {
     const [a, b, c] = skinVertices(this.#skin, this.surface, triangle)
     uvToTexels(out, this.#skin.uvs, a, b, c, this.width, this.height)
   }
 
-  /** Gives a triangle the texels whose centres it covers and no other has. */
+  /** Assigns a triangle the free texels whose centres it covers. */
   #cover(triangle: number): void {
     const corners = skinVertices(this.#skin, this.surface, triangle)
     coverTexels(this.#skin.uvs, corners, this.width, this.height, (texel) => {
@@ -236,13 +237,13 @@ export class SkinTexels {
     })
   }
 
-  /** The edges at which the skin is continued: 3 t + k for that from corner k of triangle t. */
+  /** Returns the border edges, 3 t + k for the edge from corner k of triangle t. */
   #borderEdges(drawn: Uint32Array): number[] {
     const { adjacent } = this.surface
     const c = new Float64Array(6)
     const vertexCount = this.#skin.uvs.length / 2
     const edges: number[] = []
-    /** From one vertex to another: where several triangles have the same edge, the first one is continued. */
+    /** Vertex pairs already seen: if several triangles share an edge, only the first is extended. */
     const seen = new Set<number>()
     for (let edge = 0; edge < 3 * drawn.length; edge++) {
       const triangle = Math.floor(edge / 3)
@@ -269,7 +270,7 @@ export class SkinTexels {
     }
   }
 
-  /** Whether the triangle across an edge does not share it in the texture. */
+  /** Returns whether an edge is a UV seam. */
   #isCut(edge: number, across: number): boolean {
     return (
       !this.#hasCorner(across, this.#vertexAt(edge)) ||
@@ -277,7 +278,7 @@ export class SkinTexels {
     )
   }
 
-  /** Whether a triangle has a corner where a vertex is in the texture. */
+  /** Returns whether a triangle has a corner at a vertex's UV coordinates. */
   #hasCorner(triangle: number, vertex: number): boolean {
     const { uvs } = this.#skin
     for (let corner = 3 * triangle; corner < 3 * triangle + 3; corner++) {
@@ -287,13 +288,13 @@ export class SkinTexels {
     return false
   }
 
-  /** The skin's vertex at corner k of triangle t: 3 t + k. */
+  /** Returns the skin's vertex at corner k of triangle t, given 3 t + k. */
   #vertexAt(corner: number): number {
     return this.#skin.indices[3 * this.surface.skinTriangles[Math.floor(corner / 3)] + (corner % 3)]
   }
 }
 
-/** The next edge of the same triangle. */
+/** Returns the next edge of the same triangle. */
 function nextEdge(edge: number): number {
   return edge % 3 === 2 ? edge - 2 : edge + 1
 }

@@ -2,55 +2,52 @@ import { triangleNormal } from '../../math/triangle.ts'
 import { length, normalize } from '../../math/vector.ts'
 import { weldVertices } from '../../math/weld.ts'
 
-/** A skin at rest and what deforms it. Nothing is changed or kept. */
+/** Skin at rest and its blendshapes. Its arrays are neither changed nor kept. */
 export interface Skin {
-  /** x, y and z of each vertex, y up, in metres; of a face in any unit. */
+  /** Packed xyz per vertex, y up, in metres; faces may use any unit. */
   positions: ArrayLike<number>
-  /** u and v of each vertex, v = 0 at the top. */
+  /** Packed uv per vertex, v = 0 at the top. */
   uvs: ArrayLike<number>
   /** Three vertices per triangle. */
   indices: ArrayLike<number>
   targets: readonly SkinTarget[]
-  /** How much each vertex follows the joint of the head, 0..1; absent where the character has none. */
+  /** Skinning weight of each vertex to the head joint, 0..1; undefined if the character has no head joint. */
   headWeights?: ArrayLike<number> | undefined
 }
 
-/** A blendshape. */
+/** Blendshape. */
 export interface SkinTarget {
   name: string
-  /** Name of a VRM's expression that moves this target alone. */
+  /** Name of a VRM expression that moves only this target. */
   expression?: string | undefined
-  /**
-   * ARKit's name that a person gave it, without its side where it moves both sides; null for none of ARKit's shapes. It overrules motion and
-   * name.
-   */
+  /** Manually assigned ARKit name, without its side if it moves both; null if it matches no ARKit shape. Overrides motion and name. */
   correction?: string | null | undefined
-  /** x, y and z added to each vertex at weight 1. */
+  /** Packed xyz added to the vertices at weight 1. */
   offsets: ArrayLike<number>
 }
 
-/** A skin as one welded surface: vertices at the same position are one point, so that UV seams are not borders of the surface. */
+/** Skin welded into one surface: vertices at the same position are one point, so UV seams are not borders. */
 export interface SkinSurface {
-  /** x, y and z of each point. */
+  /** Packed xyz per point. */
   points: Float64Array
-  /** Unit normals of the points: means over the triangles around them, weighted by area. */
+  /** Unit normals of the points: area-weighted means of the adjacent triangles. */
   normals: Float64Array
-  /** Area of each point: a third of that of its triangles. */
+  /** Area of each point: a third of the area of its triangles. */
   areas: Float64Array
-  /** Three points per triangle; degenerate triangles are left out. */
+  /** Three points per triangle; degenerate triangles are skipped. */
   corners: Uint32Array
-  /** For each triangle its index in the skin. */
+  /** Index in the skin, per triangle. */
   skinTriangles: Uint32Array
-  /** For each vertex of the skin its point. */
+  /** Point per vertex of the skin. */
   pointOf: Uint32Array
-  /** The triangle across each edge, at 3 t + k for the edge from corner k of triangle t to the next; -1 at a border. */
+  /** Triangle across each edge, at 3 t + k for the edge from corner k of triangle t to the next; -1 at a border. */
   adjacent: Int32Array
   /** Neighbours of point p: `neighbours` from `neighbourStarts[p]` to `neighbourStarts[p + 1]`. */
   neighbourStarts: Uint32Array
   neighbours: Uint32Array
 }
 
-/** A point of a surface. */
+/** Point on a surface. */
 export interface SurfacePoint {
   triangle: number
   position: [x: number, y: number, z: number]
@@ -93,7 +90,7 @@ export function weldSurface({ positions, indices }: Pick<Skin, 'positions' | 'in
   }
 }
 
-/** Area of each point: a third of that of the triangles around it. */
+/** Computes the area of each point: a third of the area of its triangles. */
 export function pointAreas(points: ArrayLike<number>, corners: Uint32Array): Float64Array {
   const areas = new Float64Array(points.length / 3)
   const normal = new Float64Array(3)
@@ -104,7 +101,7 @@ export function pointAreas(points: ArrayLike<number>, corners: Uint32Array): Flo
   return areas
 }
 
-/** Offsets of a target by point; those that are NaN count as 0. */
+/** Returns the offsets of a target per point; NaN counts as 0. */
 export function pointOffsets({ points, pointOf }: SkinSurface, { offsets }: SkinTarget): Float64Array {
   const out = new Float64Array(points.length)
   for (let vertex = 0; vertex < pointOf.length; vertex++) {
@@ -113,12 +110,12 @@ export function pointOffsets({ points, pointOf }: SkinSurface, { offsets }: Skin
   return out
 }
 
-/** The three points of a triangle. */
+/** Returns the three points of a triangle. */
 export function cornersOf({ corners }: SkinSurface, triangle: number): [number, number, number] {
   return [corners[3 * triangle], corners[3 * triangle + 1], corners[3 * triangle + 2]]
 }
 
-/** The box round a triangle: its lowest and highest x, y and z. */
+/** Computes the bounding box of a triangle: its lowest and highest x, y and z. */
 export function triangleBox(
   { points, corners }: SkinSurface,
   triangle: number,
@@ -134,7 +131,7 @@ export function triangleBox(
   }
 }
 
-/** The skin's three vertices of a triangle of its surface. */
+/** Returns the three vertices of the skin at a triangle of its surface. */
 export function skinVertices(
   { indices }: Pick<Skin, 'indices'>,
   { skinTriangles }: SkinSurface,
@@ -145,13 +142,13 @@ export function skinVertices(
 }
 
 /**
- * The normal of a triangle, not normalised: the cross product of its edges.
+ * Computes the normal of a triangle, not normalised: the cross product of its edges.
  *
- * @param points x, y and z of each.
- * @param a first corner; the corners are counterclockwise as seen from outside.
+ * @param points packed xyz.
+ * @param a first corner; corners are counterclockwise as seen from outside.
  * @param b second corner.
  * @param c third corner.
- * @param out takes x, y and z.
+ * @param out receives x, y and z.
  * @returns its length, twice the triangle's area.
  */
 export function crossOf(
@@ -175,8 +172,8 @@ function weldPoints(positions: ArrayLike<number>) {
 }
 
 /**
- * The triangle across each half-edge, by sorting half-edges by the two points of their edge, whichever way they run. Where an edge has more
- * than two triangles, those that follow each other in the mesh belong together.
+ * Finds the triangle across each half-edge by sorting half-edges by their undirected edge. At edges with more than two triangles,
+ * consecutive ones are paired.
  */
 function adjacentTriangles(corners: Uint32Array, count: number): Int32Array {
   const from = corners
@@ -185,7 +182,7 @@ function adjacentTriangles(corners: Uint32Array, count: number): Int32Array {
   order = sortedBy(order, (i) => Math.min(from[i], to[i]), count)
   order = sortedBy(order, (i) => Math.max(from[i], to[i]), count)
   const adjacent = new Int32Array(corners.length).fill(-1)
-  /** The last half-edge of this edge that runs up, and the last that runs down; -1 where there is none. */
+  /** Last upward and last downward half-edge of this edge; -1 if none. */
   let [up, down] = [-1, -1]
   for (let n = 0; n < order.length; n++) {
     const i = order[n]
@@ -205,7 +202,7 @@ function adjacentTriangles(corners: Uint32Array, count: number): Int32Array {
   return adjacent
 }
 
-/** Sorts by whole numbers below `count`; what has the same number stays in its order (counting sort). */
+/** Sorts stably by integers below `count` (counting sort). */
 function sortedBy(items: Uint32Array, keyOf: (item: number) => number, count: number): Uint32Array {
   const ends = new Uint32Array(count + 1)
   for (let i = 0; i < items.length; i++) ends[keyOf(items[i]) + 1]++
@@ -215,12 +212,12 @@ function sortedBy(items: Uint32Array, keyOf: (item: number) => number, count: nu
   return out
 }
 
-/** Neighbours of each point in the order in which the triangles name them. */
+/** Returns the neighbours of each point in triangle order. */
 function pointNeighbours(corners: Uint32Array, count: number) {
   const starts = new Uint32Array(count + 1)
   for (let i = 0; i < corners.length; i++) starts[corners[i] + 1] += 2
   for (let point = 0; point < count; point++) starts[point + 1] += starts[point]
-  /** Twice where two triangles have the edge. */
+  /** Neighbours with duplicates: each shared edge appears twice. */
   const named = new Uint32Array(2 * corners.length)
   const ends = starts.slice()
   for (let t = 0; t < corners.length; t += 3) {
@@ -231,7 +228,7 @@ function pointNeighbours(corners: Uint32Array, count: number) {
   }
   const neighbours = new Uint32Array(named.length)
   const neighbourStarts = new Uint32Array(count + 1)
-  /** The last point that has each one as its neighbour, from 1. */
+  /** Last point that listed each neighbour, plus 1. */
   const lastOf = new Uint32Array(count)
   let end = 0
   for (let point = 0; point < count; point++) {

@@ -2,27 +2,27 @@ import type { Uv } from '../../core/json.ts'
 import { barycentrics2 } from '../../math/barycentrics.ts'
 import { type Skin, type SkinSurface, skinVertices } from './surface.ts'
 
-/** Cells along each side of the grid, at most. */
-const MOST_CELLS = 512
-/** Entries of the grid per triangle on average, about. */
+/** Maximum number of cells along each side of the grid. */
+const MAX_CELLS = 512
+/** Approximate average number of grid entries per triangle. */
 const ENTRIES = 4
-/** Barycentric coordinate down to which a point on an edge is inside, in spite of rounding. */
+/** Barycentric tolerance for points on an edge, against rounding. */
 const INSIDE = -1e-9
-/** Distances from an island, as fractions of the texture, at which a point beside it still counts: written coordinates are rounded. */
-const BESIDE = [2 ** -12, 2 ** -10]
+/** Distances outside an island, as fractions of the texture, that still count as inside: written coordinates are rounded. */
+const MARGINS = [2 ** -12, 2 ** -10]
 /** The eight directions. */
-const AROUND = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => (x || y ? [[x, y] as const] : [])))
+const DIRECTIONS = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => (x || y ? [[x, y] as const] : [])))
 
-/** The triangles of a skin by the cells of a grid over its texture, as arrays that a worker can hand over. */
+/** Triangles of a skin by cells of a UV grid, as arrays that a worker can transfer. */
 export interface UvGrid {
-  /** Cells along each side. */
+  /** Number of cells along each side. */
   side: number
-  /** The triangles whose bounding boxes overlap cell i: from `starts[i]` to `starts[i + 1]`. */
+  /** Triangles whose bounding boxes overlap cell i: from `starts[i]` to `starts[i + 1]`. */
   starts: Uint32Array
   triangles: Uint32Array
 }
 
-/** Finds where on a skin a point of its texture is, by a grid over the texture. */
+/** Locates UV points on a skin with a grid over the texture. */
 export class UvLocator {
   readonly #skin: Pick<Skin, 'uvs' | 'indices'>
   readonly #surface: SkinSurface
@@ -31,8 +31,8 @@ export class UvLocator {
   readonly #candidate = new Float64Array(3)
 
   /**
-   * @param skin in the first tile of its texture.
-   * @param grid of the triangles that a point may be on; where several are left, the first one is found.
+   * @param skin UVs outside 0..1 are ignored.
+   * @param grid of the candidate triangles; where several overlap, the first is found.
    */
   constructor(
     skin: Pick<Skin, 'uvs' | 'indices'>,
@@ -45,14 +45,16 @@ export class UvLocator {
   }
 
   /**
-   * @param weights takes the barycentric coordinates, a little below 0 beside an island.
-   * @returns the triangle; -1 where there is no skin.
+   * Finds the triangle at a UV point.
+   *
+   * @param weights receives the barycentric coordinates, slightly negative beside an island.
+   * @returns the triangle; -1 if there is no skin.
    */
   find(u: number, v: number, weights: Float64Array): number {
     const triangle = this.#triangleAt(u, v)
     if (triangle >= 0) return this.#locate(triangle, u, v, weights)
-    for (const distance of BESIDE) {
-      for (const [x, y] of AROUND) {
+    for (const distance of MARGINS) {
+      for (const [x, y] of DIRECTIONS) {
         const beside = this.#triangleAt(u + distance * x, v + distance * y)
         if (beside >= 0) return this.#locate(beside, u, v, weights)
       }
@@ -60,7 +62,7 @@ export class UvLocator {
     return -1
   }
 
-  /** u and v at barycentric coordinates of a triangle. */
+  /** Returns u and v at barycentric coordinates of a triangle. */
   uvAt(triangle: number, weights: Float64Array): Uv {
     this.#readCorners(triangle)
     const c = this.#corners
@@ -93,7 +95,7 @@ export class UvLocator {
   }
 }
 
-/** @param isUsed tells which triangles a point may be on. */
+/** Builds the grid of the triangles that `isUsed` selects. */
 export function uvGridOf(
   skin: Pick<Skin, 'uvs' | 'indices'>,
   surface: SkinSurface,
@@ -133,10 +135,10 @@ export function uvGridOf(
   return { side, starts, triangles }
 }
 
-/** Least and greatest u and v of a triangle. */
+/** Minimum and maximum u and v of a triangle. */
 type UvBox = readonly [left: number, top: number, right: number, bottom: number]
 
-/** So many cells that triangles have `ENTRIES` of them on average, however large they are. */
+/** Chooses the side so that triangles have `ENTRIES` cells on average, regardless of their size. */
 function chooseSide(triangles: readonly number[], boxOf: (triangle: number) => UvBox): number {
   let [area, extent] = [0, 0]
   for (const triangle of triangles) {
@@ -146,14 +148,14 @@ function chooseSide(triangles: readonly number[], boxOf: (triangle: number) => U
   }
   const entries = ENTRIES * triangles.length
   const side = Math.min(Math.sqrt(entries / (area || 1)), entries / (extent || 1))
-  return Math.max(1, Math.min(MOST_CELLS, Math.floor(side)))
+  return Math.max(1, Math.min(MAX_CELLS, Math.floor(side)))
 }
 
 function cellOf(coordinate: number, side: number): number {
   return Math.max(0, Math.min(side - 1, Math.floor(coordinate * side)))
 }
 
-/** u and v of a triangle's corners. */
+/** Reads u and v of a triangle's corners. */
 function readCorners(
   out: Float64Array,
   skin: Pick<Skin, 'uvs' | 'indices'>,

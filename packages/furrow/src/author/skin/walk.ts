@@ -3,21 +3,21 @@ import { triangleNormal } from '../../math/triangle.ts'
 import { dot, normalize } from '../../math/vector.ts'
 import { cornersOf, type SkinSurface } from './surface.ts'
 
-/** Fraction of the way to a triangle's centroid that a line is pulled as it enters. */
+/** Fraction of the way to the centroid by which an entering line is pulled inwards. */
 const INWARDS = 1e-3
-/** Triangles that one step crosses at most. */
-const MOST_CROSSED = 8
+/** Maximum number of triangles crossed per step. */
+const MAX_CROSSED = 8
 
-/** Where a step is and where it leads to, as barycentric coordinates, and its end: `walk` is called for each half millimetre of a line. */
+/** Scratch for barycentric coordinates of the start and the end, and the end position: `walk` runs for each half millimetre of a line. */
 const [here, there, target] = [new Float64Array(3), new Float64Array(3), new Float64Array(3)]
 
 /**
- * Moves a position over a surface, along the projections of a direction onto the triangles that it crosses.
+ * Moves a position over a surface, projecting the direction onto each triangle crossed.
  *
- * @param start the triangle that the position is on.
- * @param position is changed.
- * @param distance in the unit of the surface; a few triangles at most.
- * @returns the triangle it is on then, or -1 at the surface's border.
+ * @param start triangle that contains the position.
+ * @param position changed in place.
+ * @param distance in the surface's unit; a few triangles at most.
+ * @returns the final triangle, or -1 at the surface's border.
  */
 export function walk(
   surface: SkinSurface,
@@ -28,12 +28,12 @@ export function walk(
 ): number {
   let triangle = start
   let left = distance
-  for (let crossed = 0; crossed < MOST_CROSSED; crossed++) {
+  for (let crossed = 0; crossed < MAX_CROSSED; crossed++) {
     projectOntoTriangle(target, surface, triangle, direction)
     for (let k = 0; k < 3; k++) target[k] = position[k] + left * target[k]
     barycentricsAt(here, surface, triangle, position)
     barycentricsAt(there, surface, triangle, target)
-    // The first edge that the step crosses, and at what fraction of it.
+    // First edge that the step crosses, and the fraction of the step up to it.
     let fraction = 1
     let edge = -1
     for (let k = 0; k < 3; k++) {
@@ -55,7 +55,7 @@ export function walk(
   return triangle
 }
 
-/** Barycentric coordinates of a position in a triangle of a surface. */
+/** Computes the barycentric coordinates of a position in a triangle. */
 export function barycentricsAt(
   out: Float64Array,
   surface: SkinSurface,
@@ -66,7 +66,7 @@ export function barycentricsAt(
   barycentrics3(out, surface.points, a, b, c, position)
 }
 
-/** The position at barycentric coordinates of a triangle. */
+/** Computes the position at barycentric coordinates of a triangle. */
 export function positionAt(
   out: Float64Array,
   surface: SkinSurface,
@@ -77,7 +77,7 @@ export function positionAt(
   interpolate(out, surface.points, 3, a, b, c, weights[0], weights[1], weights[2])
 }
 
-/** The surface's unit normal at barycentric coordinates of a triangle; beyond its edges it stays that of the edge. */
+/** Computes the unit normal at barycentric coordinates of a triangle, clamped to its edges. */
 export function normalAt(
   out: Float64Array,
   surface: SkinSurface,

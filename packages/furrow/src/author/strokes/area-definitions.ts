@@ -1,32 +1,32 @@
 import type { JsonReader, Uv } from '../../core/json.ts'
 import { fileNamesOf, isFileName } from '../file-names.ts'
 
-/** A soft shape: the inside of a polygon, or everything near the strokes of a group. */
+/** Soft shape: the inside of a polygon, or the surroundings of a group's strokes. */
 export type AreaShape = PolygonShape | GroupShape
 
-/** The inside of a polygon in the texture, with a soft edge. */
+/** Inside of a polygon in UV space, with a soft edge. */
 export interface PolygonShape {
   /** At least 3 points [u, v], 0..1; the last is joined to the first. */
   polygon: Uv[]
-  /** Millimetres, 0.1..200, across which the weight falls from 1 to 0; it is 0.5 on the outline. */
+  /** Width of the soft edge in millimetres, 0.1..200: the weight falls from 1 to 0 and is 0.5 on the outline. */
   feather: number
 }
 
-/** All that is near the strokes of a group, with a soft edge. */
+/** Surroundings of the strokes of a group, with a soft edge. */
 export interface GroupShape {
   /** Name of a group of strokes in the same document. */
   group: string
   /** Distance from the strokes in millimetres, 0..100, at which the weight is 0.5. */
   radius: number
-  /** As in PolygonShape. */
+  /** Width of the soft edge in millimetres, 0.1..200. */
   feather: number
 }
 
-/** How an area is made: at every texel the maximum of its shapes, times `within` if given. */
+/** Area definition: at every texel the maximum of its shapes, times `within` if given. */
 export interface AreaDefinition {
   name: string
   shapes: AreaShape[]
-  /** Restricts the area, e.g. to the person's left half with a soft blend at the middle. */
+  /** Restricts the area, for example to the person's left half with a soft transition at the middle. */
   within?: AreaShape
 }
 
@@ -56,7 +56,7 @@ export function readAreaDefinitions(
   })
 }
 
-/** Nothing but its file holds the name of a painted area, so that it must be the name of a file on every system. */
+/** The area's name is stored only as a file name, so it must be valid on every system. */
 function checkFileName(read: JsonReader, name: string, path: string): void {
   if (isFileName(name)) return
   read.fail(`${path} is not a valid file name`, name, `e.g. ${fileNamesOf([name])}`, 'choose another name')

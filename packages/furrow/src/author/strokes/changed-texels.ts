@@ -1,15 +1,15 @@
 import { type Bounds, widen } from '../../core/bounds.ts'
 
-/** Side of the squares of texels that have a rectangle each. */
+/** Side in texels of the squares that each track one rectangle. */
 const SIDE = 16
-/** Texels that one more rectangle may cost: two are merged where that takes in no more of others. */
+/** Cost of an extra rectangle in texels: two are merged if their union adds no more than this. */
 const SLACK = 4096
 
-/** Collects texels of a map that changed, as rectangles. */
+/** Collects the changed texels of a map as rectangles. */
 export class ChangedTexels {
   readonly #width: number
   readonly #height: number
-  /** What changed in each square, by its index. */
+  /** Bounds of the changed texels in each square, by square index. */
   readonly #squares = new Map<number, Bounds>()
 
   constructor(width: number, height: number) {
@@ -26,7 +26,7 @@ export class ChangedTexels {
     else this.#squares.set(square, own)
   }
 
-  /** Rectangles that contain the texels, and those up to `margin` texels beside them in the map. */
+  /** Returns rectangles that contain the texels, grown by `margin` texels and clipped to the map. */
   around(margin: number): Bounds[] {
     return Array.from(this.#squares.values(), ({ x0, y0, x1, y1 }) => ({
       x0: Math.max(x0 - margin, 0),
@@ -37,13 +37,13 @@ export class ChangedTexels {
   }
 }
 
-/** Merges rectangles into few that contain them, without taking in much else. */
+/** Merges rectangles while their union adds few texels. */
 export function mergeBounds(all: readonly Bounds[]): Bounds[] {
   let merged: Bounds[] = []
   for (const bounds of all) {
     const union = { ...bounds }
     for (;;) {
-      const other = merged.find((each) => areSpared(union, each))
+      const other = merged.find((each) => isWorthMerging(union, each))
       if (!other) break
       widen(union, other)
       merged = merged.filter((each) => each !== other)
@@ -53,7 +53,7 @@ export function mergeBounds(all: readonly Bounds[]): Bounds[] {
   return merged
 }
 
-function areSpared(a: Bounds, b: Bounds): boolean {
+function isWorthMerging(a: Bounds, b: Bounds): boolean {
   const both = { ...a }
   widen(both, b)
   return areaOf(both) <= areaOf(a) + areaOf(b) + SLACK

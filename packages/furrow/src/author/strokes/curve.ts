@@ -8,38 +8,38 @@ import type { SkinSurface } from '../skin/surface.ts'
 import { barycentricsAt, normalAt, positionAt, walk } from '../skin/walk.ts'
 import type { Stroke } from './document.ts'
 
-/** Segments into which a Bezier curve is cut before it is measured. */
+/** Segments per Bezier curve when flattened. */
 const BEZIER_SEGMENTS = 32
-/** Longest step of a curve in the texture: a third of a millimetre on a face that fills it. */
+/** Maximum step of a curve in UV space: a third of a millimetre on a face that fills the texture. */
 const MAX_UV_STEP = 1 / 1024
-/** Longest step of a spline in millimetres. */
+/** Maximum step of a spline in millimetres. */
 const MAX_STEP = 0.5
-/** Steps that the longest curve is cut into, about. */
-const MOST_STEPS = 8192
-/** Millimetres on the skin that are more than the longest step in the texture: it leads to another island. */
+/** Approximate maximum number of steps of a curve. */
+const MAX_STEPS = 8192
+/** Step length on the skin in millimetres beyond which a maximum UV step must lead to another island. */
 const JUMP = 10
 
-/** A line on a skin. */
+/** Line on a skin. */
 export interface SkinLine {
-  /** x, y and z of each point in millimetres. */
+  /** Packed xyz in millimetres. */
   points: Float64Array
-  /** The skin's unit normals there. */
+  /** Unit normals of the skin at the points, packed xyz. */
   normals: Float64Array
 }
 
-/** A line and the triangle that each of its points is on. */
+/** Line with the triangle under each point. */
 export interface TracedLine extends SkinLine {
   triangles: readonly number[]
 }
 
-/** A skin and an index of its texture. */
+/** Skin with its UV locator. */
 export type LocatedSkin = Pick<SkinCanvas, 'surface' | 'locator'>
 
 /**
- * Lays a stroke's curve on the skin, in short steps.
+ * Projects a stroke's curve onto the skin in short steps.
  *
- * @returns its parts, each of two points or more: where the texture has no skin, a polyline or Bezier curve is interrupted, and points of a
- *   spline are left out.
+ * @returns parts of at least two points. Where the texture has no skin, a polyline or Bezier curve is interrupted, and a spline skips
+ *   points.
  */
 export function layCurve(
   { curve, points }: Pick<Stroke, 'curve' | 'points'>,
@@ -58,12 +58,12 @@ function flattenBezier(points: readonly Uv[]): Uv[] {
   return polyline
 }
 
-/** Finds each step on the skin by itself. */
+/** Locates each step on the skin independently. */
 function layInTexture(polyline: readonly Uv[], { surface, locator }: LocatedSkin): TracedLine[] {
   const lines: TracedLine[] = []
   const trail = new Trail(surface)
   const [position, weights] = [new Float64Array(3), new Float64Array(3)]
-  const step = Math.max(MAX_UV_STEP, lengthOf(polyline) / MOST_STEPS)
+  const step = Math.max(MAX_UV_STEP, lengthOf(polyline) / MAX_STEPS)
   for (const [u, v] of stepsAlong(polyline, step)) {
     const triangle = locator.find(u, v, weights)
     if (triangle >= 0) positionAt(position, surface, triangle, weights)
@@ -92,7 +92,7 @@ function* stepsAlong(polyline: readonly Uv[], step: number): Generator<Uv> {
   }
 }
 
-/** Follows a smooth curve in space over the skin, from point to point. */
+/** Follows a smooth curve in space along the skin, from point to point. */
 function laySpline(uvs: readonly Uv[], { surface, locator }: LocatedSkin): TracedLine[] {
   const [position, weights] = [new Float64Array(3), new Float64Array(3)]
   const anchors: number[] = []
@@ -106,14 +106,14 @@ function laySpline(uvs: readonly Uv[], { surface, locator }: LocatedSkin): Trace
     triangles.push(triangle)
   }
   const trail = new Trail(surface)
-  const mostSteps = Math.ceil(MOST_STEPS / anchors.length)
+  const maxSteps = Math.ceil(MAX_STEPS / anchors.length)
   for (const [i, triangle] of triangles.entries()) {
     position.set(anchors.slice(3 * i, 3 * i + 3))
     barycentricsAt(weights, surface, triangle, position)
     trail.add(position, triangle, weights)
     if (i + 1 === triangles.length) break
     const chord = distance(position, anchors.slice(3 * i + 3, 3 * i + 6))
-    const steps = Math.min(mostSteps, Math.ceil(chord / MAX_STEP))
+    const steps = Math.min(maxSteps, Math.ceil(chord / MAX_STEP))
     trail.follow(position, triangle, steps, (target, t) => splineAt(target, anchors, i, t))
   }
   return trail.end()
@@ -123,7 +123,7 @@ function distance(a: ArrayLike<number>, b: ArrayLike<number>): number {
   return length3(b[0] - a[0], b[1] - a[1], b[2] - a[2])
 }
 
-/** The points of a line that is being laid. */
+/** Collects the points of a line. */
 class Trail {
   readonly #surface: SkinSurface
   #points: number[] = []
@@ -142,7 +142,7 @@ class Trail {
     this.#triangles.push(triangle)
   }
 
-  /** Adds the points between two on a curve: projections onto the skin, or beyond its border the curve's own. */
+  /** Adds the points between two control points: projected onto the skin, or on the curve itself beyond the skin's border. */
   follow(
     position: Float64Array,
     start: number,
@@ -172,12 +172,12 @@ class Trail {
     return walk(this.#surface, triangle, position, direction, length(direction))
   }
 
-  /** From the last point; 0 where there is none. */
+  /** Returns the distance to the last point, 0 if there is none. */
   distanceTo(position: ArrayLike<number>): number {
     return this.#points.length > 0 ? distance(position, this.#points.slice(-3)) : 0
   }
 
-  /** The line, where it has two points; the next point begins another. */
+  /** Returns the line if it has two points; the next point starts a new line. */
   end(): TracedLine[] {
     const line = {
       points: Float64Array.from(this.#points),

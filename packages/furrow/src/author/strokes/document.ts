@@ -6,63 +6,65 @@ import { type AreaDefinition, type AreaShape, readAreaDefinitions } from './area
 
 export type { AreaDefinition, AreaShape, Uv }
 
-/** How the points of a stroke are joined; see `Stroke.curve`. */
+/** Interpolation of a stroke's points; see `Stroke.curve`. */
 export type CurveKind = 'polyline' | 'bezier' | 'spline'
 
 const CURVES = ['polyline', 'bezier', 'spline'] as const satisfies CurveKind[]
 
-/** One wrinkle: a curve on the skin with a measured cross-section. */
+/** Wrinkle: a curve on the skin with a measured cross-section. */
 export interface Stroke {
-  /** Name of the area that shows it. */
+  /** Name of the area that shows the stroke. */
   group?: string
-  /** Name of its layer, in a document with the strokes of several. */
+  /** Name of the stroke's layer, in documents with several layers. */
   layer?: string
   /**
-   * `polyline`: straight lines in the texture. `bezier`: a chain of n cubic Bezier curves in the texture, of 3 n + 1 points: end, two handles,
-   * end, two handles, end... `spline`: a smooth curve over the skin through the points, wherever in the texture these are: the only kind that
-   * crosses its seams (centripetal Catmull-Rom).
+   * Interpolation of the points:
+   *
+   * - `polyline`: straight lines in UV space.
+   * - `bezier`: n cubic Bezier curves in UV space through 3 n + 1 points, with two handles between ends.
+   * - `spline`: a smooth curve over the skin (centripetal Catmull-Rom), the only kind that crosses UV seams.
    */
   curve: CurveKind
   /** [u, v], both 0..1, v = 0 at the top. */
   points: Uv[]
-  /** Full width of the valley on the skin in millimetres, 0.1..50: where it reaches zero with full shoulders. */
+  /** Full width of the valley on the skin in millimetres, 0.1..50; with full shoulders, the height is zero at its edges. */
   width: number
-  /** Greatest depth of the valley below the skin in millimetres, 0..10. */
+  /** Maximum depth of the valley below the skin in millimetres, 0..10. */
   depth: number
-  /** Factors on the depth, 0..1, evenly spaced from the start to the end, 2 or more; 1 by default. */
+  /** Factors on the depth, 0..1, evenly spaced from start to end, at least 2; default 1. */
   depths?: number[]
-  /** Fraction of the length, 0..1, over which the wrinkle fades in at its start and out at its end. */
+  /** Fractions of the length, 0..1, over which the wrinkle fades in at its start and out at its end. */
   taper: [start: number, end: number]
-  /** Raised banks, 0..1, left and right along the curve as seen from outside: 1 = they hold all the skin pushed out of the valley. */
+  /** Raised banks, 0..1, left and right along the curve as seen from outside. At 1 they hold all the skin pushed out of the valley. */
   shoulder: [left: number, right: number]
-  /** How far the banks reach from the bottom, left and right, in millimetres, 0.1..100; 2.2 widths by default. */
+  /** Reach of the banks from the bottom, left and right, in millimetres, 0.1..100; default 2.2 widths. */
   bank?: [left: number, right: number]
-  /** Steeper on the left than on the right, -0.9..0.9, 0 by default: the half widths are 1 - lean and 1 + lean times their mean. */
+  /** Asymmetry, -0.9..0.9, default 0: the half widths are 1 - lean (left) and 1 + lean (right) times their mean. */
   lean?: number
   /** Roundness of the valley's bottom, 0..1: 0 = a sharp fold, 1 = as round as the valley is wide. */
   softness: number
-  /** Irregularity, 0..1: the line meanders and its depth varies, the same on every run. */
+  /** Irregularity, 0..1: the line meanders and its depth varies, deterministically. */
   waviness: number
 }
 
-/** The strokes of a layer, or of several, and optionally the areas that show them. */
+/** Strokes of one or several layers, and optionally the areas that show them. */
 export interface StrokesDocument {
   version: 1
-  /** Millimetres per unit of the face's positions, more than 0: 1000 for a face of natural size. */
+  /** Millimetres per unit of the face's positions, more than 0: 1000 for a life-size face in metres. */
   scale: number
   /** Default side of the maps in texels, 16..8192. */
   size?: number
   strokes: Stroke[]
-  /** The net of fine furrows between the strokes. */
+  /** Net of fine furrows between the strokes. */
   furrows?: Furrows
-  /** Soft shapes that become the areas; by default every group becomes an area round its strokes. */
+  /** Soft shapes that become the areas. Default: one area around the strokes of each group. */
   areas?: AreaDefinition[]
 }
 
-/** Least and most millimetres per unit of a face. */
-export const SCALES = [1e-6, 1e6] as const
+/** Minimum and maximum millimetres per unit of a face. */
+export const SCALE_RANGE = [1e-6, 1e6] as const
 
-/** Values of the fields that a document omits. */
+/** Default values of optional stroke fields. */
 export const STROKE_DEFAULTS = {
   curve: 'polyline',
   taper: [0.3, 0.3],
@@ -90,7 +92,7 @@ const STROKE_FIELDS = [
 /**
  * Reads a strokes document (docs/strokes-format.md) and fills in the defaults. The input is not changed.
  *
- * @throws FurrowError that names the field by its path, for anything malformed, unknown fields included.
+ * @throws FurrowError with the field's path if anything is malformed or unknown.
  */
 export function parseStrokes(json: unknown): StrokesDocument {
   const read = new JsonReader('parseStrokes')
@@ -98,7 +100,7 @@ export function parseStrokes(json: unknown): StrokesDocument {
   if (root.version !== 1) read.fail('unknown version', root.version, '1', 'write "version": 1')
   const document: StrokesDocument = {
     version: 1,
-    scale: read.number(or(root.scale, MILLIMETRES_PER_METRE), 'scale', ...SCALES, 'mm per unit'),
+    scale: read.number(or(root.scale, MILLIMETRES_PER_METRE), 'scale', ...SCALE_RANGE, 'mm per unit'),
     strokes: read.array(root.strokes, 'strokes', 1, 10_000).map((stroke, i) => readStroke(read, stroke, i)),
   }
   if (root.size !== undefined) document.size = readSize(read, root.size)

@@ -5,26 +5,27 @@ import type { CrossSection, LaidStroke } from './lay-out.ts'
 import { bankAt, valleyAt } from './profile.ts'
 
 /**
- * Exponents by which strokes are joined. Of valleys (a^6 + b^6)^(1/6) is the larger of two, at most 12% more where they are equal: valleys that
- * cross are as deep as the deeper one, not as both together. Of banks (a^2 + b^2)^(1/2) makes one bulge of those of two neighbouring lines.
+ * Exponents of the norms that join strokes.
+ * Valleys: (a^6 + b^6)^(1/6) is close to the maximum, at most 12% more. Crossing valleys are as deep as the deeper one, not the sum.
+ * Banks: (a^2 + b^2)^(1/2) merges the banks of two neighbouring lines into one bulge.
  */
 const JOIN = { valleys: 6, banks: 2 } as const
-/** Fraction of the light that a valley loses, per depth in half widths, and at most. */
+/** Fraction of the light lost in a valley, per depth in half widths, and its maximum. */
 const SHADE = 1.1
 const MAX_SHADE = 0.75
 
 /**
- * Half the width of the narrowest valley that is drawn, in halves of a texel. Finer ones would be dotted lines: as deep as they are where the
- * bottom meets the centre of a texel, and half as deep between two.
+ * Minimum half width of a drawn valley, in half texels. Narrower valleys would alias into dotted lines: full depth at texel centres, half
+ * depth between them.
  */
 const NARROWEST = 3
 
-/** Joins what strokes give to a texel, in their order: valleys with valleys and banks with banks (see JOIN), then subtracted. */
+/** Sums the strokes at a texel in order: valleys with valleys and banks with banks (see JOIN), then subtracts. */
 export class HeightSum {
   /** Sums of powers of depths and of heights. */
   valleys = 0
   banks = 0
-  /** The darkest of the strokes. */
+  /** Darkest shade of the strokes. */
   shade = 0
 
   clear(): void {
@@ -37,28 +38,28 @@ export class HeightSum {
     this.banks += bank
   }
 
-  /** In millimetres above (+) or below (-) the smooth skin. */
+  /** Millimetres above (+) or below (-) the smooth skin. */
   get height(): number {
     return Math.fround(Math.sqrt(this.banks) - power(this.valleys, 1 / JOIN.valleys))
   }
 
-  /** 255 = open to the light. */
+  /** Occlusion: 255 = open to the light. */
   get open(): number {
     return Math.round(255 * (1 - Math.min(MAX_SHADE, Math.fround(this.shade))))
   }
 }
 
-/** What a stroke gives to a texel, as powers. */
+/** Powers that a stroke adds at a texel. */
 export interface StrokePowers {
   valley: number
   bank: number
 }
 
 /**
- * Adds a stroke at a texel to a sum; the parameters are those of `LineVisitor`.
+ * Adds a stroke to the sum of a texel; see `LineVisitor` for the other parameters.
  *
- * @param sharpest half the size of the texel: no valley is drawn sharper, or narrower than NARROWEST of it.
- * @param out takes the powers that were added.
+ * @param sharpest half the texel's size: the limit of a valley's sharpness, and the unit of NARROWEST.
+ * @param out receives the added powers.
  */
 export function addStroke(
   sum: HeightSum,
@@ -75,7 +76,7 @@ export function addStroke(
   addSection(sum, stroke, depth, halfWidth, distance, side, sharpest, out)
 }
 
-/** Adds a point of a stroke's cross-section to a sum, see `addStroke`. */
+/** Adds a point of a stroke's cross-section to a sum; see `addStroke`. */
 export function addSection(
   sum: HeightSum,
   { shoulder, banks, lean, softness }: CrossSection,
@@ -91,7 +92,7 @@ export function addSection(
   const widened = Math.max(1, (NARROWEST * sharpest) / wall)
   const valley = depth * valleyAt(distance / wall, Math.max(softness, sharpest / (widened * wall)), widened)
   const reach = lerp(banks[0], banks[1], right)
-  // A bank would rise from the bottom with an edge: that is rounded too.
+  // Round the edge where the bank rises from the bottom.
   const rounded = sharpest > 0 ? distance / Math.sqrt(distance * distance + sharpest * sharpest) : 1
   const bank = depth * rounded * bankAt(distance / halfWidth, reach, lerp(shoulder[0], shoulder[1], right))
   sum.shade = Math.max(sum.shade, (valley / (widened * halfWidth)) * SHADE)
@@ -102,7 +103,7 @@ export function addSection(
   out.bank = bank * bank
 }
 
-/** Half the longer side of a texel in millimetres. */
+/** Returns half the longer side of a texel in millimetres. */
 export function sharpestAt({ uu, vv, width, height }: Metric, texel: number): number {
   return Math.sqrt(Math.max(uu[texel] / width ** 2, vv[texel] / height ** 2)) / 2
 }

@@ -7,7 +7,7 @@ import { type LaidStroke, layOutStrokes, reachOf } from './lay-out.ts'
 import { LineGrid, type LineVisitor } from './line-grid.ts'
 import type { OtherStrokes } from './other-strokes.ts'
 
-/** Heights of the skin. */
+/** Height map of the skin. */
 export interface HeightMap {
   width: number
   height: number
@@ -15,7 +15,7 @@ export interface HeightMap {
   data: Float32Array
 }
 
-/** The heights of strokes, and how open to the light it is. */
+/** Heights and occlusion drawn from strokes. */
 export interface DrawnStrokes {
   heights: HeightMap
   /** 255 = open. */
@@ -23,13 +23,13 @@ export interface DrawnStrokes {
 }
 
 /**
- * Draws strokes as a height map. Distances are measured in space, so that neither the texture's stretch nor its seams show. Valleys are joined
- * with valleys and banks with banks (see `HeightSum`), then added, so the order of the strokes does not matter and a single stroke keeps its exact
- * profile. No valley is drawn sharper than a texel; one narrower than three texels is widened, and shallower. Strokes, or parts of them, that are
- * not on the skin are left out.
+ * Draws strokes as a height map. Distances are measured in 3D, so texture stretch and seams do not show.
+ * Valleys and banks are joined separately (see `HeightSum`), then added: the order of strokes does not matter, and a single stroke keeps
+ * its exact profile.
+ * Valleys are at least as wide as three texels, and shallower if widened. Parts of strokes outside the skin are skipped.
  *
- * @param progress is called with the strokes drawn so far: all of them in the part of the map that is done.
- * @throws FurrowError where they are longer than 100 m together.
+ * @param progress called with the number of strokes drawn in the finished part of the map.
+ * @throws FurrowError if the strokes are longer than 100 m in total.
  */
 export function strokesToHeight(
   strokes: readonly Stroke[],
@@ -41,7 +41,7 @@ export function strokesToHeight(
     .heights
 }
 
-/** Draws strokes that are laid on the skin already. */
+/** Draws strokes that are already laid on the skin. */
 export function drawStrokes(
   strokes: readonly LaidStroke[],
   { texels, metric }: Pick<SkinCanvas, 'texels' | 'metric'>,
@@ -59,7 +59,7 @@ export function drawStrokes(
   return drawn
 }
 
-/** The maps of skin without strokes. */
+/** Returns the maps of skin without strokes. */
 export function flatSkin(width: number, height: number): DrawnStrokes {
   const texels = width * height
   return {
@@ -68,9 +68,9 @@ export function flatSkin(width: number, height: number): DrawnStrokes {
   }
 }
 
-/** Draws strokes texel by texel: what a texel gets depends on the strokes within reach of it, and on nothing else. */
+/** Draws strokes texel by texel. A texel's value depends only on the strokes within reach. */
 export class StrokePen {
-  /** Whether strokes may be within reach of a box, given by its lowest and highest x, y and z. */
+  /** Returns whether strokes may be within reach of a box, given by its lowest and highest x, y and z. */
   readonly isNear: LineGrid['isNear']
   readonly #strokes: readonly LaidStroke[]
   readonly #grid: LineGrid
@@ -81,8 +81,8 @@ export class StrokePen {
   #sharpest = 0
 
   /**
-   * @param drawn takes what is drawn.
-   * @param others are drawn too, in texels that these strokes reach or not.
+   * @param drawn receives the maps.
+   * @param others also drawn, in all texels visited.
    */
   constructor(strokes: readonly LaidStroke[], metric: Metric, drawn: DrawnStrokes, others?: OtherStrokes) {
     this.#strokes = strokes
@@ -98,7 +98,7 @@ export class StrokePen {
    *
    * @param position of the texel on the skin.
    * @param normal of the skin there.
-   * @returns whether it is another than before.
+   * @returns whether the texel changed.
    */
   draw(texel: number, position: Float64Array, normal: Float64Array): boolean {
     const { heights, occlusion } = this.#drawn

@@ -7,7 +7,7 @@ import { type LocatedSkin, layCurve, type SkinLine } from './curve.ts'
 import type { Stroke } from './document.ts'
 import { VALLEY_REACH } from './profile.ts'
 
-/** What of a stroke shapes its cross-section. */
+/** Fields of a stroke that shape its cross-section. */
 export type SectionStyle = Readonly<
   Pick<Stroke, 'width' | 'softness'> & {
     shoulder: CrossSection['shoulder']
@@ -16,49 +16,49 @@ export type SectionStyle = Readonly<
   }
 >
 
-/** How the cross-section of a stroke is shaped, relative to the valley's depth and half its width. */
+/** Cross-section of a stroke, relative to the valley's depth and half width. */
 export interface CrossSection {
-  /** Height of the raised banks, left and right of its direction as seen from outside, 0..1. */
+  /** Height of the raised banks, 0..1, left and right along the stroke as seen from outside. */
   shoulder: readonly [left: number, right: number]
-  /** How far the banks reach, left and right, in half widths. */
+  /** Reach of the banks, left and right, in half widths. */
   banks: readonly [left: number, right: number]
   lean: number
   softness: number
 }
 
-/** A stroke on the skin, with its cross-section at each point. */
+/** Stroke on the skin, with its cross-section at each point. */
 export interface LaidStroke extends SkinLine, CrossSection {
-  /** Depth of the valley and half its width at each point, in millimetres. */
+  /** Depth and half width of the valley at each point, in millimetres. */
   depths: Float64Array
   halfWidths: Float64Array
-  /** Where on the stroke its part begins and ends, as fractions of the length, 0..1. */
+  /** Start and end of this part, as fractions of the stroke's length, 0..1. */
   span: readonly [start: number, end: number]
 }
 
-/** Longest segment in millimetres: well below the thinnest visible wrinkle. */
+/** Maximum segment length in millimetres: well below the thinnest visible wrinkle. */
 const MAX_SEGMENT = 0.5
-/** Segments of the longest stroke. */
-const MOST_SEGMENTS = 8192
-/** Length of all strokes together in millimetres: lines a millimetre apart, all over a face of 300 mm a side, have 90 m. */
-export const MOST_MILLIMETRES = 100_000
-/** Width left at a tapered end, where the depth is zero: a crease ends in a hairline. */
+/** Maximum number of segments per stroke. */
+const MAX_SEGMENTS = 8192
+/** Maximum total length of strokes in millimetres. Lines a millimetre apart across a face of 300 x 300 mm are 90 m long. */
+export const MAX_TOTAL_LENGTH = 100_000
+/** Fraction of the width at a tapered end, where the depth is zero: a crease ends in a hairline. */
 const END_WIDTH = 0.4
 /**
- * How far banks reach by default, in widths: with full shoulders the valley and its banks are at the height of the smooth skin half a width from
- * the bottom, where 12 x^2 (1 - x)^2 = 1/e, x = 1/2 / BANK_WIDTHS.
+ * Default reach of banks, in widths. With full shoulders, the height is zero half a width from the bottom, where 12 x^2 (1 - x)^2 = 1/e,
+ * x = 1/2 / BANK_WIDTHS.
  */
 export const BANK_WIDTHS = 2.2055
-/** Wavelength of the irregularity in millimetres; a second, weaker octave has 0.4 of it. */
+/** Wavelength of the irregularity in millimetres. A second, weaker octave has 0.4 of this wavelength. */
 const WAVELENGTH = 9
 
 /**
- * Lays strokes on the skin, see `layOutStroke`.
+ * Lays strokes on the skin; see `layOutStroke`.
  *
- * @returns the parts of each.
- * @throws FurrowError where they are too long together: each costs a search in all texels near it.
+ * @returns the parts of each stroke.
+ * @throws FurrowError if their total length exceeds the limit: each stroke costs a search in all nearby texels.
  */
 export function layOutStrokes(strokes: readonly Stroke[], skin: LocatedSkin): LaidStroke[][] {
-  let left = MOST_MILLIMETRES / MAX_SEGMENT
+  let left = MAX_TOTAL_LENGTH / MAX_SEGMENT
   return strokes.map((stroke) => {
     const parts = layOutStroke(stroke, skin)
     for (const { depths } of parts) left -= depths.length - 1
@@ -66,15 +66,15 @@ export function layOutStrokes(strokes: readonly Stroke[], skin: LocatedSkin): La
     throw new FurrowError({
       code: 'out-of-range',
       who: 'layOutStrokes',
-      problem: 'the strokes are too long together',
+      problem: 'strokes too long in total',
       value: `${strokes.length} strokes`,
-      limit: `${MOST_MILLIMETRES / 1000} m`,
-      remedy: 'leave some of them out, or check the scale of the document',
+      limit: `${MAX_TOTAL_LENGTH / 1000} m`,
+      remedy: 'remove strokes, or check the scale of the document',
     })
   })
 }
 
-/** Lays a stroke on the skin, in one part or several; in none where the skin has no such texels. The same stroke gives the same on every run. */
+/** Lays a stroke on the skin in one or several parts, none if its texels have no skin. Deterministic. */
 export function layOutStroke(stroke: Stroke, skin: LocatedSkin): LaidStroke[] {
   const lines = layCurve(stroke, skin)
   const lengths = lines.map(arcLengths)
@@ -87,12 +87,12 @@ export function layOutStroke(stroke: Stroke, skin: LocatedSkin): LaidStroke[] {
   })
 }
 
-/** How far from its middle a stroke is drawn, in millimetres. */
+/** Returns the maximum drawing distance from a stroke's centre line, in millimetres. */
 export function reachOf(stroke: LaidStroke): number {
   return sectionReach(stroke) * stroke.halfWidths.reduce((a, b) => Math.max(a, b), 0)
 }
 
-/** The cross-section of a stroke. */
+/** Derives the cross-section of a stroke. */
 export function sectionOf({
   width,
   shoulder,
@@ -103,12 +103,12 @@ export function sectionOf({
   return { shoulder, banks: [(2 * bank[0]) / width, (2 * bank[1]) / width], lean, softness }
 }
 
-/** How far a cross-section reaches from its middle, in half widths. */
+/** Returns the reach of a cross-section from its centre, in half widths. */
 export function sectionReach({ banks, lean }: CrossSection): number {
   return Math.max(VALLEY_REACH * (1 + Math.abs(lean)), ...banks)
 }
 
-/** Distances in millimetres from the start to each point. */
+/** Returns the arc length in millimetres from the start to each point. */
 export function arcLengths({ points }: Pick<SkinLine, 'points'>): Float64Array {
   const lengths = new Float64Array(points.length / 3)
   for (let i = 3; i < points.length; i += 3) {
@@ -122,10 +122,10 @@ export function arcLengths({ points }: Pick<SkinLine, 'points'>): Float64Array {
   return lengths
 }
 
-/** The same line in equal segments. */
+/** Resamples a line into equal segments. */
 function resample(line: SkinLine, lengths: Float64Array): SkinLine {
   const length = lengths[lengths.length - 1]
-  const segments = clamp(Math.ceil(length / MAX_SEGMENT), 2, MOST_SEGMENTS)
+  const segments = clamp(Math.ceil(length / MAX_SEGMENT), 2, MAX_SEGMENTS)
   const points = new Float64Array(3 * segments + 3)
   const normals = new Float64Array(3 * segments + 3)
   let from = 0
@@ -143,9 +143,11 @@ function resample(line: SkinLine, lengths: Float64Array): SkinLine {
 }
 
 /**
- * Gives a line its cross-sections.
+ * Computes the cross-sections along a line.
  *
- * @param start, end of the line along the stroke, and the stroke's whole length, in millimetres.
+ * @param start start of the line along the stroke, in millimetres.
+ * @param end end of the line along the stroke, in millimetres.
+ * @param total length of the complete stroke in millimetres.
  */
 function shapeLine(stroke: Stroke, line: SkinLine, start: number, end: number, total: number): LaidStroke {
   const { width, depth, waviness } = stroke
@@ -171,7 +173,7 @@ function shapeLine(stroke: Stroke, line: SkinLine, start: number, end: number, t
   return { points, normals: line.normals, depths, halfWidths, ...sectionOf(stroke), span }
 }
 
-/** The unit vector to the right of a line at one of its points, in the skin as seen from outside. */
+/** Computes the unit vector to the right of a line at a point, in the skin as seen from outside. */
 function rightOf({ points, normals }: SkinLine, i: number, out: Float64Array): void {
   const [from, to] = [3 * Math.max(0, i - 1), Math.min(points.length - 3, 3 * i + 3)]
   const along = [0, 1, 2].map((k) => points[to + k] - points[from + k])
@@ -193,7 +195,7 @@ export function depthFactor(factors: readonly number[] | undefined, t: number): 
   return lerp(factors[from], factors[from + 1], x - from)
 }
 
-/** From where a stroke starts, so that strokes differ and runs do not. */
+/** Derived from the start of the stroke: different per stroke, the same on every run. */
 function seedOf([u, v]: Uv): number {
   return Math.round(u * 65_521) * 31 + Math.round(v * 65_521) * 7919
 }

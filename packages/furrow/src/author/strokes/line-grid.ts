@@ -1,36 +1,39 @@
 import type { SkinLine } from './curve.ts'
 import { LineSegments } from './line-segments.ts'
 
-/** Side of a cell in millimetres, and cells along the longest side of the grid, at most: their indices stay exact on skin of any size. */
+/**
+ * Minimum side of a cell in millimetres, and maximum number of cells along the longest side. The limit keeps cell indices exact on skin
+ * of any size.
+ */
 const MIN_CELL = 4
-const MOST_IN_ROW = 2 ** 16
-/** How many times as long the side of a cube is as that of the cubes one level below, of which the lowest are the cells. */
+const MAX_CELLS_PER_AXIS = 2 ** 16
+/** Ratio of cube sides between two levels; the lowest level consists of the cells. */
 const BRANCHING = 4
-/** Numbers that the cubes of a level hold together; when there are more, the level is emptied: bounds the memory on dense lines. */
-const MOST_HELD = 2 ** 21
-/** From the centre of a cube to its corners, in halves of its side, with a margin for rounding. */
+/** Maximum count of numbers stored per level. A full level is emptied, which bounds the memory on dense lines. */
+const MAX_CACHED = 2 ** 21
+/** Distance from the centre of a cube to its corners in half sides, with a margin for rounding. */
 const RADIUS = 1.0005 * Math.sqrt(3)
-/** Cells of the largest box that is searched; a larger one counts as near. */
-const MOST_CELLS = 4096
-/** Index of no segment. */
+/** Maximum number of cells searched for a box; larger boxes count as near. */
+const MAX_CELLS = 4096
+/** Marks a missing segment index. */
 const NONE = -1
 const NO_RUNS = new Int32Array(0)
 /**
- * Is given the point of a line that is nearest.
+ * Receives the nearest point of a line.
  *
- * @param line its index.
+ * @param line index of the line.
  * @param distance in millimetres.
- * @param segment index of the point before it.
- * @param t how far it is along the segment, 0..1.
- * @param side -1 where the position is on the left of the line as seen from outside, 1 on its right, in between round its ends; 0 on it.
+ * @param segment index of the point before the nearest point.
+ * @param t position along the segment, 0..1.
+ * @param side -1 left of the line as seen from outside, 1 right, 0 on the line; in between around its ends.
  */
 export type LineVisitor = (line: number, distance: number, segment: number, t: number, side: number) => void
 
-/** Cubes of one size: the segments within reach of each as runs, filled when they are first asked for. */
+/** Cubes of one size. Each holds the segments within reach as runs, computed on first access. */
 interface Level {
-  /** Of a cube, in millimetres. */
+  /** Side of a cube in millimetres. */
   side: number
-  /** Index of the first cube along each axis, and cubes along y and z. */
+  /** Index of the first cube along each axis, and number of cubes along y and z. */
   low: readonly number[]
   rows: number
   layers: number
@@ -38,31 +41,32 @@ interface Level {
 }
 
 /**
- * Finds lines near positions on the skin, by a grid of cells that are filled when they are first asked for, since skin has few of those
- * that are within reach of a line: each from the cube of cells that it is in, that one from a larger one, the largest from all segments.
- * What is found at a position depends on the lines within reach of it alone.
+ * Finds lines near positions on the skin with a hierarchical grid.
+ * Cells are filled on first access, because few cells of a skin are within reach of a line. Each level filters the runs of the next
+ * larger cubes.
+ * Results at a position depend only on the lines within reach.
  */
 export class LineGrid {
   readonly #reaches: readonly number[]
   /** Side of a cell in millimetres. */
   readonly #cell: number
   readonly #segments: LineSegments
-  /** The segment of each line that a visit found last: from one texel to the next it changes little. */
+  /** Segment found by the last visit, per line: the next texel mostly finds the same one. */
   readonly #last: Int32Array
-  /** From the cells up. */
+  /** Levels from the cells up. */
   readonly #levels: readonly Level[]
-  /** How many numbers the cubes of each level hold together. */
+  /** Count of numbers stored per level. */
   readonly #held: number[]
-  /** The cell that was asked for last: that of the next texel too, mostly. */
+  /** Cell of the last access: mostly also the cell of the next texel. */
   #around: { i: number; j: number; k: number; cell: Int32Array } = { i: NaN, j: NaN, k: NaN, cell: NO_RUNS }
-  /** The first and last cell within reach of any line, along each axis. */
+  /** First and last cell within reach of any line, along each axis. */
   readonly #low = [Infinity, Infinity, Infinity]
   readonly #high = [-Infinity, -Infinity, -Infinity]
 
-  /** @param reaches how far away each line is found, in millimetres. */
+  /** @param reaches search radius of each line in millimetres. */
   constructor(lines: readonly SkinLine[], reaches: readonly number[]) {
     this.#reaches = reaches
-    this.#cell = Math.max(MIN_CELL, extentOf(lines) / MOST_IN_ROW)
+    this.#cell = Math.max(MIN_CELL, extentOf(lines) / MAX_CELLS_PER_AXIS)
     this.#segments = new LineSegments(lines)
     this.#last = new Int32Array(lines.length).fill(NONE)
     for (const [line, { points }] of lines.entries()) this.#widen(points, reaches[line])
@@ -70,7 +74,7 @@ export class LineGrid {
     this.#held = this.#levels.map(() => 0)
   }
 
-  /** Whether lines may be within reach of a box, given by its lowest and highest x, y and z. */
+  /** Returns whether lines may be within reach of a box, given by its lowest and highest x, y and z. */
   readonly isNear = (low: ArrayLike<number>, high: ArrayLike<number>): boolean => {
     const left = Math.max(this.#cellOf(low[0]), this.#low[0])
     const right = Math.min(this.#cellOf(high[0]), this.#high[0])
@@ -79,7 +83,7 @@ export class LineGrid {
     const back = Math.max(this.#cellOf(low[2]), this.#low[2])
     const front = Math.min(this.#cellOf(high[2]), this.#high[2])
     if (left > right || bottom > top || back > front) return false
-    if ((right - left + 1) * (top - bottom + 1) * (front - back + 1) > MOST_CELLS) return true
+    if ((right - left + 1) * (top - bottom + 1) * (front - back + 1) > MAX_CELLS) return true
     for (let x = left; x <= right; x++) {
       for (let y = bottom; y <= top; y++) {
         for (let z = back; z <= front; z++) if (this.#cubeAt(0, x, y, z).length > 0) return true
@@ -88,7 +92,7 @@ export class LineGrid {
     return false
   }
 
-  /** Whether lines are within reach of a position, whichever way they face. */
+  /** Returns whether lines are within reach of a position, whichever way they face. */
   isWithinReach(position: ArrayLike<number>): boolean {
     const [x, y, z] = [position[0], position[1], position[2]]
     const cell = this.#cellAround(x, y, z)
@@ -104,7 +108,7 @@ export class LineGrid {
   }
 
   /**
-   * Visits each line within reach once, at its nearest point that faces as the skin does, in the order of the lines.
+   * Visits each line within reach once, in order, at the nearest point whose normal agrees with the skin's.
    *
    * @param position on the skin.
    * @param normal of the skin there.
@@ -123,14 +127,14 @@ export class LineGrid {
         nearest = last
         least = segments.squareTo(last, x, y, z)
       }
-      /** What is farther need not be looked at: another segment is nearer, or the line is out of reach. */
+      /** Search radius: farther segments are out of reach, or another one is nearer. */
       const most = Math.min(this.#reaches[line], Math.sqrt(least))
       const far = segments.farFrom(line, most)
       for (; run < cell.length && segments.lineOf[cell[run]] === line; run += 2) {
         const end = cell[run + 1]
         for (let segment = cell[run]; segment < end; ) {
           const square = segments.squareTo(segment, x, y, z)
-          // The first of those that are as near, as without the one that was found last.
+          // On a tie, the lowest index wins, independent of the cached segment.
           const isNearer = square < least || (square === least && segment < nearest)
           if (isNearer && segments.faces(segment, nx, ny, nz)) {
             nearest = segment
@@ -147,7 +151,7 @@ export class LineGrid {
     }
   }
 
-  /** Widens the box within reach of any line by the points of one. A point alone has no segment. */
+  /** Widens the box within reach of any line by the points of one line. A single point has no segment. */
   #widen(points: Float64Array, reach: number): void {
     if (points.length < 6) return
     for (let i = 0; i < points.length; i++) {
@@ -156,20 +160,20 @@ export class LineGrid {
     }
   }
 
-  /** The runs of the cell that a position is in. */
+  /** Returns the runs of the cell that contains a position. */
   #cellAround(x: number, y: number, z: number): Int32Array {
     const [i, j, k] = [this.#cellOf(x), this.#cellOf(y), this.#cellOf(z)]
     const around = this.#around
     if (around.i === i && around.j === j && around.k === k) return around.cell
     const [low, high] = [this.#low, this.#high]
     const isInside = i >= low[0] && i <= high[0] && j >= low[1] && j <= high[1] && k >= low[2] && k <= high[2]
-    // A position that is NaN is nowhere.
+    // NaN positions are outside.
     const cell = isInside ? this.#cubeAt(0, i, j, k) : NO_RUNS
     this.#around = { i, j, k, cell }
     return cell
   }
 
-  /** The runs of a cube, given by its index along each axis. */
+  /** Returns the runs of a cube, given by its index along each axis. */
   #cubeAt(level: number, x: number, y: number, z: number): Int32Array {
     if (level === this.#levels.length) return this.#segments.runs
     const { side, low, rows, layers, cubes } = this.#levels[level]
@@ -178,7 +182,7 @@ export class LineGrid {
     if (known) return known
     const [i, j, k] = [Math.floor(x / BRANCHING), Math.floor(y / BRANCHING), Math.floor(z / BRANCHING)]
     const cube = this.#within(this.#cubeAt(level + 1, i, j, k), x, y, z, side)
-    if (this.#held[level] > MOST_HELD) {
+    if (this.#held[level] > MAX_CACHED) {
       cubes.clear()
       this.#held[level] = 0
     }
@@ -187,7 +191,7 @@ export class LineGrid {
     return cube
   }
 
-  /** Up to the level whose cubes are nearly as large as all that is within reach of any line. */
+  /** Creates levels until a cube is nearly as large as the box within reach of any line. */
   #levelsOf(): Level[] {
     const levels: Level[] = []
     const extent = Math.max(...this.#high.map((high, k) => high - this.#low[k]))
@@ -201,7 +205,7 @@ export class LineGrid {
     return levels
   }
 
-  /** What of some runs is within reach of a cube, given by its index along each axis and its side. */
+  /** Filters runs to the segments within reach of a cube, given by its index along each axis and its side. */
   #within(runs: Int32Array, x: number, y: number, z: number, side: number): Int32Array {
     const radius = (side / 2) * RADIUS
     const [px, py, pz] = [(x + 0.5) * side, (y + 0.5) * side, (z + 0.5) * side]
@@ -228,7 +232,7 @@ export class LineGrid {
   }
 }
 
-/** The longest side of the box round some lines. */
+/** Returns the longest side of the bounding box of the lines. */
 function extentOf(lines: readonly SkinLine[]): number {
   const [low, high] = [
     [Infinity, Infinity, Infinity],

@@ -1,22 +1,22 @@
 import { length2 } from '../../math/vector.ts'
 import type { SkinLine } from './curve.ts'
 
-/** What is left of a distance after rounding. */
+/** Factor that keeps a distance a lower bound after rounding. */
 const ROUNDED = 1 - 1e-6
-/** Cosine between normals below which two points face different directions: one lip is not the other. */
+/** Minimum cosine between normals of points that face the same way: separates the upper from the lower lip. */
 const FACING = 0.25
-/** Numbers per segment: start, vector to its end, one over its squared length, normal. */
+/** Numbers per segment: start, vector to its end, inverse of its squared length, normal. */
 const STRIDE = 10
 
-/** The segments of lines on the skin, packed for loops over many of them. Positions are given by x, y and z in millimetres. */
+/** Segments of lines on the skin, packed for tight loops. Positions are in millimetres. */
 export class LineSegments {
-  /** Of each segment its line, and the point it starts from. */
+  /** Line and start point of each segment. */
   readonly lineOf: Int32Array
   readonly pointOf: Int32Array
-  /** All segments as runs: of segments of one line that follow each other the first, then the one behind the last. */
+  /** All segments as runs: pairs of first index and end index (exclusive), one run per line. */
   readonly runs: Int32Array
   readonly #numbers: Float64Array
-  /** The longest segment of each line, in millimetres. */
+  /** Longest segment of each line in millimetres. */
   readonly #longest: Float64Array
 
   constructor(lines: readonly SkinLine[]) {
@@ -39,7 +39,7 @@ export class LineSegments {
     this.runs = Int32Array.from(runs)
   }
 
-  /** The squared distance from a position to a segment. */
+  /** Returns the squared distance from a position to a segment. */
   squareTo(segment: number, px: number, py: number, pz: number): number {
     const s = this.#numbers
     const k = STRIDE * segment
@@ -54,7 +54,7 @@ export class LineSegments {
     return dx * dx + dy * dy + dz * dz
   }
 
-  /** How far along a segment its point nearest to a position is, 0..1. */
+  /** Returns the position along a segment nearest to a point, 0..1. */
   fractionAt(segment: number, px: number, py: number, pz: number): number {
     const s = this.#numbers
     const k = STRIDE * segment
@@ -63,7 +63,7 @@ export class LineSegments {
     return along < 0 ? 0 : along > 1 ? 1 : along
   }
 
-  /** Whether a segment faces as the skin does, by the skin's normal. */
+  /** Returns whether a segment faces the same way as the skin with this normal. */
   faces(segment: number, nx: number, ny: number, nz: number): boolean {
     const s = this.#numbers
     const k = STRIDE * segment
@@ -71,10 +71,11 @@ export class LineSegments {
   }
 
   /**
-   * The sine of the angle, in the skin, between the segment and what lies to the right of it: 1 beside the line, less round its ends. The
-   * distance above the tangent plane does not count, for skin is curved.
+   * Returns the sine, in the tangent plane, between the segment and the direction to a position: 1 to its right, -1 to its left, less
+   * around its ends.
+   * The height above the tangent plane is ignored, because skin is curved.
    *
-   * @param t of `fractionAt`.
+   * @param t result of `fractionAt`.
    */
   sideOf(segment: number, x: number, y: number, z: number, t: number): number {
     const s = this.#numbers
@@ -82,7 +83,7 @@ export class LineSegments {
     const vx = x - s[k]
     const vy = y - s[k + 1]
     const vz = z - s[k + 2]
-    // Both times the segment's length; (segment x offset) . normal is on the left.
+    // Both are scaled by the segment's length. (segment x offset) . normal is positive on the left.
     const left =
       s[k + 7] * (s[k + 4] * vz - s[k + 5] * vy) +
       s[k + 8] * (s[k + 5] * vx - s[k + 3] * vz) +
@@ -94,13 +95,15 @@ export class LineSegments {
     return left === 0 ? 0 : -left / length2(left, beyond)
   }
 
-  /** How many segments further the next one of a line may be that is at a distance at most, by what a segment is from the position. */
+  /**
+   * Returns the number of segments to skip to the next one that may be within `distance`, given the squared distance to the current one.
+   */
   stepsTo(line: number, square: number, distance: number): number {
     const segments = (ROUNDED * Math.sqrt(square) - distance) / this.#longest[line]
     return segments > 1 ? Math.ceil(segments) : 1
   }
 
-  /** The squared distance from which on `stepsTo` skips segments of a line: cheaper to compare with. */
+  /** Returns the squared distance beyond which `stepsTo` skips segments of a line: cheaper to compare. */
   farFrom(line: number, distance: number): number {
     return ((distance + this.#longest[line]) / ROUNDED) ** 2
   }

@@ -3,26 +3,27 @@ import { addStroke, HeightSum, type StrokePowers, sharpestAt } from './height-su
 import { type LaidStroke, reachOf } from './lay-out.ts'
 import { LineGrid, type LineVisitor } from './line-grid.ts'
 
-/** Numbers that are held; when there are more, all are forgotten: 32 MB. */
-const MOST_HELD = 2 ** 22
-/** Numbers of a texel before those of the strokes behind the edited one, two of each: three of the sum, and how many follow. */
+/** Maximum count of cached numbers (32 MB); a full cache is emptied. */
+const MAX_CACHED = 2 ** 22
+/** Header per texel: three numbers of the sum and a count. Two numbers per stroke behind the edited one follow. */
 const HEAD = 4
 
 /**
- * What all strokes but one give to texels, held from when it is first asked for: an artist bends one line, and those round it stay. Sums
- * of floating-point numbers depend on the order, so the strokes before the one are held as their sum, and each behind it on its own.
+ * Caches the contribution of all strokes but the edited one, per texel on first access: while an artist bends one line, its neighbours
+ * stay.
+ * Floating-point sums depend on the order, so strokes before the edited one are cached as a sum, and strokes behind it separately.
  */
 export class OtherStrokes {
   readonly #strokes: readonly LaidStroke[]
-  /** Index of the first stroke behind the one that is edited. */
+  /** Index of the first stroke behind the edited one. */
   readonly #behind: number
   readonly #grid: LineGrid
   readonly #metric: Metric
-  /** Where the numbers of each texel begin. */
+  /** Offset of each texel's numbers. */
   readonly #starts = new Map<number, number>()
   #numbers = new Float64Array(2 ** 14)
   #used = 0
-  /** Of the texel that is held. */
+  /** Scratch sums, reused per texel. */
   readonly #before = new HeightSum()
   readonly #after = new HeightSum()
   #sharpest = 0
@@ -35,15 +36,15 @@ export class OtherStrokes {
     this.#metric = metric
   }
 
-  /** Texels for which what the strokes give is held. */
+  /** Number of cached texels. */
   get held(): number {
     return this.#starts.size
   }
 
   /**
-   * Begins the sum of a texel with the strokes before the edited one.
+   * Starts the sum of a texel with the strokes before the edited one.
    *
-   * @returns what `end` takes once the edited one is added.
+   * @returns offset to pass to `end` after the edited stroke is added.
    */
   begin(sum: HeightSum, texel: number, position: Float64Array, normal: Float64Array): number {
     const start = this.hold(texel, position, normal)
@@ -61,14 +62,14 @@ export class OtherStrokes {
   }
 
   /**
-   * Finds what the strokes give to a texel where that is not held yet.
+   * Caches the contribution of the other strokes to a texel, unless cached already.
    *
-   * @returns where its numbers begin.
+   * @returns offset of the texel's numbers.
    */
   hold(texel: number, position: Float64Array, normal: Float64Array): number {
     const known = this.#starts.get(texel)
     if (known !== undefined) return known
-    if (this.#used > MOST_HELD) {
+    if (this.#used > MAX_CACHED) {
       this.#starts.clear()
       this.#used = 0
     }

@@ -10,19 +10,19 @@ import { layOutStrokes } from './lay-out.ts'
 import { LineGrid } from './line-grid.ts'
 import { visitTexelsNear } from './near-outline.ts'
 
-/** A painted area: the part of `Area` that a strokes document can give. */
+/** Painted area: the part of `Area` that a strokes document defines. */
 export interface PaintedArea {
   name: string
-  /** Weights, 255 = fully visible, of the canvas's size. */
+  /** Weights at the canvas's size, 255 = fully visible. */
   weights: GrayImage
 }
 
-/** Shape of an area that its document does not define, round the strokes of its group; millimetres. */
+/** Default shape around a group's strokes if the document defines no areas, in millimetres. */
 export const GROUP_SHAPE = { radius: 7, feather: 8 } as const
 
 /**
- * Paints the areas of a strokes document at the canvas's size: those it defines, or else one round the strokes of each
- * group. The weight falls from 1 to 0 by smoothstep across the feather and is exactly 0 outside.
+ * Paints the areas of a strokes document at the canvas's size. Default: one area around the strokes of each group. Weights fall from 1 to
+ * 0 by smoothstep across the feather and are exactly 0 outside.
  *
  * @throws FurrowError if the document has neither areas nor groups.
  */
@@ -42,7 +42,7 @@ export function paintAreas(document: StrokesDocument, canvas: SkinCanvas): Paint
   }))
 }
 
-/** The names of the areas that `paintAreas` paints. */
+/** Returns the names of the areas that `paintAreas` paints. */
 export function paintedNames(document: StrokesDocument): string[] {
   return definitionsOf(document).map(({ name }) => name)
 }
@@ -56,7 +56,7 @@ function areasOfGroups(strokes: readonly Stroke[]): AreaDefinition[] {
   return [...groups].map((group) => ({ name: group, shapes: [{ group, ...GROUP_SHAPE }] }))
 }
 
-/** Paints one area: the maximum of its shapes, times `within`. Shapes of a group need its strokes. */
+/** Paints one area: the maximum of its shapes, times `within`. Group shapes need the group's strokes. */
 export function paintArea(
   { shapes, within }: AreaDefinition,
   strokes: readonly Stroke[],
@@ -74,7 +74,7 @@ export function paintArea(
   return { width, height, data }
 }
 
-/** Weights 0..1 of one shape. */
+/** Returns the weights of one shape, 0..1. */
 function paintShape(shape: AreaShape, strokes: readonly Stroke[], canvas: SkinCanvas): Float32Array {
   return 'group' in shape ? paintGroup(shape, strokes, canvas) : paintPolygon(shape, canvas.metric)
 }
@@ -100,7 +100,7 @@ function paintGroup(
   return weights
 }
 
-/** A polygon is a shape in the texture, and may reach beyond the skin. */
+/** Paints a polygon in UV space, which may extend beyond the skin. */
 function paintPolygon({ polygon, feather }: PolygonShape, metric: Metric): Float32Array {
   const { width, height } = metric
   const weights = new Float32Array(width * height)
@@ -116,9 +116,9 @@ function paintPolygon({ polygon, feather }: PolygonShape, metric: Metric): Float
 }
 
 /**
- * 1 half a feather inside the outline, 0.5 on it, 0 half a feather outside.
+ * Returns 1 half a feather inside the outline, 0.5 on it and 0 half a feather outside.
  *
- * @param distance from the outline in millimetres, positive outside.
+ * @param distance signed distance from the outline in millimetres, positive outside.
  */
 function weightAt(distance: number, feather: number): number {
   return 1 - smoothstep(distance / feather + 0.5)

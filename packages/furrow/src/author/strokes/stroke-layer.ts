@@ -11,41 +11,40 @@ import { type LaidStroke, layOutStroke, reachOf } from './lay-out.ts'
 import { LineGrid } from './line-grid.ts'
 import { OtherStrokes } from './other-strokes.ts'
 
-/** What lies under the strokes of a `StrokeLayer`, and how its normals are written. */
+/** Options of `StrokeLayer`. */
 export interface StrokeLayerOptions {
-  /** Smooth normal map (pores, scars) under the wrinkles, of the canvas's size; kept, not changed. Without it the skin is flat. */
+  /** Smooth normal map (pores, scars) under the wrinkles, of the canvas's size; kept by reference, not changed. Default: flat skin. */
   base?: RgbaImage
-  /** The frame in which renderers read the normal map; `orthonormal` by default. */
+  /** Tangent frame of the normal map; default `orthonormal`. */
   frame?: TangentFrame
 }
 
 /**
- * The maps of a layer, which follow its strokes: what is drawn again after an edit is the skin within reach of the strokes that were added,
- * removed or replaced. Where that is one stroke, again and again, as one that is bent, what the others give to that skin is held; `prepare` finds
- * it beforehand. The maps are bit for bit those of drawing all strokes anew: `strokesToHeight`, `heightToNormal`, `combineNormals`.
- *
- * It holds 9 bytes per texel for the maps, 1 for the search, and 64 bytes per half millimetre of a stroke: 10.5 MB at 1024 x 1024 texels
- * and 42 MB at 2048 x 2048, besides its canvas, which layers of one size can have in common; and up to 32 MB while one stroke is edited.
+ * Maps of a layer that follow its strokes. An edit redraws only the skin within reach of added, removed or replaced strokes.
+ * While the same stroke is edited repeatedly, the contributions of the others are cached; `prepare` fills this cache ahead.
+ * Results are bit-identical to a full redraw with `strokesToHeight`, `heightToNormal` and `combineNormals`.
+ * Memory: 10 bytes per texel, 64 bytes per half millimetre of stroke, and up to 32 MB while one stroke is edited. Layers of one size can share
+ * their canvas.
  */
 export class StrokeLayer {
-  /** Changed in place by `draw`, as are the other maps. */
+  /** Changed in place by `draw`, like the other maps. */
   readonly heights: HeightMap
   /** 255 = open to the light. */
   readonly occlusion: GrayImage
-  /** Tangent-space normal map: wrinkles and base together, as `heightToNormal` writes it. */
+  /** Tangent-space normal map of wrinkles and base, as `heightToNormal` writes it. */
   readonly normal: RgbaImage
   readonly #canvas: SkinCanvas
   readonly #base: RgbaImage | undefined
   readonly #frame: TangentFrame
   readonly #drawn: DrawnStrokes
   #strokes: readonly PlacedStroke[] = []
-  /** Null where the last change was one of several strokes. */
+  /** Null if the last change involved several strokes. */
   #edit: Edit | null = null
 
   /**
-   * A layer without strokes.
+   * Creates a layer without strokes.
    *
-   * @throws FurrowError if the base is not of the canvas's size.
+   * @throws FurrowError if the base does not have the canvas's size.
    */
   constructor(canvas: SkinCanvas, { base, frame = 'orthonormal' }: StrokeLayerOptions = {}) {
     const { metric } = canvas
@@ -62,11 +61,10 @@ export class StrokeLayer {
   }
 
   /**
-   * Makes the maps those of other strokes. Strokes are told apart by identity: one that is the same object as in the last call is taken to be
-   * unchanged, so an edit must replace the object. Moving a stroke to another index counts as a change too.
+   * Redraws the maps for other strokes. Strokes are compared by identity, so an edit must replace the object. A stroke at another index
+   * also counts as changed.
    *
-   * @returns the rectangles of texels in which the maps changed, in texels; several where they are far apart in the texture, as on both
-   *   sides of a seam; none where nothing changed.
+   * @returns changed rectangles in texels: several if far apart, for example on both sides of a seam; none if nothing changed.
    */
   draw(strokes: readonly Stroke[]): Bounds[] {
     const { placed, changed } = this.#place(strokes)
@@ -85,11 +83,11 @@ export class StrokeLayer {
   }
 
   /**
-   * Finds what all other strokes give to the skin within reach of one of them, which `draw` finds otherwise when that one is first replaced or
-   * removed.
+   * Caches the contributions of the other strokes within reach of a stroke. Otherwise, `draw` does this when the stroke is first replaced
+   * or removed.
    *
-   * @returns steps of 64 texels each, which can be left for later, also between calls of `draw`; there are no more once another stroke is
-   *   prepared or edited. None where the stroke is not drawn.
+   * @returns steps of 64 texels each. They may be postponed, also between calls of `draw`, and end once another stroke is prepared or
+   *   edited. Empty if the stroke is not drawn.
    */
   *prepare(stroke: Stroke): Generator<void, void> {
     const index = this.#strokes.findIndex((each) => each.stroke === stroke)
@@ -107,9 +105,9 @@ export class StrokeLayer {
     }
   }
 
-  /** What turns the strokes into others, where that is one of them: added, removed or replaced. */
+  /** Finds the edit that leads to the given strokes if one stroke was added, removed or replaced; otherwise null. */
   #editTo(placed: readonly PlacedStroke[]): Edit | null {
-    if (this.#edit && isOfEdit(placed, this.#edit)) return this.#edit
+    if (this.#edit && matchesEdit(placed, this.#edit)) return this.#edit
     const old = this.#strokes
     const shorter = Math.min(old.length, placed.length)
     let [same, sameAtEnd] = [0, 0]
@@ -125,7 +123,7 @@ export class StrokeLayer {
   }
 
   #penFor(changed: readonly PlacedStroke[]): StrokePen {
-    // Whatever else reaches a touched texel.
+    // Includes unchanged strokes that reach a changed texel.
     const near = this.#strokes.filter(({ box }) => changed.some((other) => overlap(box, other.box)))
     return new StrokePen(laidOf(near), this.#canvas.metric, this.#drawn)
   }
@@ -135,7 +133,7 @@ export class StrokeLayer {
     return new StrokePen(laidOf(own), this.#canvas.metric, this.#drawn, others)
   }
 
-  /** Lays new strokes on the skin, and finds those that are not what they were. */
+  /** Lays new strokes on the skin, and finds added and removed ones. */
   #place(strokes: readonly Stroke[]): { placed: PlacedStroke[]; changed: PlacedStroke[] } {
     const indices = new Map<Stroke, number[]>()
     for (const [i, { stroke }] of this.#strokes.entries())
@@ -163,23 +161,23 @@ export class StrokeLayer {
   }
 }
 
-/** A stroke on the skin. */
+/** Stroke laid on the skin. */
 interface PlacedStroke {
   stroke: Stroke
   laid: readonly LaidStroke[]
-  /** The lowest x, y and z within reach of it, and the highest. */
+  /** Bounding box within reach: lowest x, y and z, then highest. */
   box: Float64Array
 }
 
-/** One stroke is edited, or there is none at present. */
+/** Edit of one stroke: the others, before and behind it. */
 interface Edit {
   before: readonly PlacedStroke[]
   behind: readonly PlacedStroke[]
   others: OtherStrokes
 }
 
-/** Whether strokes are those of an edit, with one or none where the edited one is. */
-function isOfEdit(strokes: readonly PlacedStroke[], { before, behind }: Edit): boolean {
+/** Returns whether the strokes match an edit, with at most one stroke at the edited position. */
+function matchesEdit(strokes: readonly PlacedStroke[], { before, behind }: Edit): boolean {
   const more = strokes.length - before.length - behind.length
   return (
     (more === 0 || more === 1) &&

@@ -1,5 +1,5 @@
 import type { Uv } from '../../../core/json.ts'
-import { LEAST_TEXELS } from '../../furrows/furrows.ts'
+import { MIN_TEXELS } from '../../furrows/furrows.ts'
 import type { FurrowRegion, Furrows } from '../../furrows/read-furrows.ts'
 import { FURROW_WIDTH } from '../../furrows/scatter.ts'
 import { cornersOf, crossOf, skinVertices } from '../../skin/surface.ts'
@@ -67,7 +67,7 @@ export function planNet(
     const texel =
       spheres.reduce((sum, { triangle }) => sum + texelSize(prepared, triangle, size), 0) / spheres.length
     const width = FURROW_WIDTH * region.size
-    if (width < LEAST_TEXELS * texel) {
+    if (width < MIN_TEXELS * texel) {
       missing.push({ name: region.name, reason: tooFine(width, texel, size) })
       continue
     }
@@ -111,7 +111,7 @@ function texelSize({ skin, surface }: PreparedSkin, triangle: number, size: numb
 /** @param texel millimetres across one of a map of this size. */
 function tooFine(width: number, texel: number, size: number): string {
   let enough = size
-  while (width * enough < LEAST_TEXELS * texel * size) enough *= 2
+  while (width * enough < MIN_TEXELS * texel * size) enough *= 2
   return `fine furrows are less than two texels wide there, and more with a size of ${enough}`
 }
 

@@ -1,6 +1,6 @@
 import { LONGEST_NAME } from '../../../core/limits.ts'
 import { Rng } from '../../../math/rng.ts'
-import { MOST_MILLIMETRES } from '../../strokes/lay-out.ts'
+import { MAX_TOTAL_LENGTH } from '../../strokes/lay-out.ts'
 import type { LineStyle, SkinRegion } from '../anatomy/region.ts'
 import { type CompressedPatch, MIN_PATCH_COMPRESSION, patchTensors } from '../strain/patches.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
@@ -11,7 +11,7 @@ import type { StrokedSkin } from './stroke-of.ts'
 /** Millimetres from line to line. */
 const SPACING = 6
 /** Millimetres of all lines: less than a document of strokes may have, whose strokes are cut into whole segments. */
-const LONGEST = 0.9 * MOST_MILLIMETRES
+const LONGEST = 0.9 * MAX_TOTAL_LENGTH
 const STYLE: LineStyle = { width: 2, depth: 1, taper: [0.4, 0.4], shoulder: [0.9, 0.9], softness: 0.5 }
 
 /** Lays lines on patches of a skin without anatomy: shallower than on a face. */

@@ -3,7 +3,7 @@ import { checkCoverage } from '../../skin/check-coverage.ts'
 import { drawnTriangles, findOverlap, isOverlapped, type UvOverlap } from '../../skin/overlap.ts'
 import type { Skin, SkinSurface } from '../../skin/surface.ts'
 import { UvLocator, uvGridOf } from '../../skin/uv-locator.ts'
-import { SCALES } from '../../strokes/document.ts'
+import { SCALE_RANGE } from '../../strokes/document.ts'
 import { checkSkin } from './check-skin.ts'
 import { type DetectedFace, detectFace } from './detect-face.ts'
 import { isHead } from './head-signs.ts'
@@ -113,7 +113,7 @@ function percent(fraction: number): string {
 
 /** Lines are kept in millimetres, and so is the size of the face. */
 function checkScale(scale: number): void {
-  const [least, most] = SCALES
+  const [least, most] = SCALE_RANGE
   if (scale >= least && scale <= most) return
   throw new FurrowError({
     code: 'out-of-range',

@@ -3,29 +3,29 @@ import type { SkinCanvas } from '../../skin/canvas.ts'
 import type { Stroke } from '../document.ts'
 import { layOutStroke } from '../lay-out.ts'
 
-/** A part of a stroke as a line in space, in the coordinates of the mesh. */
+/** Part of a stroke as a line in space, in mesh coordinates. */
 export interface StrokeCurve {
-  /** x, y and z of each point. */
+  /** Packed xyz. */
   points: Float64Array
-  /** The skin's unit normals there. */
+  /** Unit normals of the skin at the points, packed xyz. */
   normals: Float64Array
-  /** How far along the stroke each point is, as a fraction of its length, 0..1. */
+  /** Position of each point along the stroke, as a fraction of its length, 0..1. */
   along: Float64Array
 }
 
-/** The point of a stroke that is nearest to a position. */
+/** Point of a stroke nearest to a position. */
 export interface StrokePoint {
   position: [x: number, y: number, z: number]
-  /** From the position, in the unit of the mesh. */
+  /** Distance from the position, in mesh units. */
   distance: number
-  /** How far along the stroke it is, as a fraction of its length, 0..1. */
+  /** Position along the stroke, as a fraction of its length, 0..1. */
   along: number
 }
 
 /**
- * The bottom of a stroke's valley as lines on the face, at most half a millimetre from point to point: to be drawn, and to be picked.
+ * Returns the bottom of a stroke's valley as lines on the face, for drawing and picking, with steps of at most half a millimetre.
  *
- * @returns one part, or several where the stroke is interrupted; none where none of it is on the skin.
+ * @returns several parts if the stroke is interrupted, none if it is outside the skin.
  */
 export function strokeCurves(stroke: Stroke, canvas: SkinCanvas): StrokeCurve[] {
   return layOutStroke(stroke, canvas).map(({ points, normals, span: [start, end] }) => {
@@ -39,9 +39,9 @@ export function strokeCurves(stroke: Stroke, canvas: SkinCanvas): StrokeCurve[] 
 }
 
 /**
- * Finds the point of a stroke that is nearest to a position in the coordinates of the mesh.
+ * Finds the point of a stroke nearest to a position in mesh coordinates.
  *
- * @returns undefined where the stroke has no parts.
+ * @returns undefined if the stroke has no parts.
  */
 export function nearestOnStroke(
   curves: readonly StrokeCurve[],

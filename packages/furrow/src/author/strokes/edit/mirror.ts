@@ -5,22 +5,23 @@ import type { Stroke } from '../document.ts'
 import { splineOf } from './spline-of.ts'
 import { clamped } from './traced-stroke.ts'
 
-/** The plane across which the left half of a face is its right half, in the coordinates of its mesh. */
+/** Symmetry plane of a face, in mesh coordinates. */
 export interface MirrorPlane {
-  /** A position in the plane. */
+  /** Position in the plane. */
   origin: readonly [x: number, y: number, z: number]
-  /** At a right angle to it, of length 1. */
+  /** Unit normal of the plane. */
   normal: readonly [x: number, y: number, z: number]
 }
 
-/** x = 0, as models of characters have it. */
+/** x = 0, the symmetry plane of most character models. */
 const MIDDLE: MirrorPlane = { origin: [0, 0, 0], normal: [1, 0, 0] }
 
 /**
- * Mirrors a stroke: each point goes to the point of the skin that is nearest to its mirror image. Left and right sides of its cross-section change, and so
- * does the group where its name ends in `Left` or `Right`. Where both halves use the same texels, a stroke is its own mirror image.
+ * Mirrors a stroke across a plane: each point goes to the point of the skin nearest to its mirror image.
+ * Left and right of the cross-section are swapped, and the group's suffix `Left` or `Right`. If both halves share texels, a stroke is its
+ * own mirror image.
  *
- * @param plane x = 0 by default; `middleOf` finds that of a face.
+ * @param plane default: x = 0; `middleOf` finds a face's plane.
  * @returns the mirrored stroke as a spline (`splineOf`).
  */
 export function mirrorStroke<S extends Stroke>(stroke: S, canvas: SkinCanvas, plane = MIDDLE): S {

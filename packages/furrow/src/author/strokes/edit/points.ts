@@ -6,16 +6,16 @@ import type { Stroke } from '../document.ts'
 import { splineOf } from './spline-of.ts'
 import { clamped, knotsOf, traceStroke, uvOf } from './traced-stroke.ts'
 
-/** Millimetres that a point moves over the skin at once. */
+/** Maximum step of a point over the skin in millimetres. */
 const STEP = 0.5
 
 /**
- * Adds a point to a stroke where its line is already. A spline through one more point is another curve: on faces the line moves by 0.01 mm in
- * the median, 0.1 mm at most.
+ * Inserts a point on a stroke's existing line. The extra point changes the spline slightly: on faces by 0.01 mm in the median, 0.1 mm at
+ * most.
  *
- * @param along where on its line, as a fraction of its length, 0..1.
- * @returns the stroke as a spline (`splineOf`), and the index of the new point; the stroke itself and -1 where a point is already, or none of
- *   the line is on the skin.
+ * @param along position on the line as a fraction of its length, 0..1.
+ * @returns the stroke as a spline (`splineOf`) and the index of the new point. Returns the unchanged stroke and -1 if a point exists
+ *   there, or the line is outside the skin.
  */
 export function insertPoint<S extends Stroke>(
   stroke: S,
@@ -35,8 +35,8 @@ export function insertPoint<S extends Stroke>(
 /**
  * Removes a point of a stroke.
  *
- * @param index of the point; of a stroke that is no spline yet, in what `splineOf` makes of it.
- * @throws FurrowError if there is no such point, or only two are left.
+ * @param index of the point in the result of `splineOf`.
+ * @throws FurrowError if the point is missing, or only two points are left.
  */
 export function removePoint<S extends Stroke>(stroke: S, index: number, skin: LocatedSkin): S {
   const spline = splineOf(stroke, skin)
@@ -54,7 +54,7 @@ export function removePoint<S extends Stroke>(stroke: S, index: number, skin: Lo
 }
 
 /**
- * Smooths a stroke: moves each of its points over the skin towards the straight line between its neighbours. The ends stay.
+ * Smooths a stroke: moves each inner point over the skin towards the straight line between its neighbours. The ends stay.
  *
  * @param amount fraction of the way, 0..1.
  * @returns the stroke as a spline (`splineOf`).
@@ -93,15 +93,15 @@ function distance(a: Float64Array, b: Float64Array): number {
   return length3(a[0] - b[0], a[1] - b[1], a[2] - b[2])
 }
 
-/** Throws where an index of a stroke's points is not within limits. */
+/** Throws if a point index is out of range. */
 export function checkIndex(who: string, index: number, lowest: number, highest: number): void {
   if (Number.isInteger(index) && index >= lowest && index <= highest) return
   throw new FurrowError({
     code: 'out-of-range',
     who,
-    problem: 'the stroke has no such point',
+    problem: 'point index out of range',
     value: index,
     limit: lowest <= highest ? `${lowest}..${highest}` : 'a stroke of 3 points or more',
-    remedy: 'name one of its points',
+    remedy: 'use the index of an existing point',
   })
 }

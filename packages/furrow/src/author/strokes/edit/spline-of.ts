@@ -3,14 +3,14 @@ import type { LocatedSkin } from '../curve.ts'
 import type { Stroke } from '../document.ts'
 import { traceStroke, uvOf } from './traced-stroke.ts'
 
-/** Millimetres by which a spline may miss the line that it is made of: a thirtieth of a fine wrinkle's width. */
+/** Maximum distance in millimetres between a spline and the line it replaces: a thirtieth of a fine wrinkle's width. */
 export const TOLERANCE = 0.08
 
 /**
- * Makes a stroke a spline, the kind whose points can be moved one by one and across seams. Its line stays where it is, to 0.08 mm; where the
- * texture has no skin, the spline goes on over the gap.
+ * Converts a stroke to a spline, whose points can be moved individually and across seams. The line stays in place within 0.08 mm. The
+ * spline bridges gaps where the texture has no skin.
  *
- * @returns the stroke itself if it is a spline, or not on the skin at all.
+ * @returns the same stroke if it is already a spline, or outside the skin.
  */
 export function splineOf<S extends Stroke>(stroke: S, skin: LocatedSkin): S {
   if (stroke.curve === 'spline') return stroke

@@ -7,18 +7,18 @@ import { checkIndex } from './points.ts'
 import { splineOf, TOLERANCE } from './spline-of.ts'
 import { knotsOf, traceStroke, uvOf } from './traced-stroke.ts'
 
-/** Millimetres between the factors on a part's depth. */
+/** Spacing of a part's depth factors in millimetres. */
 const FACTOR_SPACING = 1
-/** Factors that a stroke may have. */
-const MOST_FACTORS = 256
+/** Maximum number of depth factors per stroke. */
+const MAX_FACTORS = 256
 
 /**
- * Splits a stroke in two at one of its points. Both parts lie where the stroke did, to 0.08 mm, with points added where they need them; they
- * are as deep as it was there, and do not taper where it was cut. The waviness of the second is another.
+ * Splits a stroke in two at one of its points. Both parts keep the line within 0.08 mm, adding points as needed, and the depth, without
+ * tapering at the cut. The second part gets different waviness.
  *
- * @param index of an inner point; of a stroke that is no spline yet, in what `splineOf` makes of it.
- * @returns the parts as splines, from the start to the end.
- * @throws FurrowError if there is no such point.
+ * @param index inner point in the result of `splineOf`.
+ * @returns both parts as splines, from start to end.
+ * @throws FurrowError if the point is missing or not an inner one.
  */
 export function splitStroke<S extends Stroke>(stroke: S, index: number, skin: LocatedSkin): [S, S] {
   const spline = splineOf(stroke, skin)
@@ -28,11 +28,11 @@ export function splitStroke<S extends Stroke>(stroke: S, index: number, skin: Lo
   const part = (first: number, last: number): S => {
     const points = splinePoints(spline, first, last)
     const [start, end] = [line.lengths[knots[first]], line.lengths[knots[last]]]
-    // Where points are not on the skin, there is no line to keep.
+    // Points outside the skin have no line to preserve.
     if (!(end > start)) return { ...spline, points }
     return { ...spline, points, ...shapeOf(spline, start, end, line.lengths.at(-1) ?? end) }
   }
-  /** Points on the line from one point of the stroke to another. */
+  /** Returns the points of the line between two points of the stroke. */
   function splinePoints(of: S, first: number, last: number): S['points'] {
     const own = knots.slice(first, last + 1)
     if (own.some((knot, i) => i > 0 && knot <= own[i - 1])) return of.points.slice(first, last + 1)
@@ -50,7 +50,7 @@ export function splitStroke<S extends Stroke>(stroke: S, index: number, skin: Lo
   return [part(0, index), part(index, spline.points.length - 1)]
 }
 
-/** Tapers and depths of the part of a stroke between two lengths in millimetres. */
+/** Computes tapers and depths of a part of a stroke, between two arc lengths in millimetres. */
 function shapeOf(
   { depths, taper }: Stroke,
   start: number,
@@ -66,11 +66,11 @@ function shapeOf(
     taper[0] * total <= (start > 0 ? start : length) &&
     taper[1] * total <= (end < total ? total - end : length)
   if (!depths && isWithin) return { taper: own }
-  const count = clamp(Math.ceil(length / FACTOR_SPACING) + 1, 2, MOST_FACTORS)
+  const count = clamp(Math.ceil(length / FACTOR_SPACING) + 1, 2, MAX_FACTORS)
   return {
     taper: own,
     depths: Array.from({ length: count }, (_, i) => {
-      // The ends themselves, where both fade to nothing, say nothing of how.
+      // At the exact ends both tapers are zero and their ratio is undefined.
       const t = clamp(i / (count - 1), 1e-3, 1 - 1e-3)
       const whole = lerp(start, end, t) / total
       return clamp((depthFactor(depths, whole) * taperAt(whole, taper)) / (taperAt(t, own) || 1), 0, 1)

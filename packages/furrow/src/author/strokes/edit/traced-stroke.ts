@@ -4,16 +4,16 @@ import { type LocatedSkin, layCurve } from '../curve.ts'
 import type { Stroke } from '../document.ts'
 import { arcLengths } from '../lay-out.ts'
 
-/** The line of a stroke on the skin, from end to end, in short steps: where it is interrupted, the next step is a long one. */
+/** Line of a stroke on the skin, from end to end in short steps. An interruption is one long step. */
 export interface TracedStroke {
-  /** x, y and z of each point in millimetres, and its triangle. */
+  /** Packed xyz in millimetres, and the triangle of each point. */
   points: Float64Array
   triangles: readonly number[]
-  /** Millimetres from the start to each point. */
+  /** Arc length in millimetres from the start to each point. */
   lengths: Float64Array
 }
 
-/** Lays a stroke's line on the skin; it has no points where none of it is on the skin. */
+/** Lays a stroke's line on the skin; empty if the stroke is outside the skin. */
 export function traceStroke(stroke: Stroke, skin: LocatedSkin): TracedStroke {
   const lines = layCurve(stroke, skin)
   const points = Float64Array.from(lines.flatMap((line) => [...line.points]))
@@ -24,19 +24,19 @@ export function traceStroke(stroke: Stroke, skin: LocatedSkin): TracedStroke {
   }
 }
 
-/** Where in the texture a point of a line is. */
+/** Returns the UV coordinates of a point of a line. */
 export function uvOf({ points, triangles }: TracedStroke, i: number, { surface, locator }: LocatedSkin): Uv {
   const weights = new Float64Array(3)
   barycentricsAt(weights, surface, triangles[i], points.subarray(3 * i, 3 * i + 3))
   return clamped(locator.uvAt(triangles[i], weights))
 }
 
-/** What a document may say: beyond the border of the skin a line leaves the texture. */
+/** Clamps to the range allowed in documents: beyond the skin's border a line may leave the texture. */
 export function clamped([u, v]: Uv): Uv {
   return [Math.min(1, Math.max(0, u)), Math.min(1, Math.max(0, v))]
 }
 
-/** The first point of a spline's line that is each of its points, in their order; of points that are not on the skin that of the one before. */
+/** Returns the index on a spline's line of each of its points. Points outside the skin repeat the previous index. */
 export function knotsOf(
   { points: uvs }: Stroke,
   line: TracedStroke,
