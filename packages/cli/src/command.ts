@@ -4,10 +4,10 @@ import { didYouMean } from 'furrow/internal'
 import { forgetFilesRead } from 'furrow-files/node'
 
 /**
- * A command whose errors are thrown as `FurrowError`, those of commander (unknown options, missing or wrong
- * arguments) with the code `usage`; nothing is printed and the process goes on.
+ * Creates a command that throws commander's errors (unknown options, missing or invalid arguments) as `FurrowError`
+ * with the code `usage`. It does not print them and does not exit.
  *
- * @param name as the user types it; `furrow` is the program itself.
+ * @param name command name as typed; `furrow` is the program itself.
  */
 export function createCommand(name: string): Command {
   const who = name === 'furrow' ? name : `furrow ${name}`
@@ -17,13 +17,13 @@ export function createCommand(name: string): Command {
     checkValues(command, who)
   })
   return command.exitOverride((error) => {
-    // Help and version were printed; commander then exits by itself.
+    // Help or version was printed; commander then exits.
     if (error.exitCode === 0 || error.code === 'commander.help') return
     throw usageError(command, who, error)
   })
 }
 
-/** An empty path or name is a variable of a script that is not set. Throws FurrowError where there is one. */
+/** Throws if an argument or option is empty: usually an unset variable in a script. */
 function checkValues(command: Command, who: string): void {
   const given = [
     ...command.registeredArguments.map((argument, i) => [
@@ -47,25 +47,25 @@ function checkValues(command: Command, who: string): void {
 
 function usageError(command: Command, who: string, error: CommanderError): FurrowError {
   const { problem, suggestion } = readMessage(error)
-  const fault = (problem: string, remedy: string) =>
+  const toError = (problem: string, remedy: string) =>
     new FurrowError({ code: 'usage', who, problem, remedy }, { cause: error })
   const help = `see ${who} --help`
-  // A required option that is misspelt is not missing.
+  // A misspelt required option is reported as unknown, not as missing.
   const unknown = error.code === 'commander.missingMandatoryOptionValue' ? unknownOption(command) : undefined
   if (unknown !== undefined) {
     const options = command.options.flatMap(({ long }) => long ?? [])
-    return fault(`unknown option '${unknown}'`, didYouMean(unknown, options, help))
+    return toError(`unknown option '${unknown}'`, didYouMean(unknown, options, help))
   }
-  // Commander knows the nearest command and option, but not the nearest choice.
-  if (suggestion) return fault(problem, `did you mean "${suggestion}"?`)
+  // Commander suggests commands and options, but not choices.
+  if (suggestion) return toError(problem, `did you mean "${suggestion}"?`)
   const choice = /argument '(.*)' is invalid\. Allowed choices are (.*)$/.exec(problem)
-  if (!choice) return fault(problem, help)
-  // An option that takes several values takes a file behind it as one more.
-  const otherwise = problem.includes('...>') ? `files go before this option; ${help}` : help
-  return fault(problem, didYouMean(choice[1], choice[2].split(', '), otherwise))
+  if (!choice) return toError(problem, help)
+  // An option with several values also consumes a file that follows it.
+  const fallback = problem.includes('...>') ? `put files before this option; ${help}` : help
+  return toError(problem, didYouMean(choice[1], choice[2].split(', '), fallback))
 }
 
-/** Messages begin with `error: `; those about choices end with a full stop. A suggestion has a line of its own. */
+/** Parses commander's message: `error: PROBLEM`, optionally a full stop, then a line with a suggestion. */
 function readMessage({ message }: CommanderError): { problem: string; suggestion: string | undefined } {
   const [first, second = ''] = message.split('\n')
   const problem = first.replace(/^error: /, '').replace(/\.$/, '')

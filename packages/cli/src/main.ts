@@ -20,7 +20,7 @@ import { warn } from './print.ts'
 import { version } from './version.ts'
 
 const program = createCommand('furrow')
-  .description('Wrinkles for glTF characters: author, render and inspect them')
+  .description('Author, render and inspect wrinkles for glTF characters')
   .version(version, '-v, --version')
   .addHelpText('before', helpOfCommand)
   .addHelpText(
@@ -51,7 +51,10 @@ for (const command of [
   program.addCommand(command)
 }
 
-/** Commander shows the general help where a command follows `--help`, or does not exist; without `help`, it names the nearest one. */
+/**
+ * Prints the help of the named command. For an unknown command, `parse` throws an error with the nearest name.
+ * Commander would print the general help for both.
+ */
 function helpOfCommand(): string {
   const name = program.args.find((text) => text !== 'help' && !text.startsWith('-'))
   program.commands.find((command) => command.name() === name)?.help()
@@ -61,7 +64,7 @@ function helpOfCommand(): string {
 
 for (const stream of [process.stdout, process.stderr]) {
   stream.on('error', (error: NodeJS.ErrnoException) => {
-    // The reader of the output, such as `head`, has seen enough.
+    // The reader, such as `head`, has closed the pipe.
     if (error.code === 'EPIPE') process.exit()
     warn(cannotWrite('furrow', 'to stdout', error).message)
     process.exit(1)
@@ -70,11 +73,11 @@ for (const stream of [process.stdout, process.stderr]) {
 
 try {
   const words = process.argv.slice(2).join(' ')
-  // Commander has no help about its own command `help`.
+  // Commander has no help for its `help` command.
   if (words === '' || words === 'help help') program.outputHelp()
   else await program.parseAsync()
 } catch (error) {
-  // Users get one line; anything else is a bug, and gets a stack.
+  // Any other error is a bug and gets a stack trace.
   if (error instanceof FurrowError) warn(error.message)
   else for (const line of inspect(error).split('\n')) warn(line)
   process.exitCode = 1

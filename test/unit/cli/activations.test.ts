@@ -36,6 +36,6 @@ describe('furrow activations', () => {
   })
 
   it('refuses a blendshape that the face lacks', async () => {
-    await shop.fails('no such blendshape, got "trunkUp"', human, '--set', 'trunkUp=1')
+    await shop.fails('unknown blendshape, got "trunkUp"', human, '--set', 'trunkUp=1')
   })
 })

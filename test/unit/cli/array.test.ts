@@ -251,7 +251,7 @@ describe('furrow array says what is wrong and writes nothing:', () => {
 
   it.each<readonly [string, string[], string[], string]>([
     ['no task', ['skin.png'], [], 'no output, allowed: IMAGES -o ARRAY.ktx2, or'],
-    ['two arrays', ['good.ktx2', 'good.ktx2'], ['--extract', 'x'], 'got 2, allowed: 1 array'],
+    ['two arrays', ['good.ktx2', 'good.ktx2'], ['--extract', 'x'], 'got 2, allowed: 1; extract one'],
     ['no array', ['text.ktx2'], ['--extract', 'x'], 'cannot read the array'],
     ...['climb', 'twice', 'few', 'torn'].map((name): [string, string[], string[], string] => {
       return [name, [`${name}.ktx2`], ['--extract', 'x'], 'are not 3 different names']

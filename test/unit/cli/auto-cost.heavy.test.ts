@@ -88,7 +88,7 @@ test('a mesh without normals gets some, and validate accepts the result', async 
     delete meshes[0]!.primitives[0]!.attributes!.NORMAL
   }) as never)
   await at.run(face, '-o', file('smooth.glb'), '--size', '512')
-  expect(at.warned).toContain('the mesh has no normals: smooth ones are added')
+  expect(at.warned).toContain('the mesh has no normals; smooth normals were added')
   await at.shop.run('validate', file('smooth.glb'))
   expect(process.exitCode).toBeFalsy()
 })

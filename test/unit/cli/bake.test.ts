@@ -126,7 +126,7 @@ describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
 
   it('shows the facets of a sculpt without normals and says so', async () => {
     await run(file('facets.glb'), file('plain.glb'), '-o', file('facets.png'), '--size', '32')
-    expect(at.warned).toContain('has no normals, so its facets show')
+    expect(at.warned).toContain('has no normals, so its facets are visible')
   })
 
   it('occludes a floor beside a wall by the exact share', async () => {

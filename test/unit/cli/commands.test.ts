@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest'
 import { COMMAND_NAMES, commandOf } from '../../commands.ts'
 import { Workshop } from './workshop.ts'
 
-/** Where the options of a command are explained; those of `render` by its help alone, which the README names. */
+/** Page that explains the options of each command. The options of `render` are explained only by its help. */
 const PAGES = {
   activations: 'docs/drivers.md',
   array: 'docs/array.md',
@@ -36,7 +36,7 @@ it.each(Object.entries(PAGES))('every option of %s is explained in %s', (name, p
   expect(missing.map(({ flags }) => flags)).toEqual([])
 })
 
-it('render is explained by its help alone, which the README names', () => {
+it('the README names the help of render, which has no page', () => {
   expect(COMMAND_NAMES).toHaveLength(Object.keys(PAGES).length + 1)
   expect(readFileSync('README.md', 'utf8')).toContain('`npx furrow render --help` lists all options')
 })
@@ -50,7 +50,7 @@ describe('an option', () => {
   const choices = (option: Option) => option.argChoices?.join(' ')
   const parse = (option: Option, text: string) => option.parseArg!(text, undefined)
 
-  /** Text of an option about a value that it refuses. */
+  /** Returns the rule in the error about an invalid value, or the choices. */
   function ruleOf(option: Option): string {
     try {
       return `takes ${parse(option, '?')}`
@@ -65,13 +65,13 @@ describe('an option', () => {
       .map((option) => ({ name: `${command.name()} ${option.long}`, option, rule: ruleOf(option) })),
   )
 
-  it('refuses other values than it should take', () => {
-    const weights = 'NAME=VALUE with a value from 0 to 1; files go before this option'
+  it('rejects invalid values', () => {
+    const weights = 'NAME=VALUE with a value from 0 to 1; put files before this option'
     const expressions = 'neutral surprised angry happy disgusted sad leftBrow rightBrow leftWink rightWink'
     expect(Object.fromEntries(parsed.map(({ name, rule }) => [name, rule]))).toEqual({
       'activations --set': weights,
       'activations --expression': expressions,
-      'activations --input': 'NAME=VALUE with a finite value; files go before this option',
+      'activations --input': 'NAME=VALUE with a finite value; put files before this option',
       'array --compress': 'none zstd uastc etc1s',
       'auto --age': 'a number from 20 to 80 years',
       'auto --strength': 'a number from 0 to 2',
@@ -125,14 +125,23 @@ describe('an option', () => {
     return kind === undefined ? [] : [[name, option, Number(min), Number(max), kind === 'integer'] as const]
   })
 
-  it.each(numbers)('%s takes the ends of its range, and nothing beyond', (_, option, min, max, isInteger) => {
-    expect([parse(option, `${min}`), parse(option, `${max}`)]).toEqual([min, max])
-    const step = isInteger ? 1 : Math.abs(min) / 2 || 0.5
-    for (const text of [`${min - step}`, `${max + step}`, '', 'NaN', ...(isInteger ? [`${min + 0.5}`] : [])])
-      expect(() => parse(option, text), text).toThrow('It must be')
-  })
+  it.each(numbers)(
+    '%s accepts the ends of its range and nothing beyond',
+    (_, option, min, max, isInteger) => {
+      expect([parse(option, `${min}`), parse(option, `${max}`)]).toEqual([min, max])
+      const step = isInteger ? 1 : Math.abs(min) / 2 || 0.5
+      for (const text of [
+        `${min - step}`,
+        `${max + step}`,
+        '',
+        'NaN',
+        ...(isInteger ? [`${min + 0.5}`] : []),
+      ])
+        expect(() => parse(option, text), text).toThrow('It must be')
+    },
+  )
 
-  it.each(['15x600', '800x15', '8193x600', '800'])('of render: a size of %s is refused', (text) => {
+  it.each(['15x600', '800x15', '8193x600', '800'])('of render rejects a size of %s', (text) => {
     const size = parsed.find(({ name }) => name === 'render --size')!.option
     expect(() => parse(size, text)).toThrow('sides from 16 to 8192 pixels')
     expect(parse(size, '16x8192')).toEqual({ width: 16, height: 8192 })

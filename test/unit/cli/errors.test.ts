@@ -107,7 +107,7 @@ describe('the command line', () => {
       .argument('<yarn>')
       .addOption(new Option('--colours <names...>').choices(['red', 'blue']))
     const error = await failure(() => command.parseAsync(['--colours', 'red', 'wool.txt'], { from: 'user' }))
-    expect((error as Error).message).toMatch(/; files go before this option; see furrow knit --help$/)
+    expect((error as Error).message).toMatch(/; put files before this option; see furrow knit --help$/)
   })
 
   it.each<[string[], string]>([

@@ -143,12 +143,12 @@ describe('furrow normals', () => {
     expect(at.warned).toBe('')
   })
 
-  it('reads 8 bits and gray stored as colour, and says what 8 bits cost', async () => {
+  it('reads 8 bits and gray stored as colour, and warns about 8 bits', async () => {
     await writeHeight(file('byte.png'), SHAPES.plane.height, 64, 8)
     await sharp(file('byte.png')).toColourspace('srgb').toFile(file('rgb.png'))
     for (const name of ['byte', 'rgb']) {
       await run(file(`${name}.png`), '-o', file(`${name}-n.png`), '--depth', '20', '--width', '100')
-      expect(at.warned).toContain('has 8 bits, so gentle slopes become steps; use a 16-bit height map')
+      expect(at.warned).toContain('has only 8 bits, so gentle slopes show steps; use a 16-bit height map')
     }
     const [normals, fromRgb] = await Promise.all(
       ['byte', 'rgb'].map((name) => readNormals(file(`${name}-n.png`), 'up')),
@@ -192,8 +192,11 @@ describe('furrow normals', () => {
     )
 
     it.each([
-      [[], 'no strength, allowed: either --depth MM with --width MM, or --strength TEXELS alone'],
-      [['--depth', '2'], 'no strength, allowed'],
+      [
+        [],
+        'the depth of the height map is missing, allowed: --depth MM with --width MM, or --strength TEXELS',
+      ],
+      [['--depth', '2'], 'the depth of the height map is missing, allowed'],
       [
         ['--depth', '2', '--width', '100', '--strength', '3'],
         "option '--strength <texels>' cannot be used with option '--depth <mm>'",

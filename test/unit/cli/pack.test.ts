@@ -233,7 +233,7 @@ describe('furrow pack with bad input', () => {
     [
       'no face',
       (at) => rmSync(shop.path(`${at}/face.glb`)),
-      'does not exist); put it there, or name another one with --face',
+      'does not exist); add it, or pass another face with --face',
     ],
     [
       'a face without a mesh',

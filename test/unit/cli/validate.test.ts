@@ -47,7 +47,7 @@ describe('furrow validate', () => {
     expect(shop.printed).toBe(`/dev/fd/${file}: 0 errors, 0 warnings\n`)
   })
 
-  it('sums up the errors about the rest of the file, and lists those about the wrinkles', async () => {
+  it('lists errors about the wrinkles and summarises the others', async () => {
     const path = spoilt((json, maps) => {
       for (const { min, max } of json.accessors) for (const limits of [min, max]) if (limits) limits[0] += 0.5
       maps.areas[1].layer = 2
@@ -56,7 +56,7 @@ describe('furrow validate', () => {
     const [own, rest, ...more] = shop.printed.trimEnd().split('\n')
     expect(own).toMatch(/^error: \/materials\/0\/extensions\/.*\(INVALID\)$/)
     const summary =
-      /^(\d+) errors about the rest of the file, not the wrinkles: (\d+) ACCESSOR_MIN_MISMATCH, .*; list them with --all$/
+      /^(\d+) errors outside the wrinkles: (\d+) ACCESSOR_MIN_MISMATCH, .*; list them with --all$/
     expect(rest).toMatch(summary)
     const [, all, ofMin] = summary.exec(rest!)!.map(Number)
     expect(ofMin).toBeGreaterThan(0)
@@ -64,7 +64,7 @@ describe('furrow validate', () => {
     expect(process.exitCode).toBe(1)
     const whole = await shop.output('validate', path, '--all')
     expect(whole.match(/^error: /gm)).toHaveLength(all! + 1)
-    expect(whole).not.toContain('rest of the file')
+    expect(whole).not.toContain('outside the wrinkles')
   })
 
   it.each<[string, (json: Json, maps: Json) => void, string]>([
@@ -151,12 +151,12 @@ describe('furrow validate', () => {
     expect(process.exitCode).toBe(1)
   })
 
-  it('sums up the warnings about the rest of the file, and lists them with --all', async () => {
+  it('summarises warnings outside the wrinkles, and lists them with --all', async () => {
     const path = spoilt((json) => {
       for (const node of json.nodes) node.unexpected = true
     })
     expect(await shop.output('validate', path)).toBe(
-      '2 warnings about the rest of the file, not the wrinkles: 2 UNEXPECTED_PROPERTY; list them with --all\n' +
+      '2 warnings outside the wrinkles: 2 UNEXPECTED_PROPERTY; list them with --all\n' +
         `${path}: 0 errors, 2 warnings\n`,
     )
     expect((await shop.output('validate', path, '--all')).match(/^warning: \/nodes\/\d/gm)).toHaveLength(2)

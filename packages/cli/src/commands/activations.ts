@@ -25,24 +25,23 @@ interface Options {
   json?: boolean
 }
 
-/** `furrow activations`: why a wrinkle shows. */
+/** `furrow activations`: shows the activations of a pose. */
 export const activationsCommand = createCommand('activations')
-  .description('show the activation of each area of a face, and which link gave it')
-  .argument('<face>', 'a face with wrinkles (.glb, .vrm, .gltf)')
-  .option('--set <target=weight...>', 'blendshapes, 0 to 1, on top of the expression', parseWeight)
-  .addOption(new Option('--expression <name>', 'an expression').choices(EXPRESSIONS.map(({ name }) => name)))
-  .option(
-    '--input <name=value...>',
-    'inputs that an application would set, such as age=50',
-    assignmentParser(),
+  .description('show area activations and what drives them')
+  .argument('<face>', 'face with wrinkles (.glb, .vrm, .gltf)')
+  .option('--set <target=weight...>', 'blendshape weights, 0 to 1', parseWeight)
+  .addOption(
+    new Option('--expression <name>', 'expression to apply').choices(EXPRESSIONS.map(({ name }) => name)),
   )
-  .option('--material <name>', 'the material with the wrinkles (default: the only one)')
+  .option('--input <name=value...>', 'custom inputs, e.g. age=50', assignmentParser())
+  .option('--material <name>', 'material with wrinkles (default: the only one)')
   .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
     `
-Drivers that read joints or tension need the moving mesh: they are listed without a number.
+--set overrides the expression. Drivers that read joints or tension need an
+animated mesh and are listed without a value.
 
 Examples:
   $ furrow activations wrinkled.glb --set mouthSmileLeft=1 cheekSquintLeft=0.5
@@ -71,7 +70,7 @@ async function activations(path: string, options: Options): Promise<void> {
   print(lines)
 }
 
-/** `0.620  nose`, and below it what each driver and link contributed, largest first; zeros are left out. */
+/** Formats `0.620  nose`, then the contribution of each driver and link, largest first, without zeros. */
 function describe({ area, activation, resting, parts }: Explanation): string[] {
   const lines = parts
     .filter((part) => part.activation > 0)
@@ -95,7 +94,7 @@ function expressionTargets(name: string | undefined): Readonly<Record<string, nu
   return EXPRESSIONS.find((expression) => expression.name === name)?.targets ?? {}
 }
 
-/** In the order of the mesh's blendshapes. Throws FurrowError where it has none of a name. */
+/** Returns weights in the order of the mesh's blendshapes. Throws if a blendshape is unknown. */
 function weightsOf(targetNames: readonly string[], set: Readonly<Record<string, number>>): Float64Array {
   const weights = new Float64Array(targetNames.length)
   for (const [name, weight] of Object.entries(set)) {
@@ -104,10 +103,10 @@ function weightsOf(targetNames: readonly string[], set: Readonly<Record<string, 
       throw new FurrowError({
         code: 'unknown-name',
         who: WHO,
-        problem: 'no such blendshape',
+        problem: 'unknown blendshape',
         value: name,
         limit: targetNames.join(', ') || 'the mesh has none',
-        remedy: didYouMean(name, targetNames, 'name one of these'),
+        remedy: didYouMean(name, targetNames, 'choose one of these'),
       })
     }
     for (const index of indices) weights[index] = weight

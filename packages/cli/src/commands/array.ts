@@ -28,36 +28,30 @@ interface Options {
   json?: boolean
 }
 
-/** `furrow array`: packs images into a KTX 2 texture array, and extracts them again. */
+/** `furrow array`: packs images into a KTX 2 texture array, or extracts them. */
 export const arrayCommand = createCommand('array')
-  .description('pack images into one texture array (KTX 2), or extract them again')
-  .argument('<files...>', 'images of one size in the order of their layers; or one .ktx2 with --extract')
-  .option('-o, --output <file>', 'the array (.ktx2)')
+  .description('pack or extract a KTX 2 texture array')
+  .argument('<files...>', 'images in layer order, or one .ktx2 with --extract')
+  .option('-o, --output <file>', 'texture array (.ktx2)')
+  .addOption(new Option('--extract <folder>', 'write each layer of an array as PNG').conflicts('output'))
+  .option('--srgb', 'the images are sRGB colours (default: linear data)')
   .addOption(
-    new Option(
-      '--extract <folder>',
-      'write the layers of an array as PNG files with their original names',
-    ).conflicts('output'),
+    new Option('--compress <kind>', 'none and zstd are lossless').choices(COMPRESSIONS).default('zstd'),
   )
-  .option('--srgb', 'the images are colours; not for normal maps, areas and other data')
-  .addOption(
-    new Option('--compress <kind>', 'none and zstd are exact, uastc and etc1s stay compressed on the GPU')
-      .choices(COMPRESSIONS)
-      .default('zstd'),
-  )
-  .option('--no-mipmaps', 'with uastc or etc1s: only the full size')
+  .option('--no-mipmaps', 'write no mipmaps (uastc and etc1s only)')
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
     `
+uastc and etc1s stay compressed on the GPU.
+
 Examples:
-  $ furrow array areas/foreheadLeft.png areas/foreheadRight.png -o areas.ktx2
   $ furrow array layers/*.png -o layers.ktx2 --compress uastc
-  $ furrow array areas.ktx2 --extract areas`,
+  $ furrow array layers.ktx2 --extract layers`,
   )
   .action(packOrExtract)
 
-/** An array that was packed or extracted. */
+/** A packed or extracted array. */
 type Result = NamedArray & { file: string; compression: Compression; bytes: number; gpuBytes?: number }
 
 async function packOrExtract(files: string[], options: Options): Promise<void> {
@@ -91,9 +85,9 @@ async function extractLayers(files: string[], folder: string): Promise<Result> {
     throw new FurrowError({
       code: 'usage',
       who: WHO,
-      problem: 'too many files to extract from',
+      problem: 'too many files with --extract',
       value: files.length,
-      limit: '1 array',
+      limit: '1',
       remedy: 'extract one array at a time',
     })
   }
@@ -123,8 +117,8 @@ async function readArrayFile(path: string) {
 }
 
 /**
- * Bytes on the GPU. UASTC becomes ASTC 4x4 or BC7, 16 bytes per block of 4 x 4 texels; ETC1S becomes ETC1 or BC1,
- * 8 bytes per block, where the GPU supports them.
+ * Returns the size on the GPU, bytes. UASTC is transcoded to ASTC 4x4 or BC7, 16 bytes per block of 4 x 4 texels;
+ * ETC1S to ETC1 or BC1, 8 bytes per block.
  */
 function sizeOnGpu(array: NamedArray, compression: Compression, mipmaps: boolean): number {
   const { width, height, channels, layers } = array

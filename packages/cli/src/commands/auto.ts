@@ -38,14 +38,13 @@ const WHO = 'furrow auto'
 
 const SIZES = ['512', '1024', '2048', '4096'] as const
 
-/** Steps besides those of `autoWrinkles`: reading, encoding, writing; with a report also its maps and pictures. */
+/** Progress steps besides those of `autoWrinkles`: reading, encoding, writing. The report adds maps and pictures. */
 const OWN_STEPS = 3
 const REPORT_STEPS = 2
 
-const WITHOUT_NORMALS =
-  'the mesh has no normals: smooth ones are added, without which it would show no wrinkles'
+const WITHOUT_NORMALS = 'the mesh has no normals; smooth normals were added, because wrinkles need them'
 
-/** Layers that compressed wrinkles have at most by default: with 1024 x 1024 texels they take 2 MB. */
+/** Default maximum number of layers with `--ktx2`. Two layers of 1024 x 1024 texels take 2 MB. */
 const KTX2_LAYERS = 2
 
 interface Options {
@@ -72,54 +71,35 @@ const years = numberParser({ min: 20, max: 80, unit: 'years' })
 const factor = numberParser({ min: 0, max: 2 })
 const count = (min: number, max: number) => numberParser({ min, max, integer: true })
 
-/** `furrow auto`: makes wrinkles from a face's own blendshapes. */
+/** `furrow auto`: generates wrinkles from the blendshapes of a face. */
 export const autoCommand = createCommand('auto')
-  .description("make wrinkles from a face's own blendshapes, where they compress the skin")
-  .argument('<face>', 'a face with blendshapes (.glb, .vrm, .gltf)')
-  .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb, .vrm, .gltf)')
-  .option(
-    '--age <years>',
-    `lines grow in number, length and depth, 20 to 80; where given, they show at rest too (default: ${AUTO_DEFAULTS.age})`,
-    years,
-  )
-  .option(
-    '--strength <factor>',
-    'multiplies the depth of lines and the amount of blood, 0 to 2',
-    factor,
-    AUTO_DEFAULTS.strength,
-  )
+  .description('generate wrinkles from the blendshapes of a face')
+  .argument('<face>', 'face with blendshapes (.glb, .vrm, .gltf)')
+  .requiredOption('-o, --output <file>', 'face with wrinkles (.glb, .vrm, .gltf)')
+  .option('--age <years>', `20 to 80; if set, ages the neutral face (default: ${AUTO_DEFAULTS.age})`, years)
+  .option('--strength <factor>', 'scale of line depth and blood, 0 to 2', factor, AUTO_DEFAULTS.strength)
   .addOption(
-    new Option('--size <texels>', 'side of the maps').choices(SIZES).default(String(AUTO_DEFAULTS.size)),
+    new Option('--size <texels>', 'size of the maps').choices(SIZES).default(String(AUTO_DEFAULTS.size)),
   )
   .option(
     '--seed <number>',
-    'another number draws other lines; the same one gives the same bytes',
+    'integer seed; same seed, same output',
     count(0, 2 ** 31 - 1),
     AUTO_DEFAULTS.seed,
   )
-  .option('--mesh <name>', 'the mesh that wrinkles (default: the one whose skin brows, lids and mouth move)')
+  .option('--mesh <name>', 'mesh to wrinkle (default: detected from its blendshapes)')
   .option(
     '--layers <count>',
-    `largest number of layers, over which crossing lines are spread, 1 to 4 (default: ${AUTO_DEFAULTS.layers}, with --ktx2 ${KTX2_LAYERS}, with --ktx2 and --furrows ${KTX2_LAYERS + 1})`,
+    `maximum, 1 to 4 (default: ${AUTO_DEFAULTS.layers}; with --ktx2 ${KTX2_LAYERS} or ${KTX2_LAYERS + 1})`,
     count(1, 4),
   )
-  .option('--areas <count>', 'largest number of areas with lines, 1 to 64', count(1, 64), AUTO_DEFAULTS.areas)
-  .addOption(
-    new Option('--regions <names...>', 'parts of a face that may crease, all by default').choices(
-      AUTO_REGIONS,
-    ),
-  )
-  .option(
-    '--furrows',
-    'add a layer of fine furrows, the net that covers all skin: deeper where it is squeezed, smoother where it is pulled; needs a --size that shows them',
-  )
-  .option(
-    '--ktx2',
-    'maps and areas as KTX 2 arrays (UASTC), which stay compressed on the GPU; heights remain PNG',
-  )
+  .option('--areas <count>', 'maximum of areas with lines, 1 to 64', count(1, 64), AUTO_DEFAULTS.areas)
+  .addOption(new Option('--regions <names...>', 'regions to wrinkle, default all').choices(AUTO_REGIONS))
+  .option('--furrows', 'add a layer of fine skin furrows; needs a large --size')
+  .option('--ktx2', 'write maps and areas as KTX 2 (UASTC); heights stay PNG')
   .option('--replace', 'replace existing wrinkles')
-  .option('--strokes <file>', 'write the strokes, which the output has too, to a file of their own (.json)')
-  .option('--report <folder>', 'write a page there: before and after, strain, areas, layers, drivers')
+  .option('--strokes <file>', 'also write the strokes to a file (.json)')
+  .option('--report <folder>', 'also write an HTML report')
   .addOption(allowOutsideOption())
   .addOption(forceOption())
   .option('--json', 'print the result as JSON')
@@ -221,7 +201,7 @@ async function auto(face: string, options: Options): Promise<void> {
   )
 }
 
-/** Known before the work, unlike whether so many layers are needed. */
+/** Throws early if `layers` maps of this size would exceed the encoder's limit. */
 function checkCompressible(size: number, layers: number): void {
   const names = Array.from({ length: layers }, (_, i) => `layer ${i + 1}`)
   const maps = {
@@ -237,7 +217,7 @@ function checkCompressible(size: number, layers: number): void {
 
 const NO_PIXELS = new Uint8Array()
 
-/** A material has one set of wrinkles: existing ones are removed only with `--replace`. */
+/** Removes existing wrinkles if `replace` is set; otherwise throws if there are any. A material has one set. */
 function removeOldWrinkles(glb: Glb, { material, materialName }: FoundSkin, replace: boolean): void {
   if (glb.json.materials![material].extensions?.[WRINKLE_MAPS] === undefined) return
   if (replace) {
@@ -248,7 +228,7 @@ function removeOldWrinkles(glb: Glb, { material, materialName }: FoundSkin, repl
     who: WHO,
     problem: 'the material already has wrinkles',
     value: materialName,
-    remedy: 'replace them with --replace',
+    remedy: 'pass --replace to replace them',
   })
 }
 
@@ -256,7 +236,7 @@ function withoutFurrowLayer(): FurrowError {
   return new FurrowError({
     code: 'usage',
     who: WHO,
-    problem: 'fine furrows need a layer besides those of lines',
+    problem: 'fine furrows need a separate layer',
     value: '--layers 1',
     limit: '2 to 4',
     remedy: 'omit --layers or --furrows',
@@ -268,6 +248,6 @@ function noWrinkles(problem: string, mesh: string): FurrowError {
     who: WHO,
     problem,
     value: mesh,
-    remedy: 'name another mesh with --mesh, or draw the wrinkles with furrow strokes',
+    remedy: 'choose another mesh with --mesh, or draw wrinkles with furrow strokes',
   })
 }

@@ -24,7 +24,7 @@ import { withBar } from '../progress.ts'
 
 const WHO = 'furrow bake'
 
-/** Rays per sample for the occlusion; 32 per texel with four samples. */
+/** Default occlusion rays per sample; with four samples, 32 per texel. */
 const DEFAULT_RAYS = 8
 
 interface Options {
@@ -33,14 +33,14 @@ interface Options {
   occlusion?: string
   mesh?: string
   size: number
-  /** In millimetres. */
+  /** Millimetres. */
   cage?: number
   samples: '1' | '4' | '9' | '16'
   tangents: Tangents
   margin: number
   bits: '8' | '16'
   rays: number
-  /** In millimetres. */
+  /** Millimetres. */
   reach?: number
   allowOutside?: boolean
   json?: boolean
@@ -49,19 +49,24 @@ interface Options {
 const millimetres = numberParser({ min: 0.001, max: 100_000, unit: 'mm' })
 const count = (min: number, max: number) => numberParser({ min, max, integer: true })
 
-/** `furrow bake`: bakes a detailed sculpt into maps of a low-polygon mesh. */
+/** `furrow bake`: bakes a high-poly sculpt into maps of a low-poly mesh. */
 export const bakeCommand = createCommand('bake')
-  .description('bake a detailed sculpt into normal, height and occlusion maps of a low-polygon mesh')
-  .argument('<high>', 'the detailed sculpt (.glb, .vrm, .gltf), with all its meshes')
-  .argument('<low>', 'the low-polygon mesh (.glb, .vrm, .gltf), with texture coordinates and normals')
-  .option('-o, --output <file>', 'tangent-space normal map (.png), green up as in glTF')
-  .option('--height <file>', 'height above the low mesh, 16-bit gray PNG')
-  .option('--occlusion <file>', 'ambient occlusion, 8-bit gray PNG, white = open')
-  .option('--mesh <name>', 'mesh of the low file (default: "skin", the only one, or as furrow auto finds it)')
-  .option('--size <texels>', 'side of the maps', count(16, MAX_IMAGE_SIDE), BAKE_DEFAULTS.size)
+  .description('bake a high-poly sculpt into texture maps')
+  .argument('<high>', 'high-poly sculpt, all meshes (.glb, .vrm, .gltf)')
+  .argument('<low>', 'low-poly mesh with UVs and normals (.glb, .vrm, .gltf)')
+  .option('-o, --output <file>', 'write the tangent-space normal map (.png)')
+  .option('--height <file>', 'write heights above the low mesh, 16-bit gray PNG')
+  .option('--occlusion <file>', 'write ambient occlusion, 8-bit gray PNG')
+  .option('--mesh <name>', 'mesh in the low file (default: "skin", or detected)')
+  .option(
+    '--size <texels>',
+    `size of the maps, 16 to ${MAX_IMAGE_SIDE}`,
+    count(16, MAX_IMAGE_SIDE),
+    BAKE_DEFAULTS.size,
+  )
   .option(
     '--cage <mm>',
-    `largest distance of the sculpt from the mesh (default: ${100 * DEFAULT_CAGE}% of its size)`,
+    `maximum distance of the sculpt (default: ${100 * DEFAULT_CAGE}% of the mesh)`,
     millimetres,
   )
   .addOption(
@@ -70,13 +75,13 @@ export const bakeCommand = createCommand('bake')
       .default(String(BAKE_DEFAULTS.samples)),
   )
   .addOption(
-    new Option('--tangents <kind>', 'for a mesh without tangents; three.js uses derivative')
+    new Option('--tangents <kind>', 'for a mesh without tangents')
       .choices(['mikktspace', 'derivative'])
       .default('mikktspace'),
   )
   .option(
     '--margin <texels>',
-    'width of the margin around UV islands',
+    `padding around UV islands, 0 to ${MAX_IMAGE_SIDE}`,
     count(0, MAX_IMAGE_SIDE),
     BAKE_DEFAULTS.margin,
   )
@@ -85,17 +90,19 @@ export const bakeCommand = createCommand('bake')
       .choices(['8', '16'])
       .default(String(BAKE_DEFAULTS.bits)),
   )
-  .option('--rays <count>', 'occlusion rays per sample', count(1, 4096), DEFAULT_RAYS)
-  .option('--reach <mm>', 'largest distance at which something occludes (default: any)', millimetres)
+  .option('--rays <count>', 'occlusion rays per sample, 1 to 4096', count(1, 4096), DEFAULT_RAYS)
+  .option('--reach <mm>', 'maximum distance of occluders (default: no limit)', millimetres)
   .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
     `
+At least one of -o, --height and --occlusion is required. For a mesh without
+tangents, three.js uses --tangents derivative.
+
 Examples:
   $ furrow bake sculpt.glb face.glb -o normal.png
-  $ furrow bake sculpt.glb face.glb -o normal.png --height height.png --occlusion ao.png --size 2048 --cage 4
-  $ furrow bake sculpt.glb face.glb -o normal.png --mesh skin --tangents derivative --samples 16`,
+  $ furrow bake sculpt.glb face.glb --height height.png --size 2048 --cage 4`,
   )
   .action(bake)
 
@@ -128,7 +135,7 @@ async function bake(high: string, low: string, options: Options): Promise<void> 
     options,
   )
   if (!surface.normals) {
-    warn(`${WHO}: ${high} has no normals, so its facets show; export it with smooth normals`)
+    warn(`${WHO}: ${high} has no normals, so its facets are visible; export it with smooth normals`)
   }
 }
 
@@ -144,7 +151,7 @@ function settingsOf(options: Options): Omit<BakeOptions, 'cage'> {
   }
 }
 
-/** The paths of the maps to write. Throws FurrowError where there are none. */
+/** Returns the paths of the maps to write. Throws if there are none. */
 function outputsOf({ output, height, occlusion }: Options): string[] {
   const paths = [output, height, occlusion].filter((path) => path !== undefined)
   if (paths.length === 0) {
@@ -153,7 +160,7 @@ function outputsOf({ output, height, occlusion }: Options): string[] {
       who: WHO,
       problem: 'no output',
       limit: '-o NORMAL.png, --height HEIGHT.png, --occlusion AO.png',
-      remedy: 'name at least one of them',
+      remedy: 'give at least one',
     })
   }
   return paths
@@ -196,6 +203,6 @@ function printSummary(baked: BakedMaps, summary: Summary, options: Options): voi
   print(lines, ...files)
   const isClamped = baked.height.data.some((mm) => Math.abs(mm) > MAX_HEIGHT)
   if (options.height && isClamped) {
-    warn(`${WHO}: some heights are beyond ${MAX_HEIGHT} mm and were clamped; use a smaller --cage`)
+    warn(`${WHO}: heights beyond ${MAX_HEIGHT} mm were clamped; use a smaller --cage`)
   }
 }

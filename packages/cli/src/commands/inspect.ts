@@ -26,7 +26,7 @@ import { print } from '../print.ts'
 
 const WHO = 'furrow inspect'
 
-/** Most blendshapes of a mesh that are listed by name. */
+/** Maximum number of blendshapes listed by name per mesh. */
 const NAMES_LISTED = 4
 
 interface Options {
@@ -36,24 +36,22 @@ interface Options {
   json?: boolean
 }
 
-/** `furrow inspect`: shows the wrinkles of a file. */
+/** `furrow inspect`: shows the wrinkles of a face. */
 export const inspectCommand = createCommand('inspect')
-  .description('show the layers, areas and drivers of a face, and what they cost')
-  .argument('<face>', 'a face with wrinkles or without (.glb, .vrm, .gltf)')
-  .option('--material <name>', 'the material with the wrinkles (default: the only one)')
-  .option(
-    '--sheet <file>',
-    'draw all maps and areas into one picture (.png); of a face without, its skin and UV layout',
-  )
+  .description('show layers, areas, drivers and memory use')
+  .argument('<face>', 'face with or without wrinkles (.glb, .vrm, .gltf)')
+  .option('--material <name>', 'material with wrinkles (default: the only one)')
+  .option('--sheet <file>', 'also draw all maps and areas into one image (.png)')
   .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
     `
-It shows which of ARKit's shapes the blendshapes of the skin are: corrections in the file
-decide, then motion; names are a hint. Of a face without wrinkles it shows the meshes, and
-whether furrow auto can make some.
-On the GPU, maps have mipmaps; areas have one channel and no mipmaps. 1 kB is 1024 bytes.
+Blendshapes are matched to ARKit shapes by corrections in the file, then by
+motion; names are a hint. For a face without wrinkles, the command lists its
+meshes and says whether furrow auto applies; --sheet draws the UV layout.
+
+GPU sizes include mipmaps for maps, but not for areas. 1 kB is 1024 bytes.
 
 Examples:
   $ furrow inspect wrinkled.glb
@@ -80,7 +78,7 @@ async function inspect(path: string, options: Options): Promise<void> {
   print(json || sheet === undefined ? lines : [...lines, '', `${sheet}: all maps and areas`], sheet)
 }
 
-/** For a face without wrinkles. */
+/** Inspects a face without wrinkles. */
 async function inspectFace(path: string, glb: Glb, { sheet, json }: Options): Promise<void> {
   const { report, skin } = inspectPlain(glb, await documentOf(glb, path, WHO), path)
   if (sheet !== undefined) {
@@ -124,7 +122,7 @@ const EVIDENCE: Record<ShapeReport['by'], string> = {
   none: '',
 }
 
-/** Rows of the recognised blendshapes. */
+/** Returns the lines of the table of recognised blendshapes. */
 function shapeTable(shapes: readonly ShapeReport[]): string[] {
   return table(
     ['blendshape', 'shape', 'confidence', 'by'],
@@ -144,7 +142,7 @@ function shortened(names: readonly string[]): string {
 function describe(path: string, report: Inspection, shapes: readonly ShapeReport[]): string[] {
   const { layers, areas, drivers, strokes, gpu, imageBytes, fileBytes } = report
   const presets = driversOf('expression', drivers)
-  const moving = drivers.filter(({ type }) => type !== 'expression')
+  const others = drivers.filter(({ type }) => type !== 'expression')
   return [
     `${path}: wrinkles on material "${report.material ?? ''}"`,
     '',
@@ -177,8 +175,8 @@ function describe(path: string, report: Inspection, shapes: readonly ShapeReport
       ]),
     ),
     '',
-    moving.length === 0 ? 'no drivers: the application sets the activations' : 'drivers',
-    ...moving.map((driver) => `  ${describeDriver(driver)}`),
+    others.length === 0 ? 'no drivers: the application sets the activations' : 'drivers',
+    ...others.map((driver) => `  ${describeDriver(driver)}`),
     '',
     ...(presets.length === 0 ? [] : [...presets.map(describeDriver), '']),
     ...(shapes.length === 0 ? [] : [...shapeTable(shapes), '']),
@@ -194,7 +192,7 @@ const GPU_HEADS = ['on the GPU', 'BC7, ASTC', 'BC1, ETC1']
 
 const gpuCells = ({ uncompressed, bits8, bits4 }: GpuSizes) => [uncompressed, bits8, bits4].map(kilobytes)
 
-/** Lines of a table, each column as wide as its widest cell. */
+/** Returns the lines of a table with aligned columns. */
 function table(heads: string[], rows: string[][]): string[] {
   const all = [heads, ...rows]
   const widths = heads.map((_, i) => Math.max(...all.map((row) => row[i].length)))

@@ -13,11 +13,11 @@ const WHO = 'furrow normals'
 
 interface Options extends Required<Pick<BumpOptions, 'green' | 'edges'>> {
   output: string
-  /** In millimetres. */
+  /** Millimetres. */
   depth?: number
-  /** In millimetres. */
+  /** Millimetres. */
   width?: number
-  /** In texels. */
+  /** Texels. */
   strength?: number
   bits: '8' | '16'
   force?: boolean
@@ -26,25 +26,25 @@ interface Options extends Required<Pick<BumpOptions, 'green' | 'edges'>> {
 
 const millimetres = numberParser({ min: 1e-6, max: 1e6, unit: 'mm' })
 
-/** `furrow normals`: makes a normal map from a height map. */
+/** `furrow normals`: converts a height map to a normal map. */
 export const normalsCommand = createCommand('normals')
-  .description('make a normal map from a height map')
-  .argument('<height>', 'gray image of heights, white = high: PNG or TIFF, 8 or 16 bits')
-  .requiredOption('-o, --output <file>', 'the normal map (.png)')
-  .option('--depth <mm>', 'height of white above black in millimetres; needs --width', millimetres)
-  .option('--width <mm>', 'width of the whole image in millimetres; needs --depth', millimetres)
+  .description('convert a height map to a normal map')
+  .argument('<height>', 'height map, white = high (8- or 16-bit gray PNG or TIFF)')
+  .requiredOption('-o, --output <file>', 'normal map (.png)')
+  .option('--depth <mm>', 'height of white above black', millimetres)
+  .option('--width <mm>', 'width of the image', millimetres)
   .addOption(
-    new Option('--strength <texels>', 'instead of both: height of white above black in texels')
+    new Option('--strength <texels>', 'depth in texels, instead of --depth and --width')
       .argParser(numberParser({ min: -1e5, max: 1e5, unit: 'texels' }))
       .conflicts(['depth', 'width']),
   )
   .addOption(
-    new Option('--green <direction>', 'direction of green: glTF and OpenGL use up, Direct3D down')
+    new Option('--green <direction>', 'green channel: up for glTF, down for Direct3D')
       .choices(['up', 'down'])
       .default(BUMP_DEFAULTS.green),
   )
   .addOption(
-    new Option('--edges <kind>', 'wrap for images that tile')
+    new Option('--edges <kind>', 'edge mode; wrap for tiling images')
       .choices(['wrap', 'clamp'])
       .default(BUMP_DEFAULTS.edges),
   )
@@ -56,9 +56,11 @@ export const normalsCommand = createCommand('normals')
   .addHelpText(
     'after',
     `
+Either --depth with --width, or --strength is required.
+
 Examples:
   $ furrow normals height.png -o normal.png --depth 2.5 --width 180
-  $ furrow normals tile.tif -o normal.png --strength 12 --edges wrap --green down --bits 16`,
+  $ furrow normals tile.tif -o normal.png --strength 12 --edges wrap --bits 16`,
   )
   .action(makeNormals)
 
@@ -78,24 +80,24 @@ async function makeNormals(path: string, options: Options): Promise<void> {
     : `${output}: ${width} x ${height}, ${bits} bits, green ${green}, steepest slope ${made.steepest} degrees`
   print(line, output)
   if (image.bits === 8) {
-    warn(`${WHO}: ${path} has 8 bits, so gentle slopes become steps; use a 16-bit height map`)
+    warn(`${WHO}: ${path} has only 8 bits, so gentle slopes show steps; use a 16-bit height map`)
   }
 }
 
-/** The height of white above black in texels, as a function of the image's width in texels. */
+/** Returns a function from the image's width in texels to the height of white above black, in texels. */
 function heightRangeOf({ depth, width, strength }: Options): (texels: number) => number {
   if (strength !== undefined) return () => strength
   if (depth !== undefined && width !== undefined) return (texels) => (depth * texels) / width
   throw new FurrowError({
     code: 'usage',
     who: WHO,
-    problem: 'no strength',
-    limit: 'either --depth MM with --width MM, or --strength TEXELS alone',
-    remedy: 'write e.g. --depth 2.5 --width 180',
+    problem: 'the depth of the height map is missing',
+    limit: '--depth MM with --width MM, or --strength TEXELS',
+    remedy: 'add e.g. --depth 2.5 --width 180',
   })
 }
 
-/** Heights in texels, `range` of them from black to white. */
+/** Returns heights in texels; `range` is the height of white above black. */
 function inTexels({ data, bits }: HeightImage, range: number): Float32Array {
   const scale = range / (2 ** bits - 1)
   const texels = new Float32Array(data.length)
@@ -103,7 +105,7 @@ function inTexels({ data, bits }: HeightImage, range: number): Float32Array {
   return texels
 }
 
-/** The largest angle of a normal from the map's own, in degrees. */
+/** Returns the largest angle between a normal and +z, in degrees. */
 function steepestSlope({ data }: NormalMap, bits: 8 | 16): number {
   let smallestZ = 1
   for (let i = 2; i < data.length; i += 3)

@@ -41,55 +41,45 @@ interface Options {
 
 const imageSide = numberParser({ min: 2, max: MAX_IMAGE_SIDE, unit: 'texels', integer: true })
 
-/** `furrow pack`: adds the wrinkles of a folder to a face. */
+/** `furrow pack`: adds the wrinkles in a folder to a face. */
 export const packCommand = createCommand('pack')
-  .description('add wrinkles to a face: a folder of images becomes one .glb')
-  .argument(
-    '<folder>',
-    'face.glb, layers/NAME/normal.png, areas/NAME.png, optionally wrinkles.json and strokes.json',
-  )
-  .requiredOption('-o, --output <file>', 'the face with its wrinkles (.glb, .vrm, .gltf)')
-  .option('--face <file>', 'the face (default: face.glb in the folder)')
-  .option(
-    '--mesh <name>',
-    'the mesh that wrinkles (default: that of wrinkles.json, "skin", or as furrow auto finds it)',
-  )
-  .option('--material <name>', 'its material (default: likewise)')
-  .option('--white-is-visible', 'areas are white where wrinkles show, instead of black')
+  .description('add the wrinkles in a folder of images to a face')
+  .argument('<folder>', 'folder with layers and areas; see below')
+  .requiredOption('-o, --output <file>', 'face with wrinkles (.glb, .vrm, .gltf)')
+  .option('--face <file>', 'input face (default: face.glb in the folder)')
+  .option('--mesh <name>', 'target mesh (default: from wrinkles.json, or detected)')
+  .option('--material <name>', 'target material (default: detected)')
+  .option('--white-is-visible', 'read areas as white = visible (default: black)')
   .option(
     '--area-size <texels>',
-    `side of the areas (default: wrinkles.json's, or ${DEFAULT_AREA_SIZE})`,
+    `2 to ${MAX_IMAGE_SIDE} (default: from wrinkles.json, or ${DEFAULT_AREA_SIZE})`,
     imageSide,
   )
   .addOption(
-    new Option('--share <count>', 'areas that share an image; of 4, one is in alpha')
+    new Option('--share <count>', 'areas per image; 4 also uses alpha')
       .choices(['1', '3', '4'])
       .default(String(PACK_DEFAULTS.areasPerImage)),
   )
-  .addOption(
-    new Option(
-      '--ktx2',
-      'maps and areas as KTX 2 arrays (UASTC), which stay compressed on the GPU',
-    ).conflicts('share'),
-  )
-  .option('--size <texels>', "side of the layers' maps (default: unchanged)", imageSide)
-  .option('--morph-normals', 'add normals to blendshapes that have none, so that shading follows them')
+  .addOption(new Option('--ktx2', 'write maps and areas as KTX 2 (UASTC)').conflicts('share'))
+  .option('--size <texels>', `resize the maps, 2 to ${MAX_IMAGE_SIDE} (default: unchanged)`, imageSide)
+  .option('--morph-normals', 'add missing normals to blendshapes')
   .addOption(allowOutsideOption())
   .addOption(forceOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
     `
-Layers may also have baseColor.png, roughness.png, occlusion.png, height.png and blood.png; the last two need an
-amplitude in wrinkles.json.
-Image tools drop the colours where alpha is 0: use --share 4 only for files that no such tool will process.
-A slice of a KTX 2 array always holds four areas.
+The folder contains layers/NAME/normal.png and areas/NAME.png, and optionally
+face.glb, wrinkles.json and strokes.json. A layer can also have baseColor.png,
+roughness.png, occlusion.png, height.png and blood.png; height.png and blood.png
+need an amplitude in wrinkles.json.
+
+--share 4: many image tools discard colours where alpha is 0, so do not process
+the file with one afterwards.
 
 Examples:
   $ furrow pack my-face -o wrinkled.glb
-  $ furrow pack my-face --face avatar.glb -o wrinkled.glb
-  $ furrow pack my-face --ktx2 --size 512 -o small.glb
-  $ furrow pack my-face --face avatar.vrm --mesh Face --material Face_SKIN -o wrinkled.glb --white-is-visible`,
+  $ furrow pack my-face --face avatar.vrm --ktx2 --size 512 -o wrinkled.vrm`,
   )
   .action(pack)
 
@@ -140,11 +130,11 @@ async function pack(folder: string, options: Options): Promise<void> {
   print(options.json ? JSON.stringify(result) : describe(result), output)
 }
 
-/** Throws FurrowError where a folder has no face of its own and none was named. */
+/** Throws if the folder has no `face.glb`; used when `--face` is not given. */
 async function checkOwnFace(face: string): Promise<void> {
   if (await statOf(face)) return
   throw cannotRead(WHO, `the face ${face}`, new Error('it does not exist'), {
-    remedy: 'put it there, or name another one with --face',
+    remedy: 'add it, or pass another face with --face',
   })
 }
 
@@ -158,7 +148,7 @@ interface Result {
   drivers: number
   strokes: number
   bytes: number
-  /** Bytes of the wrinkles' images and strokes. */
+  /** Size of the wrinkles' images and strokes, bytes. */
   added: number
   /** Number of blendshapes that got normals. */
   morphNormals: number
@@ -173,7 +163,7 @@ function describe(result: Result): string {
   return `${file}: material "${material ?? ''}"; ${names}; drivers: ${drivers}; ${lines}${size}${normals}`
 }
 
-/** Bytes of all images, each once. */
+/** Returns the total size of all distinct images, in bytes. */
 function imageBytes({ layers, areas }: PackedSet): number {
   const maps = layers.flatMap(({ normal, baseColor, roughness, occlusion, height, blood }) => {
     return [normal, baseColor, roughness, occlusion, height, blood]

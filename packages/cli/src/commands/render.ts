@@ -35,21 +35,20 @@ interface Options
   json?: boolean
 }
 
-/** `furrow render`: draws a picture of a face with its wrinkles. */
+/** `furrow render`: renders a face to an image. */
 export const renderCommand = createCommand('render')
-  .description('draw a picture of a face with its wrinkles, without a window')
-  .argument('<face>', 'the face (.glb, .vrm, .gltf)')
-  .requiredOption('-o, --output <file>', 'the picture (.png)')
-  .option(
-    '--wrinkles <file>',
-    "another wrinkle set (default: the face's own, or NAME/wrinkles.json beside NAME.glb)",
-  )
-  .option('--mesh <name>', 'the mesh that wrinkles (default: "skin", or the largest)')
-  .addOption(new Option('--expression <name>', 'an expression').choices(EXPRESSIONS.map(({ name }) => name)))
-  .option('--set <target=weight...>', 'blendshapes, 0 to 1, on top of the expression', parseWeight)
-  .option('--activation <area=value...>', 'areas of wrinkles, 0 to 1, on top of the expression', parseWeight)
+  .description('render a face with wrinkles to an image')
+  .argument('<face>', 'face (.glb, .vrm, .gltf)')
+  .requiredOption('-o, --output <file>', 'image (.png)')
+  .option('--wrinkles <file>', 'wrinkle set to use (default: from the face)')
+  .option('--mesh <name>', 'mesh with wrinkles (default: "skin" or largest)')
   .addOption(
-    new Option('--size <size>', 'WIDTHxHEIGHT in pixels')
+    new Option('--expression <name>', 'expression to apply').choices(EXPRESSIONS.map(({ name }) => name)),
+  )
+  .option('--set <target=weight...>', 'blendshape weights, 0 to 1', parseWeight)
+  .option('--activation <area=value...>', 'activations of areas, 0 to 1', parseWeight)
+  .addOption(
+    new Option('--size <size>', `WIDTHxHEIGHT, ${PICTURE_SIDE.min} to ${PICTURE_SIDE.max}`)
       .argParser(parseSize)
       .default({ width: PICTURE_DEFAULTS.width, height: PICTURE_DEFAULTS.height }, DEFAULT_SIZE),
   )
@@ -57,11 +56,9 @@ export const renderCommand = createCommand('render')
   .addOption(
     new Option('--renderer <name>', 'renderer').choices(RENDERER_NAMES).default(PICTURE_DEFAULTS.renderer),
   )
+  .addOption(new Option('--mode <name>', 'wrinkle mode').choices(MODE_NAMES).default(PICTURE_DEFAULTS.mode))
   .addOption(
-    new Option('--mode <name>', 'mode of the wrinkles').choices(MODE_NAMES).default(PICTURE_DEFAULTS.mode),
-  )
-  .addOption(
-    new Option('--relief <when>', 'whether the heights of layers move the surface')
+    new Option('--relief <when>', 'displace the surface; near: close views only')
       .choices(RELIEF_NAMES)
       .default(PICTURE_DEFAULTS.relief),
   )
@@ -70,13 +67,13 @@ export const renderCommand = createCommand('render')
   .addHelpText(
     'after',
     `
-"left" and "right" are the person's own. With --set alone the drivers of the file set the wrinkles.
+--set and --activation override the expression. With --set alone, the drivers of
+the file set the activations. "left" and "right" are the character's own. If
+NAME.glb has no wrinkles, NAME/wrinkles.json is used.
 
 Examples:
   $ furrow render wrinkled.glb -o surprised.png --expression surprised
-  $ furrow render wrinkled.glb -o brow.png --set browOuterUpLeft=1 --activation glabellaLeft=0.7 --view close
-  $ furrow render wrinkled.glb -o plain.png --expression surprised --mode off --size 1600x1200
-  $ furrow render wrinkled.glb -o profile.png --set browInnerUp=1 --view left`,
+  $ furrow render wrinkled.glb -o brow.png --set browInnerUp=1 --view close`,
   )
   .action(render)
 

@@ -28,29 +28,27 @@ interface Options extends DrawOptions {
   force?: boolean
 }
 
-/** `furrow strokes`: draws the wrinkles of a document into the maps of a face. */
+/** `furrow strokes`: draws a strokes document into maps. */
 export const strokesCommand = createCommand('strokes')
-  .description('draw strokes into a height map, a normal map and the areas of a face')
-  .argument('<strokes>', 'document of strokes (JSON)')
-  .requiredOption('--face <file>', 'the face that the strokes are drawn on (.glb, .vrm, .gltf)')
-  .option('--mesh <name>', 'its mesh (default: "skin", the only one, or as furrow auto finds it)')
-  .option('--base <image>', "smooth normal map under the wrinkles (default: the mesh's own)")
+  .description('draw strokes into maps and areas')
+  .argument('<strokes>', 'strokes document (.json)')
+  .requiredOption('--face <file>', 'face to draw on (.glb, .vrm, .gltf)')
+  .option('--mesh <name>', 'mesh to draw on (default: "skin", or detected)')
+  .option('--base <image>', 'normal map under the strokes (default: from the mesh)')
+  .addOption(new Option('--detail', 'draw without a base, for a "detail" layer').conflicts('base'))
+  .option('-o, --output <file>', 'write the height map, 16-bit gray PNG')
+  .option('--normal <file>', 'write the normal map, 8-bit RGB PNG')
+  .option('--areas <folder>', 'write one gray PNG per area, black = visible')
   .addOption(
-    new Option('--detail', 'wrinkles without a base, for a layer of kind "detail"').conflicts('base'),
+    new Option('--into <folder>', 'write all maps and areas to a folder for furrow pack').conflicts([
+      'base',
+      'detail',
+    ]),
   )
-  .option('-o, --output <file>', 'height map, 16-bit gray PNG')
-  .option('--normal <file>', 'wrinkled normal map, 8-bit RGB PNG')
-  .option('--areas <folder>', 'one gray PNG per area, white = no wrinkles')
-  .addOption(
-    new Option(
-      '--into <folder>',
-      'all maps of the layers, heights, occlusion and blood too, into a folder that furrow pack reads',
-    ).conflicts(['base', 'detail']),
-  )
-  .option('--layer <name>', 'draw only the strokes of this layer')
+  .option('--layer <name>', 'draw only this layer (default: all)')
   .option(
     '--size <texels>',
-    `side of both maps (default: the document's, the base's up to 4096, or ${DEFAULT_SIZE})`,
+    `16 to ${MAX_IMAGE_SIDE} (default: from the document or base, or ${DEFAULT_SIZE})`,
     numberParser({ min: 16, max: MAX_IMAGE_SIDE, unit: 'texels', integer: true }),
   )
   .addOption(allowOutsideOption())
@@ -58,11 +56,11 @@ export const strokesCommand = createCommand('strokes')
   .addHelpText(
     'after',
     `
-At least one of -o, --normal, --areas and --into is needed. Documents of strokes: docs/strokes-format.md.
+At least one of -o, --normal, --areas and --into is required. The document is
+described in docs/strokes-format.md.
 
 Examples:
-  $ furrow strokes scars.json --face avatar.glb --normal normal.png --areas areas
-  $ furrow strokes scars.json --face avatar.glb --detail --normal scars.png -o height.png --size 2048
+  $ furrow strokes scars.json --face avatar.glb --normal n.png --areas areas
   $ furrow strokes scars.json --face avatar.glb --into scars`,
   )
   .action(drawStrokes)
@@ -74,7 +72,7 @@ async function drawStrokes(path: string, options: Options): Promise<void> {
       who: WHO,
       problem: 'no output',
       limit: '-o HEIGHT.png, --normal NORMAL.png, --areas FOLDER, --into FOLDER',
-      remedy: 'name at least one of them',
+      remedy: 'give at least one',
     })
   }
   const { output, normal, areas, into, base, force = false } = options
@@ -88,7 +86,7 @@ async function drawStrokes(path: string, options: Options): Promise<void> {
   await checkOutputs([output, normal, ...maps, ...(set?.images ?? [])], WHO, { inputs, force })
   if (set) await checkOutputs([set.document], WHO, { inputs, force, extensions: ['.json'] })
   const face = await readFaceMesh(options.face, WHO, options)
-  // The folder is updated, but not where the face has its textures in it.
+  // Files in the folder may be overwritten, except textures of the face.
   const updated = set ? [set.document, ...set.images.filter((image) => !wasRead(image))] : []
   const drawn = await withCommandErrors(WHO, async () => [
     ...(await drawMaps(document, strokes, face, options)),
@@ -103,7 +101,7 @@ async function drawStrokes(path: string, options: Options): Promise<void> {
   )
 }
 
-/** The strokes that the maps show. A map is of one layer; areas are painted round the strokes of all. */
+/** Returns the strokes to draw into the maps. A map shows one layer; areas cover the strokes of all layers. */
 function strokesOfLayer(document: StrokesDocument, { layer, output, normal }: Options): Stroke[] {
   const { strokes } = document
   const layers = layersOf(document)
@@ -111,34 +109,34 @@ function strokesOfLayer(document: StrokesDocument, { layer, output, normal }: Op
     throw new FurrowError({
       code: 'unknown-name',
       who: WHO,
-      problem: 'no stroke is of that layer',
+      problem: 'unknown layer',
       value: layer,
       limit: layers.length > 0 ? layers.join(', ') : 'the document has no layers',
-      remedy: didYouMean(layer, layers, layers.length > 0 ? 'name one of them' : 'leave --layer out'),
+      remedy: didYouMean(layer, layers, layers.length > 0 ? 'choose one of these' : 'omit --layer'),
     })
   }
   if (layer === undefined && layers.length > 1 && (output ?? normal) !== undefined) {
     throw new FurrowError({
       code: 'usage',
       who: WHO,
-      problem: 'the document has strokes of several layers, and a map is of one',
+      problem: 'a map can show only one layer, but the document has several',
       value: layers.join(', '),
-      remedy: `name one, e.g. --layer ${layers[0]}`,
+      remedy: `choose one, e.g. --layer ${layers[0]}`,
     })
   }
   return layer === undefined ? strokes : strokes.filter((stroke) => stroke.layer === layer)
 }
 
-/** The names of the areas, each of which becomes the name of a file. */
+/** Returns the area names. Throws if one is not a valid file name, because each area is written to a file. */
 function areaNames(document: StrokesDocument): string[] {
   const names = paintedNames(document)
-  const wrong = names.find((name) => !isFileName(name))
-  if (wrong === undefined) return names
+  const invalid = names.find((name) => !isFileName(name))
+  if (invalid === undefined) return names
   throw new FurrowError({
     who: WHO,
-    problem: 'the group of a stroke is not a valid file name, and its area is written to a file of that name',
-    value: wrong,
-    limit: `e.g. ${fileNamesOf([wrong])}`,
+    problem: 'the group of a stroke is not a valid file name',
+    value: invalid,
+    limit: `e.g. ${fileNamesOf([invalid])}`,
     remedy: 'rename the group',
   })
 }

@@ -17,20 +17,20 @@ interface Options {
   json?: boolean
 }
 
-/** `furrow unpack`: the reverse of `furrow pack`. */
+/** `furrow unpack`: extracts the folder that `furrow pack` reads. */
 export const unpackCommand = createCommand('unpack')
-  .description('extract the wrinkles of a face: one .glb becomes a folder of images')
-  .argument('<face>', 'a face with wrinkles (.glb, .vrm, .gltf)')
-  .requiredOption('-o, --output <folder>', 'the folder, which must be new or empty')
-  .option('--material <name>', 'the material with the wrinkles (default: the only one)')
-  .option('--white-is-visible', 'write areas white where wrinkles show, instead of black')
+  .description('extract wrinkles into a folder of images')
+  .argument('<face>', 'face with wrinkles (.glb, .vrm, .gltf)')
+  .requiredOption('-o, --output <folder>', 'new or empty folder')
+  .option('--material <name>', 'material with wrinkles (default: the only one)')
+  .option('--white-is-visible', 'write areas as white = visible (default: black)')
   .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
     `
-The folder gets face.glb without wrinkles, wrinkles.json, layers/, areas/ and, if the file has strokes, strokes.json;
-furrow pack makes the file again.
+Writes face.glb without wrinkles, wrinkles.json, layers/, areas/, and
+strokes.json if the face has strokes. furrow pack reads this folder.
 
 Example:
   $ furrow unpack wrinkled.glb -o my-face`,
@@ -48,8 +48,8 @@ async function unpack(path: string, options: Options): Promise<void> {
   outputs.push({ path: 'face.glb', bytes: encodeGlb(file.glb) })
   await writeFolder(output, outputs, WHO)
   if (remaining > 0) {
-    const reason = 'because others follow them in the file'
-    warnings.push(`${WHO}: ${remaining} unused textures stay in face.glb ${reason}`)
+    const reason = 'removing them would renumber the textures after them'
+    warnings.push(`${WHO}: ${remaining} unused textures stay in face.glb; ${reason}`)
   }
   for (const warning of warnings) warn(warning)
   const files = outputs.map((item) => item.path).sort()

@@ -19,24 +19,24 @@ interface Options extends ReadOptions {
   json?: boolean
 }
 
-/** `furrow uv`: a template to paint over. */
+/** `furrow uv`: draws a template for painting. */
 export const uvCommand = createCommand('uv')
-  .description("draw the UV layout of a face's skin, as a template to paint areas and layers over")
-  .argument('<face>', 'a face (.glb, .vrm, .gltf)')
-  .requiredOption('-o, --output <file>', 'the template (.png), transparent where there is no skin')
+  .description('draw the UV layout as a painting template')
+  .argument('<face>', 'face (.glb, .vrm, .gltf)')
+  .requiredOption('-o, --output <file>', 'template (.png) with a transparent background')
   .option(
     '--size <texels>',
-    'its side, 64 to 8192',
+    `size of the image, 64 to ${MAX_IMAGE_SIDE}`,
     numberParser({ min: 64, max: MAX_IMAGE_SIDE, unit: 'texels', integer: true }),
     DEFAULT_SIZE,
   )
-  .option('--mesh <name>', 'its mesh (default: the one whose skin brows, lids and mouth move)')
+  .option('--mesh <name>', 'mesh with the skin (default: detected)')
   .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
     `
-Thick lines are the borders of UV islands: wrinkles that cross one continue at another.
+Thick lines are the borders of UV islands.
 
 Examples:
   $ furrow uv avatar.glb -o uv.png

@@ -11,20 +11,18 @@ interface Options extends ReadOptions {
   json?: boolean
 }
 
-/** `furrow validate`: checks a file. */
+/** `furrow validate`: checks a face. */
 export const validateCommand = createCommand('validate')
-  .description(
-    'check the wrinkles of a face by the rules of the extension, and the file with the Khronos validator',
-  )
-  .argument('<face>', 'a face with wrinkles (.glb, .vrm, .gltf)')
-  .option('--all', 'list what is wrong with the rest of the file too, instead of counting it')
+  .description('check the wrinkles and the glTF of a face')
+  .argument('<face>', 'face with wrinkles (.glb, .vrm, .gltf)')
+  .option('--all', 'list, not only count, problems outside the wrinkles')
   .addOption(allowOutsideOption())
-  .option('--json', 'print the result as JSON, with all that was found')
+  .option('--json', 'print all findings as JSON')
   .addHelpText(
     'after',
     `
-The exit code is 0 if there are no errors, with or without warnings: then furrow's loader shows the wrinkles. It is 1 if there are
-errors, also about the rest of the file, or the file cannot be read.
+The glTF is checked with the Khronos validator. The exit code is 1 if there are
+errors anywhere in the file, otherwise 0: Furrow's loader shows the wrinkles.
 
 Examples:
   $ furrow validate wrinkled.glb
@@ -59,17 +57,16 @@ function findingText({ severity, code, message, pointer }: Finding): string {
   return `${severity}: ${pointer ? `${pointer}: ` : ''}${message} (${code})`
 }
 
-/** Errors or warnings about what is not wrinkles, as one line: most files have some, and they say nothing about wrinkles. */
+/** Summarises findings outside the wrinkles in one line, because most files have some. */
 function sumUp(findings: readonly Finding[], severity: Finding['severity']): string[] {
   const counts = new Map<string, number>()
   const chosen = findings.filter((finding) => finding.severity === severity)
   for (const { code } of chosen) counts.set(code, (counts.get(code) ?? 0) + 1)
   if (chosen.length === 0) return []
   const codes = [...counts].map(([code, count]) => `${count} ${code}`).join(', ')
-  const what = `${counted(chosen.length, severity)} about the rest of the file, not the wrinkles`
-  return [`${what}: ${codes}; list them with --all`]
+  return [`${counted(chosen.length, severity)} outside the wrinkles: ${codes}; list them with --all`]
 }
 
-function counted(count: number, what: string): string {
-  return `${count} ${what}${count === 1 ? '' : 's'}`
+function counted(count: number, noun: string): string {
+  return `${count} ${noun}${count === 1 ? '' : 's'}`
 }

@@ -25,10 +25,10 @@ import { countsText } from '../summary.ts'
 
 const WHO = 'furrow batch'
 
-/** Faces that are drawn for the page by default: without a GPU each takes a second or two. */
+/** Default maximum number of thumbnails. Without a GPU, each takes a second or two. */
 const DEFAULT_THUMBNAILS = 200
 
-/** The folder of results where outputs go to no folder of this machine. */
+/** Folder of the results if the outputs are remote or missing. */
 const DEFAULT_RESULTS = 'furrow-batch'
 
 interface Options extends LimitOptions {
@@ -42,50 +42,42 @@ interface Options extends LimitOptions {
   json?: boolean
 }
 
-/** The options of a batch itself. */
+/** Options of the batch itself, not of the command it runs. */
 const OWN_OPTIONS: readonly Option[] = [
-  new Option('-o, --output <folder>', 'where outputs go: a folder, or s3://bucket/folder'),
-  new Option('--command <name>', 'what to do with every input').choices(JOB_COMMAND_NAMES).default('auto'),
-  new Option('--manifest <file>', 'a list of inputs, one JSON object per line: input, output, options'),
-  new Option(
-    '--results <folder>',
-    `where results.jsonl and report.html go (default: the folder of outputs, or ${DEFAULT_RESULTS})`,
-  ),
-  new Option('--shard <i/n>', 'do one of n parts, 1/n to n/n: each on a machine of its own').argParser(
-    parseShard,
-  ),
-  new Option('--redis <url>', 'hand the jobs to the workers at this Redis, see furrow worker').conflicts([
+  new Option('-o, --output <folder>', 'folder of the outputs, local or s3://'),
+  new Option('--command <name>', 'command to run').choices(JOB_COMMAND_NAMES).default('auto'),
+  new Option('--manifest <file>', 'read the inputs from a manifest (.jsonl)'),
+  new Option('--results <folder>', `folder of the report (default: -o, or ${DEFAULT_RESULTS})`),
+  new Option('--shard <i/n>', 'process only part i of n, e.g. 3/8').argParser(parseShard),
+  new Option('--redis <url>', 'send the jobs to workers; see furrow worker').conflicts([
     'jobs',
     'memory',
     'timeout',
   ]),
   ...LIMIT_OPTIONS,
-  new Option('--thumbnails <count>', 'faces that the page shows at most; 0 for none')
+  new Option('--thumbnails <count>', 'maximum number of thumbnails, 0 for none')
     .argParser(numberParser({ min: 0, max: 100_000, integer: true }))
     .default(DEFAULT_THUMBNAILS),
   new Option('--json', 'print the counts as JSON'),
 ]
 
-/** `furrow batch`: one of several commands on many files. */
+/** `furrow batch`: runs a command on many files. */
 export const batchCommand = addOwnOptions(createCommand('batch'))
-  .description('run auto, pack, validate or inspect on many files, on all cores or many machines')
-  .argument(
-    '[inputs...]',
-    "files, patterns in quotes ('avatars/**/*.glb'), http and s3 addresses; folders for pack; s3://bucket/folder/ is all in it",
-  )
+  .description('run a command on many files in parallel')
+  .argument('[inputs...]', 'files, quoted patterns, http(s) or s3 URLs')
   .allowUnknownOption()
   .addHelpText(
     'after',
     `
-Options of the command, such as --age of furrow auto, are passed on. Started again, it goes on where it was. The exit code is 1
-if an input failed.
+Other options, e.g. --age, are passed to the command. An interrupted batch
+resumes when run again. Failures are collected in results.jsonl, and the exit
+code is 1. Inputs of pack are folders. An s3:// URL that ends in / includes
+everything below it. Each line of a manifest is a JSON object with input and
+optional output and options.
 
 Examples:
   $ furrow batch 'avatars/**/*.glb' -o wrinkled --age 40
-  $ furrow batch --manifest jobs.jsonl --jobs 8 --memory 2048 --timeout 120 -o wrinkled
-  $ furrow batch 'wrinkled/*.glb' --command validate --results checked
-  $ furrow batch s3://avatars/in/ -o s3://avatars/out --redis redis://10.0.0.5:6379
-  $ furrow batch 'avatars/*.glb' -o wrinkled --shard 3/8`,
+  $ furrow batch s3://avatars/in/ -o s3://avatars/out --redis redis://10.0.0.5`,
   )
   .action(batch)
 
@@ -102,7 +94,7 @@ async function batch(
   const { inputs, passed } = parsePassed(options.command, args)
   const { output, manifest, shard, redis, thumbnails, json } = options
   const { reads, writes } = JOB_COMMANDS[options.command]
-  if (inputs.length > 0 === (manifest !== undefined)) throw wrongInputs(inputs.length)
+  if (inputs.length > 0 === (manifest !== undefined)) throw inputsError(inputs.length)
   if (output !== undefined && !isRemote(output)) await checkFolder(output, WHO)
   const listed: Listed[] =
     manifest === undefined
@@ -116,12 +108,13 @@ async function batch(
   const part = shard ? `-${shard.index}-of-${shard.count}` : ''
   const todo: Batch = {
     command: options.command,
-    entries: redis === undefined ? entries : entries.map((entry) => absolute(entry, options.command)),
+    entries:
+      redis === undefined ? entries : entries.map((entry) => withAbsolutePaths(entry, options.command)),
     results: join(results, `results${part}.jsonl`),
     page: join(results, `report${part}.html`),
     thumbnails,
   }
-  // A manifest may be in the folder of results.
+  // The manifest may be in the results folder.
   checkReplaced([todo.results, todo.page], WHO)
   const counts =
     redis === undefined ? await runHere(todo, options) : await runBatch(todo, redisEngine(redis, version))
@@ -130,7 +123,7 @@ async function batch(
   print(json ? JSON.stringify({ ...counts, ...files }) : [countsText(counts), todo.results, todo.page])
 }
 
-/** On this machine, in processes that are gone when this one is. */
+/** Runs the batch on this machine, in child processes that end with this one. */
 async function runHere(todo: Batch, options: Options) {
   const { lanes, limits } = limitsOf(options)
   const pool = new ProcessPool(limits)
@@ -146,15 +139,15 @@ async function runHere(todo: Batch, options: Options) {
 }
 
 /**
- * Parses what the batch itself did not know: options of the command that it runs, and inputs among them.
+ * Parses the arguments that are not options of the batch: inputs, and options of the command.
  *
- * @param words in their order, without the batch's own options.
+ * @param words arguments in their original order.
  */
 function parsePassed(
   name: JobCommandName,
   words: readonly string[],
 ): { inputs: string[]; passed: JobOptions } {
-  // Its own options are there for the suggestion that follows a misspelt one.
+  // The batch's own options are added for "did you mean" suggestions.
   const parser = addOwnOptions(createCommand('batch')).argument('[inputs...]')
   const options = passedOptions(name)
   for (const option of options) parser.addOption(option)
@@ -162,53 +155,53 @@ function parsePassed(
   return { inputs: parser.args, passed: givenOptions(parser, options) }
 }
 
-/** Where the result of an input goes: what a manifest says, or its name below the folder of outputs. */
+/** Returns the entry with its output: from the manifest, or the input's name below the output folder. */
 function entryOf({ name, output, ...entry }: Listed, writes: boolean, folder: string | undefined): Entry {
   if (!writes) return entry
   if (output !== undefined) {
     if (/\.(glb|vrm)$/i.test(output)) return { ...entry, output }
-    throw wrongOutput(entry.input, 'its output is no .glb and no .vrm', output)
+    throw invalidOutput(entry.input, 'the output is not a .glb or .vrm file', output)
   }
-  if (folder === undefined) throw wrongOutput(entry.input, 'it has no output')
+  if (folder === undefined) throw invalidOutput(entry.input, 'no output')
   const parts = (name ?? nameOf(entry.input)).split(/[\\/]/)
-  // Keys of S3 may hold anything.
-  if (parts.includes('..')) throw wrongOutput(entry.input, 'its output would be outside of the folder')
+  // S3 keys may contain `..`.
+  if (parts.includes('..')) throw invalidOutput(entry.input, 'the output would be outside the folder')
   const last = parts.pop()!
   const file = /\.(glb|vrm)$/i.test(last) ? last : `${last.replace(/\.gltf$/i, '')}.glb`
   const path = [...parts, file].join('/')
   return { ...entry, output: isRemote(folder) ? `${folder.replace(/\/$/, '')}/${path}` : join(folder, path) }
 }
 
-/** An input, as a list or a manifest has it. */
+/** An input from the command line or a manifest. */
 interface Listed extends Entry {
   name?: string
 }
 
-function wrongOutput(input: string, problem: string, value?: string): FurrowError {
-  const remedy = 'name a folder with -o, or an output ending in .glb or .vrm in the manifest'
+function invalidOutput(input: string, problem: string, value?: string): FurrowError {
+  const remedy = 'choose a folder with -o, or an output ending in .glb or .vrm in the manifest'
   return new FurrowError({ code: 'usage', who: WHO, problem: `${input}: ${problem}`, value, remedy })
 }
 
-function wrongInputs(count: number): FurrowError {
+function inputsError(count: number): FurrowError {
   return new FurrowError({
     code: 'usage',
     who: WHO,
-    problem: count === 0 ? 'no inputs' : 'inputs both on the command line and in a manifest',
-    remedy: "name files, a pattern in quotes such as 'avatars/**/*.glb', or --manifest",
+    problem: count === 0 ? 'no inputs' : 'inputs on the command line and in a manifest',
+    remedy: "give files, a quoted pattern such as 'avatars/**/*.glb', or --manifest",
   })
 }
 
-/** Paths that mean the same wherever a worker was started. */
-function absolute({ input, output, options, ...rest }: Entry, command: JobCommandName): Entry {
-  const whole = (address: string) => (isRemote(address) ? address : resolve(address))
+/** Makes local paths absolute, because workers may run in other folders. */
+function withAbsolutePaths({ input, output, options, ...rest }: Entry, command: JobCommandName): Entry {
+  const absolute = (address: string) => (isRemote(address) ? address : resolve(address))
   const files: readonly string[] = JOB_COMMANDS[command].files
   const moved = Object.entries(options).map(([name, value]) => {
     return [name, files.includes(name) && typeof value === 'string' ? resolve(value) : value] as const
   })
   return {
     ...rest,
-    input: whole(input),
-    ...(output !== undefined && { output: whole(output) }),
+    input: absolute(input),
+    ...(output !== undefined && { output: absolute(output) }),
     options: Object.fromEntries(moved),
   }
 }

@@ -12,8 +12,8 @@ import { openScratch } from '../scratch.ts'
 const WHO = 'furrow worker'
 
 /**
- * So often a job begins again because the worker that had it is gone. Its own limits end a job long before it can take a worker with
- * it, so that it is the machines that come and go.
+ * Maximum number of restarts of a job whose worker disappeared. High, because the limits of a job end it long before
+ * it could crash a worker: lost workers mean that machines come and go.
  */
 const MOST_STALLS = 20
 
@@ -21,18 +21,18 @@ interface Options extends LimitOptions {
   redis: string
 }
 
-/** `furrow worker`: does the jobs of `furrow batch --redis`. */
+/** `furrow worker`: runs the jobs of `furrow batch --redis`. */
 export const workerCommand = createCommand('worker')
-  .description('take the jobs of furrow batch --redis, on this machine, until it is told to end')
-  .requiredOption('--redis <url>', 'the Redis of the batch, e.g. redis://host:6379/0')
+  .description('run jobs of furrow batch --redis')
+  .requiredOption('--redis <url>', 'Redis server, e.g. redis://host:6379/0')
   .addHelpText(
     'after',
     `
-Inputs and outputs are read and written by their addresses: paths must be of a disk that all machines have at the same place.
-SIGTERM or Ctrl-C: it ends once the jobs that it has begun are done; a second one ends it at once, and others do these jobs again.
+Local paths must be on a disk that all machines mount at the same place. Ctrl-C
+or SIGTERM stops the worker after its running jobs. A second signal stops it at
+once, and other workers restart these jobs.
 
-Examples:
-  $ furrow worker --redis redis://10.0.0.5:6379
+Example:
   $ furrow worker --redis redis://10.0.0.5:6379 --jobs 4 --memory 2048`,
   )
   .action(work)
@@ -48,7 +48,7 @@ async function work({ redis: url, ...options }: Options): Promise<void> {
     pool.close()
     scratch.remove()
   })
-  // The jobs themselves run in other processes: this one has nothing to do but to renew their locks.
+  // Jobs run in child processes, so that this one can always renew their locks.
   const worker = new Worker<unknown, Outcome>(
     queueName(version),
     ({ data }) => perform(data, { pool, limits, scratch: scratch.path }),
@@ -63,15 +63,15 @@ async function work({ redis: url, ...options }: Options): Promise<void> {
     const { input = 'a job' } = Object(data)
     print(`${input}: ${status === 'done' ? `done, ${seconds} s` : reason}`)
   })
-  print(`${WHO}: ready for ${lanes} jobs at a time`)
-  await signalled()
-  print(`${WHO}: ending, once the jobs that it has begun are done`)
+  print(`${WHO}: ready for ${lanes} parallel jobs`)
+  await firstSignal()
+  print(`${WHO}: stopping after the running jobs`)
   await worker.close()
   connection.disconnect()
   process.exit()
 }
 
-/** Does a job of the queue. Whoever can write to Redis may have put anything there. */
+/** Runs a job from the queue. Validates the data, because anything may write to Redis. */
 async function perform(data: unknown, workshop: Workshop): Promise<Outcome> {
   let job: Job
   try {
@@ -82,8 +82,8 @@ async function perform(data: unknown, workshop: Workshop): Promise<Outcome> {
   return runJob(job, workshop)
 }
 
-/** Waits for the first signal that asks for the end; the second one ends the process. */
-function signalled(): Promise<void> {
+/** Waits for the first SIGINT or SIGTERM. The second one ends the process. */
+function firstSignal(): Promise<void> {
   const signals = ['SIGINT', 'SIGTERM'] as const
   return new Promise((resolve) => {
     const listen = () => {
