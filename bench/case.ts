@@ -2,27 +2,27 @@ import type { RendererKind } from '../stage/stage.ts'
 
 export const RENDERER_KINDS: readonly RendererKind[] = ['webgl', 'webgpu']
 
-/** What is drawn, the same by every variant. */
+/** Scene that all variants render. */
 export interface Case {
   areas: number
-  /** Number of areas that are not at rest. */
+  /** Number of areas with nonzero activation. */
   active: number
   layers: number
-  /** The layers' maps: normals alone, or with occlusion and blood, as the face's file and those of `furrow auto` have them. */
+  /** Maps of the layers: only normals, or also occlusion and blood, as in the shipped face. */
   maps: 'normals' | 'all'
-  /** Whether the activations are the same in every frame. */
+  /** Whether activations are constant. */
   still: boolean
 }
 
-/** How often each case is measured. */
+/** Options of a measurement. */
 export interface Plan {
-  /** Each compiles every variant anew. */
+  /** Number of rounds; each compiles every variant. */
   rounds: number
-  /** Names of the variants, all by default; the plain face must be one. */
+  /** Names of the variants, including `plain`. Default: all. */
   variants?: readonly string[]
   /** Called after each round. */
   onRound?: () => void
-  /** Ends it early. */
+  /** Stops the measurement. */
   signal?: AbortSignal
 }
 
@@ -33,10 +33,10 @@ export const PLANS = {
 
 const AREAS = [2, 8, 16, 64, 256]
 const EIGHT = { areas: 8, active: 8 }
-/** A large set of which an expression moves only a few areas. */
+/** A large set with few active areas, as in an expression. */
 const FEW_OF_MANY = { areas: 256, active: 8 }
 
-/** Every case of a run, or the two of a quick one. */
+/** Lists the cases of a full or quick run. */
 export function listCases(quick: boolean): Case[] {
   const counts = quick ? [EIGHT] : [...AREAS.map((areas) => ({ areas, active: areas })), FEW_OF_MANY]
   const normals = (quick ? [1] : [1, 4]).flatMap((layers) =>
@@ -46,13 +46,13 @@ export function listCases(quick: boolean): Case[] {
   return [...normals, all].flatMap((shown) => [false, true].map((still) => ({ ...shown, still })))
 }
 
-/** An area's activation in a frame, 0..1: a wave with a phase of its own for each area. */
+/** Returns an area's activation in a frame, 0..1: a sine wave with a different phase per area. */
 export function activationOf(
   area: number,
   frame: number,
   { areas, active, still }: Pick<Case, 'areas' | 'active' | 'still'>,
 ): number {
-  // The middle one of each group: where areas are strips, the outer ones are hardly visible.
+  // Activates the middle of each group, because outer strips are hardly visible.
   const groupSize = areas / active
   if (area % groupSize !== Math.floor(groupSize / 2)) return 0
   return 0.5 + 0.5 * Math.sin((still ? 0 : frame) * 0.37 + area * 2.4)

@@ -1,7 +1,5 @@
-// CPU cost of one face per frame: 57 blendshapes drive 64 areas, all of which move, alone or with every other type of driver; and of
-// the faces of a crowd.
-// Uses the packages' builds, as pages do, and a renderer that draws nothing. `node bench/cpu.mjs` prints it, beside the least that computes
-// the same.
+// `node bench/cpu.mjs`: measures the CPU time per face and frame, alone and in crowds, with 57 blendshapes that drive 64 areas. Compares
+// crowds with a minimal implementation. Uses the packages' builds and a stub renderer.
 
 import { fileURLToPath } from 'node:url'
 import { setFlagsFromString } from 'node:v8'
@@ -26,7 +24,7 @@ const collectGarbage = runInNewContext('gc')
 
 const TARGETS = 57
 const AREAS = 64
-/** Blendshapes that drive an area, as many as in a driver of the shipped face. */
+/** Blendshapes per area, as in the shipped face. */
 const LINKS = 4
 const LINK_WEIGHT = 0.4
 const ROUNDS = 15
@@ -38,48 +36,49 @@ const CURVE = [
   [1, 1],
 ]
 
-/** Areas that tension drives too: those of one expression. */
+/** Areas with a tension driver, as many as one expression uses. */
 const TENSION_AREAS = 8
 
 /**
- * Microseconds and allocated bytes per frame, medians over rounds.
+ * Measures microseconds and allocated bytes per frame, medians over rounds.
  *
- * @param allTypes whether joints, tension, age, time, other areas and conflicts drive areas too.
- * @param ownClock whether `wrinkles.clock` is the page's own; otherwise it is `performance`.
+ * @param allTypes whether to add drivers of every other type.
+ * @param customClock whether `wrinkles.clock` is set by the page; otherwise it is `performance`.
  */
-export function measureCpu(allTypes, ownClock = allTypes) {
-  return { targets: TARGETS, areas: AREAS, ...measure(movingFace(allTypes, ownClock), FRAMES) }
+export function measureCpu(allTypes, customClock = allTypes) {
+  return { targets: TARGETS, areas: AREAS, ...measure(movingFace(allTypes, customClock), FRAMES) }
 }
 
-/** Faces that are timed in a round of a crowd: more of those that stand, which take far less time. */
-const CROWD_TURNS = { moving: 30_000, standing: 600_000 }
-/** Fraction of a crowd's faces that move in its frames of the third kind. */
+/** Faces timed per round of a crowd. Still faces take far less time. */
+const CROWD_FACES = { moving: 30_000, still: 600_000 }
+/** Fraction of faces that move in a crowd with few moving faces. */
 const FEW = 0.01
 
 /**
- * Microseconds per face and frame in a crowd of instances, with the blendshapes and areas of `measureCpu`: when all faces move, when none
- * does, and of those that stand while a hundredth moves.
+ * Measures microseconds per face and frame in a crowd of instances, with the blendshapes and areas of `measureCpu`.
+ *
+ * @returns `moving`: all faces move; `still`: no face moves; `stillAmongMoving`: still faces while one in a hundred moves.
  */
 export function measureCrowdCpu(faces) {
   const { all, none, few } = crowdFrames(faces)
-  const perFace = (frame, turns) => measure(frame, turns / faces).microseconds / faces
-  const moving = perFace(all, CROWD_TURNS.moving)
-  const standing = perFace(none, CROWD_TURNS.standing)
-  const mixed = perFace(few, CROWD_TURNS.standing)
-  return { moving, standing, besideMoving: (mixed - FEW * moving) / (1 - FEW) }
+  const perFace = (frame, count) => measure(frame, count / faces).microseconds / faces
+  const moving = perFace(all, CROWD_FACES.moving)
+  const still = perFace(none, CROWD_FACES.still)
+  const mixed = perFace(few, CROWD_FACES.still)
+  return { moving, still, stillAmongMoving: (mixed - FEW * moving) / (1 - FEW) }
 }
 
 /**
- * Microseconds per face and frame of the least JavaScript that computes the same, of a crowd of faces that move and that stand: it compares
- * the weights with the last, evaluates the areas, and writes their activations and the rectangles that are drawn.
+ * Measures microseconds per face and frame of minimal JavaScript with the same result: compares weights with the last frame,
+ * evaluates areas, and writes activations and quads.
  */
-export function measureLeastCpu(faces) {
-  const { all, none } = leastFrames(faces)
-  const perFace = (frame, turns) => measure(frame, turns / faces).microseconds / faces
-  return { moving: perFace(all, CROWD_TURNS.moving), standing: perFace(none, CROWD_TURNS.standing) }
+export function measureMinimalCpu(faces) {
+  const { all, none } = minimalFrames(faces)
+  const perFace = (frame, count) => measure(frame, count / faces).microseconds / faces
+  return { moving: perFace(all, CROWD_FACES.moving), still: perFace(none, CROWD_FACES.still) }
 }
 
-/** Medians over rounds of a number of frames. */
+/** Returns medians over rounds of `frames` frames. */
 function measure(frame, frames) {
   for (let i = 0; i < 3 * frames; i++) frame(i)
   const rounds = Array.from({ length: ROUNDS }, (_, round) => {
@@ -99,9 +98,9 @@ function measure(frame, frames) {
   }
 }
 
-/** Functions that run a frame of a crowd: in which all faces have other weights of all blendshapes than in the last, none, or few. */
+/** Returns functions that run a frame in which all, none or few faces change all weights. */
 function crowdFrames(faces) {
-  const geometry = plane()
+  const geometry = createPlane()
   const mesh = new InstancedMesh(geometry, new MeshStandardMaterial(), faces)
   const wrinkles = new Wrinkles(mesh, createSet(), { areaSize: 16 })
   addDrivers(
@@ -113,8 +112,8 @@ function crowdFrames(faces) {
   const { morphTexture } = mesh
   const { data, width } = morphTexture.image
   const weights = [0, 1].map((frame) => data.map((_, i) => ((frame * 7 + i * 13) % 100) / 100))
-  const draw = drawer(mesh)
-  // The weights are changed as `setMorphAt` does it, but all at once: that is not the library's time.
+  const draw = frameRunner(mesh)
+  // Sets all weights at once, because `setMorphAt` is not the library's time.
   const show = (shown) => {
     morphTexture.image.data = shown
     morphTexture.needsUpdate = true
@@ -126,11 +125,11 @@ function crowdFrames(faces) {
   return { all: (i) => show(weights[i % 2]), none: draw, few: (i) => show(mixed[i % 2]) }
 }
 
-/** Numbers of a rectangle: of each of its four corners, where it is drawn, its texel, activation and source. */
-const RECTANGLE = 24
+/** Numbers per quad: position, texel, activation and area of four corners. */
+const QUAD_SIZE = 24
 
-/** The frames of `crowdFrames` in which all faces move and none does, without the library. */
-function leastFrames(faces) {
+/** Returns the frames `all` and `none` of `crowdFrames` without the library. */
+function minimalFrames(faces) {
   const weights = [0, 1].map((frame) =>
     Float32Array.from({ length: faces * TARGETS }, (_, i) => ((frame * 7 + i * 13) % 100) / 100),
   )
@@ -141,7 +140,7 @@ function leastFrames(faces) {
   const linkWeights = new Float64Array(AREAS * LINKS).fill(LINK_WEIGHT)
   const [x0, y0, x1, y1, x2, y2] = CURVE.flat()
   const activations = new Float32Array(faces * AREAS)
-  const rectangles = new Float32Array(faces * AREAS * RECTANGLE)
+  const quads = new Float32Array(faces * AREAS * QUAD_SIZE)
   const columns = Math.ceil(Math.sqrt(faces))
   const run = (shown) => {
     let at = 0
@@ -168,12 +167,12 @@ function leastFrames(faces) {
         for (let corner = 0; corner < 4; corner++) {
           const right = corner & 1
           const bottom = corner >> 1
-          rectangles[at++] = (column + right) / columns
-          rectangles[at++] = (row + bottom) / columns
-          rectangles[at++] = 16 * right
-          rectangles[at++] = 16 * bottom
-          rectangles[at++] = value
-          rectangles[at++] = area
+          quads[at++] = (column + right) / columns
+          quads[at++] = (row + bottom) / columns
+          quads[at++] = 16 * right
+          quads[at++] = 16 * bottom
+          quads[at++] = value
+          quads[at++] = area
         }
       }
     }
@@ -181,9 +180,9 @@ function leastFrames(faces) {
   return { all: (i) => run(weights[i % 2]), none: () => run(weights[0]) }
 }
 
-/** Returns a function that runs frame number `index`, with other weights of all blendshapes than in the last. */
-function movingFace(allTypes, ownClock) {
-  const geometry = plane()
+/** Returns a function that runs frame `index`, in which all weights change. */
+function movingFace(allTypes, customClock) {
+  const geometry = createPlane()
   const { count } = geometry.getAttribute('position')
   geometry.setAttribute('skinIndex', new BufferAttribute(new Uint16Array(4 * count), 4))
   const skinWeights = Float32Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 ? 1 : 0))
@@ -199,11 +198,10 @@ function movingFace(allTypes, ownClock) {
     ...areas.map(({ name }, i) => morphDriver(name, i)),
     ...(allTypes ? areas.flatMap(({ name }, i) => otherDrivers(name, i)) : []),
   ])
-  // A page with its own time step, in whole milliseconds. JavaScript allocates 16 bytes for the fraction that `performance`
-  // returns.
+  // Integer milliseconds: JavaScript allocates 16 bytes for a fraction, as returned by `performance`.
   let milliseconds = 0
-  if (ownClock) wrinkles.clock = { now: () => milliseconds }
-  const draw = drawer(mesh)
+  if (customClock) wrinkles.clock = { now: () => milliseconds }
+  const draw = frameRunner(mesh)
   const influences = mesh.morphTargetInfluences
   return (index) => {
     for (let i = 0; i < TARGETS; i++) influences[i] = ((index * 7 + i * 13) % 100) / 100
@@ -216,8 +214,8 @@ function movingFace(allTypes, ownClock) {
   }
 }
 
-/** A surface with blendshapes. */
-function plane() {
+/** Creates a surface with blendshapes. */
+function createPlane() {
   const geometry = new PlaneGeometry(1, 1, 16, 16)
   const { count } = geometry.getAttribute('position')
   geometry.morphAttributes.position = Array.from({ length: TARGETS }, (_, i) => {
@@ -236,8 +234,8 @@ function createSet() {
   return { layers: [{ name: 'all', kind: 'detail', normal }], areas }
 }
 
-/** A function that draws a mesh's next frame, on a renderer that draws nothing. */
-function drawer(mesh) {
+/** Returns a function that runs a mesh's next frame on a stub renderer. */
+function frameRunner(mesh) {
   const renderer = idleRenderer()
   const scene = new Scene()
   const camera = new PerspectiveCamera()
@@ -247,7 +245,7 @@ function drawer(mesh) {
   }
 }
 
-/** Per type, the driver of one area; none where a type does not evaluate anything of its own. A test compares it with the registry. */
+/** Creates one area's driver by type; nothing for types without an evaluation. A test compares the types with the registry. */
 export const OTHER_DRIVERS = {
   age: (area) => ({ type: 'age', area, curve: CURVE }),
   input: (area) => ({ type: 'input', name: 'stress', area, curve: CURVE }),
@@ -261,7 +259,7 @@ export const OTHER_DRIVERS = {
     curve: CURVE,
   }),
   conflict: (_, i) => ({ type: 'conflict', targets: [`target${i % TARGETS}`, `target${(i + 7) % TARGETS}`] }),
-  // The last area reads no other, which would be a cycle.
+  // The last area reads no other: that would be a cycle.
   area: (area, i) =>
     i + 1 < AREAS && {
       type: 'area',
@@ -271,13 +269,13 @@ export const OTHER_DRIVERS = {
       curve: CURVE,
     },
   tension: (area, i) => i < TENSION_AREAS && { type: 'tension', area, measure: 'compression', curve: CURVE },
-  // Evaluated as a driver of its morph target.
+  // Evaluated with its morph target.
   muscle: () => null,
-  // A preset: data for players.
+  // A preset for players.
   expression: () => null,
 }
 
-/** Drivers of every other type for one area. */
+/** Creates an area's drivers of every type except `morph`. */
 function otherDrivers(area, i) {
   return Object.values(OTHER_DRIVERS)
     .map((create) => create(area, i))
@@ -292,7 +290,7 @@ function morphDriver(area, i) {
   return { type: 'morph', area, targets, rule: 'sum', curve: CURVE }
 }
 
-/** Index of the blendshape that link number `k` of area number `i` reads. */
+/** Index of the blendshape that link `k` of area `i` reads. */
 function linkedTarget(i, k) {
   return (i * 5 + k * 11) % TARGETS
 }
@@ -301,10 +299,10 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const { microseconds, bytes } = measureCpu(false)
   process.stdout.write(`one face: ${microseconds.toFixed(2)} microseconds, ${bytes.toFixed(1)} bytes\n`)
   for (const faces of [1, 1000, 10_000]) {
-    const [own, least] = [measureCrowdCpu, measureLeastCpu].map((measured) => measured(faces))
-    const line = ({ moving, standing }) => `${moving.toFixed(2)} moving, ${standing.toFixed(2)} standing`
+    const [furrow, minimal] = [measureCrowdCpu, measureMinimalCpu].map((measured) => measured(faces))
+    const line = ({ moving, still }) => `${moving.toFixed(2)} moving, ${still.toFixed(2)} still`
     process.stdout.write(
-      `each of ${faces} instances: ${line(own)}; the least that computes the same: ${line(least)}\n`,
+      `per face of ${faces} instances: ${line(furrow)}; minimal implementation: ${line(minimal)}\n`,
     )
   }
 }

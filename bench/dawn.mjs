@@ -1,11 +1,10 @@
-// Lets the benchmark's page run in Node: Dawn (npm `webgpu`) replaces the browser's WebGPU, sharp its image decoders, and a stub
-// its canvas.
+// Runs the benchmark's page in Node: Dawn (npm `webgpu`) replaces the browser's WebGPU, sharp its image decoders, a stub its canvas.
 
 import sharp from 'sharp'
 import { Texture } from 'three'
 import { create, globals } from 'webgpu'
 
-/** Decoded RGBA bytes instead of an `ImageBitmap`, which only a browser can upload. */
+/** Decoded RGBA bytes. Replaces `ImageBitmap`, which only browsers can upload. */
 class PixelBitmap {
   constructor(data, { width, height }) {
     Object.assign(this, { data, width, height })
@@ -13,12 +12,12 @@ class PixelBitmap {
   close() {}
 }
 
-/** three.js reports downloads with it. */
+/** Used by three.js to report downloads. */
 class ProgressEvent extends Event {}
 
-/** @throws Error if Dawn finds no adapter. */
+/** Defines the browser's globals. Throws if Dawn finds no adapter. */
 export async function emulateBrowser() {
-  // Without quantization to 0.1 ms, which is coarser than some frames.
+  // Quantised timestamps of 0.1 ms are coarser than some frames.
   const gpu = create(['disable-dawn-features=timestamp_quantization'])
   if (!(await gpu.requestAdapter())) {
     throw new Error(
@@ -38,7 +37,7 @@ export async function emulateBrowser() {
   uploadPixels()
 }
 
-/** A stub: the benchmark draws into a render target. */
+/** Creates a stub: the benchmark renders to a render target. */
 function createCanvas() {
   const context = { configure() {}, unconfigure() {} }
   return { style: {}, addEventListener() {}, removeEventListener() {}, getContext: () => context }
@@ -53,7 +52,7 @@ async function decode(blob) {
   return new PixelBitmap(new Uint8Array(data), info)
 }
 
-/** Makes textures with decoded pixels data textures to three.js, which uploads those from memory. */
+/** Makes three.js upload decoded pixels as data textures. */
 function uploadPixels() {
   Object.defineProperty(Texture.prototype, 'isDataTexture', {
     get() {

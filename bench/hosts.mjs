@@ -1,10 +1,10 @@
-// Hosts in which the benchmark's page runs. A host's `name` has its version and system; `open` returns the functions of a page (`BenchPage`
-// in page/page.ts) for one renderer, callable from this process.
+// Hosts of the benchmark's page. `name` has the host's version and system. `open` returns the functions of a new page (`BenchPage` in
+// page/page.ts), callable from this process.
 
 import { emulateBrowser } from './dawn.mjs'
 import { launchTimed, openPage } from './serve.mjs'
 
-/** A browser, with every renderer. */
+/** Starts a browser, with all renderers. */
 export async function chromiumHost(server) {
   const browser = await launchTimed(server)
   return {
@@ -21,7 +21,7 @@ export async function chromiumHost(server) {
   }
 }
 
-/** This process: WebGPU only, without a browser or a display. */
+/** Uses this process, with WebGPU only, without a browser or display. */
 export async function nodeHost(server) {
   await emulateBrowser()
   await server.ssrLoadModule('/bench/page/page.ts')

@@ -1,2 +1,2 @@
-/** A stub with what wrinkles call of a renderer before a mesh is drawn. */
+/** Creates a stub renderer with the members that wrinkles use before a mesh is drawn. */
 export function idleRenderer(): { info: { calls: number } }

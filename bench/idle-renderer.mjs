@@ -1,4 +1,4 @@
-/** A stub with what wrinkles call of a renderer; drawing itself is three.js's work and the same with and without wrinkles. */
+/** Creates a stub renderer with the members that wrinkles use before a mesh is drawn. */
 export function idleRenderer() {
   const properties = { __webglTexture: true }
   return {

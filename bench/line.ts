@@ -4,14 +4,14 @@ import type { RendererKind } from '../stage/stage.ts'
 import { RENDERER_KINDS } from './case.ts'
 import type { Result } from './report.ts'
 
-/** What a run was measured with, besides the adapter. */
+/** Browser and date of a run. */
 export interface Machine {
-  /** The browser, or what stands for it, with its version and its system. */
+  /** Browser or host, with version and system. */
   browser: string
   date: Date
 }
 
-/** Ratios in a line, in its order. */
+/** Ratio columns. */
 const RATIOS: readonly { title: string; variant: string; maps: Result['maps'] }[] = [
   ...['furrow', 'stripped', 'jimenez', 'o3de'].map(
     (variant) => ({ title: variant, variant, maps: 'normals' }) as const,
@@ -21,7 +21,7 @@ const RATIOS: readonly { title: string; variant: string; maps: Result['maps'] }[
   ),
 ]
 
-/** Variants that a line is made of. */
+/** Variants needed for a line. */
 export const LINE_VARIANTS: readonly string[] = ['plain', ...new Set(RATIOS.map(({ variant }) => variant))]
 
 const TITLES = [
@@ -35,13 +35,12 @@ const TITLES = [
   'versions',
 ]
 
-/** The heading of a table of lines, in Markdown. */
+/** Markdown heading of a table of lines. */
 export const LINE_HEADING: string = [TITLES, TITLES.map(() => '---')].map(toRow).join('\n')
 
 /**
- * A run in one line, to be sent: a row of the table in bench/machines.md, in Markdown. It has the cases of 8 areas and one layer: of WebGL,
- * and after a semicolon of WebGPU; ratios to the plain face where areas move, and after a comma where they stand. What was not measured
- * is a dash.
+ * Formats a run as a row of the table in bench/machines.md, with the cases of 8 areas and one layer. A semicolon separates WebGL and
+ * WebGPU, a comma moving and still areas. A dash means not measured.
  */
 export function toLine(results: readonly Result[], { browser, date }: Machine): string {
   const shown = results.filter(({ areas, active, layers }) => areas === 8 && active === 8 && layers === 1)
@@ -75,7 +74,7 @@ export function toLine(results: readonly Result[], { browser, date }: Machine): 
   ])
 }
 
-/** A row of a table, whose cells may hold what would end them. */
+/** Formats a Markdown row, escaping its cells. */
 function toRow(cells: readonly string[]): string {
   return `| ${cells.map((cell) => cell.replaceAll(/\s+/g, ' ').replaceAll('|', '\\|')).join(' | ')} |`
 }

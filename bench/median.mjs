@@ -1,4 +1,4 @@
-/** The number in the middle; of an even count, the upper of the two. */
+/** Returns the median, or the upper of the two middle numbers. */
 export function median(numbers) {
   return [...numbers].sort((a, b) => a - b)[Math.floor(numbers.length / 2)]
 }

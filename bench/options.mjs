@@ -1,8 +1,8 @@
-// Options that the benchmarks have in common.
+// Shared options of the benchmarks.
 
 export function parseRounds(text) {
   if (/^[1-9]\d?$/.test(text)) return Number(text)
-  throw new Error(`bench: --rounds, got "${text}", allowed: 1 to 99; write e.g. --rounds 5`)
+  throw new Error(`bench: invalid rounds, got "${text}", allowed: 1 to 99; write e.g. --rounds 5`)
 }
 
 export function parseSize(text) {

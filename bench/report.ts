@@ -3,22 +3,21 @@ import type { Case } from './case.ts'
 import type { TimedRenderer } from './page/timed-renderer.ts'
 import { median, ratio, spread } from './statistics.ts'
 
-/** A page's measurements of one variant in one case. */
+/** Measurements of one variant in one case. */
 export interface Measured {
   variant: string
-  /** Mean milliseconds per frame in each round, which compiles the variant anew. */
+  /** Mean milliseconds per frame by round. Each round compiles the variant. */
   rounds: number[]
   /** Fraction of pixels that differ from the plain face, 0..1. */
   changed: number
 }
 
-/** What it was measured on. */
+/** Picture size, renderer and GPU of a measurement. */
 export interface Setup {
   width: number
   height: number
   renderer: RendererKind
   adapter: string
-  /** The clock. */
   timing: TimedRenderer['timing']
 }
 
@@ -29,11 +28,11 @@ export interface Result extends Case, Setup {
   /** Interquartile range of the rounds. */
   spreadMs: number
   ratioToPlain: number
-  /** Null if the paper's shader cannot show the case. */
+  /** Null if the paper's shader does not support the case. */
   ratioToPaper: number | null
 }
 
-/** @throws Error if the plain face is missing, with which all others are compared. */
+/** Computes results relative to the plain face. Throws if it was not measured. */
 export function toResults(benchCase: Case, setup: Setup, measured: readonly Measured[]): Result[] {
   const plain = measured.find(({ variant }) => variant === 'plain')
   const paper = measured.find(({ variant }) => variant === 'paper')
@@ -63,7 +62,7 @@ const COLUMNS = [
   '/ paper',
 ]
 
-/** The results as a Markdown table. */
+/** Formats results as a Markdown table. */
 export function toTable(results: readonly Result[]): string {
   const rows = results.map((result) => [
     result.renderer,

@@ -1,4 +1,4 @@
-// Times wrinkles against a plain face: `npm run bench`, or `npm run bench -- --quick`. See bench/README.md.
+// `npm run bench`, `npm run bench -- --quick`: times wrinkles and a plain face. See README.md.
 
 import { writeFile } from 'node:fs/promises'
 import { parseArgs } from 'node:util'
@@ -17,8 +17,8 @@ const { values: options } = parseArgs({
 })
 
 await setUp()
-// These need what it installs and builds.
-const { measureCpu, measureCrowdCpu, measureLeastCpu } = await import('./cpu.mjs')
+// Imports packages that `setUp` installs and builds.
+const { measureCpu, measureCrowdCpu, measureMinimalCpu } = await import('./cpu.mjs')
 const { chromiumHost, nodeHost } = await import('./hosts.mjs')
 const { runServed, serve } = await import('./serve.mjs')
 const { measureSizes } = await import('./size.mjs')
@@ -55,7 +55,7 @@ async function run() {
         found.push(...toResults(benchCase, setup, await page.measure(benchCase, plan)))
         const [done, total] = [i * cases.length + k + 1, renderers.length * cases.length]
         progress(done, total)
-        // There is no bar in a log, where lines do no harm.
+        // Logs have no progress bar.
         if (!process.stderr.isTTY) process.stderr.write(`bench: ${done} of ${total} cases\n`)
       }
       updates.push([renderer, await page.measureUpdates(plan)])
@@ -71,34 +71,34 @@ async function run() {
   const adapters = new Set(results.map(({ adapter, timing }) => `${adapter}, timed by ${timing}`))
   process.stdout.write(`${[...adapters].join('\n')}\n${toTable(results)}\n\n`)
   for (const [renderer, { faces, pixels, areaSize }, fractions] of crowds) {
-    const [percent, range] = [median, spread].map((of) => (100 * of(fractions)).toFixed(2))
+    const [percent, range] = [median, spread].map((statistic) => (100 * statistic(fractions)).toFixed(2))
     process.stdout.write(
-      `crowd: ${percent}% (quartiles ${range} apart) of a frame with ${faces} faces of ${pixels} pixels on ${renderer} are influence maps of ${areaSize} x ${areaSize}\n`,
+      `crowd: ${percent}% (quartiles ${range} apart) of a frame with ${faces} faces of ${pixels} pixels on ${renderer}, influence maps of ${areaSize} x ${areaSize}\n`,
     )
   }
-  for (const [renderer, { region, whole }] of updates) {
+  for (const [renderer, { region, full }] of updates) {
     process.stdout.write(
-      `updates: ${region.toFixed(1)} ms for 64 x 64 texels of a normal map of 1024 x 1024 on ${renderer}, ${whole.toFixed(1)} ms for all\n`,
+      `updates: ${region.toFixed(1)} ms for 64 x 64 texels of a normal map of 1024 x 1024 on ${renderer}, ${full.toFixed(1)} ms for all\n`,
     )
   }
   for (const allTypes of [false, true]) {
     const { targets, areas, microseconds, bytes } = measureCpu(allTypes)
     process.stdout.write(
-      `processor: ${microseconds.toFixed(1)} microseconds and ${bytes.toFixed(1)} bytes a frame, one face, ${targets} blendshapes that drive ${areas} areas${allTypes ? ', and every other type of driver' : ''}\n`,
+      `CPU: ${microseconds.toFixed(1)} microseconds and ${bytes.toFixed(1)} bytes per frame, one face, ${targets} blendshapes, ${areas} areas${allTypes ? ', every driver type' : ''}\n`,
     )
   }
   for (const { faces } of CROWD_KINDS) {
-    const { moving, standing, besideMoving } = measureCrowdCpu(faces)
-    const least = measureLeastCpu(faces)
+    const { moving, still, stillAmongMoving } = measureCrowdCpu(faces)
+    const minimal = measureMinimalCpu(faces)
     process.stdout.write(
-      `processor: ${moving.toFixed(1)} microseconds a frame for each of ${faces} faces that move, ${standing.toFixed(2)} where all stand, ${besideMoving.toFixed(2)} for those that stand while one in a hundred moves; the least that computes the same takes ${least.moving.toFixed(1)} and ${least.standing.toFixed(2)}\n`,
+      `CPU: microseconds per frame and face of ${faces}: ${moving.toFixed(1)} moving, ${still.toFixed(2)} still, ${stillAmongMoving.toFixed(2)} still while one in a hundred moves; minimal implementation: ${minimal.moving.toFixed(1)} moving, ${minimal.still.toFixed(2)} still\n`,
     )
   }
-  for (const [what, { gzip, brotli }] of Object.entries(await measureSizes())) {
-    process.stdout.write(`download: ${what}: ${kilobytes(gzip)} by gzip, ${kilobytes(brotli)} by Brotli\n`)
+  for (const [name, { gzip, brotli }] of Object.entries(await measureSizes())) {
+    process.stdout.write(`download: ${name}: ${kilobytes(gzip)} by gzip, ${kilobytes(brotli)} by Brotli\n`)
   }
   const line = toLine(results, { browser: host.name, date: new Date() })
-  process.stdout.write(`\nto send what was measured here, paste this line into an issue:\n\n${line}\n`)
+  process.stdout.write(`\nto share these results, paste this line into an issue:\n\n${line}\n`)
 }
 
 function checkRenderers(names, allowed) {

@@ -4,7 +4,7 @@ import { SOURCES } from '../scripts/lib/sources.mjs'
 
 export const ROOT = fileURLToPath(new URL('..', import.meta.url))
 
-/** Serves the repository to a browser, and to this process by `ssrLoadModule`; the caller closes it. */
+/** Serves the repository to browsers, and to this process by `ssrLoadModule`. The caller closes the server. */
 export async function serve() {
   const server = await createServer({
     root: ROOT,
@@ -22,13 +22,13 @@ export async function serve() {
       ],
       include: ['three', 'three/webgpu', 'three/tsl', 'three/addons/loaders/GLTFLoader.js'],
     },
-    // A file saved while frames are timed must not reload the page.
+    // Saving a file must not reload the page while frames are timed.
     server: { host: '127.0.0.1', port: 0, hmr: false, watch: null },
   })
   return server.listen()
 }
 
-/** Runs a benchmark and closes its server; an error is told in one line. */
+/** Runs a benchmark and closes its server. Prints an error as one line. */
 export async function runServed(server, run) {
   try {
     await run()
@@ -40,14 +40,14 @@ export async function runServed(server, run) {
   }
 }
 
-/** Starts the browser that frames are timed in. */
+/** Starts a browser for timing frames. */
 export async function launchTimed(server) {
   const { launchBrowser } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
-  // Else timestamps of WebGPU are multiples of 0.1 ms.
+  // By default WebGPU timestamps are quantised to 0.1 ms.
   return launchBrowser(['--enable-webgpu-developer-features'])
 }
 
-/** Opens a page and waits until it has set the global `ready`. */
+/** Opens a page and waits until it defines the global named `ready`. */
 export async function openPage(server, browser, path, ready) {
   const { newPage } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
   const page = await newPage(browser)

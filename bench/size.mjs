@@ -1,4 +1,4 @@
-// The download of a page: minified, each file compressed by itself, without three.js and other peers.
+// Measures a page's download: minified, compressed per file, without three.js and other peers.
 
 import { brotliCompressSync, gzipSync } from 'node:zlib'
 import { build } from 'vite'
@@ -18,11 +18,11 @@ const PAGES = {
   'all of furrow/babylon': "import * as used from 'furrow/babylon'",
 }
 
-/** The lazy chunks, by the names of the package's files. */
+/** Lazy chunks, with patterns of their source files. */
 const LAZY = { relief: /relief-web/, 'automatic wrinkles': /auto-wrinkles/, 'KTX 2': /ktx2/ }
 
 /**
- * Bytes by gzip and Brotli: of each page, and of the lazy chunks of pages with a loader.
+ * Measures the bytes of each page, and of the lazy chunks of pages with a loader.
  *
  * @returns {Promise<Record<string, { gzip: number, brotli: number }>>}
  */
@@ -33,11 +33,11 @@ export async function measureSizes() {
     const own = closure([chunks[0]], chunks)
     sizes[page] = compressed(own)
     if (!page.startsWith('the loader')) continue
-    for (const [what, file] of Object.entries(LAZY)) {
+    for (const [name, file] of Object.entries(LAZY)) {
       const roots = chunks.filter(({ facadeModuleId: id }) => file.test(id ?? ''))
       const others = chunks.filter((chunk) => !own.includes(chunk))
       const later = closure(roots, others, ['imports', 'dynamicImports'])
-      if (later.length > 0) sizes[`${page}: ${what}`] = compressed(later)
+      if (later.length > 0) sizes[`${page}: ${name}`] = compressed(later)
     }
   }
   return sizes
@@ -45,7 +45,7 @@ export async function measureSizes() {
 
 const PAGE = 'virtual:page'
 
-/** Builds a page as a bundler would. The page's own chunk comes first. */
+/** Bundles a page. Returns its entry chunk first. */
 async function bundle(code) {
   const { NODE_ENV } = process.env
   const { output } = await build({
@@ -57,18 +57,18 @@ async function bundle(code) {
     build: {
       write: false,
       minify: true,
-      // Without Vite's own helper for dynamic imports.
+      // Omits Vite's helper for dynamic imports.
       ssr: true,
-      // Not as a library: Vite leaves the spaces in those.
+      // Not in library mode, which keeps whitespace.
       rolldownOptions: { input: PAGE, external: PEERS },
     },
   })
-  // Vite sets it, and whatever runs after this would be built for production too.
+  // Vite sets NODE_ENV, which would affect later builds.
   if (NODE_ENV === undefined) delete process.env.NODE_ENV
   return output.filter(({ type }) => type === 'chunk').sort((a, b) => Number(b.isEntry) - Number(a.isEntry))
 }
 
-/** Some chunks, and all that they import at once; with `dynamicImports` among the kinds, later too. */
+/** Collects chunks and their direct and indirect imports. `kinds` selects static and dynamic imports. */
 export function closure(chunks, all, kinds = ['imports']) {
   const found = new Set(chunks)
   for (const each of found) {
@@ -80,7 +80,7 @@ export function closure(chunks, all, kinds = ['imports']) {
   return [...found]
 }
 
-/** Each file is compressed by itself, as servers do. */
+/** Sums compressed sizes. Files are compressed separately, as servers do. */
 export function compressed(chunks) {
   const sum = (compress) => chunks.reduce((total, { code }) => total + compress(code).length, 0)
   return {

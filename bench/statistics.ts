@@ -1,24 +1,19 @@
-/** Median; NaN if there are no values. */
+/** Returns the median, or NaN without values. */
 export function median(values: readonly number[]): number {
   return quantile(values, 0.5)
 }
 
-/** Interquartile range. */
+/** Returns the interquartile range. */
 export function spread(values: readonly number[]): number {
   return quantile(values, 0.75) - quantile(values, 0.25)
 }
 
-/**
- * Order of the variants in a round: each round starts one further on, so that no variant always comes first and pays for it.
- */
+/** Returns the order of the variants in a round. Rounds start with different variants, because the first is slower. */
 export function roundOrder(count: number, round: number): number[] {
   return Array.from({ length: count }, (_, i) => (i + round) % count)
 }
 
-/**
- * Quotient of the quickest rounds. What differs from round to round, other processes and what a compiler happens to make of the same
- * shader, only ever slows down, the latter by a tenth to four.
- */
+/** Returns the ratio of the fastest rounds. Other processes and bad shader compilations only slow rounds down. */
 export function ratio(rounds: readonly number[], base: readonly number[]): number {
   return Math.min(...rounds) / Math.min(...base)
 }

@@ -1,5 +1,5 @@
-// Makes the wrinkles of one face as `furrow auto` does, from the packages' builds. Prints the milliseconds of each stage and the
-// process's peak memory as JSON: `node bench/auto/measure.mjs face.glb 1024`.
+// `node bench/auto/measure.mjs face.glb 1024`: makes wrinkles as `furrow auto` does, from the packages' builds. Prints milliseconds by stage
+// and the process's peak memory as JSON.
 
 import { mkdtemp, rm } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
@@ -19,7 +19,7 @@ const stages = {}
 let stage = 'start'
 let since = 0
 
-/** Ends the current stage and begins the next. The first stage begins with the process; parts of a step are one stage. */
+/** Begins a stage unless it is the current one. The first stage starts with the process. */
 function begin(next) {
   if (next === stage) return
   const now = performance.now()

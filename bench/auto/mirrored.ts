@@ -6,15 +6,17 @@ import { accessorsOf } from '../../test/accessors.ts'
 import { decimate, foldUvs } from '../../test/heads.ts'
 
 const TRIANGLES = [742, 20_000]
-/** Metres, and blendshapes that each squeeze the ball in another direction. */
+/** Ball radius, metres. */
 const RADIUS = 0.1
+/** Number of blendshapes; each compresses the ball in another direction. */
 const SQUEEZES = 8
-const SQUEEZED = 0.3
+/** Relative compression. */
+const SQUEEZE = 0.3
 
 const io = new NodeIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS)
 
 /**
- * Writes files whose left and right halves use the same texels: a face, and a ball on which no face is found.
+ * Writes a face and a featureless ball, both with the left and right halves on the same texels.
  *
  * @param face path of a face with the mesh `skin`.
  * @returns paths of the files.
@@ -32,7 +34,7 @@ export async function writeMirrored(face: string, folder: string): Promise<strin
     await decimate(head, triangles / trianglesOf(head))
     foldUvs(head)
     paths.push(await write(`mirrored-face-${triangles}.glb`, head))
-    const ball = ballOf(triangles)
+    const ball = createBall(triangles)
     foldUvs(ball)
     paths.push(await write(`mirrored-ball-${triangles}.glb`, ball))
   }
@@ -45,8 +47,8 @@ function trianglesOf(document: Document): number {
   return skin!.getIndices()!.getCount() / 3
 }
 
-/** A ball with one island, whose blendshapes squeeze all of it. */
-function ballOf(triangles: number): Document {
+/** Creates a ball with one UV island and blendshapes that compress all of it. */
+function createBall(triangles: number): Document {
   const side = Math.round(Math.sqrt(triangles / 2))
   const [positions, uvs, indices]: number[][] = [[], [], []]
   for (let row = 0; row <= side; row++) {
@@ -90,12 +92,12 @@ function ballOf(triangles: number): Document {
   return document
 }
 
-/** Offsets that shorten positions along a direction between x and y. */
+/** Returns offsets that compress positions along a direction in the xy plane. */
 function squeeze(positions: readonly number[], angle: number): Float32Array<ArrayBuffer> {
   const [x, y] = [Math.cos(angle), Math.sin(angle)]
   return Float32Array.from(positions, (_, i) => {
     const first = i - (i % 3)
     const along = positions[first]! * x + positions[first + 1]! * y
-    return -SQUEEZED * along * [x, y, 0][i % 3]!
+    return -SQUEEZE * along * [x, y, 0][i % 3]!
   })
 }

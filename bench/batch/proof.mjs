@@ -1,5 +1,5 @@
-// The proof of `furrow batch --redis`: avatars from a store that speaks S3, by two workers, while workers, Redis and the batch
-// itself are killed. See README.md.
+// Tests the reliability of `furrow batch --redis` with an S3 store and two workers, while workers, Redis and the batch itself are
+// killed. See README.md.
 
 import { spawn } from 'node:child_process'
 import { readFileSync, writeFileSync } from 'node:fs'
@@ -58,7 +58,7 @@ process.on('exit', () => {
 })
 const logs = []
 
-/** Starts a program; `on` gets its lines. */
+/** Starts a program; calls `onLine` for each line of output. */
 function start(program, words, onLine = () => {}) {
   const child = spawn(program, words, { env, stdio: ['ignore', 'pipe', 'pipe'], cwd: folder })
   started.add(child)
@@ -78,7 +78,7 @@ function start(program, words, onLine = () => {}) {
 const startRedis = () =>
   start('redis-server', ['--port', String(port), '--dir', folder, '--appendonly', 'yes', '--save', ''])
 
-/** How often each input was reported as done by a worker. */
+/** Number of times a worker reported each input as done. */
 const doneTimes = new Map()
 function startWorker() {
   return start(process.execPath, [FURROW, 'worker', '--redis', redisUrl, '--jobs', '1'], (line) => {
@@ -99,8 +99,8 @@ async function listAll(Bucket) {
   return found
 }
 
-/** A whole binary glTF says its own length. */
-async function isWhole(Key) {
+/** Whether a binary glTF has the length in its header. */
+async function isComplete(Key) {
   const { Body } = await client.send(new GetObjectCommand({ Bucket: 'wrinkled', Key }))
   const bytes = await Body.transformToByteArray()
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length)
@@ -147,20 +147,20 @@ const redisKills = Number(values['redis-kills'])
 const batchKills = Number(values['batch-kills'])
 const killed = { workers: 0, redis: 0, batch: 0 }
 const seen = new Map()
-const halves = []
+const partial = []
 let counts
 let isOver = false
-const ending = (child) =>
+const watchEnd = (child) =>
   child.ended.then((code) => {
     if (child === batch) {
       isOver = true
       counts = { code, line: logs.findLast((line) => line.startsWith(`${child.pid} {`)) }
     }
   })
-ending(batch)
+watchEnd(batch)
 
-// Every so many results something is killed; everything that can be seen in the store meanwhile must be whole.
-const due = (times, most) => Math.floor(((times + 0.5) / most) * count)
+// Kills are spread evenly over the results. Meanwhile all visible files in the store must be complete.
+const due = (times, total) => Math.floor(((times + 0.5) / total) * count)
 while (!isOver) {
   await sleep(500)
   const done = readLines().length
@@ -176,20 +176,20 @@ while (!isOver) {
     await redis.ended
     await sleep(3000)
     redis = startRedis()
-    console.info(`${done} results: Redis killed and started again (${killed.redis})`)
+    console.info(`${done} results: Redis killed and restarted (${killed.redis})`)
   }
   if (killed.batch < batchKills && done >= due(killed.batch, batchKills) + 5) {
     killed.batch++
     const old = batch
     batch = startBatch()
     old.kill('SIGKILL')
-    ending(batch)
-    console.info(`${done} results: the batch killed and started again (${killed.batch})`)
+    watchEnd(batch)
+    console.info(`${done} results: batch killed and restarted (${killed.batch})`)
   }
   const { Contents = [] } = await client.send(new ListObjectsV2Command({ Bucket: 'wrinkled' }))
   for (const { Key, ETag } of Contents) {
     if (seen.get(Key) === ETag) continue
-    if (!(await isWhole(Key))) halves.push(Key)
+    if (!(await isComplete(Key))) partial.push(Key)
     seen.set(Key, ETag)
   }
 }
@@ -202,7 +202,7 @@ const outputs = await listAll('wrinkled')
 const names = new Set(outputs.map(({ Key }) => Key))
 const lines = readLines().map((line) => JSON.parse(line))
 const ofDone = lines.filter(({ status }) => status === 'done')
-for (const { Key } of outputs) if (!(await isWhole(Key))) halves.push(Key)
+for (const { Key } of outputs) if (!(await isComplete(Key))) partial.push(Key)
 const check = start(process.execPath, [
   FURROW,
   'batch',
@@ -226,7 +226,7 @@ const report = {
   outputs: outputs.length,
   missing: files.filter((name) => !names.has(name)),
   others: [...names].filter((name) => !files.includes(name)),
-  halfWritten: halves,
+  partial,
   resultLines: lines.length,
   inputsWithResult: new Set(lines.map(({ input }) => input)).size,
   doneTwice: [...doneTimes.values()].filter((times) => times > 1).length,

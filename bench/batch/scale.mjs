@@ -1,4 +1,4 @@
-// Throughput of `furrow batch` by the number of processes, which take turns in every round: node bench/batch/scale.mjs FOLDER
+// `node bench/batch/scale.mjs FOLDER`: measures the throughput of `furrow batch` by number of processes, in turns.
 
 import { spawnSync } from 'node:child_process'
 import { mkdtempSync, rmSync } from 'node:fs'
@@ -9,9 +9,9 @@ import { median } from '../median.mjs'
 
 const FURROW = fileURLToPath(new URL('../../packages/cli/bin/furrow.js', import.meta.url))
 const ROUNDS = 3
-const [, , folder, size = '512', most = '2'] = process.argv
+const [, , folder, size = '512', maxJobs = '2'] = process.argv
 
-/** Seconds for all faces of the folder, from the start of the command to its end. */
+/** Measures the seconds for all faces of the folder, including the start of the command. */
 function measure(jobs) {
   const out = mkdtempSync(join(tmpdir(), 'furrow-scale-'))
   const start = performance.now()
@@ -35,7 +35,7 @@ function measure(jobs) {
   return { seconds, faces: JSON.parse(stdout).done }
 }
 
-const counts = Array.from({ length: Number(most) }, (_, i) => i + 1)
+const counts = Array.from({ length: Number(maxJobs) }, (_, i) => i + 1)
 const rates = counts.map(() => [])
 for (let round = 0; round < ROUNDS; round++) {
   for (const [i, jobs] of counts.entries()) {
@@ -47,6 +47,6 @@ for (let round = 0; round < ROUNDS; round++) {
   }
 }
 for (const [i, jobs] of counts.entries()) {
-  const growth = median(rates[i].map((rate, round) => rate / rates[0][round]))
-  console.info(`${jobs}: ${median(rates[i]).toFixed(2)} faces/s, ${growth.toFixed(2)} times one`)
+  const factor = median(rates[i].map((rate, round) => rate / rates[0][round]))
+  console.info(`${jobs}: ${median(rates[i]).toFixed(2)} faces/s, factor ${factor.toFixed(2)}`)
 }

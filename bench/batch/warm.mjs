@@ -1,5 +1,5 @@
-// What a process that is used again saves: `furrow auto` on one face several times in one process, in seconds, and its memory.
-// node bench/batch/warm.mjs FACE [SIZE] [RUNS]; with `node --cpu-prof` it tells where the time goes.
+// `node bench/batch/warm.mjs FACE [SIZE] [RUNS]`: runs `furrow auto` repeatedly in one process; prints seconds and memory.
+// Add `node --cpu-prof` for a profile.
 
 import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -19,8 +19,6 @@ for (let run = 1; run <= Number(runs); run++) {
   const { user, system } = process.cpuUsage(before)
   const seconds = (performance.now() - begin) / 1000
   const memory = `${Math.round(process.memoryUsage.rss() / 2 ** 20)} MB`
-  console.info(
-    `run ${run}: ${seconds.toFixed(2)}, of the processor ${((user + system) / 1e6).toFixed(2)}, ${memory}`,
-  )
+  console.info(`run ${run}: ${seconds.toFixed(2)}, CPU time ${((user + system) / 1e6).toFixed(2)}, ${memory}`)
 }
 rmSync(folder, { recursive: true })

@@ -1,6 +1,4 @@
-/**
- * Draws a face by Babylon.js and Furrow as `page.ts` does by three.js: on WebGL, or on WebGPU where the address ends with `?webgpu`.
- */
+/** Draws a face with Babylon.js and Furrow, as `page.ts` does with three.js. `?webgpu` selects WebGPU instead of WebGL. */
 import { FreeCamera } from '@babylonjs/core/Cameras/freeCamera.js'
 import { Engine } from '@babylonjs/core/Engines/engine.js'
 import { WebGPUEngine } from '@babylonjs/core/Engines/webgpuEngine.js'
@@ -17,12 +15,12 @@ import '@babylonjs/loaders/glTF/2.0/Extensions/KHR_texture_transform.js'
 import '@babylonjs/loaders/glTF/2.0/glTFLoader.js'
 import { registerWrinkleMaps, wrinklesOf } from 'furrow/babylon'
 import type { Description } from './page.ts'
-import { LAMPS, type Shot, SIZE, SURROUNDINGS } from './shots.ts'
+import { AMBIENT, LAMPS, type Shot, SIZE } from './shots.ts'
 
 declare global {
   interface Window {
-    /** @returns the face in the pose of a shot as a data URL of a PNG, and the activations of its areas. */
-    drawByBabylon(
+    /** Returns a shot's picture as a PNG data URL, and the activations by area. */
+    drawWithBabylon(
       address: string,
       shot: Shot,
       camera: Description['camera'],
@@ -30,18 +28,18 @@ declare global {
   }
 }
 
-/** Behind the face: the canvas of WebGPU is opaque. */
+/** Background colour: the WebGPU canvas is opaque. */
 const BACKGROUND = [40 / 255, 40 / 255, 40 / 255, 1] as const
 
-/** Frames until all shaders are there and delays have passed. */
+/** Frames until shaders are compiled and delays have passed. */
 const FRAMES = 10
 
 registerWrinkleMaps()
 
-window.drawByBabylon = async (address, shot, { position, target, fov }) => {
+window.drawWithBabylon = async (address, shot, { position, target, fov }) => {
   const canvas = document.createElement('canvas')
   canvas.width = canvas.height = SIZE
-  const engine = await engineOf(canvas)
+  const engine = await createEngine(canvas)
   const scene = new Scene(engine)
   scene.useRightHandedSystem = true
   scene.clearColor = new Color4(...BACKGROUND)
@@ -62,7 +60,7 @@ window.drawByBabylon = async (address, shot, { position, target, fov }) => {
   wrinkles.clock = { now: () => milliseconds }
   await scene.whenReadyAsync()
   for (let i = 0; i < FRAMES; i++) {
-    // Without delays: a picture shows what they end in.
+    // Skips delays, to show their final state.
     milliseconds += 10_000
     engine.beginFrame()
     scene.render()
@@ -76,7 +74,7 @@ window.drawByBabylon = async (address, shot, { position, target, fov }) => {
   return { url: canvas.toDataURL(), activations: Object.fromEntries(activations) }
 }
 
-async function engineOf(canvas: HTMLCanvasElement): Promise<Engine | WebGPUEngine> {
+async function createEngine(canvas: HTMLCanvasElement): Promise<Engine | WebGPUEngine> {
   const settings = { preserveDrawingBuffer: true, antialias: true }
   if (location.search !== '?webgpu') return new Engine(canvas, true, settings)
   const engine = new WebGPUEngine(canvas, settings)
@@ -84,10 +82,10 @@ async function engineOf(canvas: HTMLCanvasElement): Promise<Engine | WebGPUEngin
   return engine
 }
 
-/** Without shadows. Surroundings of one colour are a light from above and below, without their highlights. */
+/** Adds lights without shadows. A hemispheric light without highlights replaces uniform ambient light. */
 function light(scene: Scene): void {
-  const sky = new HemisphericLight('surroundings', Vector3.Up(), scene)
-  sky.diffuse = sky.groundColor = Color3.White().scale(SURROUNDINGS)
+  const sky = new HemisphericLight('ambient', Vector3.Up(), scene)
+  sky.diffuse = sky.groundColor = Color3.White().scale(AMBIENT)
   sky.specular = Color3.Black()
   for (const { from, strength } of LAMPS) {
     const lamp = new DirectionalLight('lamp', Vector3.FromArray(from).scale(-1).normalize(), scene)

@@ -1,6 +1,5 @@
-// The pictures of docs/blender.md and docs/conformance.md: the shipped face by three.js and Babylon.js with Furrow, each on WebGL and on
-// WebGPU, and by Cycles with the nodes and drivers that the extension for Blender imports: `npm run cycles:blender`, after `npm run
-// test:blender` has installed Blender.
+// `npm run cycles:blender`: draws the pictures of docs/blender.md and docs/conformance.md. Shows the shipped face in three.js and Babylon.js, on
+// WebGL and WebGPU, and as imported by the Blender extension in Cycles. `npm run test:blender` installs Blender.
 
 import { execFile } from 'node:child_process'
 import { existsSync } from 'node:fs'
@@ -13,11 +12,11 @@ import { openPage, ROOT, runServed, serve } from '../serve.mjs'
 
 const PYTHON = join(ROOT, 'blender/.venv-4.5/bin/python')
 const BACKGROUND = { r: 40, g: 40, b: 40 }
-/** Degrees that a lamp spans. */
+/** Angular diameter of a light, degrees. */
 const LAMP_ANGLE = 4
 const SAMPLES = 48
 const GAP = 8
-/** Width of one of two pictures beside each other, and of one of five. */
+/** Picture width in rows of two and five, pixels. */
 const WIDTH = 560
 const WIDTH_OF_FIVE = 400
 /** The forehead, as fractions of a picture's side. */
@@ -46,7 +45,7 @@ await runServed(server, async () => {
   const file = (name) => join(folder, name)
   try {
     const { launchBrowser } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
-    const { LAMPS, SIZE, SURROUNDINGS } = await server.ssrLoadModule('/bench/cycles/shots.ts')
+    const { LAMPS, SIZE, AMBIENT } = await server.ssrLoadModule('/bench/cycles/shots.ts')
     const write = (name, url) => writeFile(file(`${name}.png`), Buffer.from(url.split(',')[1], 'base64'))
     const browser = await launchBrowser()
     let description
@@ -62,9 +61,14 @@ await runServed(server, async () => {
         await page.close()
       }
       for (const backend of ['webgl', 'webgpu']) {
-        const page = await openPage(server, browser, `/bench/cycles/babylon.html?${backend}`, 'drawByBabylon')
+        const page = await openPage(
+          server,
+          browser,
+          `/bench/cycles/babylon.html?${backend}`,
+          'drawWithBabylon',
+        )
         const { url, activations } = await page.evaluate(
-          ([shot, camera]) => globalThis.drawByBabylon('/faces/human.glb', shot, camera),
+          ([shot, camera]) => globalThis.drawWithBabylon('/faces/human.glb', shot, camera),
           [SHOT, description.camera],
         )
         await write(`babylon-${backend}`, url)
@@ -83,7 +87,7 @@ await runServed(server, async () => {
       activations,
       lamps: LAMPS,
       lampAngle: LAMP_ANGLE,
-      surroundings: SURROUNDINGS,
+      ambient: AMBIENT,
     }
     await writeFile(file('scene.json'), JSON.stringify({ ...scene, samples: SAMPLES, size: SIZE }))
     const { stdout } = await promisify(execFile)(PYTHON, [
@@ -107,12 +111,14 @@ await runServed(server, async () => {
   }
 })
 
-function difference(some, others) {
-  const worst = Math.max(...Object.keys(others).map((name) => Math.abs(some[name] - others[name])))
-  return `activations differ from those of three.js by ${worst.toExponential(1)} at most`
+function difference(activations, expected) {
+  const largest = Math.max(
+    ...Object.keys(expected).map((name) => Math.abs(activations[name] - expected[name])),
+  )
+  return `activations differ from three.js by at most ${largest.toExponential(1)}`
 }
 
-/** Pictures from left to right; below them their foreheads. */
+/** Composes pictures from left to right, with their foreheads below. */
 async function compose(pictures, side, width, path) {
   const part = Object.fromEntries(
     Object.entries(CROP).map(([name, value]) => [name, Math.round(value * side)]),
@@ -122,10 +128,10 @@ async function compose(pictures, side, width, path) {
     pictures.flatMap((picture, i) => {
       const left = i * (width + GAP)
       const flat = () => sharp(picture).flatten({ background: BACKGROUND })
-      const whole = flat().resize(width, width).png().toBuffer()
+      const full = flat().resize(width, width).png().toBuffer()
       const crop = flat().extract(part).resize(width, cropHeight).png().toBuffer()
       return [
-        whole.then((input) => ({ input, left, top: 0 })),
+        full.then((input) => ({ input, left, top: 0 })),
         crop.then((input) => ({ input, left, top: width + GAP })),
       ]
     }),

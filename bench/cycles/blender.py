@@ -1,9 +1,9 @@
-"""Draws a face as the extension for Blender imports it, in Cycles.
+"""Renders a face with the Blender extension in Cycles.
 
     python blender.py SCENE.json FOLDER
 
-The scene names the face, weights of shape keys, the camera and the lamps, in the axes of glTF, +Y up, and the activations that three.js
-has in the same pose, with which those of Blender's drivers are compared.
+The scene has the face, shape key weights, camera and lights in glTF's axes (+Y up), and three.js's activations in the same pose.
+Blender's activations are compared with them.
 """
 import json
 import sys
@@ -17,18 +17,18 @@ sys.path.insert(0, str(Path(__file__).parents[2] / 'blender'))
 
 
 def main():
-    asked, folder = json.loads(Path(sys.argv[1]).read_text()), Path(sys.argv[2])
+    description, folder = json.loads(Path(sys.argv[1]).read_text()), Path(sys.argv[2])
     bpy.ops.wm.read_factory_settings(use_empty=True)
     addon_utils.enable('furrow', default_set=True)
     from furrow.rig import activation_of
 
-    load(asked)
-    light_and_aim(asked)
+    load(description)
+    light_and_aim(description)
     bpy.context.view_layer.update()
     group = next(tree for tree in bpy.data.node_groups if tree.furrow.is_wrinkles)
-    own = {area.name: activation_of(group, i) for i, area in enumerate(group.furrow.areas)}
-    worst = max(abs(own[name] - value) for name, value in asked['activations'].items())
-    print(f'furrow: activations of {len(own)} areas differ from those of three.js by {worst:.1e} at most')
+    activations = {area.name: activation_of(group, i) for i, area in enumerate(group.furrow.areas)}
+    largest = max(abs(activations[name] - value) for name, value in description['activations'].items())
+    print(f'furrow: activations of {len(activations)} areas differ from three.js by at most {largest:.1e}')
     bpy.context.scene.render.filepath = str(folder / 'blender.png')
     bpy.ops.render.render(write_still=True)
 

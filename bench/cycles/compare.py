@@ -1,8 +1,8 @@
-"""How different two pictures look, by FLIP (P. Andersson et al., "FLIP: A Difference Evaluator for Alternating Images", 2020).
+"""Compares pictures by FLIP (P. Andersson et al., "FLIP: A Difference Evaluator for Alternating Images", 2020).
 
     python compare.py REFERENCE.png LEFT TOP WIDTH HEIGHT DIFFERENCE.png PICTURE.png...
 
-Prints the mean difference of each picture within the crop, 0 = none to 1, as JSON; draws that of the last one.
+Prints the mean difference of each picture within the crop as JSON, 0 (none) to 1. Draws the last picture's difference.
 """
 import json
 import sys

@@ -1,4 +1,4 @@
-/** The skin that Cycles draws: split finer than a page would split it, and moved in float64 by the functions that judge the shaders. */
+/** Builds the skin for Cycles: split finer than on a page, and displaced in float64 by the reference functions. */
 import { readFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import { decodeGray } from 'furrow-files'
@@ -21,14 +21,14 @@ import type { Description } from './page.ts'
 
 const WHO = 'cycles'
 
-/** Metres: a narrow valley has some edges across it. */
+/** Maximum edge length, metres; several edges cross a narrow valley. */
 const EDGE = 0.00035
-const MOST_TRIANGLES = 1_500_000
+const MAX_TRIANGLES = 1_500_000
 
-/** The largest displacement in metres, which room is looked for. */
+/** Maximum displacement, metres. */
 const REACH = 0.002
 
-/** A mesh to draw: x, y and z of each vertex, u and v, and what its blood makes of the base colour's red, green and blue. */
+/** A mesh with packed xyz, uv, and rgb factors of the base colour from blood, per vertex. */
 export interface Skin {
   positions: Float32Array
   uvs: Float32Array
@@ -36,14 +36,14 @@ export interface Skin {
   triangles: Uint32Array
 }
 
-/** @param folder what `furrow unpack` made of the face. */
+/** @param folder output of `furrow unpack`. */
 export async function denseSkin({ skin, activations }: Description, folder: string): Promise<Skin> {
   const { uvs, triangles } = skin
   const { areas, heightAt, bloodAt } = await readWrinkles(folder, activations)
   const mesh = { positions: skin.rest, uvs, triangles }
   const slices = Array.from({ length: areas.depth }, (_, slice) => slice)
   const halvings = mostHalvings(coveredTriangles(mesh, weightedTexels(areas, slices)))
-  const dense = finish(splitMesh(mesh, halvings, { edge: EDGE, budget: MOST_TRIANGLES }))
+  const dense = finish(splitMesh(mesh, halvings, { edge: EDGE, budget: MAX_TRIANGLES }))
   const normals = new Float32Array(skin.normals.length)
   new DeformedNormals({ positions: skin.rest, normals: skin.normals, triangles }).update(
     skin.positions,
@@ -59,7 +59,7 @@ export async function denseSkin({ skin, activations }: Description, folder: stri
   return { positions: Float32Array.from(moved), uvs: denseUvs, tints, triangles: dense.triangles }
 }
 
-/** The areas of a folder, how far its layers move the surface, in metres, and how much blood they bring, in optical depths of green. */
+/** Reads a folder's areas, displacement in metres, and blood in optical depths of green light. */
 async function readWrinkles(folder: string, activations: Record<string, number>) {
   const set = await readFolder(folder, false, WHO)
   const read = (path: string) => join(folder, decodeURIComponent(path))
@@ -105,7 +105,7 @@ async function readWrinkles(folder: string, activations: Record<string, number>)
   return { areas, heightAt, bloodAt }
 }
 
-/** Those of the triangles themselves, which differ on both sides of a seam. */
+/** Interpolates the triangles' coordinates, which differ on both sides of a seam. */
 function textureCoordinates(
   { count, corners, weights }: { count: number; corners: Uint32Array; weights: Float32Array },
   uvs: ArrayLike<number>,

@@ -1,6 +1,6 @@
 /**
- * Draws a face by three.js and Furrow under the lamps that Cycles has too, and tells what Cycles needs to draw the same. Where the address
- * ends with `?webgl` or `?webgpu`, on that and without shadows, which each engine draws in a way of its own.
+ * Draws a face with three.js and Furrow under Cycles' lights, and describes the scene for Cycles. `?webgl` and `?webgpu` select the
+ * API and disable shadows, which differ between engines.
  */
 import * as webgl from 'furrow/three'
 import { frameFace, readWrinkleMaps, type WrinkleMode, type Wrinkles } from 'furrow/three'
@@ -21,18 +21,18 @@ import {
 } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { PMREMGenerator as NodePMREMGenerator, WebGPURenderer } from 'three/webgpu'
-import { LAMPS, type Shot, SIZE, SURROUNDINGS } from './shots.ts'
+import { AMBIENT, LAMPS, type Shot, SIZE } from './shots.ts'
 
-/** What Cycles draws: metres, +Y up. */
+/** Scene for Cycles: metres, +Y up. */
 export interface Description {
   camera: { position: number[]; target: number[]; fov: number }
-  /** The mesh that wrinkles, in its pose. */
+  /** The mesh with wrinkles. */
   skin: {
     name: string
-    /** x, y and z of each vertex in world space: at rest and in the pose. */
+    /** Packed xyz in world space: at rest and in the pose. */
     rest: number[]
     positions: number[]
-    /** At rest. */
+    /** Packed xyz at rest, world space. */
     normals: number[]
     uvs: number[]
     triangles: number[]
@@ -45,7 +45,7 @@ declare global {
   interface Window {
     /** Opens a face in the pose of a shot. */
     pose(address: string, shot: Shot): Promise<Description>
-    /** @returns the picture as a data URL of a PNG, transparent round the face. */
+    /** Returns the picture as a PNG data URL with a transparent background. */
     draw(mode: WrinkleMode): string
   }
 }
@@ -74,7 +74,7 @@ window.pose = async (address, shot) => {
   const { Wrinkles, addDrivers } = isWebGPU ? webgpu : webgl
   wrinkles = new Wrinkles(meshes[0], set, { relief: shot.relief ?? 'on' }) as Wrinkles
   for (const mesh of meshes.slice(1)) wrinkles.addMesh(mesh)
-  // Without delays: a picture shows what they end in.
+  // Skips delays, to show their final state.
   addDrivers(
     wrinkles,
     drivers.filter(({ type }) => type !== 'time'),
@@ -110,14 +110,14 @@ function pose(face: Object3D, targets: Record<string, number>): void {
   face.updateMatrixWorld()
 }
 
-/** Every lamp throws shadows, as in Cycles; but shadow maps see the cards of lashes whole, which Cycles sees through. */
+/** Adds lights with shadows, as in Cycles. Eyelash cards cast none: shadow maps ignore their transparency. */
 function light(face: Object3D): void {
-  const surroundings = new Scene()
-  surroundings.background = new Color(SURROUNDINGS, SURROUNDINGS, SURROUNDINGS)
+  const ambient = new Scene()
+  ambient.background = new Color(AMBIENT, AMBIENT, AMBIENT)
   const blurred = isWebGPU
     ? new NodePMREMGenerator(renderer as WebGPURenderer)
     : new PMREMGenerator(renderer as WebGLRenderer)
-  scene.environment = blurred.fromScene(surroundings).texture
+  scene.environment = blurred.fromScene(ambient).texture
   const bounds = new Box3().setFromObject(face)
   const centre = bounds.getCenter(new Vector3())
   const radius = bounds.getSize(new Vector3()).length() / 2
@@ -148,7 +148,7 @@ function light(face: Object3D): void {
   }
 }
 
-/** In world space, as its blendshapes and joints have it. */
+/** Reads the posed skin in world space. */
 function skinOf(mesh: Mesh): Description['skin'] {
   const { position, normal, uv } = mesh.geometry.attributes
   const count = position.count

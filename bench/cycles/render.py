@@ -1,9 +1,9 @@
-"""Draws a face in Blender's Cycles: the skin as real geometry that scatters light under its surface, and everything else of the file.
+"""Renders a face in Blender's Cycles, with wrinkles as geometry and subsurface scattering.
 
     python render.py SCENE.json PICTURE.png
 
-The scene names the face, binary files with the skin's vertices, texture coordinates and triangles, the camera, the lamps and the weights of
-blendshapes; all of it in metres and in the axes of glTF, +Y up.
+The scene has the face, the skin's name, the camera, lights and blendshape weights, in metres and glTF's axes (+Y up). Binary files
+beside the scene have the skin's vertices, texture coordinates, tints and triangles.
 """
 import json
 import math
@@ -14,25 +14,25 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
-# Mean free paths of red, green and blue light in light skin, in metres (after H. W. Jensen et al., "A Practical Model for Subsurface
-# Light Transport", 2001, table 1, skin1: 3.67, 1.37 and 0.68 mm of diffuse reflectance's fall-off).
+# Mean free paths of red, green and blue light in light skin, metres (H. W. Jensen et al., "A Practical Model for Subsurface Light
+# Transport", 2001, table 1, skin1).
 SCATTERING = (0.00367, 0.00137, 0.00068)
-# How much of the diffuse light scatters below the surface first.
+# Fraction of diffuse light that scatters below the surface.
 SCATTERED = 0.25
 
 
-def upright(values):
-    """From glTF's axes to Blender's, where +Z is up."""
+def to_blender(values):
+    """Converts glTF's axes to Blender's (+Z up)."""
     x, y, z = np.moveaxis(np.asarray(values, np.float64), -1, 0)
     return np.stack([x, -z, y], -1)
 
 
-# Colour attribute of the vertices: what more or less blood makes of the base colour.
+# Vertex colour attribute: base colour factors from blood.
 TINT = 'tint'
 
 
 def replace_skin(name, folder):
-    positions = upright(np.fromfile(folder / 'positions.bin', np.float32).reshape(-1, 3))
+    positions = to_blender(np.fromfile(folder / 'positions.bin', np.float32).reshape(-1, 3))
     triangles = np.fromfile(folder / 'triangles.bin', np.uint32).reshape(-1, 3).astype(np.int32)
     uvs = np.fromfile(folder / 'uvs.bin', np.float32).reshape(-1, 2)
     old = next(o for o in bpy.data.objects if o.type == 'MESH' and name in (o.name, o.data.name))
@@ -51,10 +51,10 @@ def replace_skin(name, folder):
     attribute = mesh.color_attributes.new(TINT, 'FLOAT_COLOR', 'POINT')
     attribute.data.foreach_set('color', np.insert(tints, 3, 1, axis=1).ravel())
     mesh.update(calc_edges=True)
-    # Vertices of both sides of a seam are one: otherwise a crease is shaded there.
+    # Welds seams, which would be shaded as creases.
     material = old.data.materials[0]
     mesh.materials.append(material)
-    skin = bpy.data.objects.new('skin that is split', mesh)
+    skin = bpy.data.objects.new('split skin', mesh)
     bpy.context.scene.collection.objects.link(skin)
     weld = skin.modifiers.new('weld', 'WELD')
     weld.merge_threshold = 1e-7
@@ -84,50 +84,50 @@ def scatter(material):
     surface.inputs['Subsurface Scale'].default_value = 1
 
 
-def aim(thing, direction):
-    thing.rotation_euler = Vector(direction).to_track_quat('-Z', 'Y').to_euler()
-    bpy.context.scene.collection.objects.link(thing)
+def aim(target, direction):
+    target.rotation_euler = Vector(direction).to_track_quat('-Z', 'Y').to_euler()
+    bpy.context.scene.collection.objects.link(target)
 
 
-def load(asked):
-    bpy.ops.import_scene.gltf(filepath=asked['face'])
+def load(description):
+    bpy.ops.import_scene.gltf(filepath=description['face'])
     for keys in bpy.data.shape_keys:
         for key in keys.key_blocks:
-            key.value = asked['targets'].get(key.name, 0)
+            key.value = description['targets'].get(key.name, 0)
 
 
-def light_and_aim(asked):
-    for lamp in asked['lamps']:
+def light_and_aim(description):
+    for lamp in description['lamps']:
         sun = bpy.data.lights.new('lamp', 'SUN')
-        sun.energy, sun.angle = lamp['strength'], math.radians(asked['lampAngle'])
-        aim(bpy.data.objects.new('lamp', sun), -upright(lamp['from']))
+        sun.energy, sun.angle = lamp['strength'], math.radians(description['lampAngle'])
+        aim(bpy.data.objects.new('lamp', sun), -to_blender(lamp['from']))
     camera = bpy.data.objects.new('camera', bpy.data.cameras.new('camera'))
-    position, target = upright(asked['camera']['position']), upright(asked['camera']['target'])
+    position, target = to_blender(description['camera']['position']), to_blender(description['camera']['target'])
     camera.location = position
-    camera.data.angle, camera.data.clip_start = math.radians(asked['camera']['fov']), 0.001
+    camera.data.angle, camera.data.clip_start = math.radians(description['camera']['fov']), 0.001
     aim(camera, target - position)
 
     scene = bpy.context.scene
     scene.camera = camera
     scene.world = bpy.data.worlds.new('world')
     scene.world.use_nodes = True
-    grey = asked['surroundings']
-    scene.world.node_tree.nodes['Background'].inputs[0].default_value = (grey, grey, grey, 1)
+    radiance = description['ambient']
+    scene.world.node_tree.nodes['Background'].inputs[0].default_value = (radiance, radiance, radiance, 1)
     scene.view_settings.view_transform = 'Standard'
     scene.render.engine = 'CYCLES'
     scene.render.film_transparent = True
-    scene.cycles.samples, scene.cycles.use_denoising = asked['samples'], True
-    scene.render.resolution_x = scene.render.resolution_y = asked['size']
+    scene.cycles.samples, scene.cycles.use_denoising = description['samples'], True
+    scene.render.resolution_x = scene.render.resolution_y = description['size']
     scene.render.image_settings.color_mode = 'RGBA'
 
 
 def main():
     scene_path, picture = Path(sys.argv[1]), sys.argv[2]
-    asked = json.loads(scene_path.read_text())
+    description = json.loads(scene_path.read_text())
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    load(asked)
-    scatter(replace_skin(asked['skin'], scene_path.parent))
-    light_and_aim(asked)
+    load(description)
+    scatter(replace_skin(description['skin'], scene_path.parent))
+    light_and_aim(description)
     bpy.context.scene.render.filepath = picture
     bpy.ops.render.render(write_still=True)
 

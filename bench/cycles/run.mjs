@@ -1,4 +1,4 @@
-// Draws faces by Furrow and by Blender's Cycles under the same lamps, and says how far they differ: `npm run cycles`. See README.md.
+// `npm run cycles`: renders faces with Furrow and Blender's Cycles under the same lights, and compares them. See README.md.
 
 import { execFile, spawn } from 'node:child_process'
 import { existsSync } from 'node:fs'
@@ -11,10 +11,10 @@ import { openPage, ROOT, runServed, serve } from '../serve.mjs'
 const HERE = join(ROOT, 'bench/cycles')
 const FACES = { human: join(ROOT, 'faces/human.glb'), scan: join(ROOT, '../shared/real-face/ict-face.glb') }
 
-/** Blender as a Python module, and FLIP; installed once, 1.2 GB. */
+/** Blender as a Python module, and FLIP; 1.2 GB. */
 const PACKAGES = ['bpy==4.5.15', 'pillow==12.0.0', 'flip-evaluator==1.7']
 
-/** Degrees that a lamp spans: shadows have soft edges. */
+/** Angular diameter of a light, degrees, for soft shadows. */
 const LAMP_ANGLE = 4
 const GAP = 8
 const BACKGROUND = { r: 40, g: 40, b: 40 }
@@ -35,7 +35,7 @@ await runServed(server, main)
 async function main() {
   const { launchBrowser } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
   const { SHOTS } = await server.ssrLoadModule('/bench/cycles/shots.ts')
-  const shots = chosen(SHOTS)
+  const shots = selectShots(SHOTS)
   const python = options.python ?? (await install())
   await mkdir(options.output, { recursive: true })
   const browser = await launchBrowser()
@@ -54,10 +54,10 @@ async function main() {
   for (const row of [head, ...rows]) process.stdout.write(`${row.map((cell) => format(cell)).join('')}\n`)
 }
 
-/** Draws one shot by both; returns their mean differences, with wrinkles and without. */
+/** Renders a shot with both. Returns the mean differences with and without wrinkles. */
 async function compare(shot, page, python) {
   const { denseSkin } = await server.ssrLoadModule('/bench/cycles/dense-skin.ts')
-  const { LAMPS, SIZE, SURROUNDINGS } = await server.ssrLoadModule('/bench/cycles/shots.ts')
+  const { LAMPS, SIZE, AMBIENT } = await server.ssrLoadModule('/bench/cycles/shots.ts')
   const folder = join(CACHE, shot.name)
   await rm(folder, { recursive: true, force: true })
   await mkdir(folder, { recursive: true })
@@ -96,7 +96,7 @@ async function compare(shot, page, python) {
       camera: description.camera,
       lamps: LAMPS,
       lampAngle: LAMP_ANGLE,
-      surroundings: SURROUNDINGS,
+      ambient: AMBIENT,
       samples: Number(options.samples),
       size: SIZE,
     }),
@@ -121,10 +121,10 @@ async function compare(shot, page, python) {
   return [withWrinkles, without]
 }
 
-/** From left to right: without wrinkles, with, Cycles; below the crops that are compared, and how they differ. */
+/** Composes pictures without wrinkles, with wrinkles, and by Cycles. Below: the difference and the crops. */
 async function compose(pictures, difference, [left, top, width, height], path) {
   const side = 600
-  const whole = pictures.map((picture) =>
+  const full = pictures.map((picture) =>
     sharp(picture).flatten({ background: BACKGROUND }).resize(side, side),
   )
   const crops = pictures.map((picture) =>
@@ -133,7 +133,7 @@ async function compose(pictures, difference, [left, top, width, height], path) {
   crops[0] = sharp(difference)
   const cropHeight = Math.round((side * height) / width)
   const rows = [
-    ...whole.map((image, i) => ({ image, left: i * (side + GAP), top: 0 })),
+    ...full.map((image, i) => ({ image, left: i * (side + GAP), top: 0 })),
     ...crops.map((image, i) => ({
       image: image.resize(side, cropHeight),
       left: i * (side + GAP),
@@ -150,7 +150,7 @@ async function compose(pictures, difference, [left, top, width, height], path) {
     .toFile(path)
 }
 
-function chosen(shots) {
+function selectShots(shots) {
   const unknown = options.only?.find((name) => !shots.some((shot) => shot.name === name))
   if (unknown === undefined) return shots.filter(({ name, face }) => isWanted(name) && hasFace(face))
   const allowed = shots.map(({ name }) => name).join(', ')
@@ -166,12 +166,12 @@ function hasFace(face) {
   return existsSync(FACES[face])
 }
 
-/** Returns the Python that has Blender; makes an environment for it at first. */
+/** Installs Blender if needed. Returns the path of its Python. */
 async function install() {
   const environment = join(CACHE, 'python')
   const python = join(environment, 'bin/python')
   if (existsSync(join(environment, 'installed'))) return python
-  say('installing Blender as a Python module, once')
+  say('installing Blender as a Python module')
   await pass('python3', '-m', 'venv', '--clear', environment)
   await pass(python, '-m', 'pip', 'install', '--quiet', ...PACKAGES)
   await writeFile(join(environment, 'installed'), '')
@@ -182,7 +182,7 @@ async function furrow(...args) {
   await run(process.execPath, [join(ROOT, 'packages/cli/dist/main.js'), ...args.map(String)])
 }
 
-/** Runs a program; what it prints is shown only if it fails. */
+/** Runs a program. Shows its output only if it fails. */
 async function pass(program, ...args) {
   const child = spawn(program, args, { stdio: ['ignore', 'pipe', 'pipe'] })
   let printed = ''

@@ -1,39 +1,39 @@
 import type { FaceView } from 'furrow/three'
 
-/** A distant lamp, in the axes of glTF: the face looks along +Z, and +X is its left side. */
+/** A directional light in glTF's axes: the face looks along +Z, and +X is its left. */
 export interface Lamp {
-  /** Where its light comes from. */
+  /** Direction to the light. */
   from: readonly [x: number, y: number, z: number]
-  /** Irradiance of a surface that faces it: the `intensity` of three.js's directional lights, and the strength of Blender's suns. */
+  /** Irradiance of a surface facing the light: `intensity` in three.js, strength of a sun in Blender. */
   strength: number
 }
 
-/** One picture of a face, drawn by both renderers. */
+/** A picture rendered by both. */
 export interface Shot {
   name: string
-  /** The face, and the age for which its wrinkles are made. */
   face: 'human' | 'scan'
+  /** Age of the wrinkles, years. */
   age: number
   /** Weights of blendshapes, 0..1. */
   targets: Record<string, number>
   view: FaceView
-  /** Whether three.js moves the surface by the heights of layers, `on` by default. */
+  /** Relief in three.js. Default: on. */
   relief?: 'off' | 'on'
-  /** The part of the picture that is compared by number, as fractions of its sides. */
+  /** Compared part of the picture, as fractions of its size. */
   crop: { left: number; top: number; width: number; height: number }
 }
 
-/** Grazing from above and from the person's right, so that wrinkles have shade; a weak one from the left; one from behind for the outline. */
+/** A grazing key light from above and the person's right, a weak fill from the left, and a rim light from behind. */
 export const LAMPS: readonly Lamp[] = [
   { from: [-0.7, 1.1, 0.55], strength: 3 },
   { from: [1, 0.2, 0.7], strength: 0.5 },
   { from: [0.9, 0.8, -1.2], strength: 1.2 },
 ]
 
-/** Radiance that comes from everywhere else. */
-export const SURROUNDINGS = 0.22
+/** Uniform ambient radiance. */
+export const AMBIENT = 0.22
 
-/** Pixels of a picture's side. */
+/** Width and height of pictures, pixels. */
 export const SIZE = 1000
 
 const both = (name: string, weight = 1) => ({ [`${name}Left`]: weight, [`${name}Right`]: weight })

@@ -1,12 +1,12 @@
-/** Times loading the shipped face with and without its wrinkles, alternately, in milliseconds. */
+/** Times loading the shipped face with and without wrinkles, in turns. */
 import { WrinkleLoaderPlugin } from 'furrow/three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
 export interface LoadTimes {
-  /** The whole file, without and with Furrow's plugin. */
+  /** Milliseconds for the file without and with Furrow's plugin. */
   without: number
   with: number
-  /** Decoding the wrinkles' images as the loader does. */
+  /** Milliseconds for decoding the wrinkles' images. */
   images: number
 }
 
@@ -44,7 +44,7 @@ async function time(work: () => Promise<unknown>): Promise<number> {
   return performance.now() - start
 }
 
-/** The encoded images of FURROW_wrinkle_maps. */
+/** Returns the encoded images of FURROW_wrinkle_maps. */
 function imagesOfWrinkles(file: ArrayBuffer): Blob[] {
   const length = new DataView(file).getUint32(12, true)
   const json = JSON.parse(new TextDecoder().decode(new Uint8Array(file, 20, length)))

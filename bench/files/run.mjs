@@ -1,5 +1,5 @@
-// Cost of wrinkles when a file is packed and when it is loaded, beyond decoding and encoding their images:
-// `node bench/files/run.mjs [--rounds 15] [--json FILE]`, after `npm run build`.
+// `node bench/files/run.mjs [--rounds 15] [--json FILE]`: times packing and loading wrinkles, without decoding and encoding their images.
+// Needs `npm run build`.
 
 import { writeFileSync } from 'node:fs'
 import { cpus } from 'node:os'
@@ -44,14 +44,14 @@ const rows = [
 const text = (ms) => `${ms.toFixed(0)} ms`.padStart(16)
 process.stdout.write(`${cpus()[0].model}, ${cpus().length} cores, medians of ${rounds} rounds\n`)
 process.stdout.write(
-  `${['', 'with wrinkles', 'their images', 'beyond'].map((head) => head.padStart(16)).join('')}\n`,
+  `${['', 'wrinkles', 'their images', 'without images'].map((head) => head.padStart(16)).join('')}\n`,
 )
-for (const { what, wrinkles, images, beyond } of rows) {
-  process.stdout.write(`${what.padStart(16)}${[wrinkles, images, beyond].map(text).join('')}\n`)
+for (const { name, wrinkles, images, withoutImages } of rows) {
+  process.stdout.write(`${name.padStart(16)}${[wrinkles, images, withoutImages].map(text).join('')}\n`)
 }
 if (options.json) writeFileSync(options.json, `${JSON.stringify(rows, null, 2)}\n`)
 
-/** Times loading in a browser, from the packages' sources. */
+/** Times loading in a browser, with the packages' sources. */
 async function load() {
   const browser = await launchBrowser()
   try {
@@ -62,11 +62,11 @@ async function load() {
   }
 }
 
-function row(what, times, whole, images) {
+function row(name, times, total, images) {
   return {
-    what,
-    wrinkles: median(times.map(whole)),
+    name,
+    wrinkles: median(times.map(total)),
     images: median(times.map(images)),
-    beyond: median(times.map((time) => whole(time) - images(time))),
+    withoutImages: median(times.map((time) => total(time) - images(time))),
   }
 }

@@ -1,18 +1,18 @@
-/** Times a face from its file to the first frame, in a page that has drawn nothing before but an empty scene. */
+/** Times a face from its file to the first frame, after one frame of an empty scene. */
 import { Box3, DirectionalLight, type Mesh, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
 /** Milliseconds. */
 export interface FirstFrame {
-  /** From the bytes of the file to what the loader returns. */
+  /** From the file's bytes until the loader is done. */
   parsed: number
-  /** From there until the GPU has drawn the face. */
+  /** From then until the GPU has rendered the face. */
   drawn: number
-  /** The longest time without a task of the page's own before the face was drawn: how long it can have been stuck in one. */
+  /** Longest gap between tasks before the frame: an upper bound of the longest task. */
   longest: number
 }
 
-/** How the face is loaded: without wrinkles, or with Furrow's plugin. */
+/** Without wrinkles, or with Furrow's plugin. */
 type Variant = 'plain' | 'furrow'
 
 declare global {
@@ -34,7 +34,7 @@ window.firstFrame = async (kind, variant) => {
   const gltf = await loader.parseAsync(file, '')
   const parsed = performance.now()
   const scene = litFace(gltf, camera)
-  await rest()
+  await yieldToTasks()
   const { longest } = pulse
   pulse.end()
   const ready = performance.now()
@@ -72,7 +72,7 @@ async function webgpu() {
   return { draw, extendLoader }
 }
 
-/** The face in lights, frowning. */
+/** Creates a scene with the lit, frowning face. */
 function litFace({ scene: face }: GLTF, camera: PerspectiveCamera): Scene {
   const light = new DirectionalLight(0xffffff, 2)
   light.position.set(-1, 1.35, 0.95)
@@ -88,12 +88,12 @@ function litFace({ scene: face }: GLTF, camera: PerspectiveCamera): Scene {
   return new Scene().add(face, light)
 }
 
-/** Lets the tasks that wait come first. */
-function rest(): Promise<void> {
+/** Lets pending tasks run. */
+function yieldToTasks(): Promise<void> {
   return new Promise((resolve) => setTimeout(resolve))
 }
 
-/** Runs a task of its own as often as the page lets it. */
+/** Posts tasks continuously and measures the longest gap between them, milliseconds. */
 class Pulse {
   longest = 0
   #last = 0

@@ -1,5 +1,5 @@
-// What wrinkles add from a file to the first frame:
-// `node bench/load/run.mjs [--rounds 9] [--renderer webgl] [--json FILE] [--pictures FOLDER]`.
+// `node bench/load/run.mjs [--rounds 9] [--renderer webgl] [--json FILE] [--pictures FOLDER]`: times a face from its file to the first
+// frame, with and without wrinkles.
 
 import { copyFileSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { cpus, tmpdir } from 'node:os'
@@ -32,7 +32,7 @@ async function run() {
   const rows = []
   try {
     const first = async (renderer, variant, picture) => {
-      // A page of its own, which has compiled nothing.
+      // A new page has no compiled shaders.
       const page = await newPage(browser)
       await page.setViewportSize({ width: 800, height: 600 })
       await page.goto(new URL('/bench/load/page.html', site.resolvedUrls.local[0]).href)
@@ -55,13 +55,13 @@ async function run() {
         }
         if (i > 0) times.push(round)
       }
-      for (const what of ['parsed', 'drawn', 'longest']) {
+      for (const name of ['parsed', 'drawn', 'longest']) {
         rows.push({
           renderer,
-          what,
-          plain: median(times.map(({ plain }) => plain[what])),
-          furrow: median(times.map(({ furrow }) => furrow[what])),
-          added: median(times.map(({ plain, furrow }) => furrow[what] - plain[what])),
+          name,
+          plain: median(times.map(({ plain }) => plain[name])),
+          furrow: median(times.map(({ furrow }) => furrow[name])),
+          added: median(times.map(({ plain, furrow }) => furrow[name] - plain[name])),
         })
       }
     }
@@ -76,12 +76,12 @@ async function run() {
   const columns = [...VARIANTS, 'added']
   process.stdout.write(line(['', '', ...columns]))
   for (const row of rows) {
-    process.stdout.write(line([row.renderer, row.what, ...columns.map((name) => row[name].toFixed(0))]))
+    process.stdout.write(line([row.renderer, row.name, ...columns.map((name) => row[name].toFixed(0))]))
   }
   if (options.json) writeFileSync(options.json, `${JSON.stringify(rows, null, 2)}\n`)
 }
 
-/** The page as it is published, and the face. */
+/** Builds the page for production and serves it with the face. */
 async function serveBuilt(outDir) {
   await build({
     root: ROOT,

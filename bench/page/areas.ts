@@ -1,11 +1,12 @@
 import type { Area, GrayImage } from 'furrow'
 
 /**
- * Makes `count` areas from those of a face: the first ones, or vertical strips of each that overlap, as if every muscle
- * fibre had an area. The strips of an area sum to it, so that the same pixels wrinkle whatever the number of areas.
+ * Makes `count` areas from a face's areas: the first ones, or overlapping vertical strips of each. The strips of an area sum to the
+ * area, so the same pixels wrinkle in all cases.
  *
- * @param originals areas of the face, of which `count` is a multiple or fewer.
- * @param layers names of the layers, to which the areas belong in turn.
+ * @param originals areas of the face.
+ * @param count at most the number of areas, or a multiple of it.
+ * @param layers names of layers, assigned to the areas in turn.
  * @throws Error if `count` is larger than the number of areas and not a multiple of it.
  */
 export function divideAreas(
@@ -26,7 +27,7 @@ export function divideAreas(
   }))
 }
 
-/** One of several strips across an area's extent; each overlaps half of its neighbours. */
+/** Cuts one of several strips across an area's extent. A strip overlaps half of each neighbour. */
 function strip({ width, height, data }: GrayImage, index: number, strips: number): GrayImage {
   const columns = [...Array(width).keys()].filter((x) => hasWeight(data, x, width, height))
   const [first, last] = [columns[0], columns[columns.length - 1]]

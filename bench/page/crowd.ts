@@ -18,9 +18,9 @@ import { createSet, createSkin } from './scene.ts'
 /** A crowd that fills a picture of `CROWD_PICTURE`. */
 export interface CrowdKind {
   faces: number
-  /** Height of a face on screen. */
+  /** Height of a face on screen, pixels. */
   pixels: number
-  /** Width and height of its areas in texels. */
+  /** Width and height of areas, texels. */
   areaSize: number
 }
 
@@ -29,23 +29,23 @@ export const CROWD_KINDS: readonly CrowdKind[] = [
   { faces: 10_000, pixels: 20, areaSize: 16 },
 ]
 
-/** Room for the larger of the crowds, in pixels. */
+/** Picture size that fits every crowd, pixels. */
 export const CROWD_PICTURE = { width: 1920, height: 1600 }
 
-/** Areas per face, all of which move. */
+/** Areas per face; all move. */
 const AREAS = 8
-/** Blendshapes per face that are not at rest, as many as an expression has. */
+/** Active blendshapes per face, as in an expression. */
 const MOVING = 6
-/** Triangles per square pixel of a face's height, so that one has about four pixels. */
+/** Triangles per squared face height, for about four pixels per triangle. */
 const TRIANGLE_DENSITY = 0.42
-/** three.js keeps the blendshapes of instances in a texture with a row for each: 8192 on most devices. */
-const MOST_INSTANCES = 5000
-/** Times that influence maps are drawn at once: far less time than a frame takes. */
+/** Instances per mesh. three.js stores instances' blendshapes in a texture with one row each, at most 8192 on most devices. */
+const MAX_INSTANCES = 5000
+/** Influence map updates timed together: one is far shorter than a frame. */
 const UPDATES = 8
 
 /**
- * Fractions of a frame with a crowd, 0..1, that go into the faces' influence maps, one for each round: the time of drawing these alone,
- * divided by that of the whole frame. All areas of all faces change before each.
+ * Measures the fraction of a crowd's frame time that influence maps take, 0..1, by round: the time to update the maps divided by the
+ * time of a full frame. All areas of all faces change before each.
  */
 export async function measureCrowd(bench: Bench, kind: CrowdKind, plan: Plan): Promise<number[]> {
   const { timedRenderer } = bench
@@ -71,7 +71,7 @@ export async function measureCrowd(bench: Bench, kind: CrowdKind, plan: Plan): P
   return fractions
 }
 
-/** Faces side by side, in as many `InstancedMesh`es as they need. */
+/** Creates faces side by side, in one or more `InstancedMesh`es. */
 async function createCrowd(
   { face, scene, timedRenderer, renderer }: Bench,
   { faces, pixels, areaSize }: CrowdKind,
@@ -83,8 +83,8 @@ async function createCrowd(
   const geometry = simplified(skin.geometry, TRIANGLE_DENSITY * pixels ** 2)
   const places = placesOf(geometry, faces, pixels)
   const set = createSet(face, { areas: AREAS, layers: 1, maps: 'normals' })
-  const parts = Array.from({ length: Math.ceil(faces / MOST_INSTANCES) }, (_, i) => {
-    const mesh = instancesOf(skin, geometry, places.slice(i * MOST_INSTANCES, (i + 1) * MOST_INSTANCES))
+  const parts = Array.from({ length: Math.ceil(faces / MAX_INSTANCES) }, (_, i) => {
+    const mesh = instancesOf(skin, geometry, places.slice(i * MAX_INSTANCES, (i + 1) * MAX_INSTANCES))
     scene.add(mesh)
     return { mesh, wrinkles: applyFurrow(mesh, set, renderer, { areaSize }) }
   })
@@ -124,7 +124,7 @@ function simplified(full: BufferGeometry, triangles: number): BufferGeometry {
   return geometry
 }
 
-/** Rows and columns from the top left corner of the picture, in pixels. */
+/** Places faces in rows from the top left corner, in pixels. */
 function placesOf(geometry: BufferGeometry, faces: number, pixels: number): Matrix4[] {
   const box = new Box3().setFromBufferAttribute(geometry.getAttribute('position') as BufferAttribute)
   const size = box.getSize(new Vector3())
@@ -138,7 +138,7 @@ function placesOf(geometry: BufferGeometry, faces: number, pixels: number): Matr
   })
 }
 
-/** A face at several places, each with an expression of its own. */
+/** Creates instances of a face with different expressions. */
 function instancesOf(skin: Mesh, geometry: BufferGeometry, places: readonly Matrix4[]): InstancedMesh {
   const mesh = new InstancedMesh(geometry, (skin.material as Material).clone(), places.length)
   mesh.frustumCulled = false

@@ -13,8 +13,8 @@ export function applyFurrow(mesh: Mesh, set: WrinkleSet, renderer: RendererKind,
 }
 
 /**
- * The same as on a page with one face: those of other variants are in atlases of their own, and do not share that of this one. The next
- * face that is added does.
+ * Adds wrinkles as on a page with one face: with an atlas that is not shared with existing wrinkles. The next face that is added
+ * shares the atlas.
  */
 export function applyAlone(mesh: Mesh, set: WrinkleSet, renderer: RendererKind, options: WrinklesOptions) {
   const { targets } = frameOf(renderer === 'webgl' ? glslQuads : tslQuads)

@@ -6,16 +6,16 @@ import { readMeshes } from '../../packages/furrow/src/three/loader/read-characte
 
 type Heights = Pick<Layer, 'height' | 'heightAmplitude'>
 
-const made = new WeakMap<object, Heights>()
+const cache = new WeakMap<object, Heights>()
 
-/** The heights of automatic wrinkles of a skin, all in one layer, at the age and size that `furrow auto` has by default. Made once. */
+/** Returns the heights of automatic wrinkles in one layer, with `furrow auto`'s default age and size. Cached by geometry. */
 export function autoHeights(mesh: Mesh): Heights {
   const { geometry } = mesh
-  const known = made.get(geometry)
+  const known = cache.get(geometry)
   if (known) return known
   const wrinkles = autoWrinkles(skinOf(readMeshes([mesh])), { layers: 1, frame: 'orthonormal' })
   const [{ height, heightAmplitude }] = autoWrinkleSet(wrinkles).layers
   const heights = { height, heightAmplitude }
-  made.set(geometry, heights)
+  cache.set(geometry, heights)
   return heights
 }

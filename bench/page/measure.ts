@@ -9,14 +9,14 @@ import { giveDistinctProgram } from './distinct-program.ts'
 import { createSet, createSkin } from './scene.ts'
 import { type AppliedVariant, VARIANTS } from './variant.ts'
 
-/** Difference of channels between variants that must draw the same, of 255, and the fraction of channels that may differ by more. */
+/** Allowed channel difference between equal variants, of 255, and the fraction of channels that may exceed it. */
 const MAX_DIFFERENCE = 2
 const MAX_FRACTION = 1e-5
-/** Milliseconds to time at once, since clocks may be as coarse as 0.1 ms. */
+/** Minimum time of a measurement, milliseconds: clocks may have a resolution of 0.1 ms. */
 const MIN_MS = 20
-/** Frames to time at once: each has up to a dozen passes, and a clock has room for 2048. */
+/** Maximum number of frames per measurement. A frame has up to a dozen passes; a clock counts 2048. */
 const MAX_FRAMES = 64
-/** How often each variant is timed in a round, in turns; the quickest counts, since other processes only ever slow down. */
+/** Measurements per variant and round. The fastest counts, because other processes only slow frames down. */
 const TURNS = 3
 
 interface Candidate {
@@ -26,14 +26,14 @@ interface Candidate {
 }
 
 /**
- * Times every variant that can show a case, in rounds. Every round compiles all of them anew: a rasteriser's compiler makes code of the
- * same shader that is slower by a tenth or two now and then.
+ * Times every variant that supports a case. Each round compiles all variants, because a software rasteriser sometimes compiles
+ * the same shader to code that is 10 to 20% slower.
  *
- * @throws Error if a variant shows no wrinkles; the signal's reason when it is aborted, with nothing left behind.
+ * @throws Error if a variant shows no wrinkles; the signal's reason if aborted.
  */
 export async function measure(bench: Bench, benchCase: Case, plan: Plan): Promise<Measured[]> {
   const set = createSet(bench.face, benchCase)
-  bench.surroundings.visible = benchCase.maps === 'all'
+  bench.ambient.visible = benchCase.maps === 'all'
   const measured: Measured[] = []
   for (let round = 0; round < plan.rounds; round++) {
     const candidates = createCandidates(bench, benchCase, set, plan)
@@ -80,14 +80,14 @@ function createCandidates(
     })
 }
 
-/** Draws a variant once, which compiles it. */
+/** Compiles a variant by drawing it. */
 async function warmUp(bench: Bench, benchCase: Case, candidate: Candidate): Promise<void> {
   drawFrame(bench, benchCase, candidate, 0, bench.timedRenderer.drawPixel)
   // Some programs compile between frames.
   await new Promise((resolve) => setTimeout(resolve, 5))
 }
 
-/** Fraction of pixels in which each variant differs from the plain face. */
+/** Returns the fraction of pixels that each variant changes. */
 async function changedFractions(bench: Bench, benchCase: Case, candidates: Candidate[]): Promise<number[]> {
   const pictures = new Map<string, Uint8Array>()
   for (const candidate of candidates) {
@@ -95,18 +95,19 @@ async function changedFractions(bench: Bench, benchCase: Case, candidates: Candi
     pictures.set(candidate.name, await bench.timedRenderer.read())
   }
   const plain = pictures.get('plain')
-  if (!plain) throw new Error('bench: the variant "plain" is missing; all others are compared with it')
+  if (!plain)
+    throw new Error('bench: the variant "plain" is missing; add it, because all others are compared with it')
   checkSame(pictures, benchCase)
   return candidates.map(({ name }) => {
     const changed = changedFraction(pictures.get(name)!, plain)
     const isPlain = name === 'plain' || VARIANTS.get(name)!.sameAs === 'plain'
     if (isPlain || changed >= MIN_CHANGED) return changed
-    const text = `changes ${(changed * 100).toFixed(2)}% of the pixels, allowed: ${MIN_CHANGED * 100}% or more`
+    const text = `changes ${(changed * 100).toFixed(2)}% of the pixels, allowed: at least ${MIN_CHANGED * 100}%`
     throw new Error(`bench: variant "${name}" shows no wrinkles, ${text}; ${JSON.stringify(benchCase)}`)
   })
 }
 
-/** @throws Error if a variant does not draw what another one draws that it must equal. */
+/** Throws if a variant differs from the variant that it must equal. */
 function checkSame(pictures: ReadonlyMap<string, Uint8Array>, benchCase: Case): void {
   for (const [name, picture] of pictures) {
     const { sameAs } = VARIANTS.get(name)!
@@ -118,13 +119,13 @@ function checkSame(pictures: ReadonlyMap<string, Uint8Array>, benchCase: Case): 
   }
 }
 
-/** Fraction of channels that differ by more than variants may that must draw the same. */
+/** Returns the fraction of channels that differ by more than `MAX_DIFFERENCE`. */
 function differingFraction(a: Uint8Array, b: Uint8Array): number {
   const count = a.reduce((sum, value, i) => sum + Number(Math.abs(value - b[i]) > MAX_DIFFERENCE), 0)
   return count / a.length
 }
 
-/** Milliseconds per frame of each variant: the quickest of its turns, each the mean of enough frames to be timed well. */
+/** Returns the milliseconds per frame of each variant: the fastest of its turns. */
 async function timeInTurns(
   bench: Bench,
   benchCase: Case,
@@ -138,23 +139,23 @@ async function timeInTurns(
       for (let i = 0; i < count; i++) drawFrame(bench, benchCase, candidate, index++)
     })
   const counts: number[] = []
-  // Whoever comes first also waits for what is left of setting up all of them.
+  // The first frame also waits for the remaining setup of all variants.
   await time(candidates[0], 1)
   for (const candidate of candidates) {
     const first = await time(candidate, 1)
     counts.push(Math.min(Math.max(Math.ceil(MIN_MS / first), 1), MAX_FRAMES))
   }
-  const quickest = candidates.map(() => Number.POSITIVE_INFINITY)
+  const fastest = candidates.map(() => Number.POSITIVE_INFINITY)
   for (let turn = 0; turn < TURNS; turn++) {
     for (const i of roundOrder(candidates.length, round + turn)) {
       signal?.throwIfAborted()
-      quickest[i] = Math.min(quickest[i], (await time(candidates[i], counts[i])) / counts[i])
+      fastest[i] = Math.min(fastest[i], (await time(candidates[i], counts[i])) / counts[i])
     }
   }
-  return quickest
+  return fastest
 }
 
-/** Draws one frame with one variant only. */
+/** Draws a frame of one variant. */
 function drawFrame(
   { scene, camera, timedRenderer }: Bench,
   benchCase: Case,

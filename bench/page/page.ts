@@ -9,7 +9,7 @@ import { createScene } from './scene.ts'
 import { createTimedRenderer, type TimedRenderer } from './timed-renderer.ts'
 import { measureUpdates, type UpdateTimes } from './updates.ts'
 
-/** What the page offers to the process that opens it. */
+/** Functions of the page for the process that opens it. */
 export interface BenchPage {
   /**
    * Creates the scene.
@@ -23,9 +23,9 @@ export interface BenchPage {
     url: string,
   ): Promise<Pick<TimedRenderer, 'adapter' | 'timing'>>
   measure(benchCase: Case, plan: Plan): Promise<Measured[]>
-  /** Fractions of a crowd's frame that go into influence maps, 0..1, by round. */
+  /** Measures the fraction of a crowd's frame time that influence maps take, 0..1, by round. */
   measureCrowd(kind: CrowdKind, plan: Plan): Promise<number[]>
-  /** What it takes to show a map that changes. */
+  /** Times changes of a layer's normal map. */
   measureUpdates(plan: Plan): Promise<UpdateTimes>
 }
 

@@ -1,4 +1,4 @@
-/** Common code of other techniques: each computes the normal in its own way, in GLSL for WebGL and in TSL for WebGPU. */
+/** Shared code of other techniques, which compute the normal in GLSL for WebGL and in TSL for WebGPU. */
 import type { GrayImage, WrinkleSet } from 'furrow'
 import { packColours } from 'furrow/internal'
 import {
@@ -18,25 +18,25 @@ import type { RendererKind } from '../../stage/stage.ts'
 import type { AppliedVariant } from './variant.ts'
 
 export interface Peer {
-  /** By their names in the shaders. */
+  /** Textures by name in the shaders. */
   textures: Record<string, Texture>
   /** Activations in the order of the areas. */
   weights: number[]
   /** Declares `vec3 peerNormal(vec3 base, vec2 uv)`, normals in -1..1; reads the weights in the array `peerWeights`. */
   glsl: string
-  /** Edits the fragment shader besides. */
+  /** Also edits the fragment shader. */
   editGlsl?: (fragment: string) => string
-  /** The same as a node, with a node for each weight. */
+  /** Computes the same normal as nodes. */
   tsl(
     base: Node<'vec3'>,
     textures: Readonly<Record<string, Texture>>,
     weights: readonly Node<'float'>[],
   ): Node<'vec3'>
-  /** Nodes of the material besides its normal. */
+  /** Returns further nodes of the material. */
   addNodes?: (material: MeshPhysicalMaterial) => object
 }
 
-/** Patches the mesh's material with the technique. */
+/** Patches a mesh's material with a technique. */
 export function applyPeer(mesh: Mesh, set: WrinkleSet, renderer: RendererKind, peer: Peer): AppliedVariant {
   const material = mesh.material as MeshPhysicalMaterial
   if (renderer === 'webgl') patchGlsl(material, peer)
@@ -88,8 +88,8 @@ function patchTsl(material: MeshPhysicalMaterial, { textures, weights, tsl, addN
   const base = texture(material.normalMap!).xyz.mul(2).sub(1) as Node<'vec3'>
   const normal = tsl(base, textures, weightNodes)
   const scale = uniform(material.normalScale) as unknown as Node<'vec2'>
-  // Not a node material: the renderer copies `normalNode` to the node material that it makes of this one. It would share one program
-  // among all such materials of equal properties, nodes not compared: of two techniques, the second would be drawn by the first's.
+  // The renderer copies `normalNode` to the node material it creates from this material. It ignores nodes when sharing programs, so the
+  // cache key must distinguish techniques.
   Object.assign(material, addNodes?.(material), {
     normalNode: normalMap(normal.mul(0.5).add(0.5) as Node<'vec3'>, scale),
   })
@@ -97,7 +97,7 @@ function patchTsl(material: MeshPhysicalMaterial, { textures, weights, tsl, addN
   material.customProgramCacheKey = () => name
 }
 
-/** A mask of up to four gray images, one per channel; unused channels are 0. */
+/** Packs up to four gray images into the channels of a mask; unused channels are 0. */
 export function maskTexture(images: readonly (GrayImage | undefined)[]): DataTexture {
   const { width, height } = images.find((image) => image)!
   const data = new Uint8Array(4 * width * height)
@@ -112,7 +112,7 @@ export function maskTexture(images: readonly (GrayImage | undefined)[]): DataTex
   return mask
 }
 
-/** The layers' normal maps in one array texture, which takes one sampler. */
+/** Packs the layers' normal maps into an array texture, to use one sampler. */
 export function normalArray({ layers }: WrinkleSet): DataArrayTexture {
   return mapTexture(packColours(layers.map(({ normal }) => normal)), 1)
 }

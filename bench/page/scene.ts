@@ -14,33 +14,33 @@ import { divideAreas } from './areas.ts'
 import type { Bench } from './bench.ts'
 import { LIGHT_INTENSITY, LIGHTS } from './lights.ts'
 
-/** Zoom over the stage's front view: the frame is full from the forehead to the mouth. */
+/** Zoom of the stage's front view: fills the frame from forehead to mouth. */
 const ZOOM = 3.1
-/** The face's first areas, as many as the masks of the other techniques hold. */
+/** Number of areas to use, limited by the masks of other techniques. */
 const ORIGINAL_AREAS = 8
-/** Metres from the middle of head and neck up to the middle of the face. */
+/** Height of the face's centre above the centre of head and neck, metres. */
 const CAMERA_RISE = 0.025
 
-/** A scene with lights, and a camera whose frame the face fills. */
-export function createScene(face: Face, aspect: number): Pick<Bench, 'scene' | 'camera' | 'surroundings'> {
+/** Creates a lit scene and a camera that frames the face. */
+export function createScene(face: Face, aspect: number): Pick<Bench, 'scene' | 'camera' | 'ambient'> {
   const scene = new Scene()
   for (const from of LIGHTS) {
     const light = new DirectionalLight(0xffffff, LIGHT_INTENSITY)
     light.position.set(...from)
     scene.add(light)
   }
-  const surroundings = new HemisphereLight(0xffffff, 0x664433, 0.6)
-  scene.add(surroundings)
+  const ambient = new HemisphereLight(0xffffff, 0x664433, 0.6)
+  scene.add(ambient)
   const camera = new PerspectiveCamera()
   camera.aspect = aspect
   frameView(face.skin, camera, 'front')
   camera.zoom = ZOOM
   camera.position.y += CAMERA_RISE
   camera.updateProjectionMatrix()
-  return { scene, camera, surroundings }
+  return { scene, camera, ambient }
 }
 
-/** A copy of the face's skin with a material of its own; geometry and textures are shared. */
+/** Copies the face's skin with a cloned material; shares geometry and textures. */
 export function createSkin({ skin }: Face): Mesh {
   const material = skin.material as MeshPhysicalMaterial
   if (!material.isMeshPhysicalMaterial)
@@ -51,7 +51,7 @@ export function createSkin({ skin }: Face): Mesh {
 }
 
 /**
- * A set with the layers and areas of a case: copies of the file's first layer, and its areas, divided.
+ * Creates a case's set from copies of the file's first layer and from its areas, divided.
  *
  * @throws Error if the file has no wrinkles, or has them as a KTX 2 array.
  */

@@ -11,25 +11,25 @@ import { WebGPURenderer } from 'three/webgpu'
 import type { RendererKind } from '../../stage/stage.ts'
 import { type Clock, passClock, queryClock } from './timestamps.ts'
 
-/** Draws frames and measures how long the adapter takes. */
+/** Draws frames and measures GPU time. */
 export interface TimedRenderer {
   adapter: string
-  /** Whether times are the adapter's timestamps, or last until a fence after the frames. */
+  /** Source of times: GPU timestamps, or a fence after the frames. */
   timing: 'timestamps' | 'fence'
   draw(scene: Scene, camera: Camera): void
-  /** Draws a frame of which one pixel is shaded: it does all else that a frame does, compiling included. */
+  /** Draws a frame but shades only one pixel, for example to compile shaders. */
   drawPixel(scene: Scene, camera: Camera): void
-  /** Draws the influence maps of some wrinkles, and nothing else. */
+  /** Updates only the influence maps of some wrinkles. */
   update(wrinkles: Pick<Wrinkles, 'update'>): void
   /** Milliseconds. */
   time: Clock
   /** Pixels of the last frame, RGBA bytes. */
   read(): Promise<Uint8Array>
-  /** Gives the adapter's memory back. */
+  /** Frees GPU memory. */
   dispose(): void
 }
 
-/** @throws Error if WebGPU is missing, so that the fallback to WebGL 2 is not measured under its name. */
+/** Creates a renderer. Throws if WebGPU is missing, instead of measuring the fallback to WebGL 2. */
 export function createTimedRenderer(
   kind: RendererKind,
   width: number,
@@ -60,7 +60,7 @@ async function createWebGL(width: number, height: number): Promise<TimedRenderer
     },
     dispose() {
       renderer.dispose()
-      // Browsers keep a few contexts only, until they collect garbage.
+      // Browsers limit the number of contexts until garbage collection.
       renderer.forceContextLoss()
     },
   }
@@ -70,10 +70,9 @@ async function createWebGPU(width: number, height: number): Promise<TimedRendere
   const renderer = new WebGPURenderer()
   await renderer.init()
   const { device, isWebGPUBackend } = renderer.backend as { device?: GPUDevice; isWebGPUBackend?: boolean }
-  if (!device || !isWebGPUBackend)
-    throw new Error('bench: WebGPU is missing here; measure with --renderer webgl')
+  if (!device || !isWebGPUBackend) throw new Error('bench: WebGPU is missing; use --renderer webgl')
   const target = new RenderTarget(width, height)
-  // In the canvas's place, as a page has it, but without a pass of its own that converts colours.
+  // Replaces the canvas, without a separate pass for colour conversion.
   renderer.setSize(width, height, false)
   renderer.outputColorSpace = LinearSRGBColorSpace
   renderer.setOutputRenderTarget(target)

@@ -1,15 +1,12 @@
 /// <reference types="@webgpu/types" />
-/**
- * Runs `frames` and returns the milliseconds that the adapter takes for them. The clocks below count the adapter's work only, not
- * that of the CPU.
- */
+/** Runs `frames` and returns their GPU time, milliseconds. */
 export type Clock = (frames: () => void) => Promise<number>
 
-/** Passes in frames that are timed together: a query set has at most 4096 entries, two for each. */
+/** Maximum number of passes timed together: a query set has at most 4096 entries, two per pass. */
 const MAX_PASSES = 2048
 
 /**
- * Sums the times of all render passes, mipmap generation included; gaps in which the adapter waits for the CPU do not count.
+ * Creates a clock that sums all render passes, including mipmap generation. Gaps while the GPU waits for the CPU do not count.
  *
  * @returns undefined if the device has no timestamp queries.
  */
@@ -45,7 +42,7 @@ export function passClock(device: GPUDevice): Clock | undefined {
     passes = undefined
     if (count > MAX_PASSES) {
       throw new Error(
-        `bench: too many passes to time, got ${count}, allowed: ${MAX_PASSES}; raise MAX_PASSES`,
+        `bench: too many passes to time, got ${count}, allowed: at most ${MAX_PASSES}; time fewer frames`,
       )
     }
     const encoder = createEncoder()
@@ -63,7 +60,7 @@ export function passClock(device: GPUDevice): Clock | undefined {
 }
 
 /**
- * Elapsed time by `EXT_disjoint_timer_query_webgl2`.
+ * Creates a clock of elapsed GPU time by `EXT_disjoint_timer_query_webgl2`.
  *
  * @returns undefined if the context has no timer queries.
  */
@@ -76,13 +73,13 @@ export function queryClock(gl: WebGL2RenderingContext): Clock | undefined {
     frames()
     gl.endQuery(timer.TIME_ELAPSED_EXT)
     gl.flush()
-    // Results become available between tasks only.
+    // Results only become available between tasks.
     while (!gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE)) {
       await new Promise((resolve) => setTimeout(resolve))
     }
     const nanoseconds = gl.getQueryParameter(query, gl.QUERY_RESULT)
     gl.deleteQuery(query)
-    // Invalid if the adapter's clock has changed meanwhile.
+    // Repeats if the GPU's clock was disturbed.
     return gl.getParameter(timer.GPU_DISJOINT_EXT) ? clock(frames) : nanoseconds / 1e6
   }
   return clock

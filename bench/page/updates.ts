@@ -7,21 +7,21 @@ import type { Bench } from './bench.ts'
 import { applyFurrow } from './furrow.ts'
 import { createSet, createSkin } from './scene.ts'
 
-/** Width and height of the layer's normal map in texels. */
+/** Width and height of the layer's normal map, texels. */
 export const MAP_SIZE = 1024
-/** Width and height of the rectangle of it that changes. */
+/** Width and height of the changed rectangle, texels. */
 export const REGION_SIZE = 64
 const AREAS = 8
-/** The face is drawn so much smaller that changes take most of the time. */
-const SHRINKING = 50
+/** Factor to draw the face smaller, so that changes take most of the time. */
+const DISTANCE = 50
 
-/** Milliseconds from the call to the drawn frame, beyond those of a frame without changes. */
+/** Milliseconds added to a frame by a change of a rectangle, and of the full map. */
 export interface UpdateTimes {
   region: number
-  whole: number
+  full: number
 }
 
-/** Times frames in which a layer's normal map changes: a rectangle of it, and all. */
+/** Times frames with changes of a layer's normal map. */
 export async function measureUpdates(
   { face, scene, camera, timedRenderer, renderer }: Bench,
   plan: Plan,
@@ -29,7 +29,7 @@ export async function measureUpdates(
   const skin = createSkin(face)
   scene.add(skin)
   const distant = camera.clone()
-  distant.zoom /= SHRINKING
+  distant.zoom /= DISTANCE
   distant.updateProjectionMatrix()
   const set = createSet(face, { areas: AREAS, layers: 1, maps: 'normals' })
   const [layer] = set.layers
@@ -42,7 +42,7 @@ export async function measureUpdates(
   const changes = {
     none: () => {},
     region: () => updateLayer(wrinkles, layer.name, { normal }, region),
-    whole: () => updateLayer(wrinkles, layer.name, { normal }),
+    full: () => updateLayer(wrinkles, layer.name, { normal }),
   }
   const time = async (change: () => void) => {
     const start = performance.now()
@@ -52,24 +52,24 @@ export async function measureUpdates(
     await timedRenderer.read()
     return performance.now() - start
   }
-  const times = { none: [] as number[], region: [] as number[], whole: [] as number[] }
+  const times = { none: [] as number[], region: [] as number[], full: [] as number[] }
   // The first round is not counted.
   for (let round = 0; round <= plan.rounds; round++) {
     for (const [name, change] of Object.entries(changes)) {
       const milliseconds = await time(change)
       if (round > 0) times[name as keyof typeof times].push(milliseconds)
     }
-    // A change of all of the map drops the mipmaps that are kept on the CPU for rectangles; a stroke makes them once, in its first change.
+    // A full change drops the CPU's mipmaps for rectangles. The first rectangle recreates them, as at the start of a stroke.
     await time(changes.region)
   }
   wrinkles.dispose()
   scene.remove(skin)
   ;(skin.material as Material).dispose()
   const still = median(times.none)
-  return { region: median(times.region) - still, whole: median(times.whole) - still }
+  return { region: median(times.region) - still, full: median(times.full) - still }
 }
 
-/** An image at `MAP_SIZE`, each texel repeated. */
+/** Enlarges an image to `MAP_SIZE` by repeating texels. */
 function enlarged({ width, height, data }: RgbaImage): RgbaImage {
   const texels = new Uint32Array(data.buffer, data.byteOffset, width * height)
   const larger = Uint32Array.from({ length: MAP_SIZE * MAP_SIZE }, (_, i) => {

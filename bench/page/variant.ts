@@ -4,18 +4,18 @@ import type { Mesh } from 'three'
 import type { RendererKind } from '../../stage/stage.ts'
 import type { Case } from '../case.ts'
 
-/** A technique to show wrinkles. */
+/** A technique for wrinkles. */
 export interface Variant {
-  /** Whether it can show a case. */
+  /** Whether it supports a case. */
   canShow(benchCase: Case, renderer: RendererKind): boolean
-  /** Name of a variant whose first frame it must draw too. */
+  /** Variant with an equal first frame. */
   sameAs?: string
-  /** Adds the wrinkles to a mesh with a material of its own. */
+  /** Adds wrinkles to a mesh with an unshared material. */
   apply(mesh: Mesh, set: WrinkleSet, renderer: RendererKind, benchCase: Case): AppliedVariant
 }
 
 export interface AppliedVariant {
-  /** Fulfilled when it can be drawn; at once by default. */
+  /** Resolves when it can be drawn. Default: immediately. */
   ready?: Promise<void>
   setActivation(area: string, value: number): void
   dispose(): void
@@ -23,7 +23,7 @@ export interface AppliedVariant {
 
 const modules = import.meta.glob<{ variant: Variant }>('./variants/*.ts', { eager: true })
 
-/** Every variant, by the name of its file. */
+/** All variants by file name. */
 export const VARIANTS: ReadonlyMap<string, Variant> = new Map(
   Object.entries(modules).map(([path, { variant }]) => [path.replace(/^.*\/|\.ts$/g, ''), variant]),
 )

@@ -1,4 +1,4 @@
-/** Times `furrow/auto` from the call to the result, in milliseconds. */
+/** Times `furrow/auto`, milliseconds. */
 import { autoWrinklesInWorker } from 'furrow/auto'
 import { type Mesh, Scene } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
@@ -14,14 +14,14 @@ declare global {
 window.auto = async (path, size) => {
   const { scene } = await new GLTFLoader().loadAsync(path)
   new Scene().add(scene)
-  const skin = skinOf(readMeshes([largestOf(scene)]))
+  const skin = skinOf(readMeshes([findLargest(scene)]))
   const start = performance.now()
   await autoWrinklesInWorker(skin, { size })
   return performance.now() - start
 }
 
-/** The mesh with blendshapes and the most vertices. */
-function largestOf(scene: Scene['children'][number]): Mesh {
+/** Finds the mesh with blendshapes and the most vertices. */
+function findLargest(scene: Scene['children'][number]): Mesh {
   const meshes: Mesh[] = []
   scene.traverse((object) => {
     if ((object as Mesh).morphTargetInfluences) meshes.push(object as Mesh)

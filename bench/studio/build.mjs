@@ -3,7 +3,7 @@ import { join } from 'node:path'
 import { build } from 'vite'
 import { SOURCES } from '../../scripts/lib/sources.mjs'
 
-/** Builds the studio of a checkout as it is published into a folder, and the page that times `furrow/auto` into `auto/` in it. */
+/** Builds a checkout's studio for production, and the page that times `furrow/auto` in its subfolder `auto`. */
 export async function buildStudio(checkout, dist, files) {
   await build({
     configFile: join(checkout, 'studio/vite.config.ts'),

@@ -8,19 +8,19 @@ import { MeshoptSimplifier } from 'meshoptimizer/simplifier'
 import sharp from 'sharp'
 
 const SCAN = fileURLToPath(new URL('../../../shared/real-face/ict-face.glb', import.meta.url))
-/** Side of the maps of projects. */
-const MAP = 1024
-/** Of the vertices of the shipped face: 2,200 stay. */
-const LOW = 0.17
-/** Of a sheet of two million triangles. */
-const SIDE = 1000
+/** Width and height of projects' maps, texels. */
+const MAP_SIZE = 1024
+/** Fraction of the shipped face's vertices to keep, for 2,200 vertices. */
+const LOW_RATIO = 0.17
+/** Cells per side of a sheet of two million triangles. */
+const SHEET_SIDE = 1000
 
 /**
- * Writes the files that the studio is measured with into a folder.
+ * Writes the files that the cases use into a folder.
  *
- * @param server of `serve`, for the sources of packages and tests.
- * @returns paths of `avatars`, of the avatar `low` with few polygons and of the `sheet` of two million triangles; `project` makes a folder
- *   with a number of lines.
+ * @param server result of `serve`, to load sources of packages and tests.
+ * @returns paths of `avatars`, of the low-polygon avatar `low` and of the `sheet` of two million triangles; `project(count)` writes a
+ *   project with `count` lines.
  */
 export async function writeFiles(server, folder, { hasSheet }) {
   const { writeAvatars } = await server.ssrLoadModule('/test/pages/avatars.ts')
@@ -28,7 +28,7 @@ export async function writeFiles(server, folder, { hasSheet }) {
   const at = (name) => join(folder, name)
   await writeAvatars(folder)
   await writeLow(at('plain.glb'), at('low.glb'))
-  if (hasSheet) writeFileSync(at('sheet.glb'), await sheet(SIDE))
+  if (hasSheet) writeFileSync(at('sheet.glb'), await sheet(SHEET_SIDE))
   const lines = await automaticLines(server, at('plain.glb'))
   return {
     avatars: { ...(existsSync(SCAN) && { scan: SCAN }), human: at('plain.glb'), vrm: at('turned.vrm') },
@@ -41,11 +41,11 @@ export async function writeFiles(server, folder, { hasSheet }) {
 async function writeLow(from, to) {
   const io = new NodeIO().registerExtensions(ALL_EXTENSIONS)
   const document = await io.read(from)
-  await document.transform(weld(), simplify({ simplifier: MeshoptSimplifier, ratio: LOW, error: 1 }))
+  await document.transform(weld(), simplify({ simplifier: MeshoptSimplifier, ratio: LOW_RATIO, error: 1 }))
   await io.write(to, document)
 }
 
-/** The lines of the face's own wrinkles, and its scale. */
+/** Makes the lines of a face's automatic wrinkles, and its scale. */
 async function automaticLines(server, path) {
   const { autoWrinkles } = await server.ssrLoadModule('/packages/furrow/src/author/index.ts')
   const { strokesOf } = await server.ssrLoadModule('/packages/furrow/internal/index.ts')
@@ -55,7 +55,7 @@ async function automaticLines(server, path) {
   return strokesOf(autoWrinkles(skin, { size: 256 }))
 }
 
-/** A project's folder: one layer with a number of lines, and one area that shows all of it at rest. */
+/** Writes a project with one layer of lines, and one area that shows all of them at rest. */
 async function writeProject(folder, face, { strokes, scale }, count) {
   mkdirSync(join(folder, 'areas'), { recursive: true })
   mkdirSync(join(folder, 'layers/lines'), { recursive: true })
@@ -65,7 +65,7 @@ async function writeProject(folder, face, { strokes, scale }, count) {
       .png()
       .toFile(join(folder, path))
   await image('areas/all.png', 128, '#000')
-  await image('layers/lines/normal.png', MAP, '#8080ff')
+  await image('layers/lines/normal.png', MAP_SIZE, '#8080ff')
   const json = (path, data) => writeFileSync(join(folder, path), JSON.stringify(data))
   json('wrinkles.json', {
     version: 1,
@@ -73,16 +73,16 @@ async function writeProject(folder, face, { strokes, scale }, count) {
     areas: [{ name: 'all', image: 'areas/all.png', activation: 1 }],
     strokes: 'strokes.json',
   })
-  json('strokes.json', { version: 1, scale, size: MAP, strokes: manyLines(strokes, count) })
+  json('strokes.json', { version: 1, scale, size: MAP_SIZE, strokes: manyLines(strokes, count) })
   return folder
 }
 
-/** The automatic lines of the face, and again beside themselves until there are enough. */
+/** Repeats the automatic lines with offsets until there are enough. */
 function manyLines(strokes, count) {
   return Array.from({ length: count }, (_, i) => {
     const { layer: _layer, ...stroke } = strokes[i % strokes.length]
-    const aside = 0.004 * Math.floor(i / strokes.length)
-    const points = stroke.points.map(([u, v]) => [u + aside, v + 0.7 * aside])
+    const offset = 0.004 * Math.floor(i / strokes.length)
+    const points = stroke.points.map(([u, v]) => [u + offset, v + 0.7 * offset])
     return { ...stroke, group: 'all', points }
   })
 }

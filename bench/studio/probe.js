@@ -1,15 +1,15 @@
-/* Runs in the studio's page before its own scripts, and tells when what it draws has changed: `window.probe`. */
+/* Runs before the studio's scripts. `window.probe` reports changes of the stage. */
 {
-  /** The context of the stage: the last one that was asked for. */
+  /** The stage's context: the last one requested. */
   let gl = null
   let draws = 0
-  /** What is waited for: pixels of a rectangle that are others than before. */
+  /** Rectangle to watch, its hash, and the times of its first change. */
   let watch = null
 
   const { getContext } = HTMLCanvasElement.prototype
   HTMLCanvasElement.prototype.getContext = function (kind, options) {
     if (kind !== 'webgl2') return getContext.call(this, kind, options)
-    // Pixels stay readable between frames.
+    // Keeps pixels readable between frames.
     const context = getContext.call(this, kind, { ...options, preserveDrawingBuffer: true })
     if (context) gl = context
     return context
@@ -35,7 +35,7 @@
     watch.changed = { submitted, seen: performance.now() }
   }
 
-  /** Of the pixels of a rectangle in CSS pixels of the stage. Waits until they are drawn. */
+  /** Hashes the pixels of a rectangle in CSS pixels of the stage. Waits for the GPU. */
   function hashOf({ x, y, width, height }) {
     const ratio = gl.drawingBufferWidth / gl.canvas.clientWidth
     const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)]
@@ -47,22 +47,22 @@
   }
 
   const probe = {
-    /** When the commands of each frame of the stage had been given. */
+    /** Time when each frame of the stage was submitted. */
     frames: [],
-    /** The last event of each type, by the clock of `performance.now`. */
+    /** Timestamp of the last event by type. All times are those of `performance.now`. */
     events: {},
-    /** Tasks of the main thread of more than 50 ms. */
+    /** Durations of the main thread's tasks of more than 50 ms. */
     tasks: [],
-    /** When the stage ceased to be busy. */
+    /** Times when the stage finished loading. */
     ready: [],
-    /** When the panel first had areas since the last drop. */
+    /** Time when the panel first had areas after the last drop. */
     wrinkled: null,
 
-    /** Begins to wait for other pixels in a rectangle. */
+    /** Starts watching a rectangle for changes. */
     watch(rect) {
       watch = { rect, before: hashOf(rect), changed: null }
     },
-    /** When the first frame with other pixels had been given, and when it was drawn; null while there is none. */
+    /** Times when the first changed frame was submitted and drawn; null before. */
     changed: () => watch.changed,
     adapter() {
       const info = gl.getExtension('WEBGL_debug_renderer_info')

@@ -1,4 +1,4 @@
-// Times what an artist waits for in the studio: `npm run bench:studio`, or with `-- --quick`. See bench/studio/README.md.
+// `npm run bench:studio`, `-- --quick`: measures the studio's response times. See README.md.
 
 import { mkdtempSync, rmSync } from 'node:fs'
 import { writeFile } from 'node:fs/promises'
@@ -27,7 +27,7 @@ const CASES = {
   sizes: measureSizes,
 }
 
-/** Lines of the projects, brush strokes, and the faces and sizes of automatic wrinkles. */
+/** Numbers of lines and brush strokes; faces and sizes of automatic wrinkles. */
 const FULL = {
   rounds: 5,
   counts: [10, 100, 500],
@@ -77,10 +77,10 @@ async function run() {
       let done = 0
       for (let round = 0; round < plan.rounds; round++) {
         for (const name of names) {
-          // In turns, so that a slow time of the machine is one of all builds.
+          // Builds take turns, so that a temporary slowdown affects all of them.
           for (const build of round % 2 ? builds.toReversed() : builds) {
             await CASES[name]({ ...context, ...build }, (figure, time) =>
-              note(times, figure, build.name, time),
+              record(times, figure, build.name, time),
             )
             progress(++done, plan.rounds * names.length * builds.length)
           }
@@ -102,7 +102,7 @@ async function run() {
   process.stdout.write(toTable(results, order))
 }
 
-/** Builds and serves this checkout, and the one that is measured beside it. */
+/** Builds and serves this checkout and the one to compare with. */
 async function serveBuilds(files) {
   const { startStaticServer } = await server.ssrLoadModule('/test/pages/static-server.ts')
   const checkouts = { ...(options.beside && { before: options.beside }), now: ROOT }
@@ -122,14 +122,14 @@ async function adapterOf(context) {
   return adapter
 }
 
-/** @param time in milliseconds, or until a frame's commands are given and until it is drawn. */
-function note(times, figure, build, time) {
+/** @param time milliseconds, or milliseconds until a frame was submitted and drawn. */
+function record(times, figure, build, time) {
   const { submitted, seen } = typeof time === 'number' ? { submitted: time } : time
-  const ofFigure = times.get(figure) ?? {}
-  times.set(figure, ofFigure)
-  ofFigure[build] ??= { submitted: [], seen: [] }
-  ofFigure[build].submitted.push(submitted)
-  if (seen !== undefined) ofFigure[build].seen.push(seen)
+  const builds = times.get(figure) ?? {}
+  times.set(figure, builds)
+  builds[build] ??= { submitted: [], seen: [] }
+  builds[build].submitted.push(submitted)
+  if (seen !== undefined) builds[build].seen.push(seen)
 }
 
 async function mediansOf(times) {

@@ -2,21 +2,21 @@ import { fileURLToPath } from 'node:url'
 import { dropPaths } from '../../scripts/lib/drop-paths.mjs'
 
 const PROBE = fileURLToPath(new URL('probe.js', import.meta.url))
-/** Milliseconds until what should be seen is given up. */
-const PATIENCE = 120_000
-/** Milliseconds without a frame after which the stage is at rest. */
-const REST = 400
+/** Timeout, milliseconds. */
+const TIMEOUT = 120_000
+/** Time without a frame after which the stage is idle, milliseconds. */
+const IDLE_TIME = 400
 
-/** The studio in a browser, driven as a person drives it, and what the probe tells of it. */
+/** The studio in a browser, driven by mouse and keyboard, and its probe. */
 export class StudioPage {
-  /** Opens the studio as a first visitor sees it. */
+  /** Opens the studio with empty storage. */
   static async open({ browser, origin }) {
     const context = await browser.newContext({
       viewport: { width: 1280, height: 800 },
       reducedMotion: 'reduce',
     })
     const page = await context.newPage()
-    page.setDefaultTimeout(PATIENCE)
+    page.setDefaultTimeout(TIMEOUT)
     await page.addInitScript({ path: PROBE })
     await page.goto(`${origin}/index.html`)
     await page.locator('#stage[aria-busy=false]').waitFor()
@@ -36,14 +36,14 @@ export class StudioPage {
     return this.page.getByRole('button', { name, exact: true })
   }
 
-  /** Drops files or folders, and waits until another face is shown. */
+  /** Drops files or folders, and waits until the new face appears. */
   async drop(...files) {
     const before = await this.page.evaluate(() => window.probe.ready.length)
     await dropPaths(this.page, files)
     await this.page.waitForFunction((count) => window.probe.ready.length > count, before)
   }
 
-  /** Drops a project's folder, and edits its wrinkles. */
+  /** Drops a project's folder, and starts editing its wrinkles. */
   async openProject(folder) {
     await this.drop(folder)
     await this.button('Edit wrinkles').click()
@@ -51,25 +51,25 @@ export class StudioPage {
     await this.untilIdle()
   }
 
-  /** Waits until automatic wrinkles, which have begun, are made. */
+  /** Waits until automatic wrinkles are done. */
   async untilMade() {
     await this.page.locator('#areas .row').first().waitFor()
     await this.page.getByText('Making wrinkles').waitFor({ state: 'detached' })
   }
 
-  /** Waits until nothing is drawn any more. */
+  /** Waits until the stage stops drawing. */
   async untilIdle() {
-    const isIdle = (rest) => performance.now() - window.probe.frames.at(-1) > rest
-    await this.page.waitForFunction(isIdle, REST, { polling: 100 })
+    const isIdle = (time) => performance.now() - window.probe.frames.at(-1) > time
+    await this.page.waitForFunction(isIdle, IDLE_TIME, { polling: 100 })
   }
 
-  /** A point of the stage, given as fractions of it, in CSS pixels of the page. */
+  /** Converts fractions of the stage to CSS pixels of the page. */
   async pointAt(x, y) {
     const box = await this.page.locator('#viewport').boundingBox()
     return { x: box.x + x * box.width, y: box.y + y * box.height }
   }
 
-  /** Draws with the mouse from one point of the page to another. */
+  /** Drags the mouse between two points of the page. */
   async drag(from, to, steps = 12) {
     await this.page.mouse.move(from.x, from.y)
     await this.page.mouse.down()
@@ -77,16 +77,17 @@ export class StudioPage {
     await this.page.mouse.up()
   }
 
-  /** Chooses what the pointer does to lines: Off, Edit or Draw. */
+  /** Selects the pointer's mode for lines: Off, Edit or Draw. */
   async linesTo(mode) {
     await this.page.getByRole('group', { name: 'Pointer' }).getByText(mode, { exact: true }).click()
     await this.untilIdle()
   }
 
   /**
-   * From an event, which an action causes, to the frame in which pixels round a point of the page are others.
+   * Times from an event to the first frame with changed pixels around a point of the page.
    *
-   * @returns milliseconds until its commands had been given, and until it was drawn.
+   * @param action triggers the event.
+   * @returns milliseconds until the frame was submitted and drawn.
    */
   async timeToPixel(event, point, action, radius = 24) {
     const box = await this.page.locator('#viewport').boundingBox()
@@ -101,7 +102,7 @@ export class StudioPage {
     }, event)
   }
 
-  /** The tasks of more than 50 ms during an action, in milliseconds. */
+  /** Returns the durations of tasks of more than 50 ms during an action, milliseconds. */
   async longTasks(action) {
     const count = await this.page.evaluate(() => window.probe.tasks.length)
     await action()

@@ -1,4 +1,4 @@
-/** What each figure is to stay below, by how its name begins: milliseconds until the frame, on a software rasteriser. */
+/** Goals by prefix of a figure's name: milliseconds until the frame is submitted, on a software rasteriser. */
 const GOALS: Record<string, number> = {
   'drop to face': 1000,
   'first stroke to heights': 100,
@@ -8,13 +8,13 @@ const GOALS: Record<string, number> = {
   'furrow/auto: scan': 4000,
 }
 
-/** The medians of a figure, by the name of the build; of a frame, when its commands had been given, and when it was drawn. */
+/** Medians of a figure by build. For frames, `submitted` and `seen` (drawn) differ. */
 export interface Result {
   figure: string
   medians: Record<string, { submitted: number; seen?: number }>
 }
 
-/** Results as Markdown. */
+/** Formats results as a Markdown table. */
 export function toTable(results: readonly Result[], builds: readonly string[]): string {
   const head = ['figure', ...builds.flatMap((build) => [build, 'drawn']), 'goal']
   const rows = results.map(({ figure, medians }) => [

@@ -1,4 +1,4 @@
-/** The workers of a page, by the DevTools protocol. */
+/** DevTools sessions of a page's workers. */
 export class WorkerSessions {
   #session
   #ids = new Set()
@@ -25,7 +25,7 @@ export class WorkerSessions {
     })
   }
 
-  /** Bytes of all heaps after a collection of garbage, with typed arrays. */
+  /** Returns the bytes of all heaps, including typed arrays, after garbage collection. */
   async heap() {
     let bytes = 0
     for (const sessionId of this.#ids) {

@@ -16,8 +16,8 @@ import type { RendererKind } from '../../../stage/stage.ts'
 import type { Variant } from '../variant.ts'
 
 /**
- * The least that shows a normal map that changes in every frame: the plain face, with a map of its own whose texels are written anew where
- * the composed mode does, without an influence map and without mixing. It copies those of the face's map, and so shows the plain face.
+ * Lower bound of a normal map that changes every frame: copies texels of the face's map where the composed mode redraws, without an influence
+ * map or mixing. Shows the plain face.
  */
 export const variant: Variant = {
   canShow: ({ still, layers, maps }) => !still && layers === 1 && maps === 'normals',
@@ -26,7 +26,7 @@ export const variant: Variant = {
     const material = mesh.material as MeshStandardMaterial
     const base = material.normalMap!
     const { hasContents } = renderer === 'webgl' ? glslQuads : tslQuads
-    const map = new ComposedMap(base, composedSize(base, base), copying(base, renderer), hasContents)
+    const map = new ComposedMap(base, composedSize(base, base), copyMaterial(base, renderer), hasContents)
     const areas = createAreaArray(set.areas, set.layers, WRINKLES_DEFAULTS.areaSize, 'bench')
     const indices = new Map(set.areas.map(({ name }, i) => [name, i]))
     const values = new Float32Array(set.areas.length)
@@ -44,8 +44,8 @@ export const variant: Variant = {
   },
 }
 
-/** Draws the texels of a map as they are. */
-function copying(base: Texture, renderer: RendererKind): Material {
+/** Creates a material that copies a map. */
+function copyMaterial(base: Texture, renderer: RendererKind): Material {
   if (renderer === 'webgl') {
     return new ShaderMaterial({
       ...QUAD_SETTINGS,
@@ -53,8 +53,8 @@ function copying(base: Texture, renderer: RendererKind): Material {
       uniforms: { base: { value: base } },
     })
   }
-  const own = texture(base)
-  return quadMaterial('copied', vec4(own.load(texelAt(own, varying(targetUv()))).xyz, 1))
+  const source = texture(base)
+  return quadMaterial('copied', vec4(source.load(texelAt(source, varying(targetUv()))).xyz, 1))
 }
 
 const GLSL = /* glsl */ `

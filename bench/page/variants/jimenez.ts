@@ -6,8 +6,7 @@ import type { Variant } from '../variant.ts'
 
 /**
  * Jimenez, Echevarria, Oat, Gutierrez: "Practical and Realistic Facial Wrinkles Animation", GPU Pro 2 (2011): one wrinkle map
- * and eight zones in the channels of two masks. Adds the map's x and y, times the weighted sum of the masks, to those of the
- * normal.
+ * and eight zones in the channels of two masks. Adds the map's xy, times the weighted sum of the masks, to the normal's xy.
  */
 export const variant: Variant = {
   canShow: ({ areas, layers, maps }) => areas === 8 && layers === 1 && maps === 'normals',

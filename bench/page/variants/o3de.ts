@@ -4,12 +4,12 @@ import type { Node } from 'three/webgpu'
 import { applyPeer, maskTexture, normalArray, type Peer } from '../peer.ts'
 import type { Variant } from '../variant.ts'
 
-/** Samplers left for masks, of 16 per fragment shader in WebGL and WebGPU: the material takes 7, the layers 1. */
+/** Samplers for masks: of 16 in WebGL and WebGPU, the material uses 7 and the layers 1. */
 const MAX_MASKS = 8
 
 /**
- * Open 3D Engine's skin material (`Skin_Common.azsli`, `WrinkleMask.azsli`): a mask per area, with the weights of four layers in
- * its channels. A loop sums masks times activations; then the layers' normals are mixed in one after the other.
+ * Open 3D Engine's skin material (`Skin_Common.azsli`, `WrinkleMask.azsli`): one mask per area with the weights of four layers. A loop
+ * sums masks times activations, then mixes in the layers' normals in order.
  */
 export const variant: Variant = {
   canShow: ({ areas, maps }) => areas <= MAX_MASKS && maps === 'normals',
@@ -33,7 +33,7 @@ export const variant: Variant = {
   },
 }
 
-/** The loop is unrolled, since GLSL cannot index samplers by a loop counter. */
+/** Unrolls the loop, because GLSL cannot index samplers by a loop counter. */
 function glslOf(masks: number, layers: number): string {
   const added = Array.from(
     { length: masks },

@@ -2,7 +2,7 @@ import { type Material, Mesh } from 'three'
 import { applyAlone, applyFurrow } from '../furrow.ts'
 import type { Variant } from '../variant.ts'
 
-/** Furrow's default mode of a face that shares its influence map with another, which is not drawn. */
+/** Furrow's default mode with an influence map shared with another face, which is not drawn. */
 export const variant: Variant = {
   canShow: ({ areas }) => areas === 8,
   sameAs: 'furrow',

@@ -24,12 +24,12 @@ import { activationOf } from '../../case.ts'
 import { applyPeer, normalArray, type Peer } from '../peer.ts'
 import type { Variant } from '../variant.ts'
 
-/** The cases that it shows: that of the first frame. */
+/** The supported case: the first frame. */
 const SHOWN = { areas: 8, active: 8, layers: 1, still: true }
 
 /**
- * The least that shows the same pixels as the default mode: an influence map that is made once, the layer's maps, and the same mix. No
- * areas, no bounds, no fading, no branches. What it costs more than the plain face, no shader with these samples can save.
+ * Lower bound of the default mode's pixels: a static influence map, the layer's maps and the same mix, without areas, bounds, fading or
+ * branches. No shader with these samples can be faster.
  */
 export const variant: Variant = {
   canShow: ({ areas, layers }) => areas === SHOWN.areas && layers === SHOWN.layers,
@@ -41,7 +41,7 @@ export const variant: Variant = {
   },
 }
 
-/** The sum of the areas times their activations in the first frame. */
+/** Sums the areas times their activations in the first frame. */
 function influenceTexture({ areas }: WrinkleSet): DataTexture {
   const images = areas.map(({ weights }) => weights as GrayImage)
   const { width, height } = images[0]
@@ -62,7 +62,7 @@ function influenceTexture({ areas }: WrinkleSet): DataTexture {
   return map
 }
 
-/** Reoriented normal mapping as the default mode computes it. */
+/** Reoriented normal mapping, as in the default mode. */
 const GLSL = /* glsl */ `
 vec3 strippedMix(float influence, vec3 base, vec2 uv) {
   vec3 wrinkle = texture(strippedWrinkles, vec3(uv, 0.0)).xyz * 2.0 - 1.0;
@@ -73,7 +73,7 @@ vec3 strippedMix(float influence, vec3 base, vec2 uv) {
 }
 `
 
-/** Samples the influence where the normal is mixed, the only time. */
+/** Samples the influence once, where the normal is mixed. */
 const NORMALS = /* glsl */ `${GLSL}
 vec3 peerNormal(vec3 base, vec2 uv) {
   return strippedMix(texture(strippedInfluence, uv).r, base, uv);
@@ -91,7 +91,7 @@ function mixNormal(base: Node<'vec3'>, strippedWrinkles: Texture, influence: Nod
   return t.mul(t.dot(r)).sub(r.mul(size.mul(t.z))) as unknown as Node<'vec3'>
 }
 
-/** The same with visibility and blood, which share a texel, and shadow highlights and colour the skin as in the default mode. */
+/** Adds occlusion and blood, packed in one texel, with the default mode's highlight shadowing and skin colour. */
 function withValues(normals: Peer, { layers: [layer] }: WrinkleSet): Peer {
   const values = valueTextures([layer as Layer], 1)
   const { occlusionStrength: strength = 1, bloodAmplitude: amplitude = 0 } = layer

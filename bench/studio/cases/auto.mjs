@@ -1,4 +1,4 @@
-/** `furrow/auto` in its worker, on a page that does nothing else. */
+/** Times `furrow/auto` in its worker, on an otherwise idle page. */
 export async function measureAuto({ browser, origin, files, autoFaces }, add) {
   const page = await browser.newPage()
   page.setDefaultTimeout(0)

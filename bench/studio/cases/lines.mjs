@@ -1,10 +1,10 @@
 import { StudioPage } from '../studio-page.mjs'
 
 const MOVES = 6
-/** CSS pixels round a point of the skin: wrinkles of the area that is changed. */
-const WIDE = 60
+/** Radius to watch for changes of an area or layer, CSS pixels. */
+const WIDE_RADIUS = 60
 
-/** A line across the forehead, among others: its end is moved; undo and redo of it, and of a field of its layer. */
+/** Times moving the end of a line across the forehead, and undo and redo of the line and of a layer's field. */
 export async function measureLines(bench, add) {
   for (const count of bench.counts) {
     const studio = await StudioPage.open(bench)
@@ -31,7 +31,7 @@ export async function measureLines(bench, add) {
   }
 }
 
-/** How strong the normals of a layer are. */
+/** Times changes of a layer's scale. */
 async function measureScale(studio, point, add) {
   const { page } = studio
   await studio.linesTo('Off')
@@ -41,18 +41,18 @@ async function measureScale(studio, point, add) {
   const press = () => page.keyboard.press('ArrowLeft')
   for (let i = 0; i < MOVES; i++) {
     await studio.untilIdle()
-    add('scale of a layer', await studio.timeToPixel('input', point, press, WIDE))
+    add('scale of a layer', await studio.timeToPixel('input', point, press, WIDE_RADIUS))
   }
   await measureUndo(studio, point, 'a field', add)
 }
 
-async function measureUndo(studio, point, what, add) {
+async function measureUndo(studio, point, edit, add) {
   for (const [figure, keys] of [
     ['undo', 'Control+z'],
     ['redo', 'Control+Shift+z'],
   ]) {
     await studio.untilIdle()
     const press = () => studio.page.keyboard.press(keys)
-    add(`${figure} ${what}`, await studio.timeToPixel('keydown', point, press, WIDE))
+    add(`${figure} ${edit}`, await studio.timeToPixel('keydown', point, press, WIDE_RADIUS))
   }
 }

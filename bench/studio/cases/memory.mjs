@@ -3,7 +3,7 @@ import { WorkerSessions } from '../worker-sessions.mjs'
 
 const MEGABYTE = 2 ** 20
 
-/** What many brush strokes leave in memory, after a collection of garbage: on the page, and in its workers. */
+/** Measures the heaps of the page and its workers after many brush strokes and garbage collection. */
 export async function measureMemory(bench, add) {
   const studio = await StudioPage.open(bench)
   const { page } = studio
@@ -26,7 +26,7 @@ export async function measureMemory(bench, add) {
   await studio.close()
 }
 
-/** Objects, and the memory of typed arrays, in bytes. */
+/** Returns the bytes of objects and typed arrays. */
 async function heapOf(session) {
   await session.send('HeapProfiler.collectGarbage')
   const { usedSize, backingStorageSize = 0 } = await session.send('Runtime.getHeapUsage')

@@ -1,6 +1,6 @@
 import { StudioPage } from '../studio-page.mjs'
 
-/** From the drop of an avatar without wrinkles to the frame that shows the face, and to the one that shows its wrinkles. */
+/** Times the first frames with the face and with its wrinkles, from dropping an avatar without wrinkles. */
 export async function measureOpening(bench, add) {
   for (const [name, path] of Object.entries(bench.files.avatars)) {
     const studio = await StudioPage.open(bench)

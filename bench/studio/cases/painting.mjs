@@ -2,7 +2,7 @@ import { StudioPage } from '../studio-page.mjs'
 
 const MOVES = 10
 
-/** Dabs of a brush that is moved over the cheek, and undo. */
+/** Times dabs of a brush stroke over the cheek, undo and redo. */
 export async function measurePainting(bench, add) {
   const studio = await StudioPage.open(bench)
   const { page } = studio

@@ -5,7 +5,7 @@ import { StudioPage } from '../studio-page.mjs'
 
 const KILOBYTE = 1000
 
-/** Gzipped kB of the built page: what its first visitor loads before the first face, and each file of code. */
+/** Measures the gzipped kB of the first load, and of each code file. */
 export async function measureSizes(bench, add) {
   const studio = await StudioPage.open(bench)
   const names = await studio.page.evaluate(() =>

@@ -1,6 +1,6 @@
 import { StudioPage } from '../studio-page.mjs'
 
-/** The longest task of the main thread while automatic wrinkles are made, a document is edited, and a large mesh is opened. */
+/** Measures the main thread's longest task during automatic wrinkles, edits, and opening a large mesh. */
 export async function measureTasks(bench, add) {
   const studio = await StudioPage.open(bench)
   const longest = async (action) => Math.max(0, ...(await studio.longTasks(action)))
