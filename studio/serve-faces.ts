@@ -65,16 +65,16 @@ function pathOf(url: string): string | undefined {
 /** Lists models with blendshapes, which excludes a hand, for example. */
 async function faceNames(folder: string, warn: Warn): Promise<string[]> {
   const files = (await facePaths(folder)).filter((path) => extname(path) === '.glb' && !path.includes('/'))
-  const areFaces = await Promise.all(
+  const hasShapes = await Promise.all(
     files.map((file) =>
       hasBlendshapes(join(folder, file)).catch((error: Error) => {
-        warn(`faces: ${JSON.stringify(file)} is left out, since it is not a whole .glb (${error.message})`)
+        warn(`faces: skipped ${JSON.stringify(file)}, got an incomplete .glb (${error.message})`)
         return false
       }),
     ),
   )
   return files
-    .filter((_, i) => areFaces[i])
+    .filter((_, i) => hasShapes[i])
     .map((path) => path.slice(0, -'.glb'.length))
     .sort()
 }

@@ -31,9 +31,9 @@ export class Downloads {
   }
 
   /** Saves the project to its folder on disk; see `Saving`. */
-  folder(isOther: boolean): Promise<unknown> {
+  folder(isOtherFolder: boolean): Promise<unknown> {
     return this.#messages.attempt(async () => {
-      const name = await this.#saving.toFolder(isOther)
+      const name = await this.#saving.toFolder(isOtherFolder)
       if (name !== null) this.#messages.note(`Saved to the folder ${name}`)
     })
   }

@@ -4,14 +4,14 @@ export function nextTask(): Promise<void> {
 }
 
 /** Maximum wait for an idle page, milliseconds: a moving face is never idle. */
-const PATIENCE = 200
+const MAX_WAIT = 200
 
 /** Waits for an idle page. */
 export function whenIdle(): Promise<void> {
   return new Promise((resolve) => {
     // Safari lacks requestIdleCallback.
-    if (typeof requestIdleCallback === 'undefined') setTimeout(resolve, PATIENCE)
-    else requestIdleCallback(() => resolve(), { timeout: PATIENCE })
+    if (typeof requestIdleCallback === 'undefined') setTimeout(resolve, MAX_WAIT)
+    else requestIdleCallback(() => resolve(), { timeout: MAX_WAIT })
   })
 }
 

@@ -102,7 +102,7 @@ export function panelModel(parts: PanelParts): PanelModel {
       cancelExport: () => exporting.cancel(),
       saveExport: () => downloads.export(),
       saveProject: () => void downloads.project(),
-      saveToFolder: (isOther) => void downloads.folder(isOther),
+      saveToFolder: (isOtherFolder) => void downloads.folder(isOtherFolder),
       copyCode: (text) => void downloads.copyCode(text),
       copyLink: () => void messages.attempt(() => link.copy()),
     },

@@ -22,11 +22,11 @@ export function captureClip({ name, times, weights }: Capture, face: Object3D): 
       }
     }
   })
-  if (tracks.length === 0) throw withoutBlendshapes(name)
+  if (tracks.length === 0) throw missingBlendshapesError(name)
   return new AnimationClip(name, times[times.length - 1], tracks)
 }
 
-function withoutBlendshapes(name: string): FurrowError {
+function missingBlendshapesError(name: string): FurrowError {
   return new FurrowError({
     code: 'unknown-name',
     who: 'Studio',

@@ -14,7 +14,7 @@ export interface Capture {
 }
 
 /** Maximum file size in bytes, characters per line, and frames (over half an hour at 60 fps). */
-const MOST = { bytes: 128 * 2 ** 20, line: 65_536, frames: 120_000 } as const
+const MAX = { bytes: 128 * 2 ** 20, line: 65_536, frames: 120_000 } as const
 const SEPARATORS = [',', ';', '\t'] as const
 /** Rotations of the head and the eyes. Skipped: the app also exports the gaze as blendshapes. */
 const ROTATION = /^(Head|LeftEye|RightEye)(Yaw|Pitch|Roll)$/i
@@ -28,22 +28,22 @@ const ROTATION = /^(Head|LeftEye|RightEye)(Yaw|Pitch|Roll)$/i
  * Rejects with a FurrowError if the file has another format or contains an invalid number.
  */
 export async function readLiveLinkFace(file: File): Promise<Capture> {
-  if (file.size > MOST.bytes) {
-    throw unusable(
+  if (file.size > MAX.bytes) {
+    throw unusableError(
       file,
       'it is too large',
       `${Math.ceil(file.size / 2 ** 20)} MB`,
-      `${MOST.bytes / 2 ** 20} MB`,
+      `${MAX.bytes / 2 ** 20} MB`,
     )
   }
   let table: Table | null = null
-  for await (const line of linesOf(file, MOST.line)) {
-    if (line.length >= MOST.line) throw notLiveLink(file)
+  for await (const line of linesOf(file, MAX.line)) {
+    if (line.length >= MAX.line) throw notLiveLinkError(file)
     if (line.trim() === '') continue
     if (table) table.add(line)
     else table = new Table(file, line)
   }
-  if (!table) throw notLiveLink(file)
+  if (!table) throw notLiveLinkError(file)
   return table.finish()
 }
 
@@ -66,23 +66,23 @@ class Table {
     const count = (separator: string) => header.split(separator).length
     const [separator] = SEPARATORS.toSorted((a, b) => count(b) - count(a))
     this.#separator = separator
-    this.#names = header.split(separator).map(plain)
+    this.#names = header.split(separator).map(unquote)
     this.#timecode = this.#names.findIndex((name) => /^timecode$/i.test(name))
-    const isOther = (name: string) => name === '' || /^(timecode|blendshapecount)$/i.test(name)
-    if (!this.#names.some((name) => name !== '' && isOther(name))) throw notLiveLink(file)
+    const isMetadata = (name: string) => name === '' || /^(timecode|blendshapecount)$/i.test(name)
+    if (!this.#names.some((name) => name !== '' && isMetadata(name))) throw notLiveLinkError(file)
     this.#columns = this.#names.flatMap((name, index) =>
-      isOther(name) || ROTATION.test(name) ? [] : [{ name, index, values: [] }],
+      isMetadata(name) || ROTATION.test(name) ? [] : [{ name, index, values: [] }],
     )
-    if (this.#columns.length === 0) throw unusable(file, 'it has no blendshapes')
+    if (this.#columns.length === 0) throw unusableError(file, 'it has no blendshapes')
   }
 
   /** Adds a row. Throws FurrowError if it is invalid. */
   add(line: string): void {
     this.#rows++
-    if (this.#short !== null) throw this.#wrong(this.#short, 'cells are missing')
-    if (this.#rows > MOST.frames)
-      throw unusable(this.#file, 'it is too long', undefined, `${MOST.frames} frames`)
-    const cells = line.split(this.#separator).map(plain)
+    if (this.#short !== null) throw this.#rowError(this.#short, 'cells are missing')
+    if (this.#rows > MAX.frames)
+      throw unusableError(this.#file, 'it is too long', undefined, `${MAX.frames} frames`)
+    const cells = line.split(this.#separator).map(unquote)
     if (cells.length < this.#names.length) {
       this.#short = this.#rows
       return
@@ -99,7 +99,7 @@ class Table {
     for (const [i, moment] of moments.entries()) {
       if (i === 0 || moment > moments[kept.at(-1)!]) kept.push(i)
     }
-    if (kept.length < 2) throw unusable(this.#file, 'it has no motion', kept.length, '2 frames or more')
+    if (kept.length < 2) throw unusableError(this.#file, 'it has no motion', kept.length, '2 frames or more')
     const weights = this.#columns.flatMap(({ name, values }): [string, Float32Array][] => {
       if (values.every(Number.isNaN)) return []
       const filled = fillGaps(values, 0)
@@ -119,7 +119,7 @@ class Table {
     const text = cells[this.#timecode]
     if (/^\d*$/.test(text)) return null
     const timecode = parseTimecode(text)
-    if (!timecode) throw this.#wrong(this.#rows, 'its timecode', text, 'HH:MM:SS:FF')
+    if (!timecode) throw this.#rowError(this.#rows, 'its timecode', text, 'HH:MM:SS:FF')
     return timecode
   }
 
@@ -128,29 +128,29 @@ class Table {
     if (cell === '') return null
     const text = this.#separator === ',' ? cell : cell.replace(',', '.')
     const value = Number(text)
-    if (!Number.isFinite(value)) throw this.#wrong(this.#rows, name, cell, 'a number')
+    if (!Number.isFinite(value)) throw this.#rowError(this.#rows, name, cell, 'a number')
     return Math.min(Math.max(value, 0), 1)
   }
 
-  #wrong(row: number, what: string, value?: string, limit?: string): FurrowError {
-    return unusable(this.#file, `frame ${row}, ${what}`, value?.slice(0, 40), limit)
+  #rowError(row: number, problem: string, value?: string, limit?: string): FurrowError {
+    return unusableError(this.#file, `frame ${row}, ${problem}`, value?.slice(0, 40), limit)
   }
 }
 
 /** Strips whitespace and quotes from a cell. */
-function plain(cell: string): string {
+function unquote(cell: string): string {
   return cell.trim().replace(/^"(.*)"$/, '$1')
 }
 
-function notLiveLink(file: File): FurrowError {
-  return unusable(file, 'its first row has no Timecode', undefined, 'a CSV of Live Link Face')
+function notLiveLinkError(file: File): FurrowError {
+  return unusableError(file, 'its first row has no Timecode', undefined, 'a CSV of Live Link Face')
 }
 
-function unusable(file: File, what: string, value?: unknown, limit?: string): FurrowError {
+function unusableError(file: File, problem: string, value?: unknown, limit?: string): FurrowError {
   return new FurrowError({
     code: 'unreadable',
     who: 'Studio',
-    problem: `${file.name} cannot be played: ${what}`,
+    problem: `${file.name} cannot be played: ${problem}`,
     value,
     limit,
     remedy: 'export the take from Live Link Face again, as CSV',

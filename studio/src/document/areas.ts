@@ -1,11 +1,11 @@
 import { type Combine, FurrowError, type GrayImage } from 'furrow'
 import { MAX_AREAS } from 'furrow/internal'
 import type { StudioArea, StudioDocument } from './document.ts'
-import { driversOfNewArea, onOtherSide, renameInDrivers, withoutArea } from './drivers.ts'
-import { changed, checkCount, checkNewName, freeName, named, withNamed } from './names.ts'
+import { copyDrivers, mirrorDriver, removeFromDrivers, renameInDrivers } from './drivers.ts'
+import { changed, checkCount, checkNewName, findNamed, freeName, replaceNamed } from './names.ts'
 import { checkRange } from './ranges.ts'
 import { otherSide } from './sides.ts'
-import { renameInShapes, withoutShapes } from './stroke-areas.ts'
+import { removeShapes, renameInShapes } from './stroke-areas.ts'
 import { edited } from './strokes.ts'
 
 /** Area fields that are set without further changes. */
@@ -14,7 +14,7 @@ export type AreaFields = Partial<Pick<StudioArea, 'layer' | 'combine' | 'activat
 /** @throws FurrowError if the name is taken, the layer is unknown, the weights have another size, or there are 256 areas. */
 export function addArea(document: StudioDocument, area: StudioArea): StudioDocument {
   checkNewName(document.areas, area.name, 'area')
-  named(document.layers, area.layer, 'layer')
+  findNamed(document.layers, area.layer, 'layer')
   checkSize(document, area.weights)
   checkCount(document.areas, MAX_AREAS, 'area')
   return { ...document, areas: [...document.areas, area] }
@@ -30,12 +30,12 @@ export function addEmptyArea(document: StudioDocument, name: string): StudioDocu
 
 /** Removes an area and the drivers that activate it. Drivers that read the area lose that input. */
 export function removeArea(document: StudioDocument, name: string): StudioDocument {
-  named(document.areas, name, 'area')
+  findNamed(document.areas, name, 'area')
   return {
     ...document,
     areas: document.areas.filter((area) => area.name !== name),
-    drivers: withoutArea(document.drivers, name),
-    ...withoutShapes(document, name),
+    drivers: removeFromDrivers(document.drivers, name),
+    ...removeShapes(document, name),
   }
 }
 
@@ -46,7 +46,7 @@ export function renameArea(document: StudioDocument, name: string, newName: stri
   return {
     ...document,
     // A renamed area is no longer automatic: `remake` finds automatic areas by name.
-    areas: withNamed(document.areas, name, 'area', ({ isAutomatic: _, ...area }) => ({
+    areas: replaceNamed(document.areas, name, 'area', ({ isAutomatic: _, ...area }) => ({
       ...area,
       name: newName,
     })),
@@ -61,9 +61,9 @@ export function renameArea(document: StudioDocument, name: string, newName: stri
 /** Copies an area and the drivers that activate it, under a free name. */
 export function duplicateArea(document: StudioDocument, name: string): StudioDocument {
   const copy = freeName(document.areas, name)
-  const { isAutomatic: _, ...area } = named(document.areas, name, 'area')
+  const { isAutomatic: _, ...area } = findNamed(document.areas, name, 'area')
   const added = addArea(document, { ...area, name: copy })
-  return { ...added, drivers: [...document.drivers, ...driversOfNewArea(document.drivers, name, copy)] }
+  return { ...added, drivers: [...document.drivers, ...copyDrivers(document.drivers, name, copy)] }
 }
 
 /**
@@ -75,9 +75,9 @@ export function duplicateArea(document: StudioDocument, name: string): StudioDoc
 export function mirrorArea(document: StudioDocument, name: string, weights: GrayImage): StudioDocument {
   const other = mirroredName(document, name)
   if (document.areas.some((area) => area.name === other)) return paintArea(document, other, weights)
-  const { isAutomatic: _, ...area } = named(document.areas, name, 'area')
+  const { isAutomatic: _, ...area } = findNamed(document.areas, name, 'area')
   const added = addArea(document, { ...area, name: other, weights })
-  const drivers = driversOfNewArea(document.drivers, name, other).map(onOtherSide)
+  const drivers = copyDrivers(document.drivers, name, other).map(mirrorDriver)
   return { ...added, drivers: [...document.drivers, ...drivers] }
 }
 
@@ -89,16 +89,19 @@ export function mirroredName({ areas }: StudioDocument, name: string): string {
 
 /** @throws FurrowError if the layer is unknown or the activation is outside 0..1. */
 export function setArea(document: StudioDocument, name: string, fields: AreaFields): StudioDocument {
-  if (fields.layer !== undefined) named(document.layers, fields.layer, 'layer')
+  if (fields.layer !== undefined) findNamed(document.layers, fields.layer, 'layer')
   checkRange(`activation of ${name} at rest`, fields.activation, 0, 1)
-  return { ...document, areas: withNamed(document.areas, name, 'area', (area) => ({ ...area, ...fields })) }
+  return {
+    ...document,
+    areas: replaceNamed(document.areas, name, 'area', (area) => ({ ...area, ...fields })),
+  }
 }
 
 /** Replaces the weights of an area with painted ones. The area is then no longer automatic. */
 export function paintArea(document: StudioDocument, name: string, weights: GrayImage): StudioDocument {
   checkSize(document, weights)
   const paint = ({ isAutomatic: _, ...area }: StudioArea) => ({ ...area, weights })
-  return { ...document, areas: withNamed(document.areas, name, 'area', paint) }
+  return { ...document, areas: replaceNamed(document.areas, name, 'area', paint) }
 }
 
 function checkSize({ areaSize }: StudioDocument, { width, height }: GrayImage): void {

@@ -80,7 +80,7 @@ export function remake(document: StudioDocument, made: StudioDocument): StudioDo
     ...(document.furrows && { furrows: document.furrows }),
     ...(document.shapes && { shapes: document.shapes }),
     ...shapesOf(document, keptNames),
-    areas: withOldLayers(areas, document, strokes),
+    areas: restoreLayers(areas, document, strokes),
     strokes,
     layers: joinedLayers(document, made, areas, strokes),
     drivers: [
@@ -94,7 +94,7 @@ export function remake(document: StudioDocument, made: StudioDocument): StudioDo
 }
 
 /** Returns the number of layers available to automatic wrinkles, beside an artist's own. Throws FurrowError if there is none. */
-export function layersLeft(document: StudioDocument | null): number {
+export function maxAutoLayers(document: StudioDocument | null): number {
   const own = (document?.layers ?? []).filter(({ name }) => !AUTOMATIC_LAYER.test(name)).length
   if (own < MAX_LAYERS) return MAX_LAYERS - own
   throw new FurrowError({
@@ -108,20 +108,20 @@ export function layersLeft(document: StudioDocument | null): number {
 }
 
 /** Moves automatic areas to the layer of their kept lines. */
-function withOldLayers(
+function restoreLayers(
   areas: readonly StudioArea[],
   document: StudioDocument,
   strokes: readonly LayerStroke[],
 ): StudioArea[] {
   const staying = new Set<LayerStroke>(document.strokes)
   return areas.map((area) => {
-    const line = strokes.find((stroke) => staying.has(stroke) && isOf(stroke, area.name))
+    const line = strokes.find((stroke) => staying.has(stroke) && isInGroupOf(stroke, area.name))
     return line && area.isAutomatic ? { ...area, layer: line.layer } : area
   })
 }
 
 /** Left and right areas can share one group without a side. */
-function isOf({ group }: LayerStroke, area: string): boolean {
+function isInGroupOf({ group }: LayerStroke, area: string): boolean {
   return group === area || group === area.replace(/(Left|Right)$/, '')
 }
 
@@ -138,12 +138,12 @@ function joinedLayers(
   strokes: readonly LayerStroke[],
 ): StudioLayer[] {
   const used = new Set([...areas, ...strokes].map(({ layer }) => layer))
-  const isAsStrong = document.auto?.strength === made.auto?.strength
+  const hasSameStrength = document.auto?.strength === made.auto?.strength
   const old = document.layers
     .filter((layer) => used.has(layer.name) || hasOwnMaps(layer))
     .map((layer) => {
       const other = made.layers.find(({ name }) => name === layer.name)
-      return other ? withBloodOf(other, layer, isAsStrong) : layer
+      return other ? copyBlood(other, layer, hasSameStrength) : layer
     })
   const names = new Set(old.map(({ name }) => name))
   return [...old, ...made.layers.filter(({ name }) => !names.has(name) && used.has(name))].slice(
@@ -152,17 +152,17 @@ function joinedLayers(
   )
 }
 
-/** Copies blood to a layer that has no blood map of its own. @param isAsStrong keeps the layer's amplitude. */
-function withBloodOf(
+/** Copies blood to a layer that has no blood map of its own. @param hasSameStrength keeps the layer's amplitude. */
+function copyBlood(
   { maps: { blood }, bloodAmplitude }: StudioLayer,
   layer: StudioLayer,
-  isAsStrong: boolean,
+  hasSameStrength: boolean,
 ): StudioLayer {
   if (!blood || (layer.maps.blood && !layer.isBloodAutomatic)) return layer
   return {
     ...layer,
     maps: { ...layer.maps, blood },
-    bloodAmplitude: (isAsStrong ? layer.bloodAmplitude : undefined) ?? bloodAmplitude!,
+    bloodAmplitude: (hasSameStrength ? layer.bloodAmplitude : undefined) ?? bloodAmplitude!,
     isBloodAutomatic: true,
   }
 }

@@ -93,12 +93,12 @@ function faultOfMorph(
   )
   if (index < 0 || rule === 'max') return null
   const [a, b] = (drivers[index] as ConflictDriver).targets
-  const isNeverMet = rule === 'min' || rule === 'product'
+  const isUnreachable = rule === 'min' || rule === 'product'
   return {
-    text: isNeverMet
+    text: isUnreachable
       ? `${a} and ${b} cancel each other, and this driver needs both: it never shows.`
       : `${a} and ${b} cancel each other: raised together, they show less here than alone.`,
-    remedy: isNeverMet
+    remedy: isUnreachable
       ? 'Remove the conflict, or one of the two here.'
       : 'Remove the conflict if both are wanted.',
     removes: index,

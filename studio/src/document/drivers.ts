@@ -8,7 +8,7 @@ import {
 } from 'furrow'
 import { canonicalTargetName } from 'furrow/internal'
 import type { StudioDocument } from './document.ts'
-import { changed, kept, named } from './names.ts'
+import { changed, findNamed, kept } from './names.ts'
 import { otherSide } from './sides.ts'
 
 /** Weights up to this value count as unset. */
@@ -26,10 +26,10 @@ export function recordPose(
   area: string,
   weights: ReadonlyMap<string, number>,
 ): StudioDocument {
-  named(document.areas, area, 'area')
+  findNamed(document.areas, area, 'area')
   const isSet = ([, weight]: readonly [string, number]) => Math.abs(weight) > UNSET
-  const set = [...afterConflicts(document.drivers, weights)].filter(isSet)
-  if (set.length === 0 && [...weights].some(isSet)) throw cancelled([...weights].filter(isSet))
+  const set = [...applyConflicts(document.drivers, weights)].filter(isSet)
+  if (set.length === 0 && [...weights].some(isSet)) throw cancelledError([...weights].filter(isSet))
   const others = document.drivers.filter((driver) => driver.type !== 'morph' || areaOf(driver) !== area)
   if (set.length === 0) return { ...document, drivers: others }
   // Least squares of one equation: the shortest vector of link weights with sum(link * weight) = 1.
@@ -39,7 +39,7 @@ export function recordPose(
 }
 
 /** Applies conflicts: two blendshapes that cancel each other keep their difference. */
-function afterConflicts(
+function applyConflicts(
   drivers: readonly WrinkleDriver[],
   weights: ReadonlyMap<string, number>,
 ): Map<string, number> {
@@ -53,7 +53,7 @@ function afterConflicts(
   return left
 }
 
-function cancelled(set: readonly (readonly [string, number])[]): FurrowError {
+function cancelledError(set: readonly (readonly [string, number])[]): FurrowError {
   return new FurrowError({
     who: 'Studio',
     problem: 'the blendshapes that are set cancel each other',
@@ -92,23 +92,23 @@ export function renameInDrivers(
   newName: string,
 ): readonly WrinkleDriver[] {
   const rename = (area: string) => (area === name ? newName : area)
-  return changed(drivers, (driver) => withAreas(driver, (area) => [rename(area)]))
+  return changed(drivers, (driver) => mapAreas(driver, (area) => [rename(area)]))
 }
 
 /** Removes an area from drivers, and the drivers that activate it. A muscle stays and moves the skin. */
-export function withoutArea(drivers: readonly WrinkleDriver[], name: string): readonly WrinkleDriver[] {
+export function removeFromDrivers(drivers: readonly WrinkleDriver[], name: string): readonly WrinkleDriver[] {
   const free = changed(drivers, (driver) => {
     if (driver.type !== 'muscle' || areaOf(driver) !== name) return driver
     const { area, ...muscle } = driver as MuscleDriver
     return muscle
   })
   const others = kept(free, (driver) => areaOf(driver) !== name)
-  const unread = changed(others, (driver) => withAreas(driver, (area) => (area === name ? [] : [area])))
+  const unread = changed(others, (driver) => mapAreas(driver, (area) => (area === name ? [] : [area])))
   return kept(unread, (driver) => driver.type !== 'area' || (driver as { areas: Link[] }).areas.length > 0)
 }
 
 /** Copies an area's drivers for another area. */
-export function driversOfNewArea(
+export function copyDrivers(
   drivers: readonly WrinkleDriver[],
   name: string,
   newName: string,
@@ -123,7 +123,7 @@ export function driversOfNewArea(
 }
 
 /** Makes a blendshape driver read the blendshapes of the other side. */
-export function onOtherSide(driver: WrinkleDriver): WrinkleDriver {
+export function mirrorDriver(driver: WrinkleDriver): WrinkleDriver {
   if (driver.type !== 'morph') return driver
   const { targets } = driver as WrinkleDriver & { targets: Link[] }
   return {
@@ -136,7 +136,7 @@ export function onOtherSide(driver: WrinkleDriver): WrinkleDriver {
  * Maps every area that a driver names: the activated one, inputs, and activations of an expression. Returns the same driver if
  * nothing changes.
  */
-function withAreas(driver: WrinkleDriver, map: (area: string) => string[]): WrinkleDriver {
+function mapAreas(driver: WrinkleDriver, map: (area: string) => string[]): WrinkleDriver {
   const fields: Record<string, unknown> = { ...driver }
   if (typeof fields.area === 'string') fields.area = map(fields.area)[0] ?? fields.area
   if (driver.type === 'area') {

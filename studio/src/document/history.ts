@@ -1,9 +1,9 @@
 import type { StudioDocument } from './document.ts'
 
 /** Number of steps kept regardless of size, maximum number of steps, and bytes allowed for the additional ones. */
-const LEAST_STEPS = 200
-const MOST_STEPS = 2000
-const BYTES = 64 * 2 ** 20
+const MIN_STEPS = 200
+const MAX_STEPS = 2000
+const MAX_BYTES = 64 * 2 ** 20
 
 interface Step {
   /** Action name, shown in the undo tooltip. */
@@ -80,7 +80,7 @@ export class History {
 
   #trim(): void {
     let bytes = this.#done.reduce((sum, step) => sum + step.bytes, 0)
-    while (this.#done.length > MOST_STEPS || (this.#done.length > LEAST_STEPS && bytes > BYTES)) {
+    while (this.#done.length > MAX_STEPS || (this.#done.length > MIN_STEPS && bytes > MAX_BYTES)) {
       bytes -= this.#done.shift()!.bytes
     }
   }

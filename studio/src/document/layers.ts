@@ -7,7 +7,7 @@ import {
   type StudioDocument,
   type StudioLayer,
 } from './document.ts'
-import { changed, checkCount, checkNewName, kept, named, withNamed } from './names.ts'
+import { changed, checkCount, checkNewName, findNamed, kept, replaceNamed } from './names.ts'
 import { checkRange } from './ranges.ts'
 
 /** Maximum scale and amplitude in files. */
@@ -27,7 +27,7 @@ export function addLayer(document: StudioDocument, name: string): StudioDocument
 
 /** Removes a layer with its strokes and furrows. Throws FurrowError if areas still use it. */
 export function removeLayer(document: StudioDocument, name: string): StudioDocument {
-  named(document.layers, name, 'layer')
+  findNamed(document.layers, name, 'layer')
   const shown = document.areas.filter(({ layer }) => layer === name)
   if (shown.length > 0 || document.layers.length === 1) {
     throw new FurrowError({
@@ -54,7 +54,7 @@ export function renameLayer(document: StudioDocument, name: string, newName: str
     item.layer === name ? { ...item, layer: newName } : item
   return {
     ...document,
-    layers: withNamed(document.layers, name, 'layer', (layer) => ({ ...layer, name: newName })),
+    layers: replaceNamed(document.layers, name, 'layer', (layer) => ({ ...layer, name: newName })),
     areas: changed(document.areas, rename),
     strokes: changed(document.strokes, rename),
     ...(document.furrows?.layer === name && { furrows: { ...document.furrows, layer: newName } }),
@@ -63,7 +63,7 @@ export function renameLayer(document: StudioDocument, name: string, newName: str
 
 /** Moves a layer to another index. The order matters only in files and lists: layers do not cover each other. */
 export function moveLayer(document: StudioDocument, name: string, index: number): StudioDocument {
-  const layer = named(document.layers, name, 'layer')
+  const layer = findNamed(document.layers, name, 'layer')
   const others = document.layers.filter((each) => each !== layer)
   return { ...document, layers: [...others.slice(0, index), layer, ...others.slice(index)] }
 }
@@ -76,7 +76,7 @@ export function setLayer(document: StudioDocument, name: string, fields: LayerFi
   checkRange(`amplitude of the blood of ${name}`, fields.bloodAmplitude, 0, MAX_BLOOD_AMPLITUDE)
   return {
     ...document,
-    layers: withNamed(document.layers, name, 'layer', (layer) => ({ ...layer, ...fields })),
+    layers: replaceNamed(document.layers, name, 'layer', (layer) => ({ ...layer, ...fields })),
   }
 }
 
@@ -93,5 +93,5 @@ export function setMap(
     if (!image) delete maps[map]
     return { ...others, maps, ...(isBloodAutomatic && map !== 'blood' && { isBloodAutomatic }) }
   }
-  return { ...document, layers: withNamed(document.layers, name, 'layer', change) }
+  return { ...document, layers: replaceNamed(document.layers, name, 'layer', change) }
 }

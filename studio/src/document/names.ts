@@ -7,7 +7,7 @@ interface Named {
 }
 
 /** Finds an item by name. Throws FurrowError if the name is unknown. */
-export function named<T extends Named>(items: readonly T[], name: string, kind: string): T {
+export function findNamed<T extends Named>(items: readonly T[], name: string, kind: string): T {
   const item = items.find((each) => each.name === name)
   if (item) return item
   throw new FurrowError({
@@ -32,13 +32,13 @@ export function kept<T>(items: readonly T[], test: (item: T) => boolean): readon
 }
 
 /** Replaces the item with this name. */
-export function withNamed<T extends Named>(
+export function replaceNamed<T extends Named>(
   items: readonly T[],
   name: string,
   kind: string,
   change: (item: T) => T,
 ): T[] {
-  const old = named(items, name, kind)
+  const old = findNamed(items, name, kind)
   return items.map((item) => (item === old ? change(item) : item))
 }
 
@@ -81,13 +81,13 @@ export function freeName(items: readonly Named[], name: string): string {
   if (!isTaken(name)) return name
   const stem = name.replace(/ \d+$/, '')
   for (let i = 2; ; i++) {
-    const candidate = withNumber(stem, i)
+    const candidate = appendNumber(stem, i)
     if (!isTaken(candidate)) return candidate
   }
 }
 
 /** Shortens the stem to stay within the longest allowed name. */
-function withNumber(stem: string, number: number): string {
+function appendNumber(stem: string, number: number): string {
   const end = ` ${number}`
   return [...stem].slice(0, LONGEST_NAME - end.length).join('') + end
 }

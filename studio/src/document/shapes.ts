@@ -16,16 +16,16 @@ export function correctShape(document: StudioDocument, correction: ShapeCorrecti
 /** Removes matching corrections. */
 export function removeCorrections(
   document: StudioDocument,
-  isOne: (correction: ShapeCorrection) => boolean,
+  matches: (correction: ShapeCorrection) => boolean,
 ): StudioDocument {
   const { shapes = [], ...others } = document
-  const left = shapes.filter((correction) => !isOne(correction))
+  const left = shapes.filter((correction) => !matches(correction))
   if (left.length === shapes.length) return document
   return left.length === 0 ? others : { ...others, shapes: left }
 }
 
 /** Whether the corrections changed after the automatic wrinkles were made. */
-export function areWrinklesOutdated({ shapes = [], auto }: Pick<StudioDocument, 'shapes' | 'auto'>): boolean {
+export function hasOutdatedWrinkles({ shapes = [], auto }: Pick<StudioDocument, 'shapes' | 'auto'>): boolean {
   const made = auto?.shapes ?? []
   const isMade = (correction: ShapeCorrection) => made.some((other) => isSame(other, correction))
   return auto !== undefined && (made.length !== shapes.length || !shapes.every(isMade))

@@ -20,15 +20,15 @@ export function renameInShapes({ strokeAreas }: StudioDocument, name: string, ne
 }
 
 /** Removes the shapes of one area. */
-export function withoutShapes(document: StudioDocument, name: string): Shapes {
-  return shapesWhere(document, (area) => area !== name)
+export function removeShapes(document: StudioDocument, name: string): Shapes {
+  return filterShapes(document, (area) => area !== name)
 }
 
 /** Keeps the shapes of the named areas. */
 export function shapesOf(document: StudioDocument, names: ReadonlySet<string>): Shapes {
-  return shapesWhere(document, (area) => names.has(area))
+  return filterShapes(document, (area) => names.has(area))
 }
 
-function shapesWhere({ strokeAreas }: StudioDocument, isKept: (area: string) => boolean): Shapes {
+function filterShapes({ strokeAreas }: StudioDocument, isKept: (area: string) => boolean): Shapes {
   return strokeAreas ? { strokeAreas: kept(strokeAreas, ({ name }) => isKept(name)) as AreaDefinition[] } : {}
 }

@@ -1,9 +1,9 @@
 import type { LayerStroke, StudioDocument } from './document.ts'
-import { named } from './names.ts'
+import { findNamed } from './names.ts'
 
 /** Adds a stroke at the end. Throws FurrowError when its layer is unknown. */
 export function addStroke(document: StudioDocument, stroke: LayerStroke): StudioDocument {
-  named(document.layers, stroke.layer, 'layer')
+  findNamed(document.layers, stroke.layer, 'layer')
   return { ...document, strokes: [...document.strokes, stroke] }
 }
 

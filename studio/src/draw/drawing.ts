@@ -4,7 +4,7 @@ import type { HeightMap, Stroke } from 'furrow/author'
 import type { Bounds } from 'furrow/internal'
 import type { LayerStroke } from '../document/document.ts'
 import type { DrawnMaps } from '../document/drawn-maps.ts'
-import { endOf } from '../workers/life.ts'
+import { deathOf } from '../workers/life.ts'
 import { changesOf } from './changes.ts'
 import { pasteRect } from './copy-rect.ts'
 import type { DrawingService, DrawingSurface } from './messages.ts'
@@ -27,7 +27,7 @@ export class Drawing {
 
   constructor() {
     this.#worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
-    this.#end = endOf(this.#worker, died, this.#disposed.signal)
+    this.#end = deathOf(this.#worker, workerError, this.#disposed.signal)
     this.#service = wrap<DrawingService>(this.#worker)
   }
 
@@ -40,7 +40,7 @@ export class Drawing {
   async begin(surface: DrawingSurface): Promise<void> {
     this.#surface = surface
     this.#sheets.clear()
-    await this.#ask((service) => service.begin(surface))
+    await this.#call((service) => service.begin(surface))
   }
 
   /** Returns the maps of a layer, which `draw` updates in place. Undefined before the first draw. */
@@ -59,7 +59,7 @@ export class Drawing {
     const sheet = known?.base === base ? known : await this.#addLayer(layer, base)
     const before = sheet.strokes
     sheet.strokes = strokes
-    const patches = await this.#ask((service) => service.draw(layer, changesOf(before, strokes)))
+    const patches = await this.#call((service) => service.draw(layer, changesOf(before, strokes)))
     for (const { bounds, normal, occlusion } of patches) {
       pasteRect(sheet.maps.normal, bounds, 4, normal)
       pasteRect(sheet.maps.occlusion, bounds, 1, occlusion)
@@ -71,7 +71,7 @@ export class Drawing {
   async adopt(layer: string, strokes: readonly Stroke[], maps: DrawnMaps): Promise<void> {
     this.#sheets.set(layer, { maps, strokes, base: null })
     // Sent together, so that later calls run after both.
-    await this.#ask((service) =>
+    await this.#call((service) =>
       Promise.all([service.addLayer(layer, null), service.draw(layer, [...strokes])]),
     )
   }
@@ -81,7 +81,7 @@ export class Drawing {
     const index = stroke ? (this.#sheets.get(stroke.layer)?.strokes.indexOf(stroke) ?? -1) : -1
     if (stroke && index < 0) return
     const known = stroke && { layer: stroke.layer, index }
-    await this.#ask((service) => service.prepare(known))
+    await this.#call((service) => service.prepare(known))
   }
 
   /** Returns the heights of a layer's strokes. Undefined before the first draw. */
@@ -89,7 +89,7 @@ export class Drawing {
     const maps = this.mapsOf(layer)
     if (!maps) return undefined
     const { width, height } = maps.normal
-    return { width, height, data: await this.#ask((service) => service.heights(layer)) }
+    return { width, height, data: await this.#call((service) => service.heights(layer)) }
   }
 
   dispose(): void {
@@ -97,20 +97,20 @@ export class Drawing {
     this.#worker.terminate()
   }
 
-  #ask<T>(question: (service: Remote<DrawingService>) => Promise<T>): Promise<T> {
-    return Promise.race([question(this.#service), this.#end])
+  #call<T>(call: (service: Remote<DrawingService>) => Promise<T>): Promise<T> {
+    return Promise.race([call(this.#service), this.#end])
   }
 
   async #addLayer(layer: string, base: RgbaImage | null): Promise<Sheet> {
     const { size } = this.#surface!
     const sheet: Sheet = { maps: flatMaps(size, base), strokes: [], base }
     this.#sheets.set(layer, sheet)
-    await this.#ask((service) => service.addLayer(layer, base))
+    await this.#call((service) => service.addLayer(layer, base))
     return sheet
   }
 }
 
-function died(reason: string | undefined): FurrowError {
+function workerError(reason: string | undefined): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who: 'Studio',

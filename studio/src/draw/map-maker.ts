@@ -131,15 +131,15 @@ export class MapMaker {
     strokes: readonly LayerStroke[],
   ): Promise<LayerMaps> {
     const own = await decoded(layer)
-    if (strokes.length === 0 && hasNormals(own)) return withFittingBlood(own, this.#size)
+    if (strokes.length === 0 && hasNormals(own)) return fitBlood(own, this.#size)
     const changes = await drawing.draw(layer.name, strokes, own.normal ?? null)
-    const maps = this.#withOthers(drawing.mapsOf(layer.name)!, own)
+    const maps = this.#combine(drawing.mapsOf(layer.name)!, own)
     if (changes?.length) this.#changes.set(maps, [...(this.#changes.get(maps) ?? []), ...changes])
     return maps
   }
 
   /** Adds the layer's other maps to the drawn ones. Returns the same object while the maps are the same. */
-  #withOthers(drawn: DrawnMaps, { baseColor, roughness, blood }: OwnMaps): LayerMaps {
+  #combine(drawn: DrawnMaps, { baseColor, roughness, blood }: OwnMaps): LayerMaps {
     if (!baseColor && !roughness && !blood) return drawn
     const fitting = blood && scaledBlood(blood, drawn.occlusion.width)
     const known = this.#combined.get(drawn)
@@ -178,7 +178,7 @@ function scaledBlood(blood: GrayImage, size: number): GrayImage {
 const fittingMaps = new WeakMap<LayerMaps, LayerMaps>()
 
 /** Scales the blood map of a layer without strokes. @param size side of drawn maps, texels. */
-function withFittingBlood(own: LayerMaps, size: number): LayerMaps {
+function fitBlood(own: LayerMaps, size: number): LayerMaps {
   if (!own.blood) return own
   const blood = scaledBlood(own.blood, own.occlusion?.width ?? size)
   const known = fittingMaps.get(own)

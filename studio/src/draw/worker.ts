@@ -3,7 +3,7 @@
 import { expose, transfer } from 'comlink'
 import { type SkinCanvas, type Stroke, StrokeLayer, skinCanvas } from 'furrow/author'
 import type { Bounds } from 'furrow/internal'
-import { holdLife } from '../workers/life.ts'
+import { holdLifeLock } from '../workers/life.ts'
 import { applyChanges } from './changes.ts'
 import { copyRect } from './copy-rect.ts'
 import type { DrawingService, DrawingSurface, MapPatch } from './messages.ts'
@@ -58,4 +58,4 @@ function patchOf({ normal, occlusion }: StrokeLayer, bounds: Bounds): MapPatch {
 }
 
 expose(service)
-holdLife()
+holdLifeLock()

@@ -43,7 +43,7 @@ export async function bakeSculpt(
     .filter((node) => node.getMesh())
   const usable = nodes.filter((node) => trianglesOf(node.getMesh()!).length > 0)
   const node = usable.find((each) => nameOf(each) === meshName) ?? usable.at(0)
-  if (!node) throw withoutSkin(face.name)
+  if (!node) throw noSkinError(face.name)
   const { mesh } = lowMeshOf(node, face.name, WHO)
   const cage = DEFAULT_CAGE * meshDiagonal(mesh)
   const { normal } = bakeMaps(mesh, raySourceOf(surface), { size, cage }, onProgress)
@@ -54,7 +54,7 @@ async function readDocument(file: FaceFiles) {
   return documentOf(await openFace(file, WHO), file.name, WHO)
 }
 
-function withoutSkin(face: string): FurrowError {
+function noSkinError(face: string): FurrowError {
   return new FurrowError({
     who: WHO,
     problem: `no mesh of ${face} has texture coordinates`,

@@ -11,7 +11,7 @@ import type { ExportedFace, ExportOptions, OnProgress } from './export-document.
 import type { Tasks } from './worker.ts'
 
 /** Progress callback and abort signal of a task. */
-export interface Following {
+export interface TaskOptions {
   onProgress?: OnProgress
   /** Aborting ends the worker. */
   signal?: AbortSignal | undefined
@@ -26,7 +26,7 @@ export function exportDocumentInWorker(
   face: FaceFiles,
   source: DocumentToPack,
   options: ExportOptions = {},
-  { onProgress = () => {}, signal }: Following = {},
+  { onProgress = () => {}, signal }: TaskOptions = {},
 ): Promise<ExportedFace> {
   return run((tasks) => tasks.exportDocument(face, source, options, proxy(onProgress)), signal)
 }
@@ -53,7 +53,7 @@ export function readProjectInWorker({ name, files }: WrinklesFolder): Promise<Re
 export function bakeInWorker(
   sculpt: FaceFiles,
   target: BakeTarget,
-  { onProgress = () => {}, signal }: Following = {},
+  { onProgress = () => {}, signal }: TaskOptions = {},
 ): Promise<Uint8Array> {
   return run((tasks) => tasks.bakeSculpt(sculpt, target, proxy(onProgress)), signal)
 }
@@ -61,10 +61,10 @@ export function bakeInWorker(
 async function run<T>(task: (tasks: Remote<Tasks>) => Promise<T>, signal?: AbortSignal): Promise<T> {
   signal?.throwIfAborted()
   const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
-  return runOnce<Tasks, T>(worker, task, died, signal)
+  return runOnce<Tasks, T>(worker, task, workerError, signal)
 }
 
-function died(message: string | undefined): FurrowError {
+function workerError(message: string | undefined): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who: 'Studio',

@@ -12,7 +12,7 @@ import { strokesDocument } from '../document/stroke-document.ts'
 export function setToPack(source: DocumentToPack, who: string): SetToPack {
   const { document } = source
   const { mesh, material, areaSize, shapes } = document
-  if (document.areas.length === 0) throw withoutAreas(who)
+  if (document.areas.length === 0) throw noAreasError(who)
   const layers = packedLayers(source).map(({ layer, maps, heightAmplitude }) => {
     const { name, kind, normalScale, occlusionStrength, bloodAmplitude } = layer
     const images = Object.entries(maps).map(([map, image]) => [
@@ -54,7 +54,7 @@ function mapToPack(map: LayerMap, path: string): MapToPack {
   return 'bytes' in map ? { path, bytes: map.bytes } : map
 }
 
-function withoutAreas(who: string): FurrowError {
+function noAreasError(who: string): FurrowError {
   return new FurrowError({
     who,
     problem: 'the document has no areas',

@@ -1,6 +1,6 @@
 import { expose, transfer } from 'comlink'
 import { folderFiles } from '../keep/folder-files.ts'
-import { holdLife } from '../workers/life.ts'
+import { holdLifeLock } from '../workers/life.ts'
 import { bakeSculpt } from './bake-sculpt.ts'
 import { exportDocument } from './export-document.ts'
 import { readDocument, readProject } from './read-document.ts'
@@ -27,10 +27,10 @@ const tasks = {
 export type Tasks = typeof tasks
 
 expose(tasks)
-holdLife()
+holdLifeLock()
 
 /** Collects the unique buffers of arrays. Skips arrays that share a larger buffer, because it must not be transferred. */
 function buffersOf(arrays: readonly Uint8Array[]): ArrayBuffer[] {
-  const whole = arrays.filter(({ byteLength, buffer }) => byteLength === buffer.byteLength)
-  return [...new Set(whole.map(({ buffer }) => buffer as ArrayBuffer))]
+  const unshared = arrays.filter(({ byteLength, buffer }) => byteLength === buffer.byteLength)
+  return [...new Set(unshared.map(({ buffer }) => buffer as ArrayBuffer))]
 }

@@ -8,12 +8,12 @@ export interface DroppedFile {
 }
 
 /** Maximum number of listed files, so that a dropped home folder does not block the page. */
-export const MOST_FILES = 5000
+export const MAX_FILES = 5000
 /** Maximum depth of nested folders. */
-const MOST_DEPTH = 32
+const MAX_DEPTH = 32
 
 /** Junk files of systems and programs. Names that begin with a dot are skipped as well. */
-const LEFT_BEHIND = new Set(['__MACOSX', 'Thumbs.db', 'desktop.ini', 'node_modules'])
+const JUNK = new Set(['__MACOSX', 'Thumbs.db', 'desktop.ini', 'node_modules'])
 
 /**
  * Lists the files of a drop or a paste, including the contents of folders.
@@ -50,7 +50,7 @@ export async function bytesOf(blob: Blob, name: string): Promise<Uint8Array<Arra
   try {
     return new Uint8Array(await blob.arrayBuffer())
   } catch (error) {
-    throw notReadable(name, error as Error)
+    throw unreadableError(name, error as Error)
   }
 }
 
@@ -60,13 +60,13 @@ class Listing {
 
   add(path: string, file: File): void {
     if (path.split('/').some(isHidden)) return
-    if (this.list.length === MOST_FILES) throw tooManyFiles('what is dropped at once')
+    if (this.list.length === MAX_FILES) throw tooManyFilesError('what is dropped at once')
     this.list.push({ path, file })
   }
 }
 
 function isHidden(name: string): boolean {
-  return name.startsWith('.') || LEFT_BEHIND.has(name)
+  return name.startsWith('.') || JUNK.has(name)
 }
 
 async function addEntry(
@@ -79,28 +79,28 @@ async function addEntry(
   const path = folder + entry.name
   if (entry.isFile) {
     files.add(path, await fileOf(entry as FileSystemFileEntry))
-  } else if (depth < MOST_DEPTH) {
+  } else if (depth < MAX_DEPTH) {
     const reader = (entry as FileSystemDirectoryEntry).createReader()
     // Browsers return entries in batches of a hundred, and an empty batch at the end.
-    for (let some = await nextEntries(reader); some.length > 0; some = await nextEntries(reader)) {
-      for (const child of some) await addEntry(files, child, `${path}/`, depth + 1)
+    for (let batch = await nextEntries(reader); batch.length > 0; batch = await nextEntries(reader)) {
+      for (const child of batch) await addEntry(files, child, `${path}/`, depth + 1)
     }
   }
 }
 
 function fileOf(entry: FileSystemFileEntry): Promise<File> {
   return new Promise((resolve, reject) =>
-    entry.file(resolve, (error) => reject(notReadable(entry.name, error))),
+    entry.file(resolve, (error) => reject(unreadableError(entry.name, error))),
   )
 }
 
 function nextEntries(reader: FileSystemDirectoryReader): Promise<FileSystemEntry[]> {
   return new Promise((resolve, reject) =>
-    reader.readEntries(resolve, (error) => reject(notReadable('a folder', error))),
+    reader.readEntries(resolve, (error) => reject(unreadableError('a folder', error))),
   )
 }
 
-function notReadable(name: string, { message }: Error): FurrowError {
+function unreadableError(name: string, { message }: Error): FurrowError {
   return new FurrowError({
     code: 'unreadable',
     who: 'Studio',
@@ -111,12 +111,12 @@ function notReadable(name: string, { message }: Error): FurrowError {
 }
 
 /** Returns the error for a folder or an archive with too many files. */
-export function tooManyFiles(name: string): FurrowError {
+export function tooManyFilesError(name: string): FurrowError {
   return new FurrowError({
     code: 'out-of-range',
     who: 'Studio',
     problem: `too many files in ${name}`,
-    limit: `${MOST_FILES.toLocaleString('en')} files`,
+    limit: `${MAX_FILES.toLocaleString('en')} files`,
     remedy: 'drop the folder of the avatar alone',
   })
 }

@@ -17,7 +17,7 @@ const END = 0x06054b50
 const END_64 = 0x06064b50
 const LOCATOR_64 = 0x07064b50
 const END_BYTES = 22
-const LONGEST_COMMENT = 0xffff
+const MAX_COMMENT = 0xffff
 /** Marks a number stored in the zip64 field. */
 const MISSING = 0xffffffff
 
@@ -58,7 +58,7 @@ export async function unpackEntry(bytes: Uint8Array<ArrayBuffer>, entry: ZipEntr
   const packed = bytes.subarray(from, from + size)
   if (packed.length !== size) throw new Error(`${path} is cut off`)
   if (method !== 0 && method !== 8) throw new Error(`${path} is compressed by method ${method}`)
-  const chunks = method === 0 ? [packed] : inflated(packed)
+  const chunks = method === 0 ? [packed] : inflate(packed)
   const parts: Uint8Array<ArrayBuffer>[] = []
   let count = 0
   for await (const chunk of chunks) {
@@ -70,7 +70,7 @@ export async function unpackEntry(bytes: Uint8Array<ArrayBuffer>, entry: ZipEntr
   return new Blob(parts)
 }
 
-async function* inflated(packed: Uint8Array<ArrayBuffer>): AsyncGenerator<Uint8Array<ArrayBuffer>> {
+async function* inflate(packed: Uint8Array<ArrayBuffer>): AsyncGenerator<Uint8Array<ArrayBuffer>> {
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate-raw'))
   const reader = stream.getReader()
   try {
@@ -85,7 +85,7 @@ async function* inflated(packed: Uint8Array<ArrayBuffer>): AsyncGenerator<Uint8A
 /** Finds the central directory and its number of entries. */
 function listOf(view: DataView): { at: number; count: number } {
   const last = view.byteLength - END_BYTES
-  for (let end = last; end >= Math.max(0, last - LONGEST_COMMENT); end--) {
+  for (let end = last; end >= Math.max(0, last - MAX_COMMENT); end--) {
     if (view.getUint32(end, true) !== END) continue
     const [count, at] = [view.getUint16(end + 10, true), view.getUint32(end + 16, true)]
     if (count !== 0xffff && at !== MISSING) return { at, count }

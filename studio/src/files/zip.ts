@@ -1,11 +1,11 @@
 import { Zip, ZipDeflate, ZipPassThrough } from 'fflate'
 import { FurrowError } from 'furrow'
-import { bytesOf, MOST_FILES, tooManyFiles } from './dropped-files.ts'
+import { bytesOf, MAX_FILES, tooManyFilesError } from './dropped-files.ts'
 import type { AvatarFile, FolderFile } from './folder-files.ts'
 import { unpackEntry, type ZipEntry, zipEntries } from './read-zip.ts'
 
 /** Maximum uncompressed bytes of an archive. */
-const MOST_BYTES = 2 ** 30
+const MAX_BYTES = 2 ** 30
 
 /** Text files, which are deflated. Images and faces are already compressed, or too large to compress quickly. */
 const TEXT = /\.(json|gltf)$/i
@@ -33,13 +33,13 @@ export async function zipFolder(files: readonly FolderFile[], name: string): Pro
  * @throws FurrowError if the archive is damaged, is too large, has too many files, or declares a wrong size.
  */
 export async function unzipFolder(file: Blob, name: string): Promise<AvatarFile[]> {
-  if (file.size > MOST_BYTES) throw tooLarge(name)
+  if (file.size > MAX_BYTES) throw tooLargeError(name)
   const bytes = await bytesOf(file, name)
   const files = new Map<string, Blob>()
   try {
     for (const entry of entriesOf(bytes, name)) files.set(entry.path, await unpackEntry(bytes, entry))
   } catch (error) {
-    throw error instanceof FurrowError ? error : damaged(name, error as Error)
+    throw error instanceof FurrowError ? error : damagedError(name, error as Error)
   }
   const root = rootOf([...files.keys()])
   return [...files].map(([path, file]) => ({ path: path.slice(root.length), file }))
@@ -50,10 +50,10 @@ function entriesOf(bytes: Uint8Array, name: string): ZipEntry[] {
   const entries: ZipEntry[] = []
   let total = 0
   for (const entry of zipEntries(bytes)) {
-    if (entry.path.endsWith('/') || isLeftBehind(entry.path)) continue
+    if (entry.path.endsWith('/') || isJunk(entry.path)) continue
     total += entry.length
-    if (total > MOST_BYTES) throw tooLarge(name)
-    if (entries.length === MOST_FILES) throw tooManyFiles(name)
+    if (total > MAX_BYTES) throw tooLargeError(name)
+    if (entries.length === MAX_FILES) throw tooManyFilesError(name)
     entries.push(entry)
   }
   return entries
@@ -66,21 +66,21 @@ function rootOf(paths: readonly string[]): string {
 }
 
 /** Whether a file is junk of an operating system. */
-function isLeftBehind(path: string): boolean {
+function isJunk(path: string): boolean {
   return path.startsWith('__MACOSX/') || /(^|\/)\.[^/]*$/.test(path)
 }
 
-function tooLarge(name: string): FurrowError {
+function tooLargeError(name: string): FurrowError {
   return new FurrowError({
     code: 'out-of-range',
     who: 'Studio',
     problem: `${name} is too large`,
-    limit: `${MOST_BYTES / 2 ** 20} MB unpacked`,
+    limit: `${MAX_BYTES / 2 ** 20} MB unpacked`,
     remedy: 'unpack it, and open the folder',
   })
 }
 
-function damaged(name: string, cause: Error): FurrowError {
+function damagedError(name: string, cause: Error): FurrowError {
   // fflate throws a RangeError for wrong offsets.
   const reason = cause instanceof RangeError ? 'it is cut off or damaged' : cause.message
   const problem = `cannot read ${name} (${reason})`

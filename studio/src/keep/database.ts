@@ -38,7 +38,7 @@ export type WritableTable = (name: Table) => IDBObjectStore
 
 /** Tables with one record per project, and with several. */
 export const SINGLE = ['projects', 'saves', 'documents', 'thumbnails', 'folders'] as const satisfies Table[]
-export const SEVERAL = ['images', 'files'] as const satisfies Table[]
+export const MULTIPLE = ['images', 'files'] as const satisfies Table[]
 
 /** Returns the key range of one project. */
 export function rangeOf(project: string): IDBKeyRange {
@@ -90,7 +90,7 @@ export class Database {
     let transaction: IDBPTransaction<Tables, Table[], 'readwrite'> | undefined
     try {
       const database = this.#opened ?? (await this.open())
-      transaction = database.transaction([...SINGLE, ...SEVERAL], 'readwrite', { durability: 'strict' })
+      transaction = database.transaction([...SINGLE, ...MULTIPLE], 'readwrite', { durability: 'strict' })
       const { done } = transaction
       const tables = unwrap(transaction)
       work((name) => tables.objectStore(name))
@@ -113,7 +113,7 @@ export class Database {
       if (globalThis.indexedDB === undefined) throw new DOMException('', 'SecurityError')
       const database = await openDB<Tables>(this.#name, VERSION, {
         upgrade: (created) => {
-          for (const table of [...SINGLE, ...SEVERAL]) created.createObjectStore(table)
+          for (const table of [...SINGLE, ...MULTIPLE]) created.createObjectStore(table)
         },
         blocking: () => this.close(),
         terminated: () => this.close(),

@@ -37,7 +37,7 @@ export async function projectFolder(
   try {
     return await chosen.getDirectoryHandle(name, { create: true })
   } catch (error) {
-    throw unwritable(chosen.name, (error as Error).message, 'choose another folder')
+    throw unwritableError(chosen.name, (error as Error).message, 'choose another folder')
   }
 }
 
@@ -46,12 +46,12 @@ export async function projectFolder(
  *
  * @throws FurrowError if the user denies it.
  */
-export async function askToWrite(folder: FileSystemDirectoryHandle): Promise<void> {
+export async function requestWriteAccess(folder: FileSystemDirectoryHandle): Promise<void> {
   const { queryPermission, requestPermission } = folder as Directory
   const mode = { mode: 'readwrite' } as const
   if (((await queryPermission?.call(folder, mode)) ?? 'granted') === 'granted') return
   if ((await requestPermission?.call(folder, mode)) === 'granted') return
-  throw unwritable(folder.name, 'permission denied', 'allow it, or save to another folder')
+  throw unwritableError(folder.name, 'permission denied', 'allow it, or save to another folder')
 }
 
 /**
@@ -67,18 +67,18 @@ export async function writeFolder(
 ): Promise<string[]> {
   const changed: string[] = []
   try {
-    const old = await filesOfStudio(folder)
+    const old = await studioImages(folder)
     for (const { path, content } of files) if (await write(folder, path, content)) changed.push(path)
     const paths = new Set(files.map(({ path }) => path))
     for (const path of old) if (!paths.has(path) && (await remove(folder, path))) changed.push(path)
     return changed
   } catch (error) {
-    throw unwritable(folder.name, (error as Error).message, 'save to another folder, or as a file')
+    throw unwritableError(folder.name, (error as Error).message, 'save to another folder, or as a file')
   }
 }
 
 /** Lists images that the studio wrote earlier. */
-async function filesOfStudio(folder: FileSystemDirectoryHandle): Promise<string[]> {
+async function studioImages(folder: FileSystemDirectoryHandle): Promise<string[]> {
   try {
     const file = await (await folder.getFileHandle(STUDIO_FILE)).getFile()
     const { files = [] } = parseStudioFile(JSON.parse(await file.text())).studio
@@ -149,7 +149,7 @@ async function parentOf(folder: FileSystemDirectoryHandle, path: string, create:
   return parent
 }
 
-function unwritable(name: string, reason: string, remedy: string): FurrowError {
+function unwritableError(name: string, reason: string, remedy: string): FurrowError {
   const problem = `cannot write to the folder ${name} (${reason})`
   return new FurrowError({ code: 'unwritable', who: 'Studio', problem, remedy })
 }

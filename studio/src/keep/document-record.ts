@@ -44,7 +44,7 @@ export function documentOf(
   images: ReadonlyMap<number, ImageRecord>,
   name: string,
 ): StudioDocument {
-  if (!record) throw damaged(name, 'it has no document')
+  if (!record) throw damagedError(name, 'it has no document')
   checkVersion(record.version, name)
   try {
     const document = parseStored(record.document)
@@ -60,7 +60,7 @@ export function documentOf(
     }))
     return { ...document, layers, areas }
   } catch (error) {
-    throw damaged(name, error instanceof Missing ? error.message : reasonOf(error), error)
+    throw damagedError(name, error instanceof Missing ? error.message : reasonOf(error), error)
   }
 }
 
@@ -93,7 +93,7 @@ function weightsOf(image: ImageRecord | undefined, area: string, side: number): 
   throw new Missing(`its area ${area} is missing`)
 }
 
-function damaged(name: string, reason: string, cause?: unknown): FurrowError {
+function damagedError(name: string, reason: string, cause?: unknown): FurrowError {
   const problem = `cannot open ${name} (${reason})`
   const remedy = 'open its folder or file, if you saved one'
   return new FurrowError({ code: 'unreadable', who: 'Studio', problem, remedy }, { cause })

@@ -1,10 +1,10 @@
 /** Milliseconds before a project is taken from a tab that does not answer. */
-const PATIENCE = 3000
+const TAKEOVER_TIMEOUT = 3000
 
 /** Exclusive lock of a project. Closing or crashing the tab releases the lock. */
 export interface ProjectLock {
   /** Called when another tab requests the project. That tab takes the lock on release, or after a timeout. */
-  onWanted: () => void
+  onRequested: () => void
   /** Whether this tab holds the lock. */
   readonly isHeld: boolean
   /** Releases the lock. Resolves when another tab can take it. */
@@ -22,7 +22,7 @@ export async function takeLock(id: string): Promise<ProjectLock> {
   channel.postMessage('wanted')
   channel.close()
   try {
-    return (await request(id, { signal: AbortSignal.timeout(PATIENCE) }))!
+    return (await request(id, { signal: AbortSignal.timeout(TAKEOVER_TIMEOUT) }))!
   } catch {
     return (await request(id, { steal: true }))!
   }
@@ -31,7 +31,7 @@ export async function takeLock(id: string): Promise<ProjectLock> {
 async function request(id: string, options: LockOptions): Promise<ProjectLock | undefined> {
   // The Web Locks API needs a secure context.
   if (globalThis.navigator?.locks === undefined) {
-    return { onWanted() {}, isHeld: true, release: async () => {} }
+    return { onRequested() {}, isHeld: true, release: async () => {} }
   }
   return new Promise((resolve, reject) => {
     const hold = (granted: Lock | null) => {
@@ -39,7 +39,7 @@ async function request(id: string, options: LockOptions): Promise<ProjectLock | 
       const channel = new BroadcastChannel(nameOf(id))
       return new Promise<void>((end) => {
         const lock: ProjectLock & { isHeld: boolean } = {
-          onWanted() {},
+          onRequested() {},
           isHeld: true,
           async release() {
             lock.isHeld = false
@@ -48,13 +48,13 @@ async function request(id: string, options: LockOptions): Promise<ProjectLock | 
             await released
           },
         }
-        channel.onmessage = () => lock.onWanted()
+        channel.onmessage = () => lock.onRequested()
         // After its timeout, another tab steals the lock.
         const released: Promise<unknown> = held.catch(() => {
           if (!lock.isHeld) return
           lock.isHeld = false
           channel.close()
-          lock.onWanted()
+          lock.onRequested()
         })
         resolve(lock)
       })

@@ -1,9 +1,9 @@
 import { FurrowError } from 'furrow'
 import type { StudioDocument } from '../document/document.ts'
 import type { AvatarFile } from '../files/folder-files.ts'
-import { Database, type ProjectRecord, rangeOf, SEVERAL, SINGLE } from './database.ts'
+import { Database, MULTIPLE, type ProjectRecord, rangeOf, SINGLE } from './database.ts'
 import { checkVersion, documentOf } from './document-record.ts'
-import { openElsewhere, Project } from './project.ts'
+import { openElsewhereError, Project } from './project.ts'
 import { lockProject, takeLock } from './project-lock.ts'
 
 /** Entry in the list of projects. */
@@ -139,11 +139,11 @@ export class ProjectStore {
   /** @throws FurrowError if a tab has the project open. */
   async delete(id: string): Promise<void> {
     const lock = await lockProject(id)
-    if (!lock) throw openElsewhere('the project', 'close it there first')
+    if (!lock) throw openElsewhereError('the project', 'close it there first')
     try {
       await this.#database.write((table) => {
         for (const name of SINGLE) table(name).delete(id)
-        for (const name of SEVERAL) table(name).delete(rangeOf(id))
+        for (const name of MULTIPLE) table(name).delete(rangeOf(id))
       })
     } finally {
       await lock.release()

@@ -61,8 +61,8 @@ export class Project {
   }
 
   /** Sets the callback for a request of another tab. The callback should close the project. */
-  whenWanted(call: () => void): void {
-    if (this.#lock) this.#lock.onWanted = call
+  onRequested(call: () => void): void {
+    if (this.#lock) this.#lock.onRequested = call
   }
 
   /**
@@ -71,7 +71,7 @@ export class Project {
    * @throws FurrowError if another tab has the project, or if the browser cannot store it.
    */
   async save(document: StudioDocument): Promise<void> {
-    if (this.isReadOnly) throw openElsewhere(this.#name, 'save a copy, or close this tab')
+    if (this.isReadOnly) throw openElsewhereError(this.#name, 'save a copy, or close this tab')
     // A closed connection can mean cleared data, so everything is written again.
     const connection = this.#database.opened ?? (await this.#database.open())
     const stored = this.#stored?.by === connection ? this.#stored.images : undefined
@@ -130,7 +130,7 @@ export class Project {
 }
 
 /** Returns the error for a project that is open in another tab. */
-export function openElsewhere(name: string, remedy: string): FurrowError {
+export function openElsewhereError(name: string, remedy: string): FurrowError {
   const problem = `${name} is open in another tab`
   return new FurrowError({ code: 'unwritable', who: 'Studio', problem, remedy })
 }
@@ -142,12 +142,12 @@ function numbered(images: ReadonlySet<ImageRecord>, stored: Numbers): Map<ImageR
 }
 
 function writeImages(table: IDBObjectStore, id: string, stored: Numbers, images: Numbers): void {
-  for (const [image, number] of images) if (!stored.has(image)) table.put(withOwnBuffer(image), [id, number])
+  for (const [image, number] of images) if (!stored.has(image)) table.put(unshareBuffer(image), [id, number])
   for (const [image, number] of stored) if (!images.has(image)) table.delete([id, number])
 }
 
 /** Copies the bytes out of a larger buffer, because IndexedDB would store the entire buffer. */
-function withOwnBuffer(image: ImageRecord): ImageRecord {
+function unshareBuffer(image: ImageRecord): ImageRecord {
   const bytes = bytesOf(image)
   if (bytes.length === bytes.buffer.byteLength) return image
   return 'bytes' in image ? { ...image, bytes: bytes.slice() } : { ...image, data: bytes.slice() }

@@ -12,7 +12,7 @@ import {
   type StudioDocument,
   type StudioLayer,
 } from '../document/document.ts'
-import { named } from '../document/names.ts'
+import { findNamed } from '../document/names.ts'
 import { bytesOf } from '../files/dropped-files.ts'
 import { Folder } from '../files/folder.ts'
 import type { AvatarFile } from '../files/folder-files.ts'
@@ -73,7 +73,7 @@ export async function readFolder(
     layers: await Promise.all(set.layers.map((layer) => readLayer(folder, layer, strokes, studio))),
     areas: await Promise.all(set.areas.map((area) => readArea(folder, area, set, decode, studio))),
     strokes: (strokes?.strokes ?? []).map((stroke, i): LayerStroke => {
-      const layer = named(set.layers, stroke.layer ?? set.layers[0].name, 'layer').name
+      const layer = findNamed(set.layers, stroke.layer ?? set.layers[0].name, 'layer').name
       return { ...stroke, layer, ...(isAutomatic.has(i) && { isAutomatic: true }) }
     }),
     ...(strokes?.areas && { strokeAreas: strokes.areas }),
@@ -158,7 +158,7 @@ async function readArea(
   const gray = await decode(await bytesOf(folder.file(image), image), image, WHO)
   return {
     name,
-    layer: named(layers, layer ?? layers[0].name, 'layer').name,
+    layer: findNamed(layers, layer ?? layers[0].name, 'layer').name,
     combine,
     activation,
     weights: resampleGray(areaWeights(gray, convention, `${WHO}: ${image}`), areaSize),

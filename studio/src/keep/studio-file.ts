@@ -67,20 +67,20 @@ export interface ReadStudioFile {
 }
 
 /** Maximum characters of a path or an address. */
-const LONGEST_PATH = 2048
-const MOST_FILES = 5000
+const MAX_PATH = 2048
+const MAX_FILES = 5000
 /** Exceeds the limits of areas and layers in a document. */
-const MOST_NAMES = 4096
-const MOST_STROKES = 1_000_000
+const MAX_NAMES = 4096
+const MAX_STROKES = 1_000_000
 
 /** Reads `studio.json`. Invalid fields count as missing, because all fields are optional. */
 export function parseStudioFile(json: unknown): ReadStudioFile {
-  const faults: string[] = []
-  const right = <T>(read: () => T): T | undefined => {
+  const errors: string[] = []
+  const attempt = <T>(read: () => T): T | undefined => {
     try {
       return read()
     } catch (error) {
-      faults.push((error as Error).message)
+      errors.push((error as Error).message)
       return undefined
     }
   }
@@ -88,7 +88,7 @@ export function parseStudioFile(json: unknown): ReadStudioFile {
   const fields =
     json === undefined
       ? {}
-      : (right(() => {
+      : (attempt(() => {
           const object = reader.object(json, 'the document')
           reader.integer(object.version, 'version', 1, 1)
           return object
@@ -96,12 +96,12 @@ export function parseStudioFile(json: unknown): ReadStudioFile {
   const studio: StudioFile = { version: 1 }
   for (const [name, parse] of Object.entries(FIELDS)) {
     const value = fields[name]
-    const parsed = value === undefined ? undefined : right(() => parse(reader, value, name))
+    const parsed = value === undefined ? undefined : attempt(() => parse(reader, value, name))
     if (parsed !== undefined) Object.assign(studio, { [name]: parsed })
   }
-  if (faults.length === 0) return { studio }
-  const others = faults.length > 1 ? ` (and ${faults.length - 1} more)` : ''
-  return { studio, note: `Opened without a part of ${STUDIO_FILE}: ${faults[0]}${others}` }
+  if (errors.length === 0) return { studio }
+  const others = errors.length > 1 ? ` (and ${errors.length - 1} more)` : ''
+  return { studio, note: `Opened without a part of ${STUDIO_FILE}: ${errors[0]}${others}` }
 }
 
 type ParseField<T> = (reader: JsonReader, value: unknown, path: string) => T
@@ -112,11 +112,11 @@ const FIELDS: { [Name in Exclude<keyof StudioFile, 'version'>]-?: ParseField<Stu
   mapSize: (reader, value, path) => reader.integer(value, path, 16, MAX_IMAGE_SIDE),
   auto: parseAuto,
   automaticAreas: (reader, value, path) =>
-    listOf(reader, value, path, MOST_NAMES, (item, at) => reader.name(item, at)),
+    listOf(reader, value, path, MAX_NAMES, (item, at) => reader.name(item, at)),
   automaticStrokes: (reader, value, path) =>
-    listOf(reader, value, path, MOST_STROKES, (item, at) => reader.integer(item, at, 0, MOST_STROKES)),
+    listOf(reader, value, path, MAX_STROKES, (item, at) => reader.integer(item, at, 0, MAX_STROKES)),
   automaticBlood: (reader, value, path) =>
-    listOf(reader, value, path, MOST_NAMES, (item, at) => reader.name(item, at)),
+    listOf(reader, value, path, MAX_NAMES, (item, at) => reader.name(item, at)),
   layers: (reader, value, path) =>
     Object.fromEntries(
       Object.entries(reader.object(value, path)).map(([name, layer]) => [
@@ -126,11 +126,11 @@ const FIELDS: { [Name in Exclude<keyof StudioFile, 'version'>]-?: ParseField<Stu
     ),
   face: (reader, value, path) => {
     const face = reader.object(value, path)
-    const text = (name: keyof FaceFile) => reader.text(face[name], `${path}.${name}`, LONGEST_PATH)
+    const text = (name: keyof FaceFile) => reader.text(face[name], `${path}.${name}`, MAX_PATH)
     return { path: text('path'), name: text('name') }
   },
   files: (reader, value, path) =>
-    listOf(reader, value, path, MOST_FILES, (item, at) => reader.text(item, at, LONGEST_PATH)),
+    listOf(reader, value, path, MAX_FILES, (item, at) => reader.text(item, at, MAX_PATH)),
 }
 
 function listOf<T>(
@@ -175,7 +175,7 @@ function parseLayer(reader: JsonReader, value: unknown, path: string): DrawnLaye
     Object.fromEntries(
       Object.entries(reader.object(value, path, MAP_NAMES)).map(([map, address]) => [
         map,
-        reader.text(address, `${path}.${map}`, LONGEST_PATH),
+        reader.text(address, `${path}.${map}`, MAX_PATH),
       ]),
     )
   return {

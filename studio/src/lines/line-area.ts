@@ -19,11 +19,11 @@ export function addLine(document: StudioDocument, line: NewLine, canvas: SkinCan
   const group = line.group ?? groupUnder(document, line.points) ?? freeName(document.areas, NEW_AREA)
   const layer = line.layer ?? areasOf(document, group)[0]?.layer ?? document.layers[0].name
   const stroke = edited({ ...line, group, layer })
-  return withArea(addStroke(document, stroke), stroke, canvas)
+  return coverLine(addStroke(document, stroke), stroke, canvas)
 }
 
 /** Extends the area of a line's group to cover the line, or adds the area. */
-export function withArea(document: StudioDocument, stroke: LayerStroke, canvas: SkinCanvas): StudioDocument {
+export function coverLine(document: StudioDocument, stroke: LayerStroke, canvas: SkinCanvas): StudioDocument {
   const { group, layer } = stroke
   if (group === undefined) return document
   const [area] = areasOf(document, group)
@@ -32,7 +32,7 @@ export function withArea(document: StudioDocument, stroke: LayerStroke, canvas: 
   const weights = paintWeights({ name: group, shapes: [{ group, ...GROUP_SHAPE }] }, [stroke], canvas)
   // A new area has no driver yet, so it is active at rest.
   if (!area) return addArea(document, { name: group, layer, combine: 'sum', activation: 1, weights })
-  const joined = greater(area.weights, weights)
+  const joined = maximum(area.weights, weights)
   return joined === area.weights ? document : paintArea(document, group, joined)
 }
 
@@ -45,7 +45,7 @@ export function isShownAt({ areas }: StudioDocument, { group }: LayerStroke, poi
 /** Returns the area with the group's name, or else its left and right areas. */
 function areasOf({ areas }: StudioDocument, group: string): StudioArea[] {
   const own = areas.filter(({ name }) => name === group)
-  return own.length > 0 ? own : areas.filter(({ name }) => withoutSide(name) === group)
+  return own.length > 0 ? own : areas.filter(({ name }) => removeSide(name) === group)
 }
 
 /** Returns the group of the area with the greatest weight below the points, without its side if the points span both sides. */
@@ -56,11 +56,11 @@ function groupUnder({ areas }: StudioDocument, points: readonly Uv[]): string | 
     .sort((a, b) => b.mean - a.mean)
   const [best] = under
   if (!best) return undefined
-  const sides = under.filter(({ name }) => name !== best.name && withoutSide(name) === withoutSide(best.name))
-  return sides.length > 0 ? withoutSide(best.name) : best.name
+  const sides = under.filter(({ name }) => name !== best.name && removeSide(name) === removeSide(best.name))
+  return sides.length > 0 ? removeSide(best.name) : best.name
 }
 
-function withoutSide(name: string): string {
+function removeSide(name: string): string {
   return name.replace(/(Left|Right)$/, '')
 }
 
@@ -71,7 +71,7 @@ function meanWeight({ width, height, data }: GrayImage, points: readonly Uv[]): 
 }
 
 /** Returns the maximum per texel, or the first image if it is greater everywhere. */
-function greater(image: GrayImage, other: GrayImage): GrayImage {
+function maximum(image: GrayImage, other: GrayImage): GrayImage {
   if (image.data.every((weight, i) => weight >= other.data[i])) return image
   return { ...image, data: image.data.map((weight, i) => Math.max(weight, other.data[i])) }
 }

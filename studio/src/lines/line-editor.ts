@@ -4,7 +4,7 @@ import { type MirrorPlane, mirrorStroke, splineOf } from 'furrow/internal'
 import type { LayerStroke, StudioDocument } from '../document/document.ts'
 import { replaceStroke } from '../document/strokes.ts'
 import type { Session } from '../session/session.ts'
-import { addLine, isShownAt, type NewLine, withArea } from './line-area.ts'
+import { addLine, coverLine, isShownAt, type NewLine } from './line-area.ts'
 
 /** Pointer mode on the face: orbit only, edit lines, or draw lines. */
 export type LineMode = 'off' | 'edit' | 'draw'
@@ -181,7 +181,7 @@ export class LineEditor {
     if (!canvas || !stroke || group === '' || group === stroke.group) return
     this.session.edit('Change the group of a line', (document) => {
       const changed = { ...stroke, group }
-      return withArea(replaceStroke(document, stroke, [changed]), changed, canvas)
+      return coverLine(replaceStroke(document, stroke, [changed]), changed, canvas)
     })
   }
 
@@ -205,7 +205,7 @@ export class LineEditor {
     const { canvas } = surface
     const point = splineOf(stroke, canvas).points[this.point.peek()]
     if (!point || isShownAt(document, stroke, point)) return
-    const cover = (old: StudioDocument) => withArea(old, stroke, canvas)
+    const cover = (old: StudioDocument) => coverLine(old, stroke, canvas)
     this.session.edit('Move a point', cover, this.#keyOf('points'))
   }
 

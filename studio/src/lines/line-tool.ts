@@ -16,7 +16,7 @@ export interface LineStage {
   /** Lines as seen by the camera. */
   readonly lines: readonly ProjectedLine[]
   /** Returns the preparation of the picker, or null once it is ready. */
-  waitsFor(): Promise<unknown> | null
+  preparation(): Promise<unknown> | null
   /** Called when the hovered line or the path changes. */
   changed(): void
 }
@@ -42,8 +42,8 @@ export class LineTool implements StageTool {
     return this.#isChanged
   }
 
-  waitsFor(): Promise<unknown> | null {
-    return this.#stage.waitsFor()
+  preparation(): Promise<unknown> | null {
+    return this.#stage.preparation()
   }
 
   begin(pointer: StagePointer): boolean {

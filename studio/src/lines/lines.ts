@@ -50,7 +50,7 @@ export class Lines {
       get lines() {
         return lines()
       },
-      waitsFor: () => this.#reading,
+      preparation: () => this.#reading,
       changed: () => this.#redraw(),
     })
     effect(() => this.#readSkin())
@@ -94,7 +94,7 @@ export class Lines {
     const [line] = this.#projection.project([stroke], skin, camera, size)
     const i = line?.knots[this.editor.point.peek()]
     if (i === undefined) return
-    if (!line.isSeen[i]) throw hiddenPoint()
+    if (!line.isSeen[i]) throw hiddenPointError()
     const hit = skin.picker.pick(rayAt(camera, [line.x[i] + right, line.y[i] + down], size))
     if (hit) this.editor.movePoint(hit.uv)
   }
@@ -152,7 +152,7 @@ export class Lines {
   }
 }
 
-function hiddenPoint(): FurrowError {
+function hiddenPointError(): FurrowError {
   return new FurrowError({
     who: 'Studio',
     problem: 'the point of the line is hidden',

@@ -12,7 +12,7 @@ const TOLERANCE = 0.7
 /** Minimum distance of path points, millimetres: pointers send many events per texel. */
 const STEP = 0.3
 /** Minimum path extent, millimetres. A shorter gesture is a click. */
-const SHORTEST = 2
+const MIN_EXTENT = 2
 
 /**
  * Reduces a pointer path to the few points that a spline needs. Adds points where the spline deviates most, as Ramer (1972) and
@@ -29,7 +29,7 @@ export function reducePath(path: readonly PathPoint[]): PathPoint[] {
   if (distinct.length > 1) distinct[distinct.length - 1] = path[path.length - 1]
   const away = distinct.map((point) => distance(distinct[0], point))
   const farthest = away.indexOf(Math.max(...away))
-  if (!(away[farthest] >= SHORTEST)) return []
+  if (!(away[farthest] >= MIN_EXTENT)) return []
   const positions = Float64Array.from(distinct.flatMap(({ position }) => position))
   // The ends of a closed path are one point, which splines cannot interpolate.
   const ends = [...new Set([0, farthest, distinct.length - 1])]

@@ -2,7 +2,7 @@ import { FurrowError } from 'furrow'
 import { AUTO_REGIONS } from 'furrow/author'
 import type { AutoRegion } from 'furrow/auto'
 import { AUTO_AGES, AUTO_SIZES, AUTO_STRENGTHS, type AutoSettings } from '../document/document.ts'
-import { type LightDirection, MOST_LIGHT } from '../viewer/light-direction.ts'
+import { type LightDirection, MAX_LIGHT } from '../viewer/light-direction.ts'
 
 /** Contents of a link: small settings, never the model itself. */
 export interface Link {
@@ -19,11 +19,11 @@ export interface Link {
 }
 
 /** Maximum characters of a link, of an address and of a name, and maximum number of blendshapes. */
-const MOST = { link: 20_000, address: 2000, name: 100, weights: 500 } as const
+const MAX = { link: 20_000, address: 2000, name: 100, weights: 500 } as const
 /** Maximum absolute camera coordinate. */
-const FARTHEST = 1e6
+const MAX_COORDINATE = 1e6
 /** Maximum 32-bit seed. */
-const MOST_SEED = 2 ** 32 - 1
+const MAX_SEED = 2 ** 32 - 1
 
 /**
  * Formats a link as a URL hash without `#`, for example
@@ -60,7 +60,7 @@ export function formatLink({ model, pose, camera, light, auto }: Link, base: str
  */
 export function parseLink(hash: string, base: string): Link {
   const text = hash.replace(/^#/, '')
-  if (text.length > MOST.link) throw unusable('it is too long', text.length, `${MOST.link} characters`)
+  if (text.length > MAX.link) throw unusableError('it is too long', text.length, `${MAX.link} characters`)
   const parts = new Map(
     text.split('&').map((part): [string, string] => {
       const [name, ...rest] = part.split('=')
@@ -84,8 +84,8 @@ export function parseLink(hash: string, base: string): Link {
 
 function addressOf(text: string, base: string): string {
   const fail = () =>
-    unusable('the address of its model', text.slice(0, MOST.name), 'https, or beside this page')
-  if (text.length > MOST.address || !URL.canParse(text, base)) throw fail()
+    unusableError('the address of its model', text.slice(0, MAX.name), 'https, or beside this page')
+  if (text.length > MAX.address || !URL.canParse(text, base)) throw fail()
   const url = new URL(text, base)
   const isAllowed = url.protocol === 'https:' || url.origin === new URL(base).origin
   if (!isAllowed || url.origin === 'null' || url.username || url.password) throw fail()
@@ -94,13 +94,14 @@ function addressOf(text: string, base: string): string {
 
 function poseOf(text: string): ReadonlyMap<string, number> {
   const entries = text === '' ? [] : text.split(',')
-  if (entries.length > MOST.weights) throw unusable('its pose', entries.length, `${MOST.weights} blendshapes`)
+  if (entries.length > MAX.weights)
+    throw unusableError('its pose', entries.length, `${MAX.weights} blendshapes`)
   return new Map(
     entries.map((entry): [string, number] => {
       const [name, weight, ...others] = entry.split(':')
       const plain = unescaped(name)
-      if (plain === '' || plain.length > MOST.name || others.length > 0) {
-        throw unusable('its pose', entry.slice(0, MOST.name), 'NAME:WEIGHT')
+      if (plain === '' || plain.length > MAX.name || others.length > 0) {
+        throw unusableError('its pose', entry.slice(0, MAX.name), 'NAME:WEIGHT')
       }
       return [plain, numberIn(weight, `the weight of ${plain}`, 0, 1)]
     }),
@@ -108,19 +109,22 @@ function poseOf(text: string): ReadonlyMap<string, number> {
 }
 
 function cameraOf(text: string): Link['camera'] {
-  const values = text.split(',').map((value) => numberIn(value, 'its camera', -FARTHEST, FARTHEST))
+  const values = text
+    .split(',')
+    .map((value) => numberIn(value, 'its camera', -MAX_COORDINATE, MAX_COORDINATE))
   const [x, y, z, tx, ty, tz] = values
   const distance = Math.hypot(x - tx, y - ty, z - tz)
   // Looking straight up or down leaves the up direction undefined.
   const isUpright = Math.hypot(x - tx, z - tz) > 1e-3 * distance
-  if (values.length !== 6 || !isUpright) throw unusable('its camera', text.slice(0, MOST.name), '6 numbers')
+  if (values.length !== 6 || !isUpright)
+    throw unusableError('its camera', text.slice(0, MAX.name), '6 numbers')
   return [x, y, z, tx, ty, tz]
 }
 
 function lightOf(text: string): LightDirection {
   const [yaw, pitch, ...others] = text.split(',')
-  if (others.length > 0) throw unusable('its light', text.slice(0, MOST.name), '2 numbers')
-  const [mostYaw, mostPitch] = MOST_LIGHT
+  if (others.length > 0) throw unusableError('its light', text.slice(0, MAX.name), '2 numbers')
+  const [mostYaw, mostPitch] = MAX_LIGHT
   return {
     yaw: numberIn(yaw, 'its light', -mostYaw, mostYaw),
     pitch: numberIn(pitch, 'its light', -mostPitch, mostPitch),
@@ -130,7 +134,7 @@ function lightOf(text: string): LightDirection {
 function autoOf(text: string): AutoSettings {
   const [age, strength, size, seed, ...regions] = text.split(',')
   const side = numberIn(size, 'its size', AUTO_SIZES[0], AUTO_SIZES.at(-1)!)
-  if (!AUTO_SIZES.includes(side as never)) throw unusable('its size', side, AUTO_SIZES.join(', '))
+  if (!AUTO_SIZES.includes(side as never)) throw unusableError('its size', side, AUTO_SIZES.join(', '))
   for (const region of regions) checkRegion(region)
   return {
     ...(age !== '' && { age: numberIn(age, 'its age', ...AUTO_AGES) }),
@@ -153,19 +157,19 @@ function seedsOf(text: string): AutoSettings['seeds'] {
 
 function checkRegion(region: string): void {
   if (AUTO_REGIONS.includes(region as AutoRegion)) return
-  throw unusable('its region', region.slice(0, MOST.name), AUTO_REGIONS.join(', '))
+  throw unusableError('its region', region.slice(0, MAX.name), AUTO_REGIONS.join(', '))
 }
 
 function seedIn(text: string | undefined): number {
-  const seed = numberIn(text, 'its seed', 0, MOST_SEED)
+  const seed = numberIn(text, 'its seed', 0, MAX_SEED)
   if (Number.isInteger(seed)) return seed
-  throw unusable('its seed', text, 'a whole number')
+  throw unusableError('its seed', text, 'a whole number')
 }
 
-function numberIn(text: string | undefined, what: string, low: number, high: number): number {
+function numberIn(text: string | undefined, problem: string, low: number, high: number): number {
   const value = Number(text || Number.NaN)
   if (value >= low && value <= high) return value
-  throw unusable(what, text?.slice(0, MOST.name), `${low} to ${high}`)
+  throw unusableError(problem, text?.slice(0, MAX.name), `${low} to ${high}`)
 }
 
 /** Makes an address relative if it is below the page's folder. */
@@ -183,15 +187,15 @@ function unescaped(text: string): string {
   try {
     return decodeURIComponent(text)
   } catch {
-    throw unusable('it is cut off', text.slice(0, MOST.name))
+    throw unusableError('it is cut off', text.slice(0, MAX.name))
   }
 }
 
-function unusable(what: string, value: unknown, limit?: string): FurrowError {
+function unusableError(problem: string, value: unknown, limit?: string): FurrowError {
   return new FurrowError({
     code: 'out-of-range',
     who: 'Studio',
-    problem: `the link cannot be used: ${what}`,
+    problem: `the link cannot be used: ${problem}`,
     value,
     limit,
     remedy: 'ask for it again, or go on without it',

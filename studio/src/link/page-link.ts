@@ -34,7 +34,7 @@ export class PageLink {
     await messages.attempt(() => {
       const link = parseLink(location.hash, location.href)
       this.#link = link
-      workspace.firstSettings = link.auto ?? AUTO_SETTINGS
+      workspace.initialSettings = link.auto ?? AUTO_SETTINGS
     })
   }
 
@@ -65,13 +65,15 @@ export class PageLink {
     if (!scene) return
     const link = linkOf(scene, workspace.session.document.peek()?.auto)
     history.replaceState(null, '', `#${formatLink(link, location.href)}`)
-    const what = link.model === undefined ? 'the avatar itself is not in it' : 'it opens this avatar'
+    const contents = link.model === undefined ? 'the avatar itself is not in it' : 'it opens this avatar'
     // The clipboard can be denied, and is missing on insecure pages.
     const isCopied = await navigator.clipboard?.writeText(location.href).then(
       () => true,
       () => false,
     )
-    messages.note(isCopied ? `Copied the link: ${what}` : `The link is in the address of this page: ${what}`)
+    messages.note(
+      isCopied ? `Copied the link: ${contents}` : `The link is in the address of this page: ${contents}`,
+    )
   }
 
   get #scene(): ShownScene | null {

@@ -50,7 +50,7 @@ export async function openDropped(
   const { wrinkles: folder, notes } = dropped
   if (folder && isProject(folder)) return openProject(folder, notes, shown)
   if (dropped.kind === 'avatar') return openAvatar(dropped.face, dropped)
-  if (!shown) throw withoutAvatar(dropped.wrinkles.name)
+  if (!shown) throw noAvatarError(dropped.wrinkles.name)
   const wrinkles = await readWrinklesFolder(dropped.wrinkles)
   const skins = shown.skins.map((skin, i) => (i === shown.skin ? { ...skin, wrinkles } : skin))
   const { document: _, ...avatar } = shown
@@ -75,7 +75,7 @@ async function openProject(
   const all = [...notes, ...read.notes]
   const avatar =
     files.length > 0 ? await openAvatar(files[0], { files, notes: all }) : shown && { ...shown, notes: all }
-  if (!avatar) throw withoutAvatar(folder.name)
+  if (!avatar) throw noAvatarError(folder.name)
   return { ...avatar, document, skin: skinOfDocument(avatar, document) }
 }
 
@@ -100,7 +100,7 @@ export async function openAvatar(
     vrm,
     expressions,
   }
-  if (!skins.some(({ triangles }) => triangles > 0)) throw nothingToShow(name)
+  if (!skins.some(({ triangles }) => triangles > 0)) throw noMeshError(name)
   const skin = indexOfSkin(skins)
   if (wrinkles) {
     try {
@@ -133,13 +133,13 @@ export function disposeAvatar({ root }: OpenedAvatar): void {
   root.traverse((object) => (object as Partial<SkinnedMesh>).skeleton?.dispose())
 }
 
-function notesOn({ name, fault, blendshapes }: SkinCandidate): string[] {
-  if (fault) return [`${name} cannot wrinkle: ${fault}`]
+function notesOn({ name, problem, blendshapes }: SkinCandidate): string[] {
+  if (problem) return [`${name} cannot wrinkle: ${problem}`]
   if (blendshapes > 0) return []
   return [`${name} has no blendshapes: it can be painted, but no expression moves it`]
 }
 
-function withoutAvatar(folder: string): FurrowError {
+function noAvatarError(folder: string): FurrowError {
   return new FurrowError({
     who: 'Studio',
     problem: `there is no avatar for the wrinkles in ${folder}`,
@@ -147,7 +147,7 @@ function withoutAvatar(folder: string): FurrowError {
   })
 }
 
-function nothingToShow(name: string): FurrowError {
+function noMeshError(name: string): FurrowError {
   return new FurrowError({
     who: 'Studio',
     problem: `${name} has no mesh`,

@@ -30,7 +30,7 @@ const BASE = 'dropped:/'
  * @throws FurrowError if the file is damaged.
  */
 export async function loadGltf(face: FaceFile, name: string): Promise<LoadedGltf> {
-  const isVrm = uses(face, 'VRMC_vrm') || uses(face, 'VRM')
+  const isVrm = usesExtension(face, 'VRMC_vrm') || usesExtension(face, 'VRM')
   try {
     try {
       return await load(face, isVrm)
@@ -41,7 +41,7 @@ export async function loadGltf(face: FaceFile, name: string): Promise<LoadedGltf
       return loaded
     }
   } catch (error) {
-    throw error instanceof FurrowError ? error : damaged(name, error)
+    throw error instanceof FurrowError ? error : damagedError(name, error)
   }
 }
 
@@ -66,7 +66,7 @@ async function load(face: FaceFile, isVrm: boolean): Promise<LoadedGltf> {
     // VRM 0 avatars look along -Z, others along +Z.
     if (loaded) vrm?.VRMUtils.rotateVRM0(loaded)
     const notes: string[] = []
-    const skins = await findSkins(gltf, (fault) => notes.push(fault))
+    const skins = await findSkins(gltf, (problem) => notes.push(problem))
     return { gltf, skins, vrm: loaded, expressions: vrmExpressions(gltf.parser.json), notes }
   } finally {
     for (const url of urls.values()) URL.revokeObjectURL(url)
@@ -80,17 +80,17 @@ async function addDecoders(
   face: FaceFile,
 ): Promise<{ dispose(): unknown }[]> {
   const added: { dispose(): unknown }[] = []
-  if (uses(face, 'EXT_meshopt_compression') || uses(face, 'KHR_meshopt_compression')) {
+  if (usesExtension(face, 'EXT_meshopt_compression') || usesExtension(face, 'KHR_meshopt_compression')) {
     const { MeshoptDecoder } = await import('three/addons/libs/meshopt_decoder.module.js')
     loader.setMeshoptDecoder(MeshoptDecoder)
   }
-  if (uses(face, 'KHR_draco_mesh_compression')) {
+  if (usesExtension(face, 'KHR_draco_mesh_compression')) {
     const { DRACOLoader } = await import('three/addons/loaders/DRACOLoader.js')
     const draco = new DRACOLoader(manager)
     loader.setDRACOLoader(draco)
     added.push(draco)
   }
-  if (uses(face, 'KHR_texture_basisu')) {
+  if (usesExtension(face, 'KHR_texture_basisu')) {
     const { KTX2Loader } = await import('three/addons/loaders/KTX2Loader.js')
     // The stage's renderer is created later and can change. WebGPU supports the formats that WebGL supports on the same GPU.
     const renderer = new WebGLRenderer()
@@ -104,11 +104,11 @@ async function addDecoders(
 }
 
 /** Whether a file uses an extension. Some files list an extension only in `extensions`. */
-function uses({ json }: FaceFile, extension: string): boolean {
+function usesExtension({ json }: FaceFile, extension: string): boolean {
   return Boolean(json.extensionsUsed?.includes(extension) || json.extensions?.[extension])
 }
 
-function damaged(name: string, error: unknown): FurrowError {
+function damagedError(name: string, error: unknown): FurrowError {
   return new FurrowError(
     {
       code: 'unreadable',

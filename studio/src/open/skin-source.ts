@@ -15,8 +15,8 @@ export interface SkinSource {
 
 /** Returns null if the avatar's skin cannot wrinkle. A skin without blendshapes has no targets. */
 export function skinSource({ skins, skin }: OpenedAvatar): SkinSource | null {
-  const { meshes, expressions, fault, meshNames } = skins[skin]
-  if (fault !== null) return null
+  const { meshes, expressions, problem, meshNames } = skins[skin]
+  if (problem !== null) return null
   const data = readMeshes(meshes, expressions)
   return { skin: skinOf(data), frame: data.frame, meshes: meshNames }
 }

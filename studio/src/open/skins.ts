@@ -30,25 +30,25 @@ export interface SkinCandidate {
   triangles: number
   blendshapes: number
   /** Why it cannot wrinkle, with a remedy, or null. */
-  fault: string | null
+  problem: string | null
   wrinkles: FileWrinkles | null
 }
 
 /**
  * Lists skin candidates of a file with their wrinkles.
  *
- * @param onFault receives a sentence for each omission.
+ * @param onProblem receives a sentence for each omission.
  */
-export async function findSkins(gltf: GLTF, onFault: (fault: string) => void): Promise<SkinCandidate[]> {
+export async function findSkins(gltf: GLTF, onProblem: (problem: string) => void): Promise<SkinCandidate[]> {
   const { parser } = gltf
-  const read = materialReader(parser, (faults) => onFault(describeDriverFaults(faults)))
+  const read = materialReader(parser, (faults) => onProblem(describeDriverFaults(faults)))
   const wrinkled = new Map<Mesh, FileWrinkles>()
   for (const { material, faces } of wrinkledMaterials(gltf, parser)) {
     try {
       const wrinkles = await read(material)
       for (const [mesh] of chooseFaces(faces, wrinkles)) wrinkled.set(mesh, wrinkles)
     } catch (error) {
-      onFault(`${(error as Error).message}; the face stays plain`)
+      onProblem(`${(error as Error).message}; the face stays plain`)
     }
   }
   return facesOf(gltf, parser).map((meshes) => {
@@ -78,7 +78,7 @@ export function indexOfSkin(skins: readonly SkinCandidate[]): number {
     })
     return skins.indexOf(movable[chooseSkin(candidates)!.index])
   }
-  const possible = skins.filter(({ fault }) => fault === null)
+  const possible = skins.filter(({ problem }) => problem === null)
   const [largest] = [movable, possible, skins]
     .find((some) => some.length > 0)!
     .toSorted((a, b) => b.triangles - a.triangles)
@@ -114,7 +114,7 @@ function describe(meshes: [Mesh, ...Mesh[]], { parser }: GLTF): Omit<SkinCandida
     expressions: expressionsOfMesh(parser, meshes[0]),
     triangles,
     blendshapes: geometry.morphAttributes.position?.length ?? 0,
-    fault: faultOf(meshes, triangles),
+    problem: problemOf(meshes, triangles),
   }
 }
 
@@ -122,7 +122,7 @@ function trianglesOf({ index, attributes: { position } }: Mesh['geometry']): num
   return position ? Math.floor((index ?? position).count / 3) : 0
 }
 
-function faultOf(meshes: readonly Mesh[], triangles: number): string | null {
+function problemOf(meshes: readonly Mesh[], triangles: number): string | null {
   const surface = surfaceOf(meshes[0])
   if (!meshes.every(({ geometry }) => geometry.attributes.uv)) {
     return 'it has no texture coordinates: unwrap it, and export it again'

@@ -63,7 +63,7 @@ export async function sortFiles(dropped: readonly DroppedFile[]): Promise<Droppe
   if (tables.length > 0) return { kind: 'captures', tables }
   const images = files.filter(({ path }) => IMAGE.test(path))
   if (images.length > 0) return { kind: 'areas', images }
-  throw await nothingUsable(files)
+  throw await unsupportedFilesError(files)
 }
 
 /** Replaces .zip files by their contents. */
@@ -85,8 +85,8 @@ function wrinklesFolders(files: readonly DroppedFile[]): (WrinklesFolder & { pat
   return [...paths].sort(byDepth).map((path) => ({
     path,
     name: path.split('/').at(-2) ?? 'wrinkles',
-    files: files.flatMap(({ path: whole, file }) =>
-      whole.startsWith(path) ? { path: whole.slice(path.length), file } : [],
+    files: files.flatMap(({ path: fullPath, file }) =>
+      fullPath.startsWith(path) ? { path: fullPath.slice(path.length), file } : [],
     ),
   }))
 }
@@ -110,7 +110,7 @@ function byDepth(a: string, b: string): number {
   return a.split('/').length - b.split('/').length || a.localeCompare(b, 'en')
 }
 
-async function nothingUsable(files: readonly DroppedFile[]): Promise<FurrowError> {
+async function unsupportedFilesError(files: readonly DroppedFile[]): Promise<FurrowError> {
   const [first] = files
   const remedy = 'drop a .glb, .vrm or .gltf, a folder of wrinkles, gray images, or a CSV of Live Link Face'
   if (!first) return new FurrowError({ who: 'Studio', problem: 'no file was dropped', remedy })

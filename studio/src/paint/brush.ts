@@ -36,15 +36,15 @@ export const BRUSH_RADII = [0.1, 150] as const
 
 /** @throws FurrowError that names the invalid setting. */
 export function checkBrush({ mode, radius, softness, flow, opacity }: Brush): void {
-  if (!BRUSH_MODES.includes(mode)) throw wrong('mode', mode, BRUSH_MODES.join(', '))
+  if (!BRUSH_MODES.includes(mode)) throw rangeError('mode', mode, BRUSH_MODES.join(', '))
   const [least, most] = BRUSH_RADII
-  if (!(radius >= least && radius <= most)) throw wrong('radius', radius, `${least} to ${most} mm`)
-  if (!(softness >= 0 && softness <= 1)) throw wrong('softness', softness, '0 to 1')
-  if (!(flow > 0 && flow <= 1)) throw wrong('flow', flow, 'above 0, up to 1')
-  if (!(opacity >= 0 && opacity <= 1)) throw wrong('opacity', opacity, '0 to 1')
+  if (!(radius >= least && radius <= most)) throw rangeError('radius', radius, `${least} to ${most} mm`)
+  if (!(softness >= 0 && softness <= 1)) throw rangeError('softness', softness, '0 to 1')
+  if (!(flow > 0 && flow <= 1)) throw rangeError('flow', flow, 'above 0, up to 1')
+  if (!(opacity >= 0 && opacity <= 1)) throw rangeError('opacity', opacity, '0 to 1')
 }
 
-function wrong(setting: string, value: unknown, limit: string): FurrowError {
+function rangeError(setting: string, value: unknown, limit: string): FurrowError {
   return new FurrowError({
     code: 'out-of-range',
     who: 'Studio',

@@ -11,10 +11,10 @@ import { Smoother } from './smoother.ts'
 /** Texels by which the radius is extended: filtering reads texels beyond a seam. */
 const PAD = 1
 /** Minimum radius in texels, so that a dab covers at least one. */
-const LEAST_RADIUS = 1.25
+const MIN_RADIUS = 1.25
 /** Cell side of the smoothing grid, as a fraction of the radius, and its minimum in texels. */
 const CELL = 0.25
-const LEAST_CELL = 1.5
+const MIN_CELL = 1.5
 /** Cells beyond the radius that contribute to the averages. */
 const CELLS_AROUND = 2
 
@@ -84,7 +84,7 @@ export class Dabs {
 
   /** Radius at a point, millimetres. */
   radiusAt({ triangle }: SkinPoint): number {
-    return Math.max(this.#brush.radius, LEAST_RADIUS * this.#map.texelSizes[triangle])
+    return Math.max(this.#brush.radius, MIN_RADIUS * this.#map.texelSizes[triangle])
   }
 
   /** Adds a dab and, if the brush mirrors, its mirror image. @param pressure pen pressure, 0..1. */
@@ -92,7 +92,7 @@ export class Dabs {
     const strength = this.#brush.opacity * Math.min(Math.max(pressure, 0), 1)
     if (!(strength > 0)) return
     const centres = this.#sidesOf(point)
-    for (const [side, centre] of centres.entries()) this.#aim(centre, strength, side)
+    for (const [side, centre] of centres.entries()) this.#setTargets(centre, strength, side)
     if (this.#brush.mode === 'smooth') this.#smooth(centres)
     else this.#cover()
     for (const texel of this.#touched) this.#target[texel] = 0
@@ -114,7 +114,7 @@ export class Dabs {
   }
 
   /** Sets the targets of texels inside a dab. */
-  #aim(centre: SkinPoint, strength: number, side: number): void {
+  #setTargets(centre: SkinPoint, strength: number, side: number): void {
     const { softness } = this.#brush
     const radius = this.radiusAt(centre)
     const target = this.#target
@@ -144,14 +144,14 @@ export class Dabs {
 
   /** Moves the weights towards the local means. */
   #smooth(centres: readonly SkinPoint[]): void {
-    const { texels, positions, isBeyond, texelSizes } = this.#map
+    const { texels, positions, isBeyondIsland, texelSizes } = this.#map
     for (const centre of centres) {
       const texelSize = texelSizes[centre.triangle]
-      const cell = Math.max(CELL * this.radiusAt(centre), LEAST_CELL * texelSize)
+      const cell = Math.max(CELL * this.radiusAt(centre), MIN_CELL * texelSize)
       const radius = this.radiusAt(centre) + CELLS_AROUND * cell
       const smoother = new Smoother(centre.position, radius, cell)
       this.#visitPlaces(centre, radius, (place, triangle) => {
-        if (isBeyond[place] === 1) return
+        if (isBeyondIsland[place] === 1) return
         const value = this.#state[texels[place]]
         const i = 3 * place
         smoother.add(positions[i], positions[i + 1], positions[i + 2], value, texelSizes[triangle] ** 2)

@@ -6,7 +6,7 @@ import type { PaintSkin, SkinPoint } from './paint-skin.ts'
 /** Weight of the enclosing outline. */
 const ENCLOSING = 128
 /** Maximum distance of neighbouring texels of an island on the skin, in texel sides: skewed UVs stretch texels. */
-const MOST_APART = 6
+const MAX_SKEW = 6
 /** Missing place or texel. */
 const NONE = -1
 
@@ -25,7 +25,7 @@ export function visitFilled(
   visit: (texel: number) => void,
 ): void {
   const { size } = map
-  const { placeOf, triangleOf } = ownPlaces(map)
+  const { placeOf, triangleOf } = firstPlaces(map)
   const [position, direction] = [new Float64Array(3), new Float64Array(3)]
   const weights = new Float64Array(3)
 
@@ -41,7 +41,7 @@ export function visitFilled(
     return x >= 0 && y >= 0 && x < size && y < size ? y * size + x : NONE
   }
   /** Returns the neighbouring texel on the skin, across the seam at the border of an island. */
-  const beside = (texel: number, dx: number, dy: number): number => {
+  const neighbourOnSkin = (texel: number, dx: number, dy: number): number => {
     const next = neighbour(texel, dx, dy, size)
     if (next === NONE || placeOf[next] === NONE) return NONE
     const [from, to] = [placeOf[texel], placeOf[next]]
@@ -50,10 +50,10 @@ export function visitFilled(
       direction[k] = map.positions[3 * to + k] - position[k]
     }
     const distance = Math.hypot(direction[0], direction[1], direction[2])
-    if (!(distance < MOST_APART * map.texelSizes[triangleOf[from]])) return NONE
-    if (map.isBeyond[to] === 0) return next
+    if (!(distance < MAX_SKEW * map.texelSizes[triangleOf[from]])) return NONE
+    if (map.isBeyondIsland[to] === 0) return next
     // A texel beyond an island is connected only with texels of the island.
-    if (map.isBeyond[from] === 1) return NONE
+    if (map.isBeyondIsland[from] === 1) return NONE
     const triangle = walk(surface, triangleOf[from], position, direction, distance)
     return triangle < 0 ? NONE : texelAt(triangle, position)
   }
@@ -71,18 +71,18 @@ export function visitFilled(
   for (let head = 0; head < queue.length; head++) {
     const texel = queue[head]
     visit(texel)
-    for (const [dx, dy] of AROUND) {
-      const next = beside(texel, dx, dy)
+    for (const [dx, dy] of NEIGHBOURS) {
+      const next = neighbourOnSkin(texel, dx, dy)
       if (next === NONE) continue
       const isSame = data[next] >= ENCLOSING === isHigh && data[texel] >= ENCLOSING === isHigh
       const isUphill = data[next] >= ENCLOSING && data[next] >= data[texel]
       if (isSame || isUphill) fill(next)
     }
   }
-  visitBeyond(map, placeOf, filled, visit)
+  visitBeyondIslands(map, placeOf, filled, visit)
 }
 
-const AROUND = [
+const NEIGHBOURS = [
   [1, 0],
   [-1, 0],
   [0, 1],
@@ -90,7 +90,7 @@ const AROUND = [
 ] as const
 
 /** Returns the first place of each texel, and the triangle of each place. */
-function ownPlaces({ size, starts, texels }: PaintMap) {
+function firstPlaces({ size, starts, texels }: PaintMap) {
   const placeOf = new Int32Array(size * size).fill(NONE)
   const triangleOf = new Uint32Array(texels.length)
   for (let triangle = 0; triangle + 1 < starts.length; triangle++) {
@@ -103,8 +103,8 @@ function ownPlaces({ size, starts, texels }: PaintMap) {
 }
 
 /** Fills texels beyond islands like the nearest texel of the island, breadth first. */
-function visitBeyond(
-  { size, isBeyond }: PaintMap,
+function visitBeyondIslands(
+  { size, isBeyondIsland }: PaintMap,
   placeOf: Int32Array,
   filled: Uint8Array,
   visit: (texel: number) => void,
@@ -113,13 +113,13 @@ function visitBeyond(
   const isKnown = new Uint8Array(filled.length)
   let count = 0
   for (let texel = 0; texel < filled.length; texel++) {
-    if (placeOf[texel] === NONE || isBeyond[placeOf[texel]] === 1) continue
+    if (placeOf[texel] === NONE || isBeyondIsland[placeOf[texel]] === 1) continue
     isKnown[texel] = 1
     queue[count++] = texel
   }
   for (let head = 0; head < count; head++) {
     const texel = queue[head]
-    for (const [dx, dy] of AROUND) {
+    for (const [dx, dy] of NEIGHBOURS) {
       const next = neighbour(texel, dx, dy, size)
       if (next === NONE || isKnown[next] === 1 || placeOf[next] === NONE) continue
       isKnown[next] = 1

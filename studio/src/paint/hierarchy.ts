@@ -6,12 +6,16 @@ import { MeshBVH, type SerializedBVH } from 'three-mesh-bvh'
  *
  * @param positions packed xyz per vertex. Not copied: call `refit` after changes.
  */
-export function hierarchyOf(positions: Float32Array, indices: Uint32Array): MeshBVH {
+export function buildHierarchy(positions: Float32Array, indices: Uint32Array): MeshBVH {
   return new MeshBVH(geometryOf(positions, indices), { indirect: true })
 }
 
 /** Restores a serialised hierarchy of the same triangles for other vertex positions. */
-export function hierarchyAgain(made: SerializedBVH, positions: Float32Array, indices: Uint32Array): MeshBVH {
+export function restoreHierarchy(
+  made: SerializedBVH,
+  positions: Float32Array,
+  indices: Uint32Array,
+): MeshBVH {
   const hierarchy = MeshBVH.deserialize(made, geometryOf(positions, indices), { setIndex: false })
   hierarchy.refit()
   return hierarchy

@@ -3,7 +3,7 @@ import { FurrowError } from 'furrow'
 import type { Skin, SkinCanvas } from 'furrow/author'
 import { buffersOf, canvasFromArrays, type SkinCanvasArrays } from 'furrow/internal'
 import { runOnce } from '../workers/run-once.ts'
-import type { MadeSkin } from './make-skin.ts'
+import type { SkinData } from './make-skin.ts'
 import type { SkinService } from './worker.ts'
 
 /**
@@ -15,12 +15,12 @@ export function makeSkinInWorker(
   skin: Skin,
   scale: number,
   size: number,
-): Promise<{ skin: Skin; made: MadeSkin }> {
+): Promise<{ skin: Skin; made: SkinData }> {
   const moved = transfer(skin, buffersOf(skin))
-  return runOnce<SkinService, { skin: Skin; made: MadeSkin }>(
+  return runOnce<SkinService, { skin: Skin; made: SkinData }>(
     startWorker(),
     (service) => service.makeSkin(moved, scale, size),
-    died,
+    workerError,
   )
 }
 
@@ -33,7 +33,7 @@ export async function makeCanvasInWorker(
   const arrays = await runOnce<SkinService, SkinCanvasArrays>(
     startWorker(),
     (service) => service.makeCanvas(mesh, size, scale),
-    died,
+    workerError,
   )
   return canvasFromArrays(mesh, arrays)
 }
@@ -42,7 +42,7 @@ function startWorker(): Worker {
   return new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
 }
 
-function died(reason: string | undefined): FurrowError {
+function workerError(reason: string | undefined): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who: 'Studio',

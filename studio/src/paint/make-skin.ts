@@ -1,12 +1,12 @@
 import type { Skin } from 'furrow/author'
 import { moveToFirstTile, type SkinSurface } from 'furrow/internal'
 import { MeshBVH, type SerializedBVH } from 'three-mesh-bvh'
-import { hierarchyOf } from './hierarchy.ts'
+import { buildHierarchy } from './hierarchy.ts'
 import { type PaintMapArrays, paintMapArrays } from './paint-map.ts'
 import { paintSurface } from './paint-skin.ts'
 
 /** Data of a skin for the tools, as transferable arrays. */
-export interface MadeSkin {
+export interface SkinData {
   /** Result of `paintSurface`. */
   readonly surface: SkinSurface
   /** Map of the areas, if their size is known. */
@@ -24,11 +24,11 @@ export interface MadeSkin {
  * @param size side of the areas, texels.
  * @throws FurrowError if the skin cannot be painted.
  */
-export function makeSkin(skin: Skin, scale?: number, size?: number): MadeSkin {
+export function makeSkin(skin: Skin, scale?: number, size?: number): SkinData {
   const surface = paintSurface(skin, scale)
   const map = size === undefined ? undefined : paintMapArrays(moveToFirstTile(skin).skin, surface, size)
   const indices = surfaceIndices(skin, surface)
-  const hierarchy = hierarchyOf(Float32Array.from(skin.positions), indices)
+  const hierarchy = buildHierarchy(Float32Array.from(skin.positions), indices)
   return { surface, map, indices, hierarchy: MeshBVH.serialize(hierarchy, { cloneBuffers: false }) }
 }
 

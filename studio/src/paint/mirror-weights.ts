@@ -1,10 +1,10 @@
 import type { GrayImage } from 'furrow'
 import { interpolateTexels } from 'furrow/internal'
 import { checkPaintable } from './paint-map.ts'
-import { type PaintSkin, weightsOn } from './paint-skin.ts'
+import { clampedBarycentrics, type PaintSkin } from './paint-skin.ts'
 
 /** Tolerance of the mirrored bounds, millimetres: faces are not exactly symmetric. */
-const AROUND = 6
+const TOLERANCE = 6
 
 /**
  * Mirrors an area across the middle plane of the face. Each place takes the weight at the skin point nearest to its mirror image.
@@ -23,7 +23,7 @@ export function mirrorWeights(image: GrayImage, skin: PaintSkin): GrayImage {
     const [x, y, z] = positions.subarray(3 * place, 3 * place + 3)
     if (x < low[0] || y < low[1] || z < low[2] || x > high[0] || y > high[1] || z > high[2]) continue
     const { triangle, position } = skin.mirrored([x, y, z])
-    weightsOn(skin.surface, triangle, position, weights)
+    clampedBarycentrics(skin.surface, triangle, position, weights)
     const [u, v] = locator.uvAt(triangle, weights)
     const weight = Math.round(interpolateTexels(image, u * size - 0.5, v * size - 0.5, weightAt))
     // If several parts of the skin share a texel, the maximum wins.
@@ -42,8 +42,8 @@ function otherSide({ data }: GrayImage, texels: Uint32Array, positions: Float32A
     if (data[texels[place]] === 0) continue
     for (let k = 0; k < 3; k++) {
       const value = k === 0 ? -positions[3 * place] : positions[3 * place + k]
-      low[k] = Math.min(low[k], value - AROUND)
-      high[k] = Math.max(high[k], value + AROUND)
+      low[k] = Math.min(low[k], value - TOLERANCE)
+      high[k] = Math.max(high[k], value + TOLERANCE)
     }
   }
   return [low, high]

@@ -22,7 +22,7 @@ export interface PaintMapArrays {
   readonly texels: Uint32Array
   readonly positions: Float32Array
   /** 1 for places beyond a UV island. */
-  readonly isBeyond: Uint8Array
+  readonly isBeyondIsland: Uint8Array
   /** Texel side per triangle, millimetres: the square root of its area. */
   readonly texelSizes: Float32Array
   /** Grid of the UV locator. */
@@ -69,12 +69,12 @@ function findPlaces(skinTexels: SkinTexels, surface: SkinSurface) {
   const next = starts.slice()
   const texels = new Uint32Array(count)
   const positions = new Float32Array(3 * count)
-  const isBeyond = new Uint8Array(count)
+  const isBeyondIsland = new Uint8Array(count)
   const { points, corners } = surface
   visitPlaces(skinTexels, (texel, triangle, a, b, c) => {
     const place = next[triangle]++
     texels[place] = texel
-    isBeyond[place] = Math.min(a, b, c) < OUTSIDE ? 1 : 0
+    isBeyondIsland[place] = Math.min(a, b, c) < OUTSIDE ? 1 : 0
     for (let k = 0; k < 3; k++) {
       positions[3 * place + k] =
         a * points[3 * corners[3 * triangle] + k] +
@@ -82,7 +82,7 @@ function findPlaces(skinTexels: SkinTexels, surface: SkinSurface) {
         c * points[3 * corners[3 * triangle + 2] + k]
     }
   })
-  return { starts, texels, positions, isBeyond }
+  return { starts, texels, positions, isBeyondIsland }
 }
 
 /** @throws FurrowError if the image is not square or its data is incomplete. */

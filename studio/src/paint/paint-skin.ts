@@ -3,7 +3,7 @@ import type { Skin } from 'furrow/author'
 import { barycentricsAt, moveToFirstTile, type SkinSurface, skinSurface, UvLocator } from 'furrow/internal'
 import { Vector3 } from 'three'
 import type { MeshBVH } from 'three-mesh-bvh'
-import { hierarchyOf } from './hierarchy.ts'
+import { buildHierarchy } from './hierarchy.ts'
 import { type PaintMap, type PaintMapArrays, paintMapArrays } from './paint-map.ts'
 
 /** Point on a skin. */
@@ -80,7 +80,7 @@ export class PaintSkin {
   /** Returns the skin point nearest to the mirror image of a position. */
   mirrored([x, y, z]: SkinPoint['position']): SkinPoint {
     const { points, corners } = this.surface
-    this.#hierarchy ??= hierarchyOf(Float32Array.from(points), corners)
+    this.#hierarchy ??= buildHierarchy(Float32Array.from(points), corners)
     const found = this.#hierarchy.closestPointToPoint(new Vector3(-x, y, z))
     // The surface has at least one triangle.
     const { faceIndex, point } = found!
@@ -89,7 +89,7 @@ export class PaintSkin {
 }
 
 /** Computes barycentric coordinates, clamped to the triangle. */
-export function weightsOn(
+export function clampedBarycentrics(
   surface: SkinSurface,
   triangle: number,
   position: ArrayLike<number>,

@@ -11,14 +11,14 @@ import {
   Vector3,
 } from 'three'
 import type { MeshBVH } from 'three-mesh-bvh'
-import { hierarchyAgain } from './hierarchy.ts'
-import type { MadeSkin } from './make-skin.ts'
+import { restoreHierarchy } from './hierarchy.ts'
+import type { SkinData } from './make-skin.ts'
 import type { PaintSkin, SkinPoint } from './paint-skin.ts'
 import type { MeshSkin } from './read-skin.ts'
 import type { Sight } from './seen-places.ts'
 
 /** Depth tolerance of visibility tests, as a fraction of the size of the skin. */
-const IN_FRONT = 1e-3
+const DEPTH_TOLERANCE = 1e-3
 
 /** Point of the skin under the pointer. */
 export interface SkinHit extends SkinPoint {
@@ -48,7 +48,7 @@ export class SkinPicker {
    * @param painted paintable skin of the same meshes.
    * @param made result of `makeSkin`.
    */
-  constructor({ skin, parts }: MeshSkin, painted: PaintSkin, made: Pick<MadeSkin, 'indices' | 'hierarchy'>) {
+  constructor({ skin, parts }: MeshSkin, painted: PaintSkin, made: Pick<SkinData, 'indices' | 'hierarchy'>) {
     this.#parts = parts
     this.#surface = painted.surface
     this.#indices = skin.indices
@@ -57,7 +57,7 @@ export class SkinPicker {
     this.#triangleOf = new Int32Array(Math.floor(skin.indices.length / 3)).fill(-1)
     for (const [t, skinTriangle] of this.#surface.skinTriangles.entries()) this.#triangleOf[skinTriangle] = t
     this.#deform()
-    this.#hierarchy = hierarchyAgain(made.hierarchy, this.#positions, made.indices)
+    this.#hierarchy = restoreHierarchy(made.hierarchy, this.#positions, made.indices)
   }
 
   /** Number of pose updates. */
@@ -123,7 +123,7 @@ export class SkinPicker {
       if ((side === FrontSide && facing <= 0) || (side === BackSide && facing >= 0)) return false
       const distance = ray.direction.length()
       ray.direction.divideScalar(distance)
-      return this.#hierarchy.raycastFirst(ray, side, 0, distance - IN_FRONT * size) === null
+      return this.#hierarchy.raycastFirst(ray, side, 0, distance - DEPTH_TOLERANCE * size) === null
     }
   }
 

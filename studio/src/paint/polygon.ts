@@ -6,7 +6,7 @@ import type { PaintSkin, SkinPoint } from './paint-skin.ts'
 import { cover, type Painted } from './painted.ts'
 import { SeenPlaces, type Sight } from './seen-places.ts'
 import { skinPath } from './skin-path.ts'
-import { crossed, squaredDistance } from './vectors.ts'
+import { cross, squaredDistance } from './vectors.ts'
 
 /** Settings for painting a polygon. */
 export interface PolygonBrush {
@@ -20,13 +20,13 @@ export interface PolygonBrush {
 }
 
 /** Minimum projected area of a polygon, as a fraction of its squared perimeter: a circle has 0.08. */
-const LEAST_AREA = 1e-4
+const MIN_AREA = 1e-4
 /** Cosine between the normals of a polygon and skin below which the skin is skipped, for example inside the mouth. */
-const AWAY = -0.3
+const MIN_FACING = -0.3
 /** Maximum feather, millimetres. */
-const MOST_FEATHER = 150
+const MAX_FEATHER = 150
 /** Maximum points of an outline on the skin. */
-const MOST_POINTS = 1000
+const MAX_POINTS = 1000
 
 /**
  * Paints the inside of a polygon drawn on the skin. The weight falls by smoothstep across the feather, which is centred on the
@@ -80,7 +80,7 @@ function visitInside(
   const position = new Float64Array(3)
   const visited = new Set(outline.triangles)
   for (const triangle of visited) {
-    const { centre, radius } = ballRound(surface, triangle)
+    const { centre, radius } = boundingSphere(surface, triangle)
     const isTouched = outline.segmentsNear(centre, radius + feather / 2).length > 0
     if (!isTouched && !(outline.contains(centre) && outline.isFacing(surface, triangle))) continue
     const [first, end] = [map.starts[triangle], map.starts[triangle + 1]]
@@ -103,7 +103,7 @@ function visitInside(
 }
 
 /** Returns the centroid of a triangle and the distance to its farthest corner. */
-function ballRound({ points, corners }: SkinSurface, triangle: number) {
+function boundingSphere({ points, corners }: SkinSurface, triangle: number) {
   const centre = new Float64Array(3)
   for (let i = 0; i < 9; i++)
     centre[i % 3] += points[3 * corners[3 * triangle + Math.floor(i / 3)] + (i % 3)] / 3
@@ -130,7 +130,7 @@ class Outline {
       return (skinPath(surface, from, to) ?? [from, to]).slice(0, -1)
     })
     this.triangles = new Set(path.map(({ triangle }) => triangle))
-    const step = Math.ceil(path.length / MOST_POINTS)
+    const step = Math.ceil(path.length / MAX_POINTS)
     const points = [...path.filter((_, i) => i % step === 0), path[0]]
     this.#points = Float64Array.from(points.flatMap(({ position }) => [...position]))
     this.#axes = this.#findAxes(surface)
@@ -171,7 +171,7 @@ class Outline {
     const normal = new Float64Array(3)
     const [a, b, c] = corners.subarray(3 * triangle, 3 * triangle + 3)
     const length = crossOf(points, a, b, c, normal)
-    return dot(normal, this.#axes[0]) > AWAY * length
+    return dot(normal, this.#axes[0]) > MIN_FACING * length
   }
 
   #findAxes(surface: SkinSurface): [Float64Array, Float64Array, Float64Array] {
@@ -187,10 +187,10 @@ class Outline {
     // First tangent: perpendicular to the coordinate axis that differs most from the normal.
     const [x, y, z] = front.map(Math.abs)
     const axis = x <= y && x <= z ? [1, 0, 0] : y <= z ? [0, 1, 0] : [0, 0, 1]
-    const across = crossed(front, axis)
+    const across = cross(front, axis)
     const length = Math.hypot(...across)
     for (let k = 0; k < 3; k++) across[k] /= length
-    return [front, across, crossed(front, across)]
+    return [front, across, cross(front, across)]
   }
 
   /** Mean normal by Newell's method: the normalised sum of cross products of consecutive points. */
@@ -200,11 +200,11 @@ class Outline {
     for (let i = 0; i + 3 < points.length; i += 3) {
       const a = points.subarray(i, i + 3).map((value, k) => value - points[k])
       const b = points.subarray(i + 3, i + 6).map((value, k) => value - points[k])
-      for (const [k, value] of crossed(a, b).entries()) sum[k] += value / 2
+      for (const [k, value] of cross(a, b).entries()) sum[k] += value / 2
       perimeter += Math.sqrt(squaredDistance(points, i, i, points.subarray(i + 3, i + 6)))
     }
     const area = Math.hypot(...sum)
-    if (area > LEAST_AREA * perimeter * perimeter) return sum.map((value) => value / area)
+    if (area > MIN_AREA * perimeter * perimeter) return sum.map((value) => value / area)
     throw new FurrowError({
       who: 'Studio',
       problem: 'the polygon encloses no skin',
@@ -223,8 +223,8 @@ function check(points: readonly SkinPoint[], { feather, opacity }: PolygonBrush)
     throw new FurrowError({ code: 'out-of-range', who: 'Studio', problem, value, limit, remedy })
   }
   if (points.length < 3) fail('a polygon has too few points', points.length, 'at least 3', 'add points')
-  if (!(feather >= 0 && feather <= MOST_FEATHER)) {
-    fail('feather of a polygon', feather, `0 to ${MOST_FEATHER} mm`, 'choose one in this range')
+  if (!(feather >= 0 && feather <= MAX_FEATHER)) {
+    fail('feather of a polygon', feather, `0 to ${MAX_FEATHER} mm`, 'choose one in this range')
   }
   if (!(opacity >= 0 && opacity <= 1))
     fail('opacity of a polygon', opacity, '0 to 1', 'choose one in this range')

@@ -1,7 +1,7 @@
 import type { Mesh } from 'three'
 import { PoseWatch } from '../viewer/pose/pose-watch.ts'
 import { makeSkinInWorker } from './in-worker.ts'
-import { type MadeSkin, makeSkin } from './make-skin.ts'
+import { makeSkin, type SkinData } from './make-skin.ts'
 import { PaintSkin } from './paint-skin.ts'
 import { SkinPicker } from './picker.ts'
 import { type MeshSkin, readSkin } from './read-skin.ts'
@@ -16,22 +16,22 @@ export class PosedSkin {
   readonly #watch: PoseWatch
 
   /** @param made result of `makeSkin` for `read`. */
-  constructor(meshes: readonly Mesh[], scale: number, read: MeshSkin, made: MadeSkin) {
+  constructor(meshes: readonly Mesh[], scale: number, read: MeshSkin, made: SkinData) {
     this.skin = new PaintSkin(read.skin, made.surface, made.map)
     this.picker = new SkinPicker(read, this.skin, made)
     this.scale = scale
     this.#watch = new PoseWatch(meshes)
-    this.#watch.isNew()
+    this.#watch.hasChanged()
   }
 
   /** Takes the current pose. Does nothing if the face has not moved. */
   follow(): void {
-    if (this.#watch.isNew()) this.picker.refit()
+    if (this.#watch.hasChanged()) this.picker.refit()
   }
 }
 
 /** Skins by their mesh array, which stays the same while the avatar is open. */
-const lastMade = new WeakMap<readonly Mesh[], PosedSkin>()
+const cachedSkins = new WeakMap<readonly Mesh[], PosedSkin>()
 
 /** Pending preparations. */
 const preparations = new WeakMap<readonly Mesh[], { scale: number; size: number; skin: Promise<PosedSkin> }>()
@@ -44,14 +44,14 @@ const preparations = new WeakMap<readonly Mesh[], { scale: number; size: number;
  * @throws FurrowError if the skin cannot be painted.
  */
 export function posedSkinOf(meshes: readonly [Mesh, ...Mesh[]], scale: number): PosedSkin {
-  const last = knownSkin(meshes, scale)
+  const last = cachedSkin(meshes, scale)
   if (last) {
     last.follow()
     return last
   }
   const read = readSkin(meshes)
   const made = new PosedSkin(meshes, scale, read, makeSkin(read.skin, scale))
-  lastMade.set(meshes, made)
+  cachedSkins.set(meshes, made)
   return made
 }
 
@@ -61,7 +61,7 @@ export function preparedSkin(
   scale: number,
   size: number,
 ): PosedSkin | null {
-  const known = knownSkin(meshes, scale)
+  const known = cachedSkin(meshes, scale)
   if (!known?.skin.hasMap(size)) return null
   known.follow()
   return known
@@ -80,7 +80,7 @@ export function prepareSkin(
 ): Promise<PosedSkin> {
   const last = preparations.get(meshes)
   if (last?.scale === scale && last.size === size) return last.skin
-  const own = { scale, size, skin: makePrepared(meshes, scale, size) }
+  const own = { scale, size, skin: prepareUncached(meshes, scale, size) }
   const forget = () => {
     if (preparations.get(meshes) === own) preparations.delete(meshes)
   }
@@ -89,7 +89,7 @@ export function prepareSkin(
   return own.skin
 }
 
-async function makePrepared(
+async function prepareUncached(
   meshes: readonly [Mesh, ...Mesh[]],
   scale: number,
   size: number,
@@ -101,8 +101,8 @@ async function makePrepared(
   if (answer) {
     const { skin, made } = answer
     // The skin can have been computed meanwhile.
-    const early = knownSkin(meshes, scale)
-    if (!early) lastMade.set(meshes, new PosedSkin(meshes, scale, { skin, parts }, made))
+    const early = cachedSkin(meshes, scale)
+    if (!early) cachedSkins.set(meshes, new PosedSkin(meshes, scale, { skin, parts }, made))
     else if (!early.skin.hasMap(size)) early.skin.addMap(made.map!)
   }
   const posed = posedSkinOf(meshes, scale)
@@ -110,7 +110,7 @@ async function makePrepared(
   return posed
 }
 
-function knownSkin(meshes: readonly Mesh[], scale: number): PosedSkin | null {
-  const last = lastMade.get(meshes)
+function cachedSkin(meshes: readonly Mesh[], scale: number): PosedSkin | null {
+  const last = cachedSkins.get(meshes)
   return last?.scale === scale ? last : null
 }

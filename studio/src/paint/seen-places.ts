@@ -1,5 +1,5 @@
 import type { PaintMap } from './paint-map.ts'
-import { type PaintSkin, weightsOn } from './paint-skin.ts'
+import { clampedBarycentrics, type PaintSkin } from './paint-skin.ts'
 
 /**
  * Visibility test for a point of the skin.
@@ -31,15 +31,15 @@ export class SeenPlaces {
   }
 
   has(place: number, triangle: number): boolean {
-    if (this.#known[place] === 0) this.#known[place] = this.#look(place, triangle) ? SEEN : HIDDEN
+    if (this.#known[place] === 0) this.#known[place] = this.#test(place, triangle) ? SEEN : HIDDEN
     return this.#known[place] === SEEN
   }
 
-  #look(place: number, triangle: number): boolean {
+  #test(place: number, triangle: number): boolean {
     const { positions } = this.#map
     const position = [positions[3 * place], positions[3 * place + 1], positions[3 * place + 2]] as const
     const point = this.#isMirrored ? this.#skin.mirrored(position) : { triangle, position }
-    weightsOn(this.#skin.surface, point.triangle, point.position, this.#weights)
+    clampedBarycentrics(this.#skin.surface, point.triangle, point.position, this.#weights)
     return this.#sight(point.triangle, this.#weights)
   }
 }

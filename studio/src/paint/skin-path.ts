@@ -1,10 +1,10 @@
 import { crossOf, dot, type SkinSurface } from 'furrow/internal'
 import type { SkinPoint } from './paint-skin.ts'
-import { crossed, distanceBetween } from './vectors.ts'
+import { cross, distanceBetween } from './vectors.ts'
 
 /** Maximum path length as a multiple of the straight distance, plus millimetres. Longer paths detour, for example into the mouth. */
-const MOST_DETOUR = 2
-const DETOUR = 1
+const MAX_DETOUR = 2
+const MAX_DETOUR_OFFSET = 1
 /** Fraction by which ends move towards the centroid, so that the plane of the path crosses their triangle. */
 const INWARDS = 1e-6
 
@@ -16,10 +16,10 @@ const INWARDS = 1e-6
  */
 export function skinPath(surface: SkinSurface, from: SkinPoint, to: SkinPoint): SkinPoint[] | undefined {
   const { adjacent, corners, points } = surface
-  const [start, end] = [inwards(surface, from), inwards(surface, to)]
+  const [start, end] = [moveInwards(surface, from), moveInwards(surface, to)]
   const up = normalOf(surface, from.triangle)
   for (const [k, value] of normalOf(surface, to.triangle).entries()) up[k] += value
-  const left = crossed(
+  const left = cross(
     up,
     start.map((value, k) => end[k] - value),
   )
@@ -28,7 +28,7 @@ export function skinPath(surface: SkinSurface, from: SkinPoint, to: SkinPoint): 
 
   const path = [from]
   let { triangle } = from
-  let most = MOST_DETOUR * distanceBetween(from.position, to.position) + DETOUR
+  let most = MAX_DETOUR * distanceBetween(from.position, to.position) + MAX_DETOUR_OFFSET
   while (triangle !== to.triangle) {
     // Corners are counterclockwise: the path leaves across the edge that goes from its right to its left.
     const offsets = [0, 1, 2].map((k) => offsetOf(corners[3 * triangle + k]))
@@ -45,7 +45,7 @@ export function skinPath(surface: SkinSurface, from: SkinPoint, to: SkinPoint): 
   return [...path, to]
 }
 
-function inwards({ points, corners }: SkinSurface, { triangle, position }: SkinPoint): Float64Array {
+function moveInwards({ points, corners }: SkinSurface, { triangle, position }: SkinPoint): Float64Array {
   return Float64Array.from(position, (value, k) => {
     let middle = 0
     for (let i = 0; i < 3; i++) middle += points[3 * corners[3 * triangle + i] + k] / 3

@@ -3,12 +3,12 @@
 import { expose, transfer } from 'comlink'
 import { type MetricMesh, type Skin, skinCanvas } from 'furrow/author'
 import { buffersOf, canvasArrays, type SkinCanvasArrays } from 'furrow/internal'
-import { holdLife } from '../workers/life.ts'
-import { type MadeSkin, makeSkin } from './make-skin.ts'
+import { holdLifeLock } from '../workers/life.ts'
+import { makeSkin, type SkinData } from './make-skin.ts'
 
 const service = {
   /** Transfers the skin back with the result. */
-  makeSkin(skin: Skin, scale: number, size: number): { skin: Skin; made: MadeSkin } {
+  makeSkin(skin: Skin, scale: number, size: number): { skin: Skin; made: SkinData } {
     const answer = { skin, made: makeSkin(skin, scale, size) }
     return transfer(answer, [...buffersOf(answer), ...(answer.made.hierarchy.roots as ArrayBuffer[])])
   },
@@ -22,4 +22,4 @@ const service = {
 export type SkinService = typeof service
 
 expose(service)
-holdLife()
+holdLifeLock()

@@ -176,11 +176,11 @@ interface MapRowProps {
 
 function MapRow({ layer: { name, maps }, map, isDrawn, editor }: MapRowProps) {
   const label = MAP_LABELS[map]
-  const isThere = maps[map] !== undefined
+  const hasImage = maps[map] !== undefined
   return (
     <div class="map">
       <span class="label">{label}</span>
-      <span class="hint">{isThere ? (isDrawn ? 'image + lines' : 'image') : isDrawn ? 'lines' : '–'}</span>
+      <span class="hint">{hasImage ? (isDrawn ? 'image + lines' : 'image') : isDrawn ? 'lines' : '–'}</span>
       <label class="file" title={`Import ${label.toLowerCase()} map`}>
         <input
           type="file"
@@ -196,7 +196,7 @@ function MapRow({ layer: { name, maps }, map, isDrawn, editor }: MapRowProps) {
       </label>
       <button
         type="button"
-        disabled={!isThere && !isDrawn}
+        disabled={!hasImage && !isDrawn}
         aria-label={`Save ${map} of ${name}`}
         onClick={() => editor.saveMap(name, map)}
       >
@@ -205,7 +205,7 @@ function MapRow({ layer: { name, maps }, map, isDrawn, editor }: MapRowProps) {
       <button
         type="button"
         class="remove"
-        disabled={!isThere}
+        disabled={!hasImage}
         title="Remove"
         aria-label={`Remove ${map} of ${name}`}
         onClick={() => editor.removeMap(name, map)}

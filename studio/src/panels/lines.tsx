@@ -167,7 +167,7 @@ function groupsOf({ document }: PanelModel['session']): string[] {
 }
 
 function Operations({ editor, attempt }: ControlsProps) {
-  const buttons: readonly [label: string, title: string, action: () => void, isOff?: boolean][] = [
+  const buttons: readonly [label: string, title: string, action: () => void, isDisabled?: boolean][] = [
     ['Smooth', 'Moves its points towards a smoother line', () => editor.smooth()],
     ['Split', 'At the chosen point, or in the middle', () => editor.split()],
     ['Mirror', 'Adds its mirror image', () => editor.mirror()],
@@ -176,8 +176,8 @@ function Operations({ editor, attempt }: ControlsProps) {
   ]
   return (
     <fieldset class="grid lines-actions" aria-label="Chosen line">
-      {buttons.map(([label, title, action, isOff]) => (
-        <button key={label} type="button" title={title} disabled={isOff} onClick={() => attempt(action)}>
+      {buttons.map(([label, title, action, isDisabled]) => (
+        <button key={label} type="button" title={title} disabled={isDisabled} onClick={() => attempt(action)}>
           {label}
         </button>
       ))}

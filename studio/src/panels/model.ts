@@ -94,7 +94,7 @@ export interface PanelActions {
   saveExport(): void
   saveProject(): void
   /** Saves the project to its folder, or to a chosen one. */
-  saveToFolder(isOther: boolean): void
+  saveToFolder(isOtherFolder: boolean): void
   copyLink(): void
   copyCode(text: string): void
 }

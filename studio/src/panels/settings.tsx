@@ -113,8 +113,8 @@ function SkinChoice({ model: { viewer, actions } }: { model: PanelModel }) {
         value={avatar.skin}
         onChange={({ currentTarget }) => actions.chooseSkin(Number(currentTarget.value))}
       >
-        {avatar.skins.map(({ name, fault }, i) => (
-          <option key={name} value={i} disabled={fault !== null} title={fault ?? undefined}>
+        {avatar.skins.map(({ name, problem }, i) => (
+          <option key={name} value={i} disabled={problem !== null} title={problem ?? undefined}>
             {name}
           </option>
         ))}

@@ -49,12 +49,12 @@ export function ShortcutList({ isOpen }: { isOpen: Signal<boolean> }) {
           <section key={scope}>
             <h3>{SCOPES[scope]}</h3>
             <dl>
-              {Object.entries(SHORTCUTS[scope]).map(([name, { keys, does }]) => (
+              {Object.entries(SHORTCUTS[scope]).map(([name, { keys, label }]) => (
                 <div key={name}>
                   <dt>
                     <Keys keys={keys} />
                   </dt>
-                  <dd>{does}</dd>
+                  <dd>{label}</dd>
                 </div>
               ))}
             </dl>

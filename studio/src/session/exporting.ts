@@ -42,8 +42,8 @@ export class Exporting {
       }
       const { avatar } = work
       const source = documentToPack(work)
-      const following = { onProgress, signal: abort.signal }
-      const face = await exportDocumentInWorker(await faceFilesOf(avatar), source, options, following)
+      const taskOptions = { onProgress, signal: abort.signal }
+      const face = await exportDocumentInWorker(await faceFilesOf(avatar), source, options, taskOptions)
       if (this.#abort !== abort) return
       this.#abort = null
       this.#state.value = { kind: 'done', name: nameOf(avatar), face }

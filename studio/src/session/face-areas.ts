@@ -19,7 +19,7 @@ export class FaceAreas {
 
   /** Adds images as areas. Reports all failed images in one message. */
   async add(files: readonly File[], convention: AreaConvention): Promise<void> {
-    if (files.length > MAX_AREAS) return this.#messages.error(tooManyImages(files.length))
+    if (files.length > MAX_AREAS) return this.#messages.error(tooManyImagesError(files.length))
     const faults: unknown[] = []
     for (const file of files) await this.#addOne(file, convention).catch((error) => faults.push(error))
     if (faults.length === 0) return
@@ -48,7 +48,7 @@ export class FaceAreas {
   }
 }
 
-function tooManyImages(count: number): FurrowError {
+function tooManyImagesError(count: number): FurrowError {
   return new FurrowError({
     code: 'out-of-range',
     who: 'Studio',

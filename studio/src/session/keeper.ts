@@ -89,7 +89,7 @@ export class Keeper {
       return
     }
     this.#save(project.opened)
-    project.whenWanted(() => void this.#handOver(project))
+    project.onRequested(() => void this.#handOver(project))
   }
 
   /** Hands the project over to another tab. */
@@ -113,7 +113,7 @@ export class Keeper {
     if (known) return known.save(document)
     const project = await this.#create(document)
     this.#kept.value = project
-    project.whenWanted(() => void this.#handOver(project))
+    project.onRequested(() => void this.#handOver(project))
     this.#onCreate()
   }
 

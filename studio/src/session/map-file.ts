@@ -12,13 +12,13 @@ import { bytesOf } from '../files/dropped-files.ts'
  */
 export async function readMap(file: File, map: MapName, size: number): Promise<ImageFile> {
   const image = await decodeImage(file, file.name)
-  const isKept = map === 'height' || (image.width === size && image.height === size)
-  const bytes = isKept ? await bytesOf(file, file.name) : await scaled(image, size, file.name)
+  const isUnscaled = map === 'height' || (image.width === size && image.height === size)
+  const bytes = isUnscaled ? await bytesOf(file, file.name) : await scaled(image, size, file.name)
   return { mimeType: imageTypeOf(bytes) ?? 'image/png', bytes }
 }
 
 /** Encodes a gray map as PNG, off the main thread. */
-export async function grayFile({ width, height, data }: GrayImage, name: string): Promise<ImageFile> {
+export async function encodeGray({ width, height, data }: GrayImage, name: string): Promise<ImageFile> {
   const { canvas, context } = canvasOf(width, height, name)
   const image = new ImageData(width, height)
   for (let i = 0; i < data.length; i++) {
@@ -45,11 +45,11 @@ async function scaled({ width, height, data }: RgbaImage, size: number, name: st
 function canvasOf(width: number, height: number, name: string) {
   const canvas = new OffscreenCanvas(width, height)
   const context = canvas.getContext('2d', { willReadFrequently: true })
-  if (!context) throw withoutCanvas(name)
+  if (!context) throw noCanvasError(name)
   return { canvas, context }
 }
 
-function withoutCanvas(name: string): FurrowError {
+function noCanvasError(name: string): FurrowError {
   return new FurrowError({
     who: 'Studio',
     problem: `there is no canvas to draw ${name} on`,

@@ -82,7 +82,7 @@ export class Opening {
     const { readCapture } = await import('../capture/read-capture.ts')
     const capture = await readCapture(tables.map(({ file }) => file))
     const { captureClip } = await import('../capture/capture-clip.ts')
-    if (!host.viewer) throw withoutAvatar(capture.name)
+    if (!host.viewer) throw noAvatarError(capture.name)
     face.player.add(captureClip(capture, host.viewer.avatar.root))
     messages.note(`Added ${capture.name} to Animation`)
   }
@@ -93,7 +93,7 @@ export class Opening {
   }
 }
 
-function withoutAvatar(capture: string): FurrowError {
+function noAvatarError(capture: string): FurrowError {
   return new FurrowError({
     who: 'Studio',
     problem: `there is no avatar for ${capture} to move`,

@@ -1,6 +1,6 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals'
 import type { FolderFile } from '../files/folder-files.ts'
-import { askToWrite, pickFolder, projectFolder, writeFolder } from '../keep/disk-folder.ts'
+import { pickFolder, projectFolder, requestWriteAccess, writeFolder } from '../keep/disk-folder.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import { documentToPack } from './exporting.ts'
 import type { Workspace } from './workspace.ts'
@@ -39,14 +39,14 @@ export class Saving {
   /**
    * Writes the project to its folder, or asks for one if it has none. Requires a user gesture.
    *
-   * @param isOther always asks for a folder.
+   * @param isOtherFolder always asks for a folder.
    * @returns the folder name, or null if none was chosen. Rejects with a FurrowError if writing fails.
    */
-  async toFolder(isOther: boolean): Promise<string | null> {
-    const known = isOther ? null : this.#folder.peek()
+  async toFolder(isOtherFolder: boolean): Promise<string | null> {
+    const known = isOtherFolder ? null : this.#folder.peek()
     const chosen = known ?? (await pickFolder())
     if (!chosen) return null
-    if (known) await askToWrite(known)
+    if (known) await requestWriteAccess(known)
     const project = await this.#files()
     if (!project) return null
     const folder = known ?? (await projectFolder(chosen, project.name))

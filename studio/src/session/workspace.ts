@@ -3,7 +3,7 @@ import { FurrowError } from 'furrow'
 import type { AutoWrinkles } from 'furrow/author'
 import { DEFAULT_AREA_SIZE, halfSide } from 'furrow/internal'
 import type { TargetNames } from 'furrow-files'
-import { automaticDocument, layersLeft, remake } from '../document/automatic.ts'
+import { automaticDocument, maxAutoLayers, remake } from '../document/automatic.ts'
 import { blankDocument } from '../document/blank.ts'
 import type { AutoSettings, ImageFile, LayerStroke, StudioDocument } from '../document/document.ts'
 import { MapMaker } from '../draw/map-maker.ts'
@@ -19,7 +19,7 @@ import { type DrawnWork, Exporting } from './exporting.ts'
 import { faceFilesOf } from './face-files.ts'
 import { Keeping } from './keeping.ts'
 import { Latest } from './latest.ts'
-import { grayFile } from './map-file.ts'
+import { encodeGray } from './map-file.ts'
 import { Session } from './session.ts'
 
 /** Default settings of automatic wrinkles. */
@@ -47,7 +47,7 @@ export class Workspace {
   readonly #previews = new Latest((settings: AutoSettings) => this.#preview(settings))
 
   /** Initial settings for the next avatars. */
-  firstSettings = AUTO_SETTINGS
+  initialSettings = AUTO_SETTINGS
 
   /** @param onError receives errors of background work. */
   constructor(onError: (error: unknown) => void) {
@@ -118,7 +118,7 @@ export class Workspace {
     const opened = project?.opened ?? avatar.document
     const source = avatar.skins[avatar.skin].wrinkles && !opened ? null : skinSource(avatar)
     this.#source.value = source
-    this.#settings.value = this.firstSettings
+    this.#settings.value = this.initialSettings
     if (opened && source) this.session.open(opened)
     this.keeping.follow(avatar, project)
     if (source && !opened) await this.#begin(source)
@@ -126,12 +126,12 @@ export class Workspace {
 
   /** Starts with automatic wrinkles or, without blendshapes, with a blank document. */
   async #begin(source: SkinSource): Promise<void> {
-    const auto = source.skin.targets.length > 0 ? this.firstSettings : undefined
+    const auto = source.skin.targets.length > 0 ? this.initialSettings : undefined
     try {
       if (auto) await this.makeAuto(auto)
     } finally {
-      const isNone = source === this.#source.peek() && !this.session.document.peek()
-      if (isNone) this.session.open({ ...this.#target, ...blankDocument(auto) })
+      const isEmpty = source === this.#source.peek() && !this.session.document.peek()
+      if (isEmpty) this.session.open({ ...this.#target, ...blankDocument(auto) })
     }
   }
 
@@ -179,7 +179,7 @@ export class Workspace {
     if (!wrinkles) return
     const bloods = wrinkles.blood.maps.map(halfSide)
     const bloodMaps = await Promise.all(
-      bloods.map((map, i) => grayFile(map, `blood of ${wrinkles.layers[i].name}`)),
+      bloods.map((map, i) => encodeGray(map, `blood of ${wrinkles.layers[i].name}`)),
     )
     if (avatar !== this.#avatar) return
     const document = this.#documentOf(wrinkles, settings, bloodMaps)
@@ -225,12 +225,12 @@ export class Workspace {
     const source = this.#source.peek()
     if (!source) return null
     this.#settings.value = settings
-    const layers = layersLeft(this.session.document.peek())
+    const layers = maxAutoLayers(this.session.document.peek())
     const { shapes = [], ...others } = settings
     const options = { ...others, size, areaSize: this.#areaSize, layers }
     const wrinkles = await this.automatic.make({ ...source, skin: correctedSkin(source, shapes) }, options)
     if (!wrinkles) return null
-    if (wrinkles.emptyReason !== undefined) throw withoutAreas(wrinkles.emptyReason)
+    if (wrinkles.emptyReason !== undefined) throw noWrinklesError(wrinkles.emptyReason)
     return wrinkles
   }
 
@@ -288,7 +288,7 @@ function isSameWork(a: OpenedAvatar, b: OpenedAvatar): boolean {
   )
 }
 
-function withoutAreas(reason: string): FurrowError {
+function noWrinklesError(reason: string): FurrowError {
   return new FurrowError({
     who: 'Studio',
     problem: `no wrinkles can be made: ${reason}`,

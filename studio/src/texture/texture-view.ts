@@ -61,7 +61,7 @@ export class TextureView {
     effect(() => {
       session.document.value
       painting.hit.value
-      painting.made.value
+      painting.skinVersion.value
       painting.brush.value
       this.#base.value
       this.#wake()

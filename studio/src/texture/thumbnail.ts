@@ -1,8 +1,8 @@
 import type { GrayImage } from 'furrow'
 
 /** Minimum visible weight, minimum crop side as a fraction of the texture, and crop side relative to the area. */
-const SEEN = 32
-const LEAST_SIDE = 0.35
+const MIN_WEIGHT = 32
+const MIN_SIDE = 0.35
 const MARGIN = 1.3
 
 /** Square part of a texture, as fractions of its side. */
@@ -16,7 +16,7 @@ export interface Crop {
 export function cropOf({ width, height, data }: GrayImage): Crop {
   let [left, top, right, bottom] = [width, height, 0, 0]
   for (let i = 0; i < data.length; i++) {
-    if (data[i] < SEEN) continue
+    if (data[i] < MIN_WEIGHT) continue
     const [x, y] = [i % width, Math.floor(i / width)]
     left = Math.min(left, x)
     right = Math.max(right, x + 1)
@@ -25,7 +25,7 @@ export function cropOf({ width, height, data }: GrayImage): Crop {
   }
   if (right <= left) return { x: 0, y: 0, side: 1 }
   const extent = Math.max((right - left) / width, (bottom - top) / height)
-  const side = Math.min(1, Math.max(LEAST_SIDE, MARGIN * extent))
+  const side = Math.min(1, Math.max(MIN_SIDE, MARGIN * extent))
   const start = (low: number, high: number, size: number) =>
     Math.min(1 - side, Math.max(0, (low + high) / 2 / size - side / 2))
   return { x: start(left, right, width), y: start(top, bottom, height), side }
@@ -34,9 +34,12 @@ export function cropOf({ width, height, data }: GrayImage): Crop {
 /** Downscales a part of an image by averaging the covered texels. */
 export function shrink({ width, height, data }: GrayImage, { x, y, side }: Crop, size: number): GrayImage {
   const out = new Uint8Array(size * size)
-  const range = (start: number, i: number, of: number): [number, number] => {
-    const first = Math.min(of - 1, Math.floor((start + (i / size) * side) * of))
-    return [first, Math.max(first + 1, Math.min(of, Math.floor((start + ((i + 1) / size) * side) * of)))]
+  const range = (start: number, i: number, length: number): [number, number] => {
+    const first = Math.min(length - 1, Math.floor((start + (i / size) * side) * length))
+    return [
+      first,
+      Math.max(first + 1, Math.min(length, Math.floor((start + ((i + 1) / size) * side) * length))),
+    ]
   }
   for (let row = 0; row < size; row++) {
     const [y0, y1] = range(y, row, height)

@@ -27,7 +27,7 @@ export interface PaintToolParts {
   /** Returns the target at the start of a stroke and on hover, or null if there is nothing to paint. */
   target(): PaintTarget | null
   /** Returns the preparation of the target, or null once it is ready. */
-  waitsFor(): Promise<unknown> | null
+  preparation(): Promise<unknown> | null
   /** Called when painted weights changed. `showStroke` must be called before the next frame. */
   onPaint(): void
   /** Shows temporary weights of an area, or its own weights again. */
@@ -48,8 +48,8 @@ export class PaintTool implements StageTool {
     this.#parts = parts
   }
 
-  waitsFor(): Promise<unknown> | null {
-    return this.#parts.waitsFor()
+  preparation(): Promise<unknown> | null {
+    return this.#parts.preparation()
   }
 
   begin(pointer: StagePointer): boolean {

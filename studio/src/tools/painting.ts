@@ -37,7 +37,7 @@ interface PaintedFace {
 type OpenFace = Pick<StudioDocument, 'scale' | 'areaSize'> & Pick<OpenedAvatar['skins'][number], 'meshes'>
 
 /** Maximum number of vertices for preparing a skin in advance. Larger skins take hundreds of megabytes and may never be painted. */
-const MOST_PREPARED = 500_000
+const MAX_PREPARED = 500_000
 
 export const PAINT_SHAPES = ['brush', 'polygon'] as const
 export type PaintShape = (typeof PAINT_SHAPES)[number]
@@ -64,14 +64,14 @@ export class Painting {
   readonly #ring: BrushRing
   readonly #hit = signal<SkinHit | null>(null)
   readonly #stroke = signal<GrayImage | null>(null)
-  readonly #made = signal(0)
+  readonly #skinVersion = signal(0)
 
   readonly brush = signal<Brush>(BRUSH_DEFAULTS)
   /** Shape painted on the face. */
   readonly shape = signal<PaintShape>('brush')
   readonly polygon: PolygonPainting
   /** Whether to paint skin hidden from the camera too. */
-  readonly isThrough = signal(false)
+  readonly isHiddenPainted = signal(false)
   /** Name of the painted area, or null while painting is off. */
   readonly area: ReadonlySignal<string | null> = computed(() =>
     this.#isOn.value ? (this.#parts.areas.chosen.value?.name ?? null) : null,
@@ -85,7 +85,7 @@ export class Painting {
     this.polygon = new PolygonPainting({
       ...parts,
       brush: this.brush,
-      waitsFor: () => this.#waitsFor(),
+      preparation: () => this.#preparation(),
       keep: (area, weights) => this.#keep(area, weights),
     })
     const onFace = this.polygon.addView({
@@ -95,7 +95,7 @@ export class Painting {
       positionOf: ({ triangle, weights }) =>
         this.#face()?.picker.positionOf(triangle, weights, new Vector3()) ?? null,
     })
-    this.#offer(host, onFace, 'polygon')
+    this.#bindTool(host, onFace, 'polygon')
     effect(() => {
       if (this.area.value === null || this.shape.value !== 'polygon') this.polygon.clear()
     })
@@ -104,7 +104,7 @@ export class Painting {
     })
     this.#prepareSkins()
     effect(() => {
-      if (this.area.value !== null) void this.#waitsFor()
+      if (this.area.value !== null) void this.#preparation()
     })
     // A stroke must not continue on weights that undo has replaced.
     effect(() => {
@@ -140,8 +140,8 @@ export class Painting {
   }
 
   /** Version number, incremented when a skin is ready. */
-  get made(): ReadonlySignal<number> {
-    return this.#made
+  get skinVersion(): ReadonlySignal<number> {
+    return this.#skinVersion
   }
 
   /**
@@ -154,7 +154,11 @@ export class Painting {
     const target = () => this.#targetOnTexture()
     this.#addTool(host, target, 'brush')
     const positionOf = ({ uv: [u, v] }: SkinHit) => new Vector3(u, -v, 0)
-    this.#offer(host, this.polygon.addView({ element, camera: () => camera, target, positionOf }), 'polygon')
+    this.#bindTool(
+      host,
+      this.polygon.addView({ element, camera: () => camera, target, positionOf }),
+      'polygon',
+    )
   }
 
   /** Mirrors weights on the open face. */
@@ -188,12 +192,12 @@ export class Painting {
 
   async #prepare({ meshes, scale, areaSize }: OpenFace): Promise<void> {
     await prepareSkin(meshes, scale, areaSize)
-    this.#made.value++
+    this.#skinVersion.value++
     this.#parts.wake()
   }
 
   /** Returns the preparation of the skin, or null once it is ready. */
-  #waitsFor(): Promise<unknown> | null {
+  #preparation(): Promise<unknown> | null {
     const open = this.#open()
     if (!open || preparedSkin(open.meshes, open.scale, open.areaSize)) return null
     return Promise.resolve(this.#parts.attempt(() => this.#prepare(open)))
@@ -203,7 +207,7 @@ export class Painting {
     const { wake } = this.#parts
     const tool = new PaintTool({
       target,
-      waitsFor: () => this.#waitsFor(),
+      preparation: () => this.#preparation(),
       onPaint: wake,
       show: (area, weights) => this.#show(area, weights),
       keep: (area, weights) => this.#keep(area, weights),
@@ -213,11 +217,11 @@ export class Painting {
       },
     })
     this.#tools.push({ tool, host })
-    this.#offer(host, tool, shape)
+    this.#bindTool(host, tool, shape)
   }
 
   /** Activates a tool while its shape is chosen. */
-  #offer(host: ToolHost, tool: StageTool, shape: PaintShape): void {
+  #bindTool(host: ToolHost, tool: StageTool, shape: PaintShape): void {
     effect(() => {
       this.#parts.viewer.value
       if (this.area.value === null || this.shape.value !== shape) host.leave(tool)
@@ -233,7 +237,7 @@ export class Painting {
     const [viewer, area, face] = [this.#parts.viewer.peek(), this.#parts.areas.chosen.peek(), this.#face()]
     if (!viewer || !area || !face) return null
     const { skin, picker } = face
-    const sight = this.isThrough.peek() ? undefined : picker.sightFrom(viewer.stage.camera.position)
+    const sight = this.isHiddenPainted.peek() ? undefined : picker.sightFrom(viewer.stage.camera.position)
     return { area, brush: this.brush.peek(), skin, picker, sight }
   }
 
@@ -288,12 +292,12 @@ export class Painting {
     const changes: Record<ShortcutName<'painting'>, () => Partial<Brush>> = {
       smaller: () => resize(1 / SIZE_STEP),
       larger: () => resize(SIZE_STEP),
-      exchange: () => ({ mode: mode === 'add' ? 'remove' : 'add' }),
+      swap: () => ({ mode: mode === 'add' ? 'remove' : 'add' }),
     }
     this.brush.value = { ...this.brush.peek(), ...changes[name]() }
   }
 }
 
 function isLarge(meshes: OpenFace['meshes']): boolean {
-  return meshes.reduce((sum, { geometry }) => sum + geometry.attributes.position.count, 0) > MOST_PREPARED
+  return meshes.reduce((sum, { geometry }) => sum + geometry.attributes.position.count, 0) > MAX_PREPARED
 }

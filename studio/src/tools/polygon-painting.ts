@@ -26,7 +26,7 @@ export interface PolygonView {
 export interface PolygonPaintingParts {
   brush: ReadonlySignal<Brush>
   /** Returns the preparation of the skin, or null once it is ready. */
-  waitsFor(): Promise<unknown> | null
+  preparation(): Promise<unknown> | null
   keep(area: string, painted: PaintTarget['area']['weights']): void
   /** Requests the next frame. */
   wake(): void
@@ -67,7 +67,7 @@ export class PolygonPainting {
         this.#last = view
         return view.target()?.picker.pick(ray)
       },
-      waitsFor: this.#parts.waitsFor,
+      preparation: this.#parts.preparation,
       project: (hit) => project(hit, view),
       close: () => this.close(),
     })

@@ -10,7 +10,7 @@ export interface PolygonToolParts {
   /** Returns the skin under a pointer. */
   pick(pointer: StagePointer): SkinHit | undefined
   /** Returns the preparation of the skin, or null once it is ready. */
-  waitsFor(): Promise<unknown> | null
+  preparation(): Promise<unknown> | null
   /** Projects a skin point to CSS pixels from the view's upper left corner. */
   project(hit: SkinHit): { x: number; y: number }
   /** Called when a click closes the polygon. */
@@ -25,8 +25,8 @@ export class PolygonTool implements StageTool {
     this.#parts = parts
   }
 
-  waitsFor(): Promise<unknown> | null {
-    return this.#parts.waitsFor()
+  preparation(): Promise<unknown> | null {
+    return this.#parts.preparation()
   }
 
   begin(pointer: StagePointer): boolean {

@@ -1,7 +1,7 @@
 import type { SkinHit } from '../paint/picker.ts'
 
 /** Minimum number of points. */
-const LEAST_POINTS = 3
+const MIN_POINTS = 3
 
 /** Points of an unfinished polygon on the skin, shared by all views. */
 export class Polygon {
@@ -21,7 +21,7 @@ export class Polygon {
 
   /** First point, where a click closes the polygon. Undefined while there are too few points. */
   get first(): SkinHit | undefined {
-    return this.#points.length < LEAST_POINTS ? undefined : this.#points[0]
+    return this.#points.length < MIN_POINTS ? undefined : this.#points[0]
   }
 
   /** Point being placed, or null. */

@@ -16,7 +16,7 @@ export interface StagePointer {
 /** Pointer tool of the stage. */
 export interface StageTool {
   /** Returns a pending preparation, or null. Settling it, also with an error, replays the pointer events received meanwhile. */
-  waitsFor?(): Promise<unknown> | null
+  preparation?(): Promise<unknown> | null
   /** @returns whether the tool captures the pointer until release; otherwise the camera orbits. */
   begin(pointer: StagePointer): boolean
   /** @param pointers all positions since the last call, in order. */

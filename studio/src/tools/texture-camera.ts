@@ -7,7 +7,7 @@ const BORDER = 0.04
 const STEP = 0.1
 /** Zoom factor per key press, and maximum zoom. */
 const ZOOM_STEP = 1.25
-const MOST_ZOOM = 64
+const MAX_ZOOM = 64
 
 /** Placement of a texture on screen: texture coordinates at the centre (v down), and CSS pixels per side of the texture. */
 export interface TextureFrame {
@@ -33,7 +33,7 @@ export class TextureCamera {
     this.#controls.enableRotate = false
     this.#controls.zoomToCursor = true
     this.#controls.minZoom = 1
-    this.#controls.maxZoom = MOST_ZOOM
+    this.#controls.maxZoom = MAX_ZOOM
     this.#controls.mouseButtons = { LEFT: MOUSE.PAN, MIDDLE: MOUSE.PAN, RIGHT: MOUSE.PAN }
     this.#controls.touches = { ONE: TOUCH.PAN, TWO: TOUCH.DOLLY_PAN }
     this.#controls.addEventListener('change', () => {
@@ -85,7 +85,7 @@ export class TextureCamera {
     const name = shortcutOf('texture', event)
     if (!name) return
     event.preventDefault()
-    if (name === 'whole') {
+    if (name === 'reset') {
       this.reset()
       return
     }
@@ -100,7 +100,7 @@ export class TextureCamera {
       farther: [0, 0, 1 / ZOOM_STEP],
     }
     const [x, y, factor] = moves[name]
-    this.camera.zoom = Math.min(MOST_ZOOM, Math.max(1, zoom * factor))
+    this.camera.zoom = Math.min(MAX_ZOOM, Math.max(1, zoom * factor))
     this.#moveTo(position.x + x, position.y + y)
     this.#stayOnTexture()
     this.#apply()

@@ -13,7 +13,7 @@ export class ToolHost {
   /** Whether the tool's gesture has begun. */
   #isBegun = false
   /** Queued gesture steps while the tool is being prepared, otherwise null. */
-  #held: (() => void)[] | null = null
+  #queue: (() => void)[] | null = null
 
   /**
    * @param stage element that shows the face.
@@ -46,7 +46,7 @@ export class ToolHost {
 
   readonly #onDown = (event: PointerEvent): void => {
     if (this.#taken) {
-      this.#meet(this.#taken, event)
+      this.#addPointer(this.#taken, event)
       return
     }
     if (!this.#tool || event.button !== 0 || !event.isPrimary) return
@@ -61,38 +61,38 @@ export class ToolHost {
 
   /** Returns whether the tool captures the pointer. Always true during a preparation. */
   #begin(tool: StageTool, pointer: StagePointer): boolean {
-    const waiting = this.#held ? null : tool.waitsFor?.()
-    if (waiting) this.#hold(waiting)
+    const waiting = this.#queue ? null : tool.preparation?.()
+    if (waiting) this.#queueUntil(waiting)
     const begin = () => {
       this.#isBegun = tool.begin(pointer)
     }
-    if (this.#held) this.#held.push(begin)
+    if (this.#queue) this.#queue.push(begin)
     else begin()
-    return this.#held !== null || this.#isBegun
+    return this.#queue !== null || this.#isBegun
   }
 
-  #hold(waiting: Promise<unknown>): void {
-    const held: (() => void)[] = []
-    this.#held = held
-    const go = () => {
-      if (held !== this.#held) return
-      this.#held = null
-      for (const step of held) step()
+  #queueUntil(waiting: Promise<unknown>): void {
+    const queue: (() => void)[] = []
+    this.#queue = queue
+    const flush = () => {
+      if (queue !== this.#queue) return
+      this.#queue = null
+      for (const step of queue) step()
     }
-    waiting.then(go, go)
+    waiting.then(flush, flush)
   }
 
   /** Continues a gesture that has begun, now or after the preparation. */
-  #goOn(step: () => void): void {
+  #continue(step: () => void): void {
     const own = () => {
       if (this.#isBegun) step()
     }
-    if (this.#held) this.#held.push(own)
+    if (this.#queue) this.#queue.push(own)
     else own()
   }
 
   /** A second touch gives both touches to the camera and replays the first one's press. Other second pointers are ignored. */
-  #meet(taken: PointerEvent, second: PointerEvent): void {
+  #addPointer(taken: PointerEvent, second: PointerEvent): void {
     if (taken.pointerType !== 'touch' || second.pointerType !== 'touch') {
       second.stopImmediatePropagation()
       return
@@ -113,19 +113,19 @@ export class ToolHost {
     this.#taken = event
     const events = event.getCoalescedEvents?.() ?? []
     const pointers = (events.length > 0 ? events : [event]).flatMap((each) => this.#read(each) ?? [])
-    this.#goOn(() => this.#tool?.move(pointers))
+    this.#continue(() => this.#tool?.move(pointers))
   }
 
   readonly #onUp = (event: PointerEvent): void => {
     if (event.pointerId !== this.#taken?.pointerId) return
     event.stopImmediatePropagation()
     this.#taken = null
-    this.#goOn(() => this.#tool?.end())
+    this.#continue(() => this.#tool?.end())
   }
 
   /** Aborts the current gesture. */
   cancel(): void {
-    this.#held = null
+    this.#queue = null
     if (!this.#taken) return
     this.#stage.releasePointerCapture(this.#taken.pointerId)
     this.#taken = null

@@ -37,11 +37,11 @@ export class DocumentView {
       return
     }
     const { document, maps } = drawn
-    if (before && viewer.wrinkles && canFollow(before, drawn)) {
+    if (before && viewer.wrinkles && canUpdate(before, drawn)) {
       updateMaps(viewer.wrinkles, drawn)
       scaleLayers(viewer.wrinkles, before.document, document)
       changeAreas(viewer, before.document, document)
-      if (areDrivenAnew(before.document, document)) viewer.setDrivers(document.drivers)
+      if (haveDriversChanged(before.document, document)) viewer.setDrivers(document.drivers)
       return
     }
     const layers = document.layers.map((layer, i) => engineLayer(layer, maps[i]))
@@ -51,11 +51,11 @@ export class DocumentView {
 }
 
 /** Whether a document can be shown by updating texels, layer strengths, areas, weights, activations and drivers. */
-function canFollow(before: DrawnDocument, after: DrawnDocument): boolean {
+function canUpdate(before: DrawnDocument, after: DrawnDocument): boolean {
   const old = new Map(before.document.areas.map((area) => [area.name, area]))
   return (
     before.document.layers.length === after.document.layers.length &&
-    before.document.layers.every((layer, i) => areAlike(layer, after.document.layers[i])) &&
+    before.document.layers.every((layer, i) => haveSameKind(layer, after.document.layers[i])) &&
     before.document.areaSize === after.document.areaSize &&
     before.maps.every((maps, i) => maps === after.maps[i]) &&
     after.document.areas.every((area) => haveSameFields(old.get(area.name) ?? area, area))
@@ -63,7 +63,7 @@ function canFollow(before: DrawnDocument, after: DrawnDocument): boolean {
 }
 
 /** Whether two layers differ only in strength. */
-function areAlike(a: StudioLayer, b: StudioLayer): boolean {
+function haveSameKind(a: StudioLayer, b: StudioLayer): boolean {
   return a.name === b.name && a.kind === b.kind
 }
 
@@ -72,7 +72,7 @@ function haveSameFields(a: StudioArea, b: StudioArea): boolean {
 }
 
 /** Whether drivers changed, or the area measured by a tension driver. */
-function areDrivenAnew(before: StudioDocument, after: StudioDocument): boolean {
+function haveDriversChanged(before: StudioDocument, after: StudioDocument): boolean {
   if (before.drivers !== after.drivers) return true
   const weights = ({ areas }: StudioDocument, area: string) =>
     areas.find(({ name }) => name === area)?.weights
@@ -107,7 +107,7 @@ function changeAreas(viewer: Viewer, before: StudioDocument, after: StudioDocume
     const known = old.get(area.name)
     if (!known) viewer.addArea(engineArea(area))
     else if (known.weights !== area.weights) updateArea(viewer.wrinkles!, area.name, area.weights)
-    if (known && known.activation !== area.activation) viewer.driven.rest(area.name, area.activation)
+    if (known && known.activation !== area.activation) viewer.driven.setResting(area.name, area.activation)
   }
   for (const { name } of before.areas) if (!names.has(name)) viewer.removeArea(name)
 }

@@ -6,7 +6,7 @@ import { type OpenedAvatar, openAvatar } from '../open/avatar.ts'
 export type OnProgress = (fraction: number | null) => void
 
 /** Timeout without received data, milliseconds. */
-const PATIENCE = 30_000
+const TIMEOUT = 30_000
 
 /** Lists the faces on the server. */
 export async function listFaces(): Promise<string[]> {
@@ -53,7 +53,7 @@ async function fetchBlob(address: string, name: string, onProgress: OnProgress):
   let timer = 0
   const wait = () => {
     clearTimeout(timer)
-    timer = window.setTimeout(() => stalled.abort(new Error('the server does not answer')), PATIENCE)
+    timer = window.setTimeout(() => stalled.abort(new Error('the server does not answer')), TIMEOUT)
   }
   wait()
   try {
@@ -78,13 +78,13 @@ async function fetchBlob(address: string, name: string, onProgress: OnProgress):
     }
   } catch (error) {
     stalled.abort()
-    throw error instanceof FurrowError ? error : notFetched(address, error as Error)
+    throw error instanceof FurrowError ? error : fetchError(address, error as Error)
   } finally {
     clearTimeout(timer)
   }
 }
 
-function notFetched(address: string, cause: Error): FurrowError {
+function fetchError(address: string, cause: Error): FurrowError {
   return new FurrowError(
     {
       code: 'unreadable',

@@ -7,13 +7,13 @@ export interface LightDirection {
 }
 
 /** Maximum yaw and pitch. Larger angles light the face from behind. */
-export const MOST_LIGHT = [90, 85] as const
+export const MAX_LIGHT = [90, 85] as const
 
 const RADIANS = Math.PI / 180
 
 export function clampedLight({ yaw, pitch }: LightDirection): LightDirection {
   const clamp = (value: number, most: number) => Math.round(Math.min(most, Math.max(-most, value)))
-  return { yaw: clamp(yaw, MOST_LIGHT[0]), pitch: clamp(pitch, MOST_LIGHT[1]) }
+  return { yaw: clamp(yaw, MAX_LIGHT[0]), pitch: clamp(pitch, MAX_LIGHT[1]) }
 }
 
 /** Returns the position of a light for a face that looks along +Z. */

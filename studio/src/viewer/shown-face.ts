@@ -47,7 +47,7 @@ export class ShownFace {
     this.player = new ClipPlayer({
       viewer,
       begin: () => {
-        this.#rest()
+        this.#finishMotion()
         this.#expression.value = null
       },
       onPose,
@@ -138,7 +138,7 @@ export class ShownFace {
   /** Changes sliders after finishing a transition. */
   #set(write: () => void): void {
     this.change(() => {
-      this.#rest()
+      this.#finishMotion()
       write()
       this.#expression.value = null
       this.#frame.value++
@@ -182,7 +182,7 @@ export class ShownFace {
   }
 
   /** Finishes previews and transitions. Leaves a clip running. */
-  #rest(): void {
+  #finishMotion(): void {
     this.settle()
     this.#live?.advance(Number.POSITIVE_INFINITY)
   }

@@ -90,7 +90,7 @@ export class ViewerHost {
     // Starting a renderer is slower than loading most avatars, so another avatar reuses the stage.
     const canvas = (load && this.#canvas?.kind === chosen && this.#canvas) || (await this.#openCanvas(chosen))
     const viewer = this.#makeViewer(canvas, avatar, last)
-    if (viewer.fault) messages.error(viewer.fault)
+    if (viewer.error) messages.error(viewer.error)
     const unused = viewer.avatar === last ? avatar : last
     if (unused && unused.root !== viewer.avatar.root) disposeAvatar(unused)
     this.#viewer = viewer

@@ -34,7 +34,7 @@ export class Viewer {
   /** The skin's material without wrinkles, cloned for each `Looks`. */
   readonly #plain: Mesh['material']
   #wrinkles: Wrinkles | null = null
-  #fault: Error | null = null
+  #error: Error | null = null
   readonly #muscles: MuscleTargets
   readonly #expressions: FaceExpressions
   #looks!: Looks
@@ -43,7 +43,7 @@ export class Viewer {
   #highlighted: readonly string[] = []
   readonly #sides: Sides
 
-  /** Omits wrinkles that do not fit the face; see `fault`. */
+  /** Omits wrinkles that do not fit the face; see `error`. */
   constructor({ canvas, kind, stage }: CanvasStage, avatar: OpenedAvatar) {
     this.canvas = canvas
     this.kind = kind
@@ -56,7 +56,7 @@ export class Viewer {
     this.#expressions = new FaceExpressions(avatar.root, avatar.expressions)
     stage.show(face)
     this.#muscles = new MuscleTargets([face.skin, ...face.parts])
-    this.#wear(face.wrinkles)
+    this.#addWrinkles(face.wrinkles)
   }
 
   /** Null for a plain face. */
@@ -65,8 +65,8 @@ export class Viewer {
   }
 
   /** Why the avatar's wrinkles are not shown, or null. */
-  get fault(): Error | null {
-    return this.#fault
+  get error(): Error | null {
+    return this.#error
   }
 
   /**
@@ -79,10 +79,10 @@ export class Viewer {
     const { mode, look } = this
     this.#looks.dispose()
     this.#wrinkles?.dispose()
-    this.#wear(wrinkles)
+    this.#addWrinkles(wrinkles)
     for (const { name, read, write } of this.areas) write(before.get(name) ?? read())
     this.driven.drive()
-    if (this.#fault) throw this.#fault
+    if (this.#error) throw this.#error
     this.mode = mode
     this.look = this.#isPossible(look) ? look : { name: 'shaded' }
   }
@@ -91,24 +91,24 @@ export class Viewer {
   setDrivers(drivers: readonly WrinkleDriver[]): void {
     this.#addMuscles(drivers)
     this.driven.setDrivers(drivers)
-    this.#renewExpressions()
+    this.#rebuildExpressions()
   }
 
   /** Adds wrinkles to the plain face. */
-  #wear(wrinkles: Face['wrinkles']): void {
-    this.#fault = null
+  #addWrinkles(wrinkles: Face['wrinkles']): void {
+    this.#error = null
     this.#wrinkles = null
     this.#addMuscles(wrinkles?.drivers ?? [])
     try {
       // No relief: it draws its own mesh, which looks, lines and brushes do not support.
       if (wrinkles) this.#wrinkles = this.stage.addWrinkles(this.#face, wrinkles, { relief: 'off' })
     } catch (error) {
-      this.#fault = error as Error
+      this.#error = error as Error
     }
-    this.driven.wear(this.#wrinkles, wrinkles?.set.areas ?? [], wrinkles?.drivers ?? [])
+    this.driven.attach(this.#wrinkles, wrinkles?.set.areas ?? [], wrinkles?.drivers ?? [])
     const plain = cloned(this.#plain)
     this.#looks = new Looks(this.#face, this.#wrinkles, plain, (mesh, own) => this.#createMirror(mesh, own))
-    this.#renewAreas()
+    this.#rebuildAreas()
     this.driven.drive()
   }
 
@@ -117,7 +117,7 @@ export class Viewer {
     this.#muscles.update(driversOf('muscle', drivers))
     this.targets = targetDials(this.#face.root).map((dial) => ({
       ...dial,
-      write: (value) => this.driven.driveAfter(() => dial.write(value)),
+      write: (value) => this.driven.applyChange(() => dial.write(value)),
     }))
   }
 
@@ -185,7 +185,7 @@ export class Viewer {
 
   /** Moves joints and blendshapes without the dials, and updates the driven areas. */
   move(change: () => void): void {
-    this.driven.driveAfter(() => {
+    this.driven.applyChange(() => {
       change()
       // Joint inputs read world matrices.
       this.avatar.root.updateMatrixWorld()
@@ -194,7 +194,7 @@ export class Viewer {
 
   /** @throws FurrowError if the area cannot be added, and then changes nothing. */
   addArea(area: Area): void {
-    if (!this.wrinkles) throw withoutLayers(area.name)
+    if (!this.wrinkles) throw noWrinklesError(area.name)
     addArea(this.wrinkles, area)
     this.#face.wrinkles?.set.areas.push(area)
     this.driven.resting.set(area.name, area.activation ?? 0)
@@ -232,23 +232,23 @@ export class Viewer {
 
   /** Moves the face by an expression. Areas set by expressions do not follow their drivers. */
   #moveFace(play: () => void): void {
-    this.driven.driveAfter(play, (area) => !this.#expressions.sets(area))
+    this.driven.applyChange(play, (area) => !this.#expressions.setsArea(area))
   }
 
   #areasChanged(): void {
-    this.#renewAreas()
+    this.#rebuildAreas()
     this.look = this.#look
   }
 
-  #renewAreas(): void {
+  #rebuildAreas(): void {
     this.areas = this.#wrinkles ? areaDials(this.#wrinkles) : []
-    this.#renewExpressions()
+    this.#rebuildExpressions()
     this.#expressions.stop()
   }
 
-  #renewExpressions(): void {
+  #rebuildExpressions(): void {
     const names = (dials: readonly Dial[]) => dials.map(({ name }) => name)
-    this.#expressions.renew(this.driven.drivers, this.wrinkles, names(this.targets), names(this.areas))
+    this.#expressions.rebuild(this.driven.drivers, this.wrinkles, names(this.targets), names(this.areas))
   }
 
   #createMirror(mesh: Mesh, wrinkles: Wrinkles): Wrinkles {
@@ -262,7 +262,7 @@ function cloned(material: Mesh['material']): Mesh['material'] {
   return Array.isArray(material) ? material.map((each) => each.clone()) : material.clone()
 }
 
-function withoutLayers(area: string): FurrowError {
+function noWrinklesError(area: string): FurrowError {
   return new FurrowError({
     who: 'Studio',
     problem: 'the face has no wrinkles for an area to show',

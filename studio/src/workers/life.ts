@@ -9,7 +9,7 @@ interface Alive {
 }
 
 /** Holds a lock in a worker, so that the page detects its end. On insecure pages, which lack locks, the page detects only errors. */
-export function holdLife(): void {
+export function holdLifeLock(): void {
   if (globalThis.navigator?.locks === undefined) return
   const lock = crypto.randomUUID()
   const hold = () => {
@@ -22,12 +22,12 @@ export function holdLife(): void {
 /**
  * Returns a promise that rejects if a worker cannot be loaded or dies. Call in the task that created the worker.
  *
- * @param error makes the error from the browser's reason, if any.
+ * @param makeError makes the error from the browser's reason, if any.
  * @param signal ends the wait. The promise then rejects with its reason.
  */
-export function endOf(
+export function deathOf(
   worker: Worker,
-  error: (reason: string | undefined) => Error,
+  makeError: (reason: string | undefined) => Error,
   signal: AbortSignal,
 ): Promise<never> {
   const end = new Promise<never>((_, reject) => {
@@ -37,7 +37,7 @@ export function endOf(
       (event) => {
         // Keep the error out of the console, because the promise reports it.
         event.preventDefault()
-        reject(error(event.message))
+        reject(makeError(event.message))
       },
       { signal },
     )
@@ -46,7 +46,7 @@ export function endOf(
       ({ data }: MessageEvent<Partial<Alive>>) => {
         if (data?.lock === undefined) return
         // Rejects if the signal ends the wait.
-        navigator.locks.request(data.lock, { signal }, () => reject(error(undefined))).catch(() => {})
+        navigator.locks.request(data.lock, { signal }, () => reject(makeError(undefined))).catch(() => {})
       },
       { signal },
     )

@@ -1,20 +1,20 @@
 import { type Remote, wrap } from 'comlink'
-import { endOf } from './life.ts'
+import { deathOf } from './life.ts'
 
 /**
  * Runs one task in a worker and terminates the worker. Call in the task that created the worker.
  *
- * @param died makes the error for a dead worker from the browser's reason, if any.
+ * @param makeError makes the error for a dead worker from the browser's reason, if any.
  * @param signal aborting terminates the worker; the promise rejects with the signal's reason.
  */
 export async function runOnce<Service, T>(
   worker: Worker,
   task: (service: Remote<Service>) => Promise<T>,
-  died: (reason: string | undefined) => Error,
+  makeError: (reason: string | undefined) => Error,
   signal?: AbortSignal,
 ): Promise<T> {
   const done = new AbortController()
-  const ended = endOf(worker, died, done.signal)
+  const ended = deathOf(worker, makeError, done.signal)
   const cancelled = new Promise<never>((_, reject) => {
     signal?.addEventListener('abort', () => reject(signal.reason), { signal: done.signal })
   })

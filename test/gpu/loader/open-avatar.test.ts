@@ -27,7 +27,7 @@ describe('an opened avatar', () => {
   it('has the wrinkles of its file on one skin of several primitives', async () => {
     const avatar = await open(() => {})
     expect(avatar).toMatchObject({ name: 'face', skin: 0, notes: [], vrm: null })
-    expect(avatar.skins).toMatchObject([{ name: 'face', triangles: 4, blendshapes: 1, fault: null }])
+    expect(avatar.skins).toMatchObject([{ name: 'face', triangles: 4, blendshapes: 1, problem: null }])
     const face = faceOf(avatar)
     expect(face.parts).toHaveLength(1)
     expect(face.wrinkles?.set.areas.map(({ name }) => name)).toEqual(['a', 'b', 'c', 'd'])

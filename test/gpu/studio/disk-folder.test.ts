@@ -2,7 +2,12 @@
 
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { FolderFile } from '../../../studio/src/files/folder-files.ts'
-import { askToWrite, canWriteFolders, pickFolder, writeFolder } from '../../../studio/src/keep/disk-folder.ts'
+import {
+  canWriteFolders,
+  pickFolder,
+  requestWriteAccess,
+  writeFolder,
+} from '../../../studio/src/keep/disk-folder.ts'
 
 const text = (content: string) => new TextEncoder().encode(content)
 
@@ -93,10 +98,10 @@ describe('a folder on disk', () => {
   it('is written to again after the user grants permission', async () => {
     const asked = vi.fn().mockResolvedValue('granted')
     const kept = { name: 'kept', queryPermission: async () => 'prompt', requestPermission: asked }
-    await askToWrite(kept as unknown as FileSystemDirectoryHandle)
+    await requestWriteAccess(kept as unknown as FileSystemDirectoryHandle)
     expect(asked).toHaveBeenCalledTimes(1)
     asked.mockResolvedValue('denied')
-    await expect(askToWrite(kept as unknown as FileSystemDirectoryHandle)).rejects.toThrow(
+    await expect(requestWriteAccess(kept as unknown as FileSystemDirectoryHandle)).rejects.toThrow(
       'Studio: cannot write to the folder kept (permission denied)',
     )
   })

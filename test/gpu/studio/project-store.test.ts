@@ -316,7 +316,7 @@ describe('two tabs with one project', () => {
   it('let the second tab take over once the first has saved', async () => {
     const first = await create(openStore())
     const changed = removeArea(document, 'frown')
-    first.whenWanted(() => void first.save(changed).then(() => first.close()))
+    first.onRequested(() => void first.save(changed).then(() => first.close()))
     const second = await openStore().open(first.id, true)
     expect([first.isReadOnly, second.isReadOnly]).toEqual([true, false])
     expect(second.opened).toEqual(changed)
@@ -327,7 +327,7 @@ describe('two tabs with one project', () => {
   it('let the second tab take over if the first does not answer', async () => {
     const first = await create(openStore())
     let isWanted = 0
-    first.whenWanted(() => isWanted++)
+    first.onRequested(() => isWanted++)
     const second = await openStore().open(first.id, true)
     expect([first.isReadOnly, second.isReadOnly]).toEqual([true, false])
     // First when asked, then when the project was lost.

@@ -2,25 +2,25 @@ import { describe, expect, it } from 'vitest'
 import {
   changed,
   checkNewName,
+  findNamed,
   freeName,
   kept,
-  named,
-  withNamed,
+  replaceNamed,
 } from '../../../studio/src/document/names.ts'
 
 const items = ['brow', 'brow 2', 'nose'].map((name) => ({ name }))
 
 describe('names', () => {
   it('find their item, or an error that lists the others', () => {
-    expect(named(items, 'nose', 'area')).toBe(items[2])
-    expect(() => named(items, 'chin', 'area')).toThrow(
+    expect(findNamed(items, 'nose', 'area')).toBe(items[2])
+    expect(() => findNamed(items, 'chin', 'area')).toThrow(
       'Studio: no such area, got "chin", allowed: brow, brow 2, nose; name one of these',
     )
-    expect(() => named([], 'chin', 'area')).toThrow('there is none')
+    expect(() => findNamed([], 'chin', 'area')).toThrow('there is none')
   })
 
   it('replace one item and leave the others', () => {
-    const after = withNamed(items, 'brow', 'area', () => ({ name: 'chin' }))
+    const after = replaceNamed(items, 'brow', 'area', () => ({ name: 'chin' }))
     expect(after).toEqual([{ name: 'chin' }, items[1], items[2]])
     expect(after[1]).toBe(items[1])
   })

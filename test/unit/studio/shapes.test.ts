@@ -2,7 +2,7 @@ import { signal } from '@preact/signals'
 import { describe, expect, it } from 'vitest'
 import { remake } from '../../../studio/src/document/automatic.ts'
 import type { StudioDocument } from '../../../studio/src/document/document.ts'
-import { areWrinklesOutdated } from '../../../studio/src/document/shapes.ts'
+import { hasOutdatedWrinkles } from '../../../studio/src/document/shapes.ts'
 import { parseStudioFile } from '../../../studio/src/keep/studio-file.ts'
 import type { SkinSource } from '../../../studio/src/open/skin-source.ts'
 import { Session } from '../../../studio/src/session/session.ts'
@@ -92,11 +92,11 @@ describe('automatic wrinkles', () => {
     [undefined, shapes, true],
     [shapes, [{ mesh: 'Head', target: 'key_1' }], true],
   ])('with corrections %j that were made with %j are outdated: %s', (present, made, isOutdated) => {
-    expect(areWrinklesOutdated({ shapes: present, auto: { ...auto, shapes: made } })).toBe(isOutdated)
+    expect(hasOutdatedWrinkles({ shapes: present, auto: { ...auto, shapes: made } })).toBe(isOutdated)
   })
 
   it('that are none are not outdated', () => {
-    expect(areWrinklesOutdated({ shapes })).toBe(false)
+    expect(hasOutdatedWrinkles({ shapes })).toBe(false)
   })
 
   it('are made again without losing corrections', () => {

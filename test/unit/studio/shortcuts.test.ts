@@ -39,7 +39,7 @@ describe('a key', () => {
   it('of a bracket is the same on keyboards that have it on AltGr', () => {
     expect(shortcutOf('painting', press('['))).toBe('smaller')
     expect(shortcutOf('painting', press('[', 'Control', 'Alt', 'AltGraph'))).toBe('smaller')
-    expect(shortcutOf('painting', press('X', 'Shift'))).toBe('exchange')
+    expect(shortcutOf('painting', press('X', 'Shift'))).toBe('swap')
   })
 })
 

@@ -1,6 +1,6 @@
 import { signal } from '@preact/signals'
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
-import { slowed } from '../../../studio/src/panels/drivers/live.ts'
+import { throttled } from '../../../studio/src/panels/drivers/live.ts'
 
 beforeEach(() => {
   vi.useFakeTimers()
@@ -11,7 +11,7 @@ afterEach(() => {
 
 it('numbers to be read change a few times a second, and end with the last one', () => {
   const source = signal(0)
-  const [slow, stop] = slowed(source, 250)
+  const [slow, stop] = throttled(source, 250)
   const seen: number[] = []
   slow.subscribe((value) => seen.push(value))
   for (let frame = 1; frame <= 60; frame++) {
@@ -29,7 +29,7 @@ it('numbers to be read change a few times a second, and end with the last one', 
 
 it('the first change is seen at once', () => {
   const source = signal(0)
-  const [slow, stop] = slowed(source, 250)
+  const [slow, stop] = throttled(source, 250)
   source.value = 1
   expect(slow.value).toBe(1)
   stop()

@@ -12,7 +12,7 @@ let waiting: Promise<unknown> | null
 let isTaken: boolean
 
 const tool: StageTool = {
-  waitsFor: () => waiting,
+  preparation: () => waiting,
   begin({ x }) {
     told.push(`begin ${x}`)
     return isTaken

@@ -14,7 +14,7 @@ export function Areas({ model }: { model: PanelModel }) {
   const { session, areas, viewer, revision, frame, hovered, actions } = model
   revision.value
   const document = session.document.value
-  const dials = inOrder(viewer.value?.areas ?? [], document)
+  const dials = sortDials(viewer.value?.areas ?? [], document)
   const list = useRef<HTMLDivElement>(null)
   const removed = useRef(-1)
   // The focus stays at the same index after a row is removed.
@@ -77,7 +77,7 @@ function Explanation({ model }: { model: PanelModel }) {
 }
 
 /** Sorts dials in the order of the document's areas. */
-function inOrder(dials: readonly Dial[], document: StudioDocument | null): readonly Dial[] {
+function sortDials(dials: readonly Dial[], document: StudioDocument | null): readonly Dial[] {
   if (!document) return dials
   const index = new Map(document.areas.map(({ name }, i) => [name, i]))
   const indexOf = ({ name }: Dial) => index.get(name) ?? index.size

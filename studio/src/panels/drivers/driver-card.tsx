@@ -27,7 +27,7 @@ export function DriverCard({ driver, index, context, fault, open }: DriverCardPr
         <p class="fault">
           {fault.text} {fault.remedy}
           {fault.removes !== undefined && (
-            <button type="button" class="quiet mend" onClick={() => editor.remove(fault.removes!)}>
+            <button type="button" class="quiet fix" onClick={() => editor.remove(fault.removes!)}>
               {fault.removes === index ? 'Remove it' : 'Remove the conflict'}
             </button>
           )}

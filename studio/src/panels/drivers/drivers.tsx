@@ -9,7 +9,7 @@ import { AddDriver } from './add-driver.tsx'
 import { Conflicts } from './conflicts.tsx'
 import type { DriverContext } from './context.ts'
 import { DriverCard } from './driver-card.tsx'
-import { useSlowed } from './live.ts'
+import { useThrottled } from './live.ts'
 
 /** Weights up to this value count as unset. */
 const UNSET = 0.01
@@ -24,7 +24,7 @@ export function Drivers({ model, area }: { model: PanelModel; area: string }) {
     frame.value
     return viewer.value?.driven.drivers.contributions() ?? []
   })
-  const slow = useSlowed(now)
+  const slow = useThrottled(now)
   const added = useSignal<number | null>(null)
   const sum = useComputed(() => {
     slow.value
@@ -51,7 +51,9 @@ export function Drivers({ model, area }: { model: PanelModel; area: string }) {
     slow,
   }
   const faults = driverFaults(document.drivers, area, context.targets)
-  const own = document.drivers.flatMap((driver, index) => (concerns(driver, area) ? [{ driver, index }] : []))
+  const own = document.drivers.flatMap((driver, index) =>
+    isRelevant(driver, area) ? [{ driver, index }] : [],
+  )
   return (
     <details class="drivers" open>
       <summary>
@@ -85,7 +87,7 @@ export function Drivers({ model, area }: { model: PanelModel; area: string }) {
 }
 
 /** Whether a driver activates an area, or an expression names it. */
-function concerns(driver: WrinkleDriver, area: string): boolean {
+function isRelevant(driver: WrinkleDriver, area: string): boolean {
   if (driver.type !== 'expression') return areaOf(driver) === area
   return (driver as ExpressionDriver).activations.some((each) => each.area === area)
 }

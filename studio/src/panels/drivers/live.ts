@@ -2,14 +2,14 @@ import { effect, type ReadonlySignal, signal } from '@preact/signals'
 import { useEffect, useMemo } from 'preact/hooks'
 
 /** Interval of displayed numbers, milliseconds. */
-const READING = 250
+const READING_INTERVAL = 250
 
 /**
  * Throttles a signal. The last value always arrives.
  *
  * @returns the throttled signal, and a function that stops it.
  */
-export function slowed<T>(source: ReadonlySignal<T>, interval: number): [ReadonlySignal<T>, () => void] {
+export function throttled<T>(source: ReadonlySignal<T>, interval: number): [ReadonlySignal<T>, () => void] {
   const slow = signal(source.peek())
   let timer: ReturnType<typeof setTimeout> | undefined
   let isWaiting = false
@@ -36,8 +36,8 @@ export function slowed<T>(source: ReadonlySignal<T>, interval: number): [Readonl
 }
 
 /** Throttles a signal to a readable rate. */
-export function useSlowed<T>(source: ReadonlySignal<T>): ReadonlySignal<T> {
-  const [slow, stop] = useMemo(() => slowed(source, READING), [source])
+export function useThrottled<T>(source: ReadonlySignal<T>): ReadonlySignal<T> {
+  const [slow, stop] = useMemo(() => throttled(source, READING_INTERVAL), [source])
   useEffect(() => stop, [stop])
   return slow
 }

@@ -1,9 +1,9 @@
 import type { PanelModel } from '../model.ts'
-import { useSlowed } from './live.ts'
+import { useThrottled } from './live.ts'
 
 /** Contributions of drivers and inputs to an area, updated as the face moves. */
 export function Reasons({ area, model: { viewer, frame } }: { area: string; model: PanelModel }) {
-  useSlowed(frame).value
+  useThrottled(frame).value
   return (
     <p class="explanation">
       {viewer.value?.driven.drivers.explain(area).map((line) => (

@@ -18,9 +18,9 @@ export function PaintChecks({ painting }: { painting: Painting }) {
       <label class="check" title="Also what the camera does not see">
         <input
           type="checkbox"
-          checked={painting.isThrough.value}
+          checked={painting.isHiddenPainted.value}
           onChange={({ currentTarget }) => {
-            painting.isThrough.value = currentTarget.checked
+            painting.isHiddenPainted.value = currentTarget.checked
           }}
         />
         Paint through

@@ -1,6 +1,6 @@
 import { useSignal } from '@preact/signals'
 import { useEffect, useId } from 'preact/hooks'
-import { areWrinklesOutdated } from '../../document/shapes.ts'
+import { hasOutdatedWrinkles } from '../../document/shapes.ts'
 import type { ShapeRow as Row } from '../../session/shape-editor.ts'
 import { AutoProgress } from '../auto-progress.tsx'
 import { FilterInput } from '../controls/filter-input.tsx'
@@ -28,8 +28,8 @@ export function Shapes({ model }: { model: PanelModel }) {
     <Section
       title="Shapes"
       open={false}
-      onToggle={(isNow) => {
-        isOpen.value = isNow
+      onToggle={(isOpenNow) => {
+        isOpen.value = isOpenNow
       }}
     >
       <p class="hint">
@@ -64,7 +64,7 @@ function Progress({ model: { shapes, actions } }: { model: PanelModel }) {
 function Outdated({ model }: { model: PanelModel }) {
   const { session, auto, autoRun, actions } = model
   const document = session.document.value
-  const isOutdated = document !== null && areWrinklesOutdated(document)
+  const isOutdated = document !== null && hasOutdatedWrinkles(document)
   if (isOutdated && autoRun.value) return <AutoProgress model={model} />
   return (
     <div role="status">

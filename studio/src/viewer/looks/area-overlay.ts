@@ -10,7 +10,7 @@ import {
 } from 'three'
 
 /** Light absorbed at full weight, linear RGB: leaves orange and keeps the shading. WebGL blends encoded colours, WebGPU linear ones. */
-const TAKEN = { encoded: [0, 0.17, 0.65], linear: [0, 0.42, 0.9] } as const
+const ABSORPTION = { encoded: [0, 0.17, 0.65], linear: [0, 0.42, 0.9] } as const
 
 /** Adds a hidden copy of a mesh with shared geometry and morph weights. */
 export function movingCopy(mesh: Mesh, material: Material): Mesh {
@@ -46,7 +46,7 @@ type Coloured = Material & { color: Color }
 
 /** Turns a material into a filter that multiplies the colours below it. */
 function asFilter(material: Coloured): Material {
-  material.color.fromArray(TAKEN['colorNode' in material ? 'linear' : 'encoded'])
+  material.color.fromArray(ABSORPTION['colorNode' in material ? 'linear' : 'encoded'])
   material.transparent = true
   material.depthWrite = false
   material.blending = CustomBlending

@@ -31,7 +31,7 @@ export class StrainView {
 
   /** Measures the strain if the pose changed. */
   follow(): void {
-    if (!this.#watch.isNew()) return
+    if (!this.#watch.hasChanged()) return
     const point = new Vector3()
     for (const { mesh, copy, rest, indices } of this.#parts) {
       const posed = new Float32Array(rest.length)

@@ -19,7 +19,7 @@ export class DrivenAreas implements FaceState {
   }
 
   /** Takes over the resting areas and drivers of other wrinkles, or of a plain face. Call `drive` to set the areas. */
-  wear(
+  attach(
     wrinkles: Wrinkles | null,
     areas: WrinkleSet<unknown>['areas'],
     drivers: readonly WrinkleDriver[],
@@ -47,7 +47,7 @@ export class DrivenAreas implements FaceState {
   }
 
   /** Runs a change of inputs and updates the areas whose activation it changes. Other areas keep activations set by hand. */
-  driveAfter(change: () => void, isWanted: (area: string) => boolean = () => true): void {
+  applyChange(change: () => void, isWanted: (area: string) => boolean = () => true): void {
     const before = this.#drivers.evaluate().slice()
     change()
     const after = this.#drivers.evaluate()
@@ -57,8 +57,8 @@ export class DrivenAreas implements FaceState {
   }
 
   /** Changes the activation of an area at rest. */
-  rest(area: string, activation: number): void {
-    this.driveAfter(() => this.resting.set(area, activation))
+  setResting(area: string, activation: number): void {
+    this.applyChange(() => this.resting.set(area, activation))
     if (!this.#drivers.areaNames.includes(area)) this.#setActivation(area, activation)
   }
 
@@ -72,7 +72,7 @@ export class DrivenAreas implements FaceState {
     return {
       name,
       read: () => this.#drivers.input(name),
-      write: (value) => this.driveAfter(() => this.inputs.set(name, value)),
+      write: (value) => this.applyChange(() => this.inputs.set(name, value)),
     }
   }
 

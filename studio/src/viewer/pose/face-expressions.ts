@@ -22,7 +22,7 @@ export class FaceExpressions {
   }
 
   /** Rebuilds the expressions for changed drivers, blendshapes or areas. Stops a running transition. */
-  renew(
+  rebuild(
     drivers: FaceDrivers,
     wrinkles: Wrinkles | null,
     targetNames: readonly string[],
@@ -44,7 +44,7 @@ export class FaceExpressions {
   }
 
   /** Whether expressions set an area directly. Other areas follow the face. */
-  sets(area: string): boolean {
+  setsArea(area: string): boolean {
     return this.#list.slice(1).some(({ activations }) => area in activations)
   }
 

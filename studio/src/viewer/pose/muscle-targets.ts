@@ -8,7 +8,7 @@ import type { BufferAttribute, BufferGeometry, Mesh } from 'three'
 export class MuscleTargets {
   readonly #meshes: readonly Mesh[]
   /** Muscles whose blendshapes are not in the file. */
-  readonly #made = new Map<string, MuscleDriver>()
+  readonly #added = new Map<string, MuscleDriver>()
 
   constructor(meshes: readonly Mesh[]) {
     this.#meshes = meshes
@@ -16,20 +16,20 @@ export class MuscleTargets {
 
   /** Adds, updates and removes the blendshapes of muscles. */
   update(muscles: readonly MuscleDriver[]): void {
-    for (const name of this.#made.keys()) {
+    for (const name of this.#added.keys()) {
       if (muscles.some((muscle) => muscle.name === name)) continue
       removeTarget(this.#meshes, name)
-      this.#made.delete(name)
+      this.#added.delete(name)
     }
     const [{ morphTargetDictionary: known = {} }] = this.#meshes
     const added = muscles.filter(({ name }) => known[name] === undefined)
     for (const mesh of this.#meshes) addMuscles(mesh, added)
-    for (const muscle of added) this.#made.set(muscle.name, muscle)
+    for (const muscle of added) this.#added.set(muscle.name, muscle)
     for (const muscle of muscles) {
-      const before = this.#made.get(muscle.name)
+      const before = this.#added.get(muscle.name)
       if (!before || JSON.stringify(before) === JSON.stringify(muscle)) continue
-      for (const mesh of this.#meshes) pullAgain(mesh, muscle)
-      this.#made.set(muscle.name, muscle)
+      for (const mesh of this.#meshes) updateMuscle(mesh, muscle)
+      this.#added.set(muscle.name, muscle)
     }
   }
 }
@@ -53,7 +53,7 @@ function removeTarget(meshes: readonly Mesh[], name: string): void {
 }
 
 /** Recomputes the blendshape of a muscle. */
-function pullAgain({ geometry, morphTargetDictionary }: Mesh, muscle: MuscleDriver): void {
+function updateMuscle({ geometry, morphTargetDictionary }: Mesh, muscle: MuscleDriver): void {
   const index = morphTargetDictionary![muscle.name]
   const positions = coordinates(geometry.getAttribute('position'))
   const offsets = muscleOffsets(muscle, positions)

@@ -10,7 +10,7 @@ export class PoseWatch {
   }
 
   /** Whether the pose changed since the last call. True at the first call. */
-  isNew(): boolean {
+  hasChanged(): boolean {
     const pose = this.#read()
     const last = this.#pose
     if (pose.length === last.length && pose.every((value, i) => value === last[i])) return false

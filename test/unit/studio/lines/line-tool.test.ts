@@ -32,7 +32,7 @@ beforeEach(() => {
     get lines() {
       return session.document.value!.strokes.map(seen)
     },
-    waitsFor: () => null,
+    preparation: () => null,
     changed() {},
   })
 })

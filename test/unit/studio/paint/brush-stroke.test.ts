@@ -72,11 +72,11 @@ describe('a dab', () => {
     (softness) => {
       const image = paintOn(skin, [pointNear(skin, 5, 8)], { softness })
       let [below, above, beyond, worst] = [0, 0, 0, 0]
-      for (const { x, y, weight, isBeyond } of placesOf(map, image)) {
+      for (const { x, y, weight, isBeyondIsland } of placesOf(map, image)) {
         const distance = Math.hypot(x - 5, y - 8)
-        if (isBeyond && !(distance < 15 && Math.abs(y - 10) < 1)) continue
+        if (isBeyondIsland && !(distance < 15 && Math.abs(y - 10) < 1)) continue
         worst = Math.max(worst, Math.abs(weight - 255 * falloff(distance, 15, softness)))
-        if (weight > 0 && isBeyond) beyond++
+        if (weight > 0 && isBeyondIsland) beyond++
         else if (weight > 0 && y < 10) below++
         else if (weight > 0) above++
       }
@@ -90,9 +90,9 @@ describe('a dab', () => {
     for (const size of [64, 400]) {
       const image = paintOn(skin, [pointNear(skin, 5, 8)], {}, empty(size))
       let worst = 0
-      for (const { x, y, weight, isBeyond } of placesOf(skin.mapOf(size), image)) {
+      for (const { x, y, weight, isBeyondIsland } of placesOf(skin.mapOf(size), image)) {
         const expected = 255 * falloff(Math.hypot(x - 5, y - 8), 15, 0.7)
-        if (!isBeyond) worst = Math.max(worst, Math.abs(weight - expected))
+        if (!isBeyondIsland) worst = Math.max(worst, Math.abs(weight - expected))
       }
       expect(worst).toBeLessThanOrEqual(1)
     }
@@ -117,7 +117,9 @@ describe('a dab', () => {
     const mouth = paintSkin(lips())
     const image = paintOn(mouth, [pointNear(mouth, 48, 2)])
     const weights = [...placesOf(mouth.mapOf(SIZE), image)]
-    expect(weights.some(({ y, weight, isBeyond }) => !isBeyond && y < -1 && weight > 200)).toBe(true)
+    expect(weights.some(({ y, weight, isBeyondIsland }) => !isBeyondIsland && y < -1 && weight > 200)).toBe(
+      true,
+    )
   })
 })
 
@@ -151,9 +153,9 @@ describe('a stroke', () => {
     const image = paintOn(skin, [pointNear(skin, -20, -20), pointNear(skin, 20, 30)], { softness: 1 })
     const length = Math.hypot(40, 50)
     let worst = 0
-    for (const { x, y, weight, isBeyond } of placesOf(skin.mapOf(SIZE), image)) {
+    for (const { x, y, weight, isBeyondIsland } of placesOf(skin.mapOf(SIZE), image)) {
       const t = ((x + 20) * 40 + (y + 20) * 50) / length ** 2
-      if (isBeyond || t < 0 || t > 1) continue
+      if (isBeyondIsland || t < 0 || t > 1) continue
       const distance = Math.abs((x + 20) * 50 - (y + 20) * 40) / length
       worst = Math.max(worst, Math.abs(weight - 255 * falloff(distance, 15, 1)))
     }
@@ -261,7 +263,7 @@ describe('a stroke in the texture', () => {
     // Just below the seam at y = 10, on the left of the texture.
     stroke.moveInTexture(0.2, 0.69)
     const places = [...placesOf(skin.mapOf(SIZE), stroke.end().image)]
-    expect(places.some(({ y, isBeyond, weight }) => y > 12 && !isBeyond && weight > 0)).toBe(true)
+    expect(places.some(({ y, isBeyondIsland, weight }) => y > 12 && !isBeyondIsland && weight > 0)).toBe(true)
   })
 
   it('goes straight in the texture and does not cross the skin between two islands', () => {

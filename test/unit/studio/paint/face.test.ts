@@ -49,7 +49,7 @@ describe.each(FACES)('painting on %s', async (_, path, name) => {
         ({ weight, distance }) => Math.abs(weight - 255 * falloff(distance, 9, 1)) > 1,
       )
       expect(wrong).toEqual([])
-      beyond += beside.filter(({ isBeyond }) => isBeyond).length
+      beyond += beside.filter(({ isBeyondIsland }) => isBeyondIsland).length
     }
     // The texture of the scan has no seams.
     expect(beyond > 20 || seams.length === 0).toBe(true)

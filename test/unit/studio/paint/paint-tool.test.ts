@@ -17,7 +17,7 @@ function toolOnSheet() {
   const calls = { paint: 0, hits: [] as boolean[] }
   const tool = new PaintTool({
     target: () => ({ area, brush: BRUSH_DEFAULTS, skin, picker }),
-    waitsFor: () => null,
+    preparation: () => null,
     onPaint: () => calls.paint++,
     show: (_, weights) => shown.push({ ...weights, data: weights.data.slice() }),
     keep: (_, weights) => kept.push(weights),

@@ -200,8 +200,8 @@ describe('a polygon on the skin', () => {
   it('fades across its outline by its feather, on both sides of a seam', () => {
     const { image, dirty } = paintPolygon(empty(256), square, settings, skin)
     let worst = 0
-    for (const { x, y, weight, isBeyond } of placesOf(skin.mapOf(256), image)) {
-      if (isBeyond && Math.abs(y - 10) > 1) continue
+    for (const { x, y, weight, isBeyondIsland } of placesOf(skin.mapOf(256), image)) {
+      if (isBeyondIsland && Math.abs(y - 10) > 1) continue
       const [dx, dy] = [Math.abs(x) - 20, Math.abs(y - 7.5) - 22.5]
       const outside = Math.hypot(Math.max(dx, 0), Math.max(dy, 0))
       const distance = outside > 0 ? outside : Math.max(dx, dy)
@@ -248,11 +248,11 @@ describe('a polygon on the skin', () => {
     const painted = (image = paintPolygon(empty(128), front, settings, skin).image) =>
       [...placesOf(skin.mapOf(128), image)].filter(({ weight }) => weight > 0)
     expect(painted().length).toBeGreaterThan(100)
-    expect(painted().filter(({ z, isBeyond }) => z < 20 && !isBeyond)).toEqual([])
+    expect(painted().filter(({ z, isBeyondIsland }) => z < 20 && !isBeyondIsland)).toEqual([])
     const sight = picker.sightFrom(new Vector3(1, 0, 0))
     const seen = painted(paintPolygon(empty(128), front, settings, skin, sight).image)
     expect(seen.length).toBeGreaterThan(20)
-    expect(seen.filter(({ x, isBeyond }) => x < 0 && !isBeyond)).toEqual([])
+    expect(seen.filter(({ x, isBeyondIsland }) => x < 0 && !isBeyondIsland)).toEqual([])
   })
 
   it.each([

@@ -20,14 +20,14 @@ beforeEach(() => {
   tool = new PolygonTool({
     polygon,
     pick: ({ ray }) => picker.pick(ray),
-    waitsFor: () => null,
+    preparation: () => null,
     project: ({ point }) => ({ x: 1000 * point.x, y: 1000 * point.y }),
     close: () => closed.push(polygon.take()!),
   })
   onTexture = new PolygonTool({
     polygon,
     pick: ({ ray }) => texture.pick(ray),
-    waitsFor: () => null,
+    preparation: () => null,
     project: ({ uv: [u, v] }) => ({ x: 500 * u, y: 500 * v }),
     close: () => closed.push(polygon.take()!),
   })

@@ -78,11 +78,11 @@ it('joints, parents, blendshapes that are added and muscles that change are anot
       offsets.needsUpdate = true
     },
   ]
-  expect(watch.isNew()).toBe(true)
+  expect(watch.hasChanged()).toBe(true)
   for (const change of changes) {
-    expect(watch.isNew()).toBe(false)
+    expect(watch.hasChanged()).toBe(false)
     change()
-    expect(watch.isNew()).toBe(true)
+    expect(watch.hasChanged()).toBe(true)
   }
 })
 

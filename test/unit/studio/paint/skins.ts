@@ -2,7 +2,7 @@ import type { GrayImage } from 'furrow'
 import { BufferGeometry, Float32BufferAttribute, Mesh, MeshStandardMaterial, Ray, Vector3 } from 'three'
 import { BRUSH_DEFAULTS, type Brush } from '../../../../studio/src/paint/brush.ts'
 import { BrushStroke } from '../../../../studio/src/paint/brush-stroke.ts'
-import { type MadeSkin, makeSkin } from '../../../../studio/src/paint/make-skin.ts'
+import { makeSkin, type SkinData } from '../../../../studio/src/paint/make-skin.ts'
 import type { PaintMap } from '../../../../studio/src/paint/paint-map.ts'
 import { PaintSkin, type SkinPoint } from '../../../../studio/src/paint/paint-skin.ts'
 import { SkinPicker } from '../../../../studio/src/paint/picker.ts'
@@ -79,7 +79,7 @@ export const ball = () => {
   return meshOf(half(1, 0.03), half(-1, 0.53))
 }
 
-export function paintSkin(mesh: Mesh, ...parts: Mesh[]): PaintSkin & { meshes: MeshSkin; made: MadeSkin } {
+export function paintSkin(mesh: Mesh, ...parts: Mesh[]): PaintSkin & { meshes: MeshSkin; made: SkinData } {
   const meshes = readSkin([mesh, ...parts])
   const made = makeSkin(meshes.skin)
   return Object.assign(new PaintSkin(meshes.skin, made.surface), { meshes, made })
@@ -126,15 +126,15 @@ export function* placesOf(map: PaintMap, { data }: GrayImage) {
   for (let triangle = 0; triangle + 1 < map.starts.length; triangle++) {
     for (let place = map.starts[triangle]; place < map.starts[triangle + 1]; place++) {
       const [x, y, z] = map.positions.subarray(3 * place, 3 * place + 3)
-      const isBeyond = map.isBeyond[place] === 1
-      yield { triangle, x, y, z, isBeyond, texel: map.texels[place], weight: data[map.texels[place]] }
+      const isBeyondIsland = map.isBeyondIsland[place] === 1
+      yield { triangle, x, y, z, isBeyondIsland, texel: map.texels[place], weight: data[map.texels[place]] }
     }
   }
 }
 
 /** The places that are on the islands of the texture. */
 export const onIslands = (skin: PaintSkin, image: GrayImage) =>
-  [...placesOf(skin.mapOf(image.width), image)].filter(({ isBeyond }) => !isBeyond)
+  [...placesOf(skin.mapOf(image.width), image)].filter(({ isBeyondIsland }) => !isBeyondIsland)
 
 /** The point of a skin nearest to a position. */
 export const pointNear = (skin: PaintSkin, x: number, y: number, z = 0): SkinPoint =>

@@ -81,7 +81,7 @@ describe('a fill', () => {
     const outline = drawn(skin, (x, y) => (ring(x, y) < 3 ? 255 : 0))
     const filled = paint(outline, { mode: 'fill' }, skin, pointNear(skin, 3, 2))
     const places = [...placesOf(skin.mapOf(SIZE), filled)].filter(
-      ({ y, isBeyond }) => !isBeyond || Math.abs(y - 10) < 1,
+      ({ y, isBeyondIsland }) => !isBeyondIsland || Math.abs(y - 10) < 1,
     )
     expect(places.filter(({ x, y, weight }) => Math.hypot(x, y - 10) < 27 && weight < 255)).toEqual([])
     expect(places.filter(({ x, y, weight }) => Math.hypot(x, y - 10) > 29 && weight > 0)).toEqual([])

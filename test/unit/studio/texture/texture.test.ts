@@ -64,7 +64,7 @@ it('a quick stroke between two islands goes straight in the texture, and not ove
       skin,
       picker: texture,
     }),
-    waitsFor: () => null,
+    preparation: () => null,
     onPaint: () => {},
     show: () => {},
     keep: (_, weights) => {
