@@ -121,7 +121,7 @@ describe.each(RENDERERS)('the composed mode on %s', (name) => {
     )
     expect(() => {
       wrinkles.mode = 'composed'
-    }).toThrow(/instances cannot wrinkle independently in this mode, got "composed"/)
+    }).toThrow(/mode unsupported for instances, got "composed"/)
     expect(wrinkles.mode).toBe('default')
     wrinkles.dispose()
   })

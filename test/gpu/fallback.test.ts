@@ -139,8 +139,8 @@ describe.each(RENDERERS)('materials on %s', (name) => {
         .filter((text) => /^Wrinkles/.test(text))
       expect(said).toEqual([
         name === 'webgl'
-          ? 'Wrinkles of furrow/webgpu: cannot draw with this renderer, got "WebGLRenderer", allowed: WebGPURenderer; take it from furrow/three instead, and the loader plugin too; until then the face has no wrinkles'
-          : 'Wrinkles of furrow/three: cannot draw with this renderer, got "WebGPURenderer", allowed: WebGLRenderer; take it from furrow/webgpu instead, and the loader plugin too; until then the face has no wrinkles',
+          ? 'Wrinkles of furrow/webgpu: unsupported renderer, got "WebGLRenderer", allowed: WebGPURenderer; import Wrinkles and the loader plugin from furrow/three; until then the face has no wrinkles'
+          : 'Wrinkles of furrow/three: unsupported renderer, got "WebGPURenderer", allowed: WebGLRenderer; import Wrinkles and the loader plugin from furrow/webgpu; until then the face has no wrinkles',
       ])
       expect(() => wrinkles.update(own.renderer)).toThrow(said[0])
       wrinkles.dispose()
@@ -213,7 +213,7 @@ describe('shaders on webgl', () => {
       await expectPlain(
         harness,
         mesh,
-        /^Wrinkles: the shader of mesh "head" does not compile in the default mode, so it is shown without wrinkles, got ".+"; use the composed mode, or another material$/,
+        /^Wrinkles: the shader of mesh "head" does not compile in the default mode, so its wrinkles are off, got ".+"; use the composed mode, or another material$/,
       )
       expect(material.normalMap).toBeNull()
       harness.renderer.debug.checkShaderErrors = true
@@ -228,7 +228,7 @@ describe('shaders on webgl', () => {
     }
     const mesh = new InstancedMesh(square(material).geometry, material, 2)
     for (const i of [0, 1]) mesh.setMatrixAt(i, new Matrix4())
-    await expectPlain(harness, mesh, /^Wrinkles.mode: instances cannot wrinkle independently in this mode/)
+    await expectPlain(harness, mesh, /^Wrinkles.mode: mode unsupported for instances/)
   })
 })
 

@@ -170,7 +170,7 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
     const material = new MeshStandardMaterial()
     const two = { layers: [set.layers[0], layer('more', 'detail', set.layers[0].normal)], areas: set.areas }
     expect(() => new harness.Wrinkles(square(material), two, { mode: 'paper' })).toThrow(
-      /Wrinkles.mode: the paper's mode has one wrinkled normal map, got "skin, more", allowed: one layer/,
+      /Wrinkles.mode: the paper mode supports one layer only, got "skin, more", allowed: one layer/,
     )
     expect(material.normalMap).toBeNull()
     new harness.Wrinkles(square(material), set)

@@ -303,8 +303,8 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
 
 describe('features that only three.js supports', () => {
   it.each([
-    [{ mode: 'paper' }, /a mode that Babylon.js does not have, got "paper"/],
-    [{ mode: 'composed' }, /a mode that Babylon.js does not have/],
+    [{ mode: 'paper' }, /mode unsupported in Babylon.js, got "paper"/],
+    [{ mode: 'composed' }, /mode unsupported in Babylon.js/],
     [{ relief: 'on' }, /an option that Babylon.js does not have, got "relief"/],
     [{ auto: {} }, /an option that Babylon.js does not have, got "auto"/],
     [{ fadeBelow: 100 }, /an option that Babylon.js does not have/],

@@ -229,9 +229,7 @@ describe('instances', () => {
     const { wrinkles, draw, activations } = instances()
     expect(() => {
       wrinkles.mode = mode
-    }).toThrow(
-      new RegExp(`Wrinkles.mode: instances cannot wrinkle independently in this mode, got "${mode}"`),
-    )
+    }).toThrow(new RegExp(`Wrinkles.mode: mode unsupported for instances, got "${mode}"`))
     expect(wrinkles.mode).toBe('default')
     draw()
     expect(activations('brow')).toEqual([0.25, 0.75])

@@ -49,7 +49,7 @@ const SET: WrinkleSet = {
 /** What every guard's error ends with. */
 const found = (name: string) =>
   new RegExp(
-    `three\\.js lacks ${name}, got "r${REVISION}", allowed: up to r${NEWEST_THREE}; install a release of three\\.js`,
+    `three\\.js lacks ${name}, got "r${REVISION}", allowed: up to r${NEWEST_THREE}; install a three\\.js release`,
   )
 
 describe('the versions of three.js', () => {

@@ -32,7 +32,7 @@ export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = {
 /** @throws FurrowError when there is no such mode in Babylon.js. */
 export function checkMode(mode: WrinkleMode, who = 'Wrinkles.mode'): void {
   if (mode === 'default' || mode === 'off') return
-  throw wrongArgument(who, 'a mode that Babylon.js does not have', mode, 'default, off')
+  throw wrongArgument(who, 'mode unsupported in Babylon.js', mode, 'default, off')
 }
 
 /**

@@ -46,7 +46,7 @@ export function wrinklesOf(
 
 function wrongSource(value: unknown): FurrowError {
   const limit = 'what Babylon.js returned of a file, or a Mesh or InstancedMesh'
-  return wrongArgument('wrinklesOf', 'a loaded file or a mesh', value, limit)
+  return wrongArgument('wrinklesOf', 'invalid argument', value, limit)
 }
 
 function facesOf(meshes: readonly AbstractMesh[]): WrinklesBase[] {

@@ -3,46 +3,47 @@ import { DeformedNormals } from '../math/deformed-normals.ts'
 import { checkNormals } from './mesh/check-mesh.ts'
 import { coordinates, copyNumbers, targetOffsets, trianglesOf } from './sources/geometry-arrays.ts'
 
-/** The vertices that a blendshape moves. */
+/** Vertices moved by a blendshape. */
 interface Offsets {
   vertices: Uint32Array
-  /** x, y and z by which each moves. */
+  /** Packed xyz displacement per vertex. */
   values: Float32Array
 }
 
 /**
- * Recomputes a mesh's normals and tangents on the CPU as its blendshapes deform it, as the paper does, so that light and wrinkles
- * follow: three.js shades a face whose targets lack normals as if at rest, and never deforms tangents. Skinning is applied afterwards, as
- * before. The mesh gets a geometry of its own. Call `update` once per frame; while no weight changes it does nothing, and it never
- * allocates. Its cost is proportional to the vertices that move. `furrow pack --morph-normals` makes the file larger instead, and leaves
- * the tangents at rest.
+ * Recomputes a mesh's normals and tangents on the CPU as its blendshapes deform it. three.js shades targets without normals as if at
+ * rest, and never deforms tangents. Skinning is applied afterwards.
+ *
+ * The mesh gets its own copy of the geometry. Call `update` once per frame: it returns at once while no weight changes, and never
+ * allocates. The cost is proportional to the moved vertices. `furrow pack --morph-normals` is the alternative: a larger file, with
+ * tangents left at rest.
  */
 export class RecomputedNormals {
   readonly #mesh: Mesh
-  readonly #before: BufferGeometry
+  readonly #original: BufferGeometry
   readonly #geometry: BufferGeometry
   readonly #deformed: DeformedNormals
   readonly #rest: Float32Array
-  readonly #now: Float32Array
+  readonly #positions: Float32Array
   readonly #normal: BufferAttribute
   readonly #tangent: BufferAttribute | null
   readonly #restTangents: Float32Array | null
   readonly #targets: readonly Offsets[]
-  /** Weights that the normals were last computed for. */
+  /** Target weights at the last update. */
   readonly #weights: Float32Array
 
   /**
-   * @param mesh with normals; without blendshapes `update` does nothing.
-   * @throws FurrowError when it is not a mesh, or has no normals.
+   * @param mesh mesh with normals. Without blendshapes `update` does nothing.
+   * @throws FurrowError if `mesh` is not a mesh, or has no normals.
    */
   constructor(mesh: Mesh) {
     checkNormals(mesh, 'RecomputedNormals')
     this.#mesh = mesh
-    this.#before = mesh.geometry
+    this.#original = mesh.geometry
     this.#geometry = mesh.geometry.clone()
     const { attributes, morphAttributes } = this.#geometry
     this.#rest = coordinates(attributes.position)
-    this.#now = this.#rest.slice()
+    this.#positions = this.#rest.slice()
     const normals = coordinates(attributes.normal)
     const triangles = trianglesOf(this.#geometry)
     this.#deformed = new DeformedNormals({ positions: this.#rest, normals, triangles })
@@ -58,13 +59,13 @@ export class RecomputedNormals {
     mesh.geometry = this.#geometry
   }
 
-  /** Brings normals and tangents up to date with the mesh's blendshapes. */
+  /** Updates normals and tangents from the current blendshape weights. */
   update(): void {
     const influences = this.#mesh.morphTargetInfluences
     if (!influences || !copyNumbers(this.#weights, influences)) return
-    this.#now.set(this.#rest)
+    this.#positions.set(this.#rest)
     for (let i = 0; i < this.#targets.length; i++) this.#add(this.#targets[i], i)
-    this.#deformed.update(this.#now, this.#normal.array as Float32Array)
+    this.#deformed.update(this.#positions, this.#normal.array as Float32Array)
     this.#normal.needsUpdate = true
     if (!this.#tangent || !this.#restTangents) return
     const tangents = this.#tangent.array as Float32Array
@@ -73,9 +74,9 @@ export class RecomputedNormals {
     this.#tangent.needsUpdate = true
   }
 
-  /** Restores the mesh's geometry. */
+  /** Restores the mesh's original geometry. */
   dispose(): void {
-    this.#mesh.geometry = this.#before
+    this.#mesh.geometry = this.#original
     this.#geometry.dispose()
   }
 
@@ -84,14 +85,14 @@ export class RecomputedNormals {
     if (weight === 0) return
     for (let i = 0; i < vertices.length; i++) {
       const x = 3 * vertices[i]
-      this.#now[x] += weight * values[3 * i]
-      this.#now[x + 1] += weight * values[3 * i + 1]
-      this.#now[x + 2] += weight * values[3 * i + 2]
+      this.#positions[x] += weight * values[3 * i]
+      this.#positions[x + 1] += weight * values[3 * i + 1]
+      this.#positions[x + 2] += weight * values[3 * i + 2]
     }
   }
 }
 
-/** Leaves out vertices that do not move. */
+/** Drops vertices with zero displacement. */
 function movedOnly(offsets: Float32Array): Offsets {
   const vertices = Array.from({ length: offsets.length / 3 }, (_, i) => i).filter(
     (i) => offsets[3 * i] !== 0 || offsets[3 * i + 1] !== 0 || offsets[3 * i + 2] !== 0,

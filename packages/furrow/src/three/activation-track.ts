@@ -1,17 +1,17 @@
 import { type Mesh, NumberKeyframeTrack } from 'three'
 import { wrongArgument } from '../core/argument.ts'
 import { unknownArea } from '../core/check-areas.ts'
-import { addedTo } from './added-to.ts'
+import { wrinklesOfMesh } from './mesh-wrinkles.ts'
 
 /**
- * Creates key frames of an area's activation at rest, for an `AnimationClip` that three.js's `AnimationMixer` plays on the mesh or an
- * ancestor of it. Drivers add to it.
+ * Creates a keyframe track of an area's resting activation. Put it in an `AnimationClip` and play that with an `AnimationMixer` on the
+ * mesh or an ancestor. Drivers add to the resting activation.
  *
- * @param mesh with wrinkles; bound by its name, as in clips of files, so that copies play it too.
+ * @param mesh mesh with wrinkles. The track binds by mesh name, as in clips from files, so copies play it too.
  * @param area name of the area.
- * @param times seconds, increasing.
- * @param values 0..1, one per time, interpolated linearly.
- * @throws FurrowError when it is not a mesh, its wrinkles have no such area, or there are not as many values as times.
+ * @param times increasing times in seconds.
+ * @param values one activation (0..1) per time, interpolated linearly.
+ * @throws FurrowError if `mesh` is not a mesh, the area is unknown, or `times` and `values` differ in length.
  */
 export function activationTrack(
   mesh: Mesh,
@@ -19,12 +19,17 @@ export function activationTrack(
   times: ArrayLike<number>,
   values: ArrayLike<number>,
 ): NumberKeyframeTrack {
-  if (!mesh?.uuid) throw wrongArgument('activationTrack', 'a mesh', mesh, 'a Mesh of three.js')
-  if (typeof area !== 'string') throw wrongArgument('activationTrack', 'an area', area, 'a name')
-  const wrinkles = addedTo(mesh)
+  if (!mesh?.uuid) throw wrongArgument('activationTrack', 'invalid mesh', mesh, 'a Mesh of three.js')
+  if (typeof area !== 'string') throw wrongArgument('activationTrack', 'invalid area', area, 'a name')
+  const wrinkles = wrinklesOfMesh(mesh)
   if (wrinkles && !wrinkles.hasArea(area)) throw unknownArea(area, wrinkles.areaNames, 'activationTrack')
   if (!(times?.length > 0) || times.length !== values?.length) {
-    throw wrongArgument('activationTrack', 'values', values?.length, `one for each of ${times?.length} times`)
+    throw wrongArgument(
+      'activationTrack',
+      'wrong number of values',
+      values?.length,
+      `one for each of ${times?.length} times`,
+    )
   }
   const name = `${mesh.name || mesh.uuid}.wrinkles[${area}].activation`
   return new NumberKeyframeTrack(name, Array.from(times), Array.from(values))

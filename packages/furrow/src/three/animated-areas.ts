@@ -2,17 +2,17 @@ import type { Mesh } from 'three'
 import { sentence } from '../core/error.ts'
 import type { FaceGroup } from '../runtime/face-group.ts'
 
-/** What an animation mixer finds on a mesh as `wrinkles[AREA].activation`. */
+/** Property of a mesh that animation mixers write to: `wrinkles[AREA].activation`. */
 export type AnimatedAreas = Record<string, { activation: number }>
 
-/** Exposes the areas of a mesh to animation mixers; to be called again after areas were added or removed. */
+/** Exposes the areas of a mesh to animation mixers. Call again after adding or removing areas. */
 export function exposeAreas(mesh: Mesh, group: FaceGroup<never>): void {
   const areas: AnimatedAreas = {}
   for (const name of group.areaNames) areas[name] = animatedArea(group, name)
   ;(mesh as Mesh & { wrinkles?: AnimatedAreas }).wrinkles = areas
 }
 
-/** A mixer keeps this object even after the area was removed; it then warns once. */
+/** Creates the object that a mixer writes to. Mixers keep it after the area is removed; writing then warns once. */
 function animatedArea(group: FaceGroup<never>, name: string): { activation: number } {
   let hasWarned = false
   return {
@@ -30,7 +30,7 @@ function animatedArea(group: FaceGroup<never>, name: string): { activation: numb
             who: 'Wrinkles',
             problem: 'an animation moves an area that was removed',
             value: name,
-            remedy: 'the rest of the animation plays',
+            remedy: 'its other tracks keep playing',
           }),
         )
       }

@@ -3,7 +3,7 @@ import type { Area, ArraySlice, Layer, WrinkleSet } from '../core/types.ts'
 import { checkWrinkleSet } from '../core/wrinkle-set.ts'
 import { copyLayers } from '../runtime/layer-maps.ts'
 
-/** A set that was checked as it was read, and whose texels belong to nobody else, so that textures may take them. */
+/** Wrinkle set read from a file: already checked, and textures may take ownership of its texels. */
 export class ReadSet implements WrinkleSet<ArraySlice> {
   readonly areas: Area<ArraySlice>[]
   readonly layers: Layer<ArraySlice>[]
@@ -15,9 +15,9 @@ export class ReadSet implements WrinkleSet<ArraySlice> {
 }
 
 /**
- * Checks a set that a page made, and copies its layers' maps, whose texels may become those of textures.
+ * Checks a wrinkle set, and copies its layers' maps because textures take ownership of texels. A `ReadSet` is returned as is.
  *
- * @throws FurrowError when it is malformed, or maps of one kind differ in size.
+ * @throws FurrowError if the set is malformed, or maps of one kind differ in size.
  */
 export function checkSource(source: WrinkleSet<ArraySlice>): WrinkleSet<ArraySlice> {
   if (source instanceof ReadSet) return source

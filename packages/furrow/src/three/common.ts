@@ -1,4 +1,4 @@
-/** The exports that `furrow/three` and `furrow/webgpu` have in common. */
+/** Exports shared by `furrow/three` and `furrow/webgpu`. */
 
 export type { Bounds } from '../core/bounds.ts'
 export type { Clock } from '../runtime/face-group.ts'

@@ -5,28 +5,28 @@ import type { QuadMaterials } from './atlas/quad-materials.ts'
 import { callBeforeRender } from './mesh/before-render.ts'
 import type { AnyRenderer } from './renderer.ts'
 
-/** How often a scene is hooked: a page that puts its own callback in front each time, or another copy of this library, would go on for ever. */
-const MOST_HOOKS = 8
+/** Maximum hooks per scene. Stops an endless exchange with a page, or another copy of Furrow, that replaces `onBeforeRender` each time. */
+const MAX_HOOKS = 8
 
-/** Images of a scene in a row that show no face, such as those of other cameras, after which faces are taken to be out of sight. */
-const MOST_IMAGES = 4
+/** Consecutive renders of a scene without a face, e.g. from other cameras, after which its faces count as out of sight. */
+const MAX_RENDERS = 4
 
-/** A scene in which faces are drawn. */
+/** A scene that contains faces. */
 interface FaceScene {
-  /** Called before the scene is drawn; null until it is hooked. */
+  /** Furrow's `onBeforeRender` callback; null until the scene is hooked. */
   hook: Scene['onBeforeRender'] | null
-  /** How often it was hooked. */
+  /** Number of times the scene was hooked. */
   hooks: number
-  /** Whether it will be hooked after the present frame. */
+  /** Whether the scene will be hooked after the current frame. */
   isDue: boolean
-  /** Frame in which a face was drawn last, and the renderer. */
+  /** Frame that last drew a face, and its renderer. */
   last: number
   renderer: AnyRenderer
-  /** How many images have begun since. */
-  images: number
+  /** Number of renders of the scene since then. */
+  renders: number
 }
 
-/** The frames of one kind of renderer, and the atlases of their faces. */
+/** Frame phases for one kind of renderer, with the atlases of its faces. */
 export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
   readonly #materials: QuadMaterials
   readonly #scenes = new WeakMap<Scene, FaceScene>()
@@ -36,7 +36,7 @@ export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
     this.#materials = materials
   }
 
-  /** The atlas of all faces with this size of areas, in texels, and number of layers. */
+  /** Returns the atlas shared by all faces with this area size (texels) and number of layers. */
   atlasFor(width: number, height: number, layers: number): InfluenceAtlas {
     const shared = this.targets.find(
       (atlas) => atlas.cells.width === width && atlas.cells.height === height && atlas.layers === layers,
@@ -48,38 +48,37 @@ export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
   }
 
   /**
-   * Compiles what draws the influence of an atlas, after the present frame: the first frame with wrinkles then waits for no program. Not at once,
-   * since `compile` of three.js would take the lights of a `compile` or frame that is going on.
+   * Compiles the programs that draw an atlas, after the current frame, so that the first frame with wrinkles does not wait for them. Deferred
+   * because three.js's `compile` clobbers the light state of a `compile` or `render` in progress.
    */
   compileLater(atlas: InfluenceAtlas, renderer: WebGLRenderer): void {
     queueMicrotask(() => this.targets.includes(atlas) && atlas.compile(renderer))
   }
 
   /**
-   * Notes a scene in which a member is being drawn. From the next frame on, its frames begin before anything of it is drawn. WebGL would draw
-   * influence in the midst of an image, which the GPUs of phones then write to memory and read again (Arm GPU Best Practices, "Efficient render
-   * passes"); on WebGPU it is submitted before the image anyway.
+   * Registers a scene in which a member is being drawn. From the next frame on, the phases run before the scene's first draw call.
    *
-   * @param entry of the member.
+   * On WebGL, drawing influence in the middle of a render pass makes tiled mobile GPUs store and reload the target (Arm GPU Best Practices,
+   * "Efficient render passes"). WebGPU submits influence first anyway.
    */
   noteScene(scene: Scene, { seen }: FrameEntry<AnyRenderer>, renderer: AnyRenderer): void {
     const known = this.#scenes.get(scene)
     if (known) {
       known.last = seen
       known.renderer = renderer
-      known.images = 0
-      if (known.isDue || known.hook === scene.onBeforeRender || known.hooks === MOST_HOOKS) return
+      known.renders = 0
+      if (known.isDue || known.hook === scene.onBeforeRender || known.hooks === MAX_HOOKS) return
     }
-    // three.js has an empty scene for what it draws without one.
-    if (scene.isScene && scene.children.length > 0 && drawsAtOnce(renderer)) {
+    // three.js passes an empty scene when the rendered root is not a Scene.
+    if (scene.isScene && scene.children.length > 0 && drawsImmediately(renderer)) {
       this.#hookLater(scene, seen, renderer)
     }
   }
 
-  /** A method of its own: closures allocate in every call. */
+  /** Separate method: its closures would allocate in every call of `noteScene`. */
   #hookLater(scene: Scene, last: number, renderer: AnyRenderer): void {
     const hooks = (this.#scenes.get(scene)?.hooks ?? 0) + 1
-    const own: FaceScene = { hook: null, hooks, isDue: true, last, renderer, images: 0 }
+    const own: FaceScene = { hook: null, hooks, isDue: true, last, renderer, renders: 0 }
     this.#scenes.set(scene, own)
     queueMicrotask(() => this.#hook(scene, own))
   }
@@ -88,24 +87,24 @@ export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
     own.isDue = false
     if (this.targets.length === 0) return
     const stop = callBeforeRender(scene, (by, _camera, { overrideMaterial }) => {
-      // The page may have wrapped an earlier hook, which is called too.
+      // The page may have wrapped an earlier hook, which still runs.
       if (this.#scenes.get(scene) !== own) return
       if (this.targets.length === 0) {
         stop()
         this.#scenes.delete(scene)
-      } else if (by === own.renderer && !overrideMaterial && drawsAtOnce(by)) {
-        if (++own.images <= MOST_IMAGES) this.beginImage(by, own.last, 'calls' in by.info)
+      } else if (by === own.renderer && !overrideMaterial && drawsImmediately(by)) {
+        if (++own.renders <= MAX_RENDERS) this.beginImage(by, own.last, 'calls' in by.info)
       }
     })
     own.hook = scene.onBeforeRender
   }
 
-  /** Draws an atlas in frames again that was released. */
+  /** Adds a released atlas again. */
   restore(atlas: InfluenceAtlas): void {
     if (!this.targets.includes(atlas)) this.targets.push(atlas)
   }
 
-  /** Frees an atlas if no face uses it any more. */
+  /** Disposes of an atlas that no face uses. */
   release(atlas: InfluenceAtlas): void {
     if (!atlas.cells.isEmpty) return
     atlas.dispose()
@@ -115,20 +114,20 @@ export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
 
 const frames = new Map<QuadMaterials, RendererFrame>()
 
-/** The frames of a kind of renderer, one object for all its faces. */
+/** Returns the frame shared by all faces of one kind of renderer. */
 export function frameOf(materials: QuadMaterials): RendererFrame {
   const frame = frames.get(materials) ?? new RendererFrame(materials)
   frames.set(materials, frame)
   return frame
 }
 
-/** Changes with every call of `render`, nested ones included. */
+/** Number of `render` calls, including nested ones. */
 function renderCount({ info }: AnyRenderer): number {
   return 'calls' in info ? info.calls : info.render.frame
 }
 
-/** Whether a renderer draws by WebGL, and draws: `compileAsync` of `WebGPURenderer` goes through scenes too. */
-function drawsAtOnce(renderer: AnyRenderer): boolean {
+/** Whether a renderer uses WebGL and is drawing: `WebGPURenderer.compileAsync` traverses scenes too. */
+function drawsImmediately(renderer: AnyRenderer): boolean {
   const { backend, _compilationPromises } = renderer as {
     backend?: { isWebGPUBackend?: true }
     _compilationPromises?: object | null

@@ -28,7 +28,7 @@ import { LazyRelief } from './relief/lazy-relief.ts'
 import type { RaisedFace } from './relief/raised-face.ts'
 import { type AnyRenderer, checkRenderer, isRefused } from './renderer.ts'
 
-/** A checked mesh, and what its wrinkles are drawn with. */
+/** A checked mesh with the parts that draw its wrinkles. */
 export interface FramedMeshParts {
   renderer: RendererParts
   mesh: Mesh
@@ -39,7 +39,7 @@ export interface FramedMeshParts {
   textures: WrinkleTextures
 }
 
-/** A mesh with wrinkles in the frames of its renderer: what runs in each frame, and what a disposed material frees. */
+/** A mesh with wrinkles as a member of its renderer's frame: runs the per-frame work, and suspends when its material is disposed of. */
 export abstract class FramedMesh
   extends FaceGroup<AnyRenderer>
   implements FrameMember<AnyRenderer>, RaisedFace
@@ -56,7 +56,7 @@ export abstract class FramedMesh
   #entry: FrameEntry<AnyRenderer>
   readonly #atlas: InfluenceAtlas
   #cells: readonly Cell[]
-  /** Whether the page has disposed of the material, and drawn no mesh since. */
+  /** Whether the page disposed of the material and has drawn no mesh since. */
   #isSuspended = false
   #appearance: Appearance | null = null
 
@@ -86,7 +86,7 @@ export abstract class FramedMesh
     return this.material.mode
   }
 
-  /** @throws FurrowError when the mode is not possible; it then stays as it was. */
+  /** @throws FurrowError if the mode is unsupported here; the mode then stays unchanged. */
   set mode(mode: WrinkleMode) {
     this.checkInUse('mode')
     checkMode(mode)
@@ -95,11 +95,11 @@ export abstract class FramedMesh
     this.relief.resume()
   }
 
-  /** Updates inputs, drivers and activations now; influence is drawn only with a renderer. */
+  /** Updates inputs, drivers and activations. Influence is drawn only if a renderer is given. */
   update(renderer: AnyRenderer | null): void {
     this.checkInUse('update')
     if (renderer !== null && typeof renderer?.render !== 'function') {
-      throw wrongArgument('Wrinkles.update', 'a renderer', renderer, 'one of three.js, or null')
+      throw wrongArgument('Wrinkles.update', 'invalid renderer', renderer, 'a renderer of three.js, or null')
     }
     if (renderer) {
       checkRenderer(renderer, this.renderer.entry, 'Wrinkles')
@@ -108,12 +108,12 @@ export abstract class FramedMesh
     this.#frame.update(this.#entry, renderer)
   }
 
-  /** Lets the wrinkles appear in the next frames. */
+  /** Fades the wrinkles in over the next frames. */
   appear(appearance: Appearance): void {
     this.#appearance = appearance
   }
 
-  /** Called when another face joins: the shader may have been made for one that is alone in the influence map. */
+  /** Called when another face joins the atlas: the shader may have been compiled for a single face. */
   refresh(): void {
     this.material.settle(null)
   }
@@ -126,9 +126,9 @@ export abstract class FramedMesh
   }
 
   /**
-   * Called before a mesh is drawn: brings the material up to date, runs the phases up to the influence, then sets what the mesh's shader reads.
+   * Called before a mesh is drawn: updates the material, runs the phases up to the influence, then sets the shader's inputs.
    *
-   * @param isOverridden whether the scene's material draws it, as a shadow's does: on `WebGPURenderer` in the midst of the mesh's own draw.
+   * @param isOverridden whether an override material draws the mesh, e.g. for shadows. `WebGPURenderer` does so during the mesh's own draw.
    * @returns whether the phases ran.
    */
   prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh, isOverridden = false): boolean {
@@ -145,7 +145,7 @@ export abstract class FramedMesh
     if (!isOverridden) this.shaderInputs.fade.value = this.#fadeOf(mesh, camera, renderer)
     this.#frame.begin(this.#entry, renderer)
     locateCells(this.shaderInputs, this.#atlas, this.#cells)
-    // After the drivers: relief by size depends on activations.
+    // After the drivers: the relief mode `near` depends on activations.
     this.relief.prepare(renderer, camera, mesh)
     return true
   }
@@ -162,7 +162,7 @@ export abstract class FramedMesh
     return true
   }
 
-  /** Phase 5: the composed normal map and the paper's table, in their modes. */
+  /** Phase 5: updates the composed normal map, or the activation table of the paper mode. */
   composeNormals(renderer: AnyRenderer): void {
     const { update } = this.material
     if (!update) return
@@ -178,7 +178,7 @@ export abstract class FramedMesh
     if (!this.#isSuspended) this.#leave()
   }
 
-  /** Frees everything on the GPU until a mesh is drawn again. */
+  /** Frees all GPU resources until a mesh is drawn again. */
   #suspend(): void {
     if (this.#isSuspended) return
     this.#isSuspended = true
@@ -189,14 +189,14 @@ export abstract class FramedMesh
   }
 
   /**
-   * Takes part in frames again after this one: a new cell may take a larger atlas, and the frame reads the old one. A separate method, since
-   * closures allocate in every call.
+   * Rejoins the frame after the current one: a new cell may resize the atlas that the current frame reads. Separate method: the closure
+   * would allocate in every call of `prepare`.
    */
   #resumeLater(): void {
     queueMicrotask(() => this.resume())
   }
 
-  /** Takes part in frames again. Not to be called during a frame. */
+  /** Rejoins the frame. Must not be called during a frame. */
   protected resume(): void {
     if (this.isDisposed || !this.#isSuspended) return
     this.#isSuspended = false
@@ -207,7 +207,7 @@ export abstract class FramedMesh
     this.material.resume()
   }
 
-  /** Leaves the frames, and frees everything that no other face uses. */
+  /** Leaves the frame, and frees resources that no other face uses. */
   #leave(): void {
     this.#frame.remove(this.#entry)
     this.#atlas.remove(this.#cells)
@@ -215,7 +215,7 @@ export abstract class FramedMesh
     releaseShaderInputs(this.shaderInputs)
   }
 
-  /** 1 = not faded, 0 = the mesh is too small on screen to show wrinkles, or they have not appeared yet. */
+  /** Opacity of the wrinkles, 0..1: 0 if the mesh is too small on screen, or the fade-in has not begun. */
   #fadeOf(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
     const appeared = this.#appearance?.advance(this.clock) ?? 1
     const { fadeBelow } = this.options
@@ -223,7 +223,7 @@ export abstract class FramedMesh
     return appeared * fadeOnScreen(mesh, camera, renderer, fadeBelow)
   }
 
-  /** Reads areas from another array. */
+  /** Switches to another area array. */
   protected rebind(array: AreaArray, areas: readonly Area<ArraySlice>[]): void {
     this.#atlas.rebind(this.#cells, array, areas)
   }

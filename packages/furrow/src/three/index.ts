@@ -1,5 +1,5 @@
 /**
- * Wrinkles for three.js and its `WebGLRenderer`.
+ * Wrinkles for three.js with `WebGLRenderer`.
  *
  * @module furrow/three
  */

@@ -4,46 +4,49 @@ import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE, MIN_AREA_SIZE } from '../core/limits
 import { checkOptionNames } from '../core/nearest-name.ts'
 
 /**
- * `default` mixes normals and lights once; `paper` lights twice and mixes colours; `composed` draws the mixed normals into a texture
- * that replaces the material's normal map; `off` shows no wrinkles.
+ * Shading mode of wrinkles:
+ * - `default` mixes normals and lights once
+ * - `paper` lights twice and mixes colours
+ * - `composed` renders the mixed normals into a texture that replaces the material's normal map
+ * - `off` shows no wrinkles
  */
 export type WrinkleMode = 'default' | 'paper' | 'composed' | 'off'
 
 const MODES: readonly WrinkleMode[] = ['default', 'paper', 'composed', 'off']
 
 /**
- * `on` moves the surface itself by the layers' heights, so that wrinkles change outlines and shadows; `near` does so where a millimetre
- * is more than a pixel and an area is active; `off` never does.
+ * When the layers' heights displace the surface, so that wrinkles change outlines and shadows. `near` displaces while an area is active
+ * and a millimetre covers more than a pixel.
  */
 export type ReliefMode = 'off' | 'on' | 'near'
 
 const RELIEF_MODES: readonly ReliefMode[] = ['off', 'on', 'near']
 
-/** How wrinkles are shown; defaults are in `WRINKLES_DEFAULTS`. */
+/** Options of `Wrinkles`; defaults are in `WRINKLES_DEFAULTS`. */
 export interface WrinklesOptions {
-  /** `default` by default. */
+  /** Shading mode, default `default`. */
   mode?: WrinkleMode
-  /** Side of the square grid that areas are resampled to, in texels, 128 by default. Areas in texture arrays keep their size. */
+  /** Side of the square grid that areas are resampled to, texels, default 128. Areas in texture arrays keep their size. */
   areaSize?: number
   /**
-   * Size of the mesh on screen, in pixels, below which wrinkles fade; at half of it they are gone and cost nothing. 0 by default: they
+   * Size of the mesh on screen, in pixels, below which wrinkles fade out. At half this size they are gone and cost nothing. Default 0:
    * never fade.
    */
   fadeBelow?: number
-  /** Whether the layers' heights move the surface, `near` by default. Heights are decoded, and triangles split, when that is first wanted. */
+  /** When the layers' heights displace the surface, default `near`. Heights are decoded and triangles split on first use. */
   relief?: ReliefMode
 }
 
 /** Options of `WrinkleLoaderPlugin`. */
 export interface WrinkleLoaderOptions extends WrinklesOptions {
   /**
-   * Makes wrinkles for files that have none, from their blendshapes, in a worker after loading; none by default
-   * (docs/auto-in-the-page.md).
+   * Generates wrinkles from the blendshapes of files that have none, in a worker after loading. Off by default. See
+   * docs/auto-in-the-page.md.
    */
   auto?: AutoRunOptions
 }
 
-/** The defaults of `WrinklesOptions`. */
+/** Defaults of `WrinklesOptions`. */
 export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = {
   mode: 'default',
   areaSize: DEFAULT_AREA_SIZE,
@@ -51,20 +54,20 @@ export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = {
   relief: 'near',
 }
 
-/** @throws FurrowError when there is no such mode. */
+/** @throws FurrowError if the mode is unknown. */
 export function checkMode(mode: WrinkleMode, who = 'Wrinkles.mode'): void {
   if (!MODES.includes(mode)) throw wrongArgument(who, 'unknown mode', mode, MODES.join(', '))
 }
 
-/** @throws FurrowError when there is no such mode of relief. */
+/** @throws FurrowError if the relief mode is unknown. */
 export function checkReliefMode(relief: ReliefMode, who = 'Wrinkles.relief'): void {
   if (!RELIEF_MODES.includes(relief))
     throw wrongArgument(who, 'unknown relief', relief, RELIEF_MODES.join(', '))
 }
 
 /**
- * @param who the caller, in errors.
- * @throws FurrowError at the first option that is not what it must be.
+ * @param who names the caller in errors.
+ * @throws FurrowError if an option is unknown or out of range.
  */
 export function checkOptions(options: Required<WrinklesOptions>, who: string): void {
   checkOptionNames(options, Object.keys(WRINKLES_DEFAULTS), who)
@@ -79,7 +82,7 @@ export function checkOptions(options: Required<WrinklesOptions>, who: string): v
   }
 }
 
-/** @throws FurrowError as `checkOptions` does, or when an option of `auto` is unknown or out of range. */
+/** @throws FurrowError if an option, or an option of `auto`, is unknown or out of range. */
 export function checkLoaderOptions(options: WrinkleLoaderOptions, who: string): void {
   if (!isObject(options)) throw wrongArgument(who, 'options', options, 'an object')
   checkOptionNames(options, [...Object.keys(WRINKLES_DEFAULTS), 'auto'], who)

@@ -1,30 +1,30 @@
 import type { WebGLRenderer } from 'three'
-// biome-ignore lint/suspicious/noTsIgnore: it is for those who read the declarations, there is no error here
-/** @ts-ignore Releases of three.js before r167 have no `three/webgpu`: the type is then `any`. */
+// biome-ignore lint/suspicious/noTsIgnore: needed in the published declarations; `@ts-expect-error` would fail here
+/** @ts-ignore three.js before r167 has no `three/webgpu`: the type is then `any`. */
 import type { WebGPURenderer } from 'three/webgpu'
 import { FurrowError } from '../core/error.ts'
 
-/** One of three.js's two renderers. */
+/** A `WebGLRenderer` or `WebGPURenderer` of three.js. */
 export type AnyRenderer = WebGLRenderer | WebGPURenderer
 
-/** An entry of the package: each is for one renderer. */
+/** Entry point of the package; each supports one renderer. */
 export type Entry = 'furrow/three' | 'furrow/webgpu'
 
 /**
- * Checks that an entry can work with a renderer.
+ * Checks that an entry point supports a renderer.
  *
- * @param who names the class of the entry.
- * @throws FurrowError that names the other entry.
+ * @param who names the class in errors.
+ * @throws FurrowError if the renderer needs the other entry point.
  */
 export function checkRenderer(renderer: AnyRenderer, entry: Entry, who: string): void {
   const problem = problemOf(renderer, entry, who)
   if (problem) throw problem
 }
 
-/** Renderers that the console was told of. */
+/** Unsupported renderers that were already logged. */
 const refused = new WeakSet<AnyRenderer>()
 
-/** Whether the renderer is the other entry's. The console says so, once for each renderer. */
+/** Whether the renderer needs the other entry point. Logs an error, once per renderer. */
 export function isRefused(renderer: AnyRenderer, entry: Entry, who: string): boolean {
   const problem = problemOf(renderer, entry, who)
   if (!problem) return false
@@ -33,11 +33,11 @@ export function isRefused(renderer: AnyRenderer, entry: Entry, who: string): boo
   return true
 }
 
-/** What textures of 32-bit floats need, to be filtered and to be blended: by WebGL 2, and by WebGPU. */
+/** Required to filter and blend 32-bit float textures, in WebGL 2 and in WebGPU. */
 const FLOAT_EXTENSIONS = ['OES_texture_float_linear', 'EXT_float_blend']
 const FLOAT_FEATURES = ['float32-filterable', 'float32-blendable']
 
-/** Whether a renderer can add up 32-bit floats in a texture, and filter it. */
+/** Whether a renderer can blend into and filter 32-bit float textures. */
 export function filtersFloats(renderer: AnyRenderer): boolean {
   const { backend } = renderer as Partial<Pick<WebGPURenderer, 'backend'>>
   if ((backend as { isWebGPUBackend?: true } | undefined)?.isWebGPUBackend)
@@ -57,9 +57,9 @@ function problemOf(renderer: AnyRenderer, entry: Entry, who: string): FurrowErro
   return new FurrowError({
     code: 'unsupported',
     who: `${who} of ${entry}`,
-    problem: 'cannot draw with this renderer',
+    problem: 'unsupported renderer',
     value: isWebGPURenderer ? 'WebGPURenderer' : 'WebGLRenderer',
     limit: isWebGPURenderer ? 'WebGLRenderer' : 'WebGPURenderer',
-    remedy: `take it from ${right} instead, and the loader plugin too; until then the face has no wrinkles`,
+    remedy: `import ${who} and the loader plugin from ${right}; until then the face has no wrinkles`,
   })
 }

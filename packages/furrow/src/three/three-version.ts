@@ -1,22 +1,22 @@
 import { FurrowError } from '../core/error.ts'
 import type { Entry } from './renderer.ts'
 
-/** The oldest release of three.js that each entry supports; `peerDependencies` starts at the older one. */
+/** Oldest three.js release that each entry point supports; `peerDependencies` starts at the older one. */
 export const OLDEST_THREE = { 'furrow/three': 160, 'furrow/webgpu': 186 } as const
 
-/** The newest release of three.js that the tests run on. */
+/** Newest three.js release that the tests run on. */
 export const NEWEST_THREE = 187
 
-/** The number of a release, from three.js's `REVISION`: 187 of `187dev`. */
+/** Release number in three.js's `REVISION`: `187dev` gives 187. */
 export function releaseOf(revision: string): number {
   return Number.parseInt(revision, 10)
 }
 
 /**
- * Checks that three.js is recent enough for an entry: shaders of an older one do not compile, and the mesh vanishes.
+ * Checks that three.js is recent enough for an entry point. With older releases the shaders fail to compile and the mesh disappears.
  *
  * @param revision three.js's `REVISION`.
- * @throws FurrowError when it is older than `OLDEST_THREE`.
+ * @throws FurrowError if it is older than `OLDEST_THREE`.
  */
 export function checkThree(entry: Entry, revision: string): void {
   const oldest = OLDEST_THREE[entry]
@@ -33,12 +33,12 @@ export function checkThree(entry: Entry, revision: string): void {
 }
 
 /**
- * Guards what Furrow uses of three.js without it being documented there, so that a release that drops it is named.
+ * Guards the use of an undocumented three.js internal, so that the error names the release that removed it.
  *
- * @param name of the internal, as three.js's sources have it.
- * @param revision as `checkThree` has it.
- * @returns the value itself.
- * @throws FurrowError when it is undefined or null.
+ * @param name name of the internal in three.js's sources.
+ * @param revision three.js's `REVISION`.
+ * @returns `value`.
+ * @throws FurrowError if `value` is undefined or null.
  */
 export function requireInternal<T>(
   value: T | null | undefined,
@@ -53,6 +53,6 @@ export function requireInternal<T>(
     problem: `three.js lacks ${name}`,
     value: `r${revision}`,
     limit: `up to r${NEWEST_THREE}`,
-    remedy: 'install a release of three.js that Furrow is tested with',
+    remedy: 'install a three.js release that Furrow is tested with',
   })
 }

@@ -21,14 +21,13 @@ import { addMuscles } from './sources/muscles.ts'
 import type { InputOptions } from './sources/target.ts'
 import { checkThree } from './three-version.ts'
 
-/** A mesh that shows wrinkles: everything behind `Wrinkles`, out of users' reach. Its meshes, areas and drivers. */
+/** Internals of `Wrinkles`: the meshes, areas and drivers of one face. */
 export class WrinkledMesh extends FramedMesh {
   #inputOptions: InputOptions = {}
 
   /**
-   * @param renderer what depends on the renderer.
-   * @param source a checked set, or another mesh: its areas, textures and drivers are used, with activations at rest.
-   * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then unchanged.
+   * @param source a checked set, or another mesh whose areas, textures and drivers are shared; activations start at rest.
+   * @throws FurrowError if the mesh, its material or the set is invalid; the mesh is then unchanged.
    */
   constructor(
     renderer: RendererParts,
@@ -61,7 +60,7 @@ export class WrinkledMesh extends FramedMesh {
     }
   }
 
-  /** @throws FurrowError when no area has that name. */
+  /** @throws FurrowError if an area is unknown. */
   createInfluenceMaterial(area?: string | readonly string[]): Material {
     this.checkInUse('createInfluenceMaterial')
     this.resume()
@@ -92,7 +91,7 @@ export class WrinkledMesh extends FramedMesh {
     return this.material.cloneAll()
   }
 
-  /** Copies the one material that shows the wrinkles, without them. */
+  /** Clones the wrinkled material, without its wrinkles. */
   cloneSurface(): Material {
     this.checkInUse('cloneSurface')
     return this.material.clone()
@@ -101,8 +100,8 @@ export class WrinkledMesh extends FramedMesh {
   /**
    * Replaces the drivers.
    *
-   * @param options where their inputs are found; those left out stay as they were.
-   * @param isLate whether inputs are found at the first frame: they may not exist before.
+   * @param options sources of their inputs; omitted options keep their values.
+   * @param isLate whether inputs are looked up at the first frame, because they may not exist yet.
    */
   drive(drivers: readonly WrinkleDriver[] | DriverPlan, options?: InputOptions, isLate = false): void {
     this.checkInUse('setDrivers')
@@ -115,7 +114,7 @@ export class WrinkledMesh extends FramedMesh {
     this.vrmExpressions = all.vrmExpressions ?? []
   }
 
-  /** Exchanges the list of areas. */
+  /** Replaces all areas. */
   replaceAreas(areas: Area<ArraySlice>[], who: string): void {
     this.resume()
     const { textures } = this.shaderInputs
@@ -125,11 +124,11 @@ export class WrinkledMesh extends FramedMesh {
     this.areas = copyAreas(areas)
     this.rebind(array, areas)
     exposeAreas(this.mesh, this)
-    // The shader graph of the paper's mode holds the array itself.
+    // The shader graph of the paper mode references the array.
     if (this.mode === 'paper') this.material.show('paper')
   }
 
-  /** Takes the drivers of a set or of another mesh. A copy may get its skeleton later, and does not show the expressions of a VRM. */
+  /** Takes the drivers of a set or another mesh. Copies look inputs up late, because they may get their skeleton later. */
   #driveAs(source: WrinkleSet<ArraySlice> | WrinkledMesh): void {
     if (source instanceof WrinkledMesh) {
       const { targetsOf, vrmExpressions } = source.#inputOptions
@@ -141,7 +140,7 @@ export class WrinkledMesh extends FramedMesh {
   }
 }
 
-/** The faces that use one array of areas have one list of them, which changes with it. */
+/** Copies the list, so that later changes stay within the faces that share one area array. */
 function copyAreas(areas: readonly Area<ArraySlice>[]): Area<ArraySlice>[] {
   return areas.map((area) => ({ ...area }))
 }

@@ -1,25 +1,25 @@
 import type { Material, Mesh } from 'three'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import { groupOf, WrinkleFaces } from '../runtime/wrinkle-faces.ts'
-import { noteAdded } from './added-to.ts'
 import { checkSource } from './check-source.ts'
 import type { RendererParts } from './material/renderer-parts.ts'
+import { registerWrinkles } from './mesh-wrinkles.ts'
 import type { ReliefMode, WrinkleMode, WrinklesOptions } from './options.ts'
 import type { AnyRenderer } from './renderer.ts'
 import { WrinkledMesh } from './wrinkled-mesh.ts'
 
-/** The mesh behind wrinkles, for code of the library. */
+/** Returns the internals of `Wrinkles`. */
 export function meshOf(wrinkles: WrinklesBase): WrinkledMesh {
-  // The constructor below accepts no other.
+  // The constructor below creates no other group.
   return groupOf(wrinkles) as WrinkledMesh
 }
 
 /**
- * Wrinkles on one mesh, or on each instance of an `InstancedMesh` or `BatchedMesh`: the base of both renderers' `Wrinkles`. The
- * material remains the user's: morphs, skinning, shadows, environment and `normalScale` keep working, and `dispose` restores it.
+ * Wrinkles on one mesh, or on each instance of an `InstancedMesh` or `BatchedMesh`. Base class of `Wrinkles` for both renderers. The
+ * material is patched, not replaced: morphs, skinning, shadows, environment and `normalScale` keep working, and `dispose` restores it.
  */
 export abstract class WrinklesBase extends WrinkleFaces {
-  /** @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then unchanged. */
+  /** @throws FurrowError if the mesh, its material or the set is invalid; the mesh is then unchanged. */
   protected constructor(
     renderer: RendererParts,
     mesh: Mesh,
@@ -28,84 +28,80 @@ export abstract class WrinklesBase extends WrinkleFaces {
   ) {
     const own = source instanceof WrinklesBase ? meshOf(source) : checkSource(source)
     super(new WrinkledMesh(renderer, mesh, own, options))
-    this.onDispose(noteAdded(mesh, this))
+    this.onDispose(registerWrinkles(mesh, this))
   }
 
-  /** The mesh that drives: its blendshapes, skeleton and surface are measured. */
+  /** Mesh whose blendshapes, skeleton and surface the drivers read. */
   get mesh(): Mesh {
     return meshOf(this).mesh
   }
 
-  /** How wrinkles are shown. */
+  /** Shading mode. */
   get mode(): WrinkleMode {
     return meshOf(this).mode
   }
 
   /**
-   * Changes how wrinkles are shown; the material's program is recompiled. The composed mode shows normals only, and does not fade.
+   * Changes the shading mode and recompiles the material. `composed` shows normals only, and ignores `fadeBelow`.
    *
-   * @throws FurrowError when the mode is not possible: `paper` with more than one layer, or with maps of the material that
-   *   cannot be read or differ in size; `paper` and `composed` for instances; `paper` for a material that cannot be patched. The mode then
-   *   stays as it was.
+   * @throws FurrowError if the mode is unsupported here; the mode then stays unchanged. The mode `paper` needs one layer, a material that
+   *   can be patched, and readable maps of one size. The modes `paper` and `composed` do not support instances.
    */
   set mode(mode: WrinkleMode) {
     meshOf(this).mode = mode
   }
 
-  /** Whether the layers' heights move the surface. */
+  /** When the layers' heights displace the surface. */
   get relief(): ReliefMode {
     return meshOf(this).relief.mode
   }
 
   /**
-   * Changes whether the layers' heights move the surface. Triangles under areas are split when that is first wanted, in slices: the page
-   * goes on, and shows the face without relief until then. Meshes that cannot have relief stay as they are; `on` warns of it, once.
+   * Changes when the layers' heights displace the surface. On first use, triangles under areas are split in time slices, and the face has no
+   * relief until that is done. Meshes that do not support relief stay unchanged; `on` then warns once.
    *
-   * @throws FurrowError when there is no such value.
+   * @throws FurrowError if the value is unknown.
    */
   set relief(mode: ReliefMode) {
     meshOf(this).relief.mode = mode
   }
 
-  /** Splits the triangles for relief now, where there are heights; fulfilled when it can be drawn. */
+  /** Prepares relief now instead of on first use. Resolves when relief can be drawn, or if there are no heights. */
   async reliefReady(): Promise<void> {
     await meshOf(this).relief.ready()
   }
 
   /**
-   * Updates inputs, drivers and activations now. Every frame does so before it is drawn; this is for tests, and for pages that read
-   * activations without drawing.
+   * Updates inputs, drivers and activations now. Only needed to read activations without drawing: every rendered frame updates them.
    *
-   * @param renderer also draws the influence maps. Without one, inputs that only a renderer can measure keep their last value.
+   * @param renderer draws the influence maps too. If null, inputs measured on the GPU keep their last value.
    */
   update(renderer: AnyRenderer | null = null): void {
     meshOf(this).update(renderer)
   }
 
   /**
-   * Creates a material that shows influence as gray on the moving mesh, black = none, white = 1: the current influence, or the weights
-   * of some areas, whatever their activations. Dispose of it after use, and create it again after areas were added or removed.
+   * Creates a material that shows influence on the moving mesh as gray: black = 0, white = 1. Dispose of it after use. Create a new one
+   * after adding or removing areas.
    *
-   * @param area name or names; by default, the current influence.
-   *
-   * @throws FurrowError when no area has that name.
+   * @param area area name or names, to show their weights regardless of activation. Default: the current influence.
+   * @throws FurrowError if an area is unknown.
    */
   createInfluenceMaterial(area?: string | readonly string[]): Material {
     return meshOf(this).createInfluenceMaterial(area)
   }
 
   /**
-   * Adds another mesh with the same material, such as a second primitive of the face. It shows the same wrinkles, whichever mesh is
-   * drawn first.
+   * Adds another mesh with the same material, e.g. a second primitive of the face. All meshes show the same wrinkles, in any draw order.
    */
   addMesh(mesh: Mesh): void {
     meshOf(this).addMesh(mesh)
-    this.onDispose(noteAdded(mesh, this))
+    this.onDispose(registerWrinkles(mesh, this))
   }
 
   /**
-   * Copies the material without its wrinkles, for another mesh with wrinkles of its own; of a mesh with several materials a list, in which
-   * the others are the same.
+   * Clones the material without its wrinkles, for another mesh that gets its own wrinkles. If the mesh has several materials, returns an
+   * array in which only the wrinkled material is cloned.
    */
   cloneMaterial(): Material | Material[] {
     return meshOf(this).cloneMaterial()

@@ -2,37 +2,39 @@ import type { Mesh } from 'three'
 import { isObject, wrongArgument } from '../core/argument.ts'
 import { sentence } from '../core/error.ts'
 import { WRINKLE_MAPS } from '../core/maps/declared.ts'
-import { addedTo } from './added-to.ts'
 import { adoptedBy } from './loader/adoption.ts'
+import { wrinklesOfMesh } from './mesh-wrinkles.ts'
 import type { WrinklesBase } from './wrinkles-base.ts'
 
-/** What `GLTFLoader` returns, three.js's or another's, as far as `wrinklesOf` reads it. */
+/** Result of `GLTFLoader`, from three.js or another package. */
 export interface LoadedFile {
   scene: object
-  // biome-ignore lint/suspicious/noExplicitAny: as three.js declares it
+  // biome-ignore lint/suspicious/noExplicitAny: three.js's own declaration
   userData: Record<string, any>
-  // biome-ignore lint/suspicious/noExplicitAny: each package has a parser type of its own
+  // biome-ignore lint/suspicious/noExplicitAny: each package has its own parser type
   parser?: any
 }
 
 /**
- * The wrinkles of a mesh, however they were added, or undefined; if there are several, the first.
+ * Returns the wrinkles of a mesh, or undefined. If several were added, returns the first.
  *
- * @throws FurrowError when it is neither a mesh nor a loaded file.
+ * @throws FurrowError if the argument is neither a mesh nor a loaded file.
  */
 export function wrinklesOf(mesh: Mesh): WrinklesBase | undefined
 /**
- * The wrinkles of a file, one per face; none if the file has none. Warns once if it has, but was loaded without `WrinkleLoaderPlugin`.
+ * Returns the wrinkles of a loaded file, one per face; an empty array if the file has none. Warns once if the file has wrinkles but was
+ * loaded without `WrinkleLoaderPlugin`.
  *
- * @throws FurrowError when it is neither a mesh nor a loaded file.
+ * @throws FurrowError if the argument is neither a mesh nor a loaded file.
  */
 export function wrinklesOf(file: LoadedFile): readonly WrinklesBase[]
 export function wrinklesOf(source: Mesh | LoadedFile): WrinklesBase | undefined | readonly WrinklesBase[] {
-  if ((source as Mesh)?.isMesh) return (addedTo(source as Mesh) as WrinklesBase) ?? adoptedBy(source as Mesh)
+  if ((source as Mesh)?.isMesh)
+    return (wrinklesOfMesh(source as Mesh) as WrinklesBase) ?? adoptedBy(source as Mesh)
   if (!isLoadedFile(source)) {
     const value = isObject(source) ? source.constructor?.name : source
-    const limit = 'what GLTFLoader returned, such as gltf instead of gltf.scene, or a Mesh'
-    throw wrongArgument('wrinklesOf', 'a loaded file or a mesh', value, limit)
+    const limit = 'a Mesh, or the result of GLTFLoader (gltf, not gltf.scene)'
+    throw wrongArgument('wrinklesOf', 'invalid argument', value, limit)
   }
   const { wrinkles } = source.userData
   if (!wrinkles) warnUnregistered(source)
@@ -40,15 +42,15 @@ export function wrinklesOf(source: Mesh | LoadedFile): WrinklesBase | undefined 
 }
 
 /**
- * Waits for the wrinkles that `WrinkleLoaderPlugin` makes for a file with its option `auto`.
+ * Waits for the wrinkles that `WrinkleLoaderPlugin` generates with its option `auto`. Resolves at once for other files.
  *
- * @returns a promise of the wrinkles of the file, one per face: none if none can be made, or that was cancelled. Other files need no waiting.
- * @throws FurrowError when it is not a loaded file.
+ * @returns the wrinkles of the file, one per face; empty if none can be generated, or generation was aborted.
+ * @throws FurrowError if the argument is not a loaded file.
  */
 export async function wrinklesReady(file: LoadedFile): Promise<readonly WrinklesBase[]> {
   if (!isLoadedFile(file)) {
     const value = isObject(file) ? (file as object).constructor?.name : file
-    throw wrongArgument('wrinklesReady', 'a loaded file', value, 'what GLTFLoader returned')
+    throw wrongArgument('wrinklesReady', 'invalid argument', value, 'the result of GLTFLoader')
   }
   await file.userData.wrinklesReady
   return wrinklesOf(file)
@@ -60,7 +62,7 @@ function isLoadedFile(source: unknown): source is LoadedFile {
 
 const warned = new WeakSet<object>()
 
-/** Files with wrinkles that nobody has read. */
+/** Warns of a file with wrinkles that was loaded without the plugin. */
 function warnUnregistered({ parser }: LoadedFile): void {
   const json = parser?.json
   if (!isObject(json) || warned.has(json)) return
@@ -70,8 +72,8 @@ function warnUnregistered({ parser }: LoadedFile): void {
   console.warn(
     sentence({
       who: 'wrinklesOf',
-      problem: `the file has ${WRINKLE_MAPS}, but was loaded without WrinkleLoaderPlugin: its faces stay plain`,
-      remedy: 'call extendLoader(loader) before loading it',
+      problem: `the file has ${WRINKLE_MAPS}, but was loaded without WrinkleLoaderPlugin: its faces have no wrinkles`,
+      remedy: 'call extendLoader(loader) before loading the file',
     }),
   )
 }

@@ -21,10 +21,10 @@ import { renderPreservingState } from './render-preserving-state.ts'
 
 const FORMATS = [RedFormat, RGFormat, RGBAFormat, RGBAFormat] as const
 
-/** More channels of whole floats than these take graphics cards several steps to filter. */
-const MOST_WHOLE_FLOATS = 2
+/** Maximum number of 32-bit float channels; GPUs filter more of them at a reduced rate. */
+const MAX_FLOAT_CHANNELS = 2
 
-/** Quads that clear cells, or those of one array's areas with one rule. */
+/** Quads that clear cells, or draw the areas of one array that combine by one rule. */
 interface Batch {
   rule: QuadRule
   areas: AreaArray | null
@@ -32,14 +32,13 @@ interface Batch {
 }
 
 /**
- * The influence maps of all faces of one kind, side by side in one texture: per layer, the sum of a face's areas times their
- * activations, in UV space at the areas' resolution. A cell is redrawn only when an activation of its face has changed, and then only
- * over the rectangles of active areas; one pass draws all cells of a frame. Shaders of faces take one sample of it, however many areas
- * there are.
+ * Influence maps of all faces with one area size and layer count, one cell per face. A map holds, per layer, the sum of the face's areas
+ * times their activations, in UV space. A cell is redrawn only when an activation of its face changes, over the rectangles of active
+ * areas. One pass draws all changed cells of a frame. Face shaders take one sample, for any number of areas.
  *
- * Texels hold T = max(sum, largest `max`), unclamped; shaders take min(1, T) after interpolation, and so clamp exactly where the reference
- * does. They are whole floats where these can be filtered and added up, else half ones: a software rasteriser has to convert halves,
- * four of them for each sample, which costs as much as a texture of bytes. Bytes cannot hold what passes 1.
+ * Texels hold T = max(sum, largest `max`), unclamped. Shaders compute min(1, T) after interpolation, and so clamp where the reference does.
+ * The type is 32-bit float if the GPU can filter and blend it, because software rasterisers convert each half float. Otherwise it is half
+ * float: bytes cannot hold values above 1.
  */
 export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   readonly layers: number
@@ -48,20 +47,20 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   readonly #materials: QuadMaterials
   readonly #scene = new Scene()
   readonly #camera = new OrthographicCamera()
-  /** All of a cell. */
-  readonly #whole: AreaSlot
-  /** A list rather than a map: iterating it allocates nothing. */
+  /** Slot that covers a complete cell. */
+  readonly #cellSlot: AreaSlot
+  /** Array, because iterating a Map allocates. */
   #batches: Batch[] = []
   #renderer: AnyRenderer | null = null
-  /** The renderer that has compiled what draws areas. */
+  /** Renderer that has compiled the area programs. */
   #compiled: AnyRenderer | null = null
-  /** What drew cells that were collected together: each renderer has a texture of its own, with the cells of the faces that it draws. */
+  /** Renderer that last drew each group of cells. Each renderer has its own texture, with the cells of the faces it draws. */
   readonly #drawnBy = new WeakMap<readonly Cell[], AnyRenderer>()
 
   /**
-   * @param width of a cell and of the faces' areas, in texels.
-   * @param height the same.
-   * @param layers number of the faces' layers, with one channel each.
+   * @param width width of a cell and of the faces' areas, texels.
+   * @param height height of the same.
+   * @param layers number of layers, one channel each.
    */
   constructor(width: number, height: number, layers: number, materials: QuadMaterials) {
     this.layers = layers
@@ -71,18 +70,18 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
       type: HalfFloatType,
       depthBuffer: false,
     })
-    // `WebGPURenderer` sets it when it makes its own texture of a target, and others would make theirs anew, within what they draw already.
+    // `WebGPURenderer` sets `needsUpdate` when it creates its texture of a target; other renderers would then recreate theirs while drawing.
     Object.defineProperty(this.target.texture, 'needsUpdate', { set: () => {} })
     this.#materials = materials
     this.#scene.matrixWorldAutoUpdate = false
     const bounds = { x0: 0, y0: 0, x1: width, y1: height }
-    this.#whole = { layer: 0, combine: 'sum', slice: 0, channel: 0, bounds }
+    this.#cellSlot = { layer: 0, combine: 'sum', slice: 0, channel: 0, bounds }
   }
 
   /**
-   * Allocates consecutive cells to faces.
+   * Allocates consecutive cells for faces.
    *
-   * @throws FurrowError when they do not fit into the largest texture.
+   * @throws FurrowError if the cells do not fit into the largest texture.
    */
   add(faces: readonly Face[]): Cell[] {
     const added = this.cells.add(faces)
@@ -100,7 +99,7 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     this.#prune()
   }
 
-  /** Gives the faces of cells other areas. */
+  /** Switches the faces of cells to another area array. */
   rebind(cells: readonly Cell[], array: AreaArray, areas: readonly { name: string }[]): void {
     for (const cell of cells) {
       cell.face.rebind(array, areas)
@@ -109,7 +108,7 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     this.#prune()
   }
 
-  /** Frees the resources of arrays of areas that no face uses any more. */
+  /** Frees resources of area arrays that no face uses. */
   #prune(): void {
     const used = this.cells.slots as Set<AreaArray>
     this.#batches = this.#batches.filter(({ areas, quads }) => {
@@ -122,7 +121,7 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     })
   }
 
-  /** Collects those of some cells that have changed, for `draw`. */
+  /** Collects the changed cells among `cells`, for `draw`. */
   collect(cells: readonly Cell[], renderer: AnyRenderer): void {
     this.#checkContents(renderer)
     if (this.#drawnBy.get(cells) !== renderer) {
@@ -132,7 +131,7 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     this.cells.collect(cells)
   }
 
-  /** Draws the cells that were collected, with their faces' activations. */
+  /** Draws the collected cells with their faces' activations. */
   draw(renderer: AnyRenderer): void {
     const { changed, changes, isWhole } = this.cells
     if (changes === 0) return
@@ -142,12 +141,12 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
       quads.end()
       if (areas && quads.mesh.visible) this.#compiled = renderer
     }
-    // In one stroke, without a quad for each cell and a program for these: a page with one face never takes one.
+    // Clears the whole target at once if possible: pages with one face then never compile the clear program.
     renderPreservingState(renderer, this.target, this.#scene, this.#camera, 0, isWhole)
     this.cells.changes = 0
   }
 
-  /** Compiles what draws areas, unless some were drawn already. Between frames only. */
+  /** Compiles the area programs, unless areas were already drawn. Call between frames only. */
   compile(renderer: WebGLRenderer): void {
     if (renderer === this.#compiled) return
     this.#compiled = renderer
@@ -156,7 +155,7 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
       for (const { combine } of areas.slots) this.#quadsOf(combine, areas)
     const before = renderer.getRenderTarget()
     renderer.setRenderTarget(this.target as never)
-    // Nobody waits for it, as `compileAsync` would, which warns of drivers that do not compile beside the page.
+    // Not `compileAsync`: nothing awaits the result, and it warns if the driver has no parallel compilation.
     renderer.compile(this.#scene, this.#camera)
     renderer.setRenderTarget(before)
   }
@@ -166,7 +165,7 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     for (const { quads } of this.#batches) quads.dispose()
   }
 
-  /** What was drawn is missing after a lost context. */
+  /** Invalidates cells whose contents were lost with the context. */
   #checkContents(renderer: AnyRenderer): void {
     if (renderer !== this.#renderer) this.#checkType(renderer)
     this.#renderer = renderer
@@ -174,7 +173,7 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   }
 
   #checkType(renderer: AnyRenderer): void {
-    const type = this.layers <= MOST_WHOLE_FLOATS && filtersFloats(renderer) ? FloatType : HalfFloatType
+    const type = this.layers <= MAX_FLOAT_CHANNELS && filtersFloats(renderer) ? FloatType : HalfFloatType
     if (this.target.texture.type === type) return
     this.target.texture.type = type
     this.target.texture.version++
@@ -187,7 +186,7 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     const { grid } = this.cells
     const column = index % grid.columns
     const row = Math.floor(index / grid.columns)
-    if (!isClear) this.#quadsOf('clear', null).put(column, row, this.#whole, 0)
+    if (!isClear) this.#quadsOf('clear', null).put(column, row, this.#cellSlot, 0)
     const areas = face.slots as AreaArray
     const sum = this.#quadsOf('sum', areas)
     const { slots } = areas

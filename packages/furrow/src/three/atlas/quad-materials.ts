@@ -2,14 +2,14 @@ import type { Material, RenderTarget } from 'three'
 import type { AnyRenderer } from '../renderer.ts'
 import type { AreaArray } from './area-array.ts'
 
-/** In this order: all cells are cleared before sums are added, and sums are complete before the maximum. */
+/** Draw order: cells are cleared, then sums are added, then the maximum is taken. */
 export const QUAD_RULES = ['clear', 'sum', 'max'] as const
 export type QuadRule = (typeof QUAD_RULES)[number]
 
-/** What depends on the renderer: the quads' materials, and whether a target still holds what was drawn. */
+/** Renderer-specific parts of the atlas. */
 export interface QuadMaterials {
-  /** A material that writes 0, adds weight x activation, or takes the maximum with it; see `Quads` for the attributes. */
+  /** Creates a material that writes 0, adds weight x activation, or takes the maximum with it. `Quads` documents the attributes. */
   create(rule: QuadRule, areas: AreaArray | null): Material
-  /** False after the renderer's context was lost. */
+  /** Whether a target still holds its contents; false after a lost context. */
   hasContents(renderer: AnyRenderer, target: RenderTarget): boolean
 }

@@ -8,14 +8,14 @@ import {
 } from 'three'
 import type { AreaSlot } from '../../runtime/area-slots.ts'
 
-/** Numbers of each vertex: a vector of four and one of two. */
+/** Floats per vertex: a vec4 and a vec2. */
 const STRIDE = 6
 const CORNERS = 4
-/** Most channels of a slice, and most layers. */
+/** Maximum number of channels per slice, and of layers. */
 const CHANNELS = 4
 const LAYERS = 4
 
-/** What they are drawn onto: a grid of cells, each `width` x `height` texels of an area. */
+/** Grid of cells in the atlas; each cell has `width` x `height` texels. */
 interface CellGrid {
   readonly width: number
   readonly height: number
@@ -23,11 +23,11 @@ interface CellGrid {
 }
 
 /**
- * Rectangles with attributes of their own at each vertex: `furrowPoint` the vertex in 0..1 of the atlas, then in texels of the area;
- * `furrowSource` its activation, then (slice x 4 + channel) x 4 + layer.
+ * Rectangles to draw into the atlas. Vertex attributes: `furrowPoint` is the position in the atlas (0..1), then in the area (texels).
+ * `furrowSource` is the activation, then (slice x 4 + channel) x 4 + layer.
  *
- * They are not instances of one square, which would be half the data: an instance of four vertices is slow to begin on graphics
- * cards, which shade dozens of vertices at once, and a software rasteriser begins each as a draw of its own, 7 microseconds.
+ * Not instanced: GPUs shade dozens of vertices at once and handle four-vertex instances poorly. Software rasterisers treat each instance
+ * as a draw call.
  */
 export class Quads {
   readonly mesh: Mesh<BufferGeometry, Material>
@@ -55,7 +55,7 @@ export class Quads {
     const data = this.#data
     let at = this.#used.count
     const source = (slice * CHANNELS + channel) * LAYERS + layer
-    // Of a texel, in 0..1 of the atlas.
+    // Texel size in the atlas, 0..1.
     const texelWidth = 1 / (width * grid.columns)
     const texelHeight = 1 / (height * grid.rows)
     for (let corner = 0; corner < CORNERS; corner++) {
@@ -76,7 +76,7 @@ export class Quads {
     const { count } = this.#used
     this.mesh.visible = count > 0
     this.mesh.geometry.drawRange.count = (count / (CORNERS * STRIDE)) * 6
-    // The same object, so that this allocates nothing; whatever uploads it empties the list.
+    // Reuses one range object, to avoid an allocation. The upload empties the list.
     if (this.#buffer.updateRanges.length === 0) this.#buffer.updateRanges.push(this.#used)
     this.#buffer.needsUpdate = true
   }
@@ -93,7 +93,7 @@ export class Quads {
     this.#bind()
   }
 
-  /** Buffers on the GPU do not grow, so a larger one comes with a geometry of its own. */
+  /** Creates a new geometry for the buffer, because GPU buffers cannot grow. */
   #bind(): void {
     this.mesh.geometry.dispose()
     const geometry = new BufferGeometry()
@@ -107,5 +107,5 @@ export class Quads {
   }
 }
 
-/** Corners of the two triangles of a rectangle. */
+/** Corner indices of the two triangles of a rectangle. */
 const TRIANGLES = [0, 1, 2, 2, 1, 3]

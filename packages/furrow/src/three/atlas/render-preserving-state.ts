@@ -5,9 +5,9 @@ import type { AnyRenderer } from '../renderer.ts'
 const colour = new Color()
 
 /**
- * Renders into a level of a target during another render call, and restores the renderer's state.
+ * Renders into a mip level of a target during another render call, and restores the renderer's state.
  *
- * @param isCleared whether all texels are set to 0 before; else the target keeps what it has.
+ * @param isCleared whether all texels are set to 0 first.
  */
 export function renderPreservingState(
   renderer: AnyRenderer,
@@ -41,15 +41,15 @@ export function renderPreservingState(
 }
 
 /**
- * Draws all of a scene, whatever is being drawn: shadows are without the meshes that cast none, and passes have several outputs, or leave out
- * what is transparent.
+ * Draws a complete scene during another pass of `WebGPURenderer`: resets the object filter of shadow passes, multiple outputs, and the
+ * opaque and transparent switches.
  */
 function renderAll(renderer: WebGPURenderer, scene: Scene, camera: Camera): void {
   const { opaque, transparent } = renderer
   const drawObject = renderer.getRenderObjectFunction()
   const outputs = renderer.getMRT()
   renderer.opaque = renderer.transparent = true
-  // Its types leave out that null is allowed.
+  // three.js's types omit that null is allowed.
   renderer.setRenderObjectFunction(null!)
   renderer.setMRT(null)
   renderer.render(scene, camera)
@@ -62,7 +62,7 @@ function renderAll(renderer: WebGPURenderer, scene: Scene, camera: Camera): void
 function clear(gl: WebGLRenderer): void {
   const alpha = gl.getClearAlpha()
   gl.getClearColor(colour)
-  // A material that writes depth alone may have been drawn last.
+  // The last material may have disabled colour writes.
   gl.state?.buffers.color.setMask(true)
   gl.setClearColor(0, 0)
   gl.clear(true, false, false)

@@ -1,17 +1,17 @@
 import { type Mesh, type Object3D, type SkinnedMesh, Vector3 } from 'three'
 import { trianglesOf } from '../sources/geometry-arrays.ts'
 
-/** A mesh as it is drawn, with its blendshapes at 0. */
+/** A mesh in its drawn pose, with blendshapes at 0. */
 export interface DrawnMesh {
   mesh: Mesh
-  /** In world space, xyz of each vertex. */
+  /** Packed xyz positions, world space. */
   positions: Float64Array
   triangles: ArrayLike<number>
-  /** Vertices of the triangles: primitives often have all vertices of a file. */
+  /** Vertices used by the triangles: primitives often reference one vertex buffer for the complete file. */
   used: readonly number[]
 }
 
-/** The meshes of an object in the pose of their skeletons. World matrices must be up to date. */
+/** Returns the meshes of an object in the current pose of their skeletons. World matrices must be up to date. */
 export function drawnMeshes(object: Object3D): DrawnMesh[] {
   const meshes: DrawnMesh[] = []
   object.traverse((child) => {

@@ -14,40 +14,40 @@ import { type DrawnMesh, drawnMeshes } from './drawn-mesh.ts'
 import { type HeadRegion, headOfBlendshapes, headOfJoints } from './head-region.ts'
 import { frontOfSides } from './sides.ts'
 
-/** From where a camera sees a face, and how near. */
+/** Direction and distance of a camera from a face. */
 export interface FaceView {
-  /** Degrees from the front to the person's left, 0 by default. */
+  /** Degrees from the front towards the person's left, default 0. */
   yaw?: number
-  /** Degrees above the face, 0 by default. */
+  /** Degrees above the face, default 0. */
   pitch?: number
-  /** 1 by default: the head fills the picture. Above 1, eyes and forehead are seen from nearer. */
+  /** Default 1: the head fills the picture. Above 1, the camera moves closer to eyes and forehead. */
   zoom?: number
 }
 
 /** Fraction of the picture's height that the head fills at zoom 1. */
 const FILL = 0.9
 
-/** Radians from an axis within which a face looks along it: scans are not quite symmetric. */
+/** Angle within which a facing direction snaps to an axis, radians: scans are not perfectly symmetric. */
 const AXIS_TOLERANCE = Math.PI / 18
 
-/** The least horizontal length of a mean normal that tells where a face looks. */
-const LEAST_FRONT = 0.2
+/** Minimum horizontal length of a mean normal that defines the facing direction. */
+const MIN_FRONT = 0.2
 
 const UP = new Vector3(0, 1, 0)
 
 /**
- * Points a camera at a face as it is drawn: in the pose of its skeleton, at any scale, wherever it looks; +Y is up. Of an avatar with
- * a body, it frames the head. Blendshapes count as 0, so that every expression has the same picture.
+ * Points a camera at a face in its current skeletal pose, at any scale and orientation; +Y is up. For an avatar with a body, frames the
+ * head. Blendshapes count as 0, so every expression is framed alike.
  *
- * The face is what blendshapes move, on the meshes with wrinkles if there are any; without blendshapes, what a joint named `head`
- * moves; otherwise everything. It looks where the skin looks that blendshapes move. Where they move none, the joints of its left and
- * right side say so, in a VRM 0 as in a VRM 1.0; without joints, it looks along `face`'s own +Z axis, as in glTF.
+ * The face is the geometry that blendshapes move, on wrinkled meshes if there are any. Without blendshapes it is the geometry that a
+ * joint named `head` moves, otherwise the complete object. The facing direction is the mean normal of that geometry. Fallbacks are the
+ * left and right joints (VRM 0 and VRM 1.0), then the +Z axis of `face`, as in glTF.
  *
- * @param camera without a parent. Of a perspective camera `fov` and `aspect` are used; of an orthographic one the sides of its frustum,
- *   and `zoom` is set. `near` and `far` are extended where the face needs it.
- * @param face the scene that a loader returned, or a mesh.
- * @returns the point that the camera looks at, in world space: the target of `OrbitControls`.
- * @throws FurrowError when there are no triangles.
+ * @param camera camera without a parent. Its `near` and `far` are extended if needed. A perspective camera's `fov` and `aspect` are
+ *   respected; an orthographic camera's `zoom` is set from its frustum.
+ * @param face loaded scene, or a mesh.
+ * @returns the point that the camera looks at, world space; use it as the target of `OrbitControls`.
+ * @throws FurrowError if there are no triangles.
  */
 export function frameFace(
   camera: PerspectiveCamera | OrthographicCamera,
@@ -82,10 +82,9 @@ export function frameFace(
 }
 
 /**
- * Sets the zoom of an orthographic camera so that a head fills the picture.
+ * Returns the distance from the centre of the head at which it fills the picture. Sets the zoom of an orthographic camera.
  *
- * @param size of the head; z is towards the camera.
- * @returns the distance of the camera from the middle of the head.
+ * @param size size of the head; z points to the camera.
  */
 function fit(camera: PerspectiveCamera | OrthographicCamera, size: Vector3, zoom: number): number {
   const width = Math.max(size.x, size.z)
@@ -100,29 +99,29 @@ function fit(camera: PerspectiveCamera | OrthographicCamera, size: Vector3, zoom
   return distance / FILL / zoom + (zoom > 1 ? size.z / 2 : size.z / 4) || 1
 }
 
-/** Joints may be outside of the object. */
+/** Updates from the root, because joints may be outside of the object. */
 function updateWorldMatrices(object: Object3D): void {
   rootOf(object).updateMatrixWorld()
 }
 
-/** The turn round the upright axis from +Z to where a face looks. */
+/** Returns the rotation about +Y from +Z to the facing direction. */
 function turnOf(front: Vector3, face: Object3D, meshes: readonly DrawnMesh[]): Quaternion {
-  if (Math.hypot(front.x, front.z) < LEAST_FRONT) front.copy(frontOfSides(face, meshes))
-  if (Math.hypot(front.x, front.z) < LEAST_FRONT) face.getWorldDirection(front)
-  const isUpright = Math.hypot(front.x, front.z) >= LEAST_FRONT
+  if (Math.hypot(front.x, front.z) < MIN_FRONT) front.copy(frontOfSides(face, meshes))
+  if (Math.hypot(front.x, front.z) < MIN_FRONT) face.getWorldDirection(front)
+  const isUpright = Math.hypot(front.x, front.z) >= MIN_FRONT
   const angle = isUpright ? Math.atan2(front.x, front.z) : 0
   const axis = (Math.round(angle / (Math.PI / 2)) * Math.PI) / 2
   return new Quaternion().setFromAxisAngle(UP, Math.abs(angle - axis) < AXIS_TOLERANCE ? axis : angle)
 }
 
-/** Bounds of the head and of the neck below it. Shoulders do not count: the picture may cut them off. */
+/** Bounds of head and neck. Excludes shoulders, which the picture may crop. */
 function headBounds({ meshes, sphere, chin }: HeadRegion, turn: Quaternion): Box3 {
   const all = boundsOf(meshes, turn, (point) => sphere.containsPoint(point))
   const box = boundsOf(meshes, turn, (point) => sphere.containsPoint(point) && point.y >= chin)
   return box.set(box.min.setY(all.min.y), box.max.setY(all.max.y))
 }
 
-/** Bounds of the vertices that pass a test, turned so that the face looks along +Z. */
+/** Bounds of the vertices that pass a test, rotated so that the face looks along +Z. */
 function boundsOf(
   meshes: readonly DrawnMesh[],
   turn: Quaternion,
@@ -145,6 +144,6 @@ function noTriangles(face: Object3D): FurrowError {
     problem: 'nothing to frame',
     value: face.name,
     limit: 'an object with triangles',
-    remedy: 'call it after the face is loaded',
+    remedy: 'call frameFace after the face is loaded',
   })
 }

@@ -4,27 +4,27 @@ import { canonicalTargetName } from '../../drivers/morph/target-names.ts'
 import { componentOf, vectorsOf } from '../sources/geometry-arrays.ts'
 import type { DrawnMesh } from './drawn-mesh.ts'
 
-/** A blendshape moves the vertices that it displaces by more than this fraction of its largest displacement. */
+/** Fraction of a blendshape's largest displacement above which a vertex counts as moved. */
 const MOVED = 0.2
 
-/** Fraction of the blendshapes that may reach beyond the box on each side: a few may be of the body. */
+/** Fraction of the blendshapes ignored on each side of the box: a few may move the body. */
 const OUTLIERS = 0.1
 
-/** How many times the radius of what blendshapes move, from its centre, the head reaches; and of what a joint moves. */
+/** Head radius relative to the radius of the geometry that blendshapes or a head joint move. */
 const HEAD_RADII = { blendshapes: 3, joint: 1.5 }
 
 /** A head in world space. */
 export interface HeadRegion {
-  /** The meshes that have a part in it. */
+  /** Meshes with vertices in the region. */
   meshes: DrawnMesh[]
   sphere: Sphere
-  /** Height of the chin, below which shoulders may be wider than the head; -Infinity if unknown. */
+  /** Height of the chin; -Infinity if unknown. Shoulders below the chin may be wider than the head. */
   chin: number
-  /** Where the face looks: the mean normal of its surface, whose length is 1 where all triangles look there, and 0 if unknown. */
+  /** Facing direction: mean normal of the surface, length 0 (unknown) to 1 (flat surface). */
   front: Vector3
 }
 
-/** The head round what the blendshapes of some meshes move; undefined where they move nothing. */
+/** Finds the head around the geometry that blendshapes move; undefined if they move nothing. */
 export function headOfBlendshapes(meshes: readonly DrawnMesh[]): HeadRegion | undefined {
   const all = [...new Set(meshes.flatMap(({ mesh }) => Object.keys(mesh.morphTargetDictionary ?? {})))]
   const known = all.filter(isKnown)
@@ -37,7 +37,7 @@ export function headOfBlendshapes(meshes: readonly DrawnMesh[]): HeadRegion | un
       if (!names.has(name)) continue
       const vertices = movedVertices(drawn, index)
       for (const vertex of vertices) isMoved[vertex] = 1
-      // The same blendshape moves skin, teeth and lashes.
+      // One blendshape may move skin, teeth and lashes.
       if (vertices.length > 0) boxes.set(name, boundsOf(drawn, vertices, boxes.get(name)))
     }
     addNormals(drawn, isMoved, total)
@@ -49,7 +49,7 @@ export function headOfBlendshapes(meshes: readonly DrawnMesh[]): HeadRegion | un
   return { meshes: moved, sphere: sphereOf(box, HEAD_RADII.blendshapes), chin: box.min.y, front }
 }
 
-/** The head that a joint named `Head`, `mixamorigHead` or the like and those below it move; undefined where there is none. */
+/** Finds the head moved by a joint named like `Head` or `mixamorigHead` and its descendants; undefined if there is no head joint. */
 export function headOfJoints(meshes: readonly DrawnMesh[]): HeadRegion | undefined {
   const box = new Box3()
   const moved = meshes.filter((drawn) => {
@@ -61,14 +61,14 @@ export function headOfJoints(meshes: readonly DrawnMesh[]): HeadRegion | undefin
   return { meshes: moved, sphere: sphereOf(box, HEAD_RADII.joint), chin: -Infinity, front: new Vector3() }
 }
 
-/** A box of no size, of a blendshape that moves one vertex, tells nothing of the head's. */
+/** Bounding sphere of a box, scaled. Infinite for an empty box, e.g. if blendshapes move a single vertex. */
 function sphereOf(box: Box3, radii: number): Sphere {
   const sphere = box.getBoundingSphere(new Sphere())
   sphere.radius = radii * sphere.radius || Infinity
   return sphere
 }
 
-/** Bounds of some vertices, added to those of others. */
+/** Expands a box by some vertices. */
 function boundsOf({ positions }: DrawnMesh, vertices: readonly number[], box = new Box3()): Box3 {
   const point = new Vector3()
   for (const vertex of vertices) box.expandByPoint(point.fromArray(positions, 3 * vertex))
@@ -86,7 +86,7 @@ function movedVertices({ mesh, used }: DrawnMesh, index: number): number[] {
   if (!target) return []
   const moved = vectorsOf(target, used)
   const rest = morphTargetsRelative ? null : vectorsOf(attributes.position, used)
-  // Plain loops: of a million vertices, callbacks take seconds.
+  // Plain loops: callbacks take seconds for a million vertices.
   const squares = new Float64Array(used.length)
   let largest = 0
   for (let k = 0; k < used.length; k++) {
@@ -97,12 +97,12 @@ function movedVertices({ mesh, used }: DrawnMesh, index: number): number[] {
     largest = Math.max(largest, squares[k])
   }
   const found: number[] = []
-  const least = MOVED * MOVED * largest
-  for (let k = 0; k < used.length; k++) if (squares[k] > least) found.push(used[k])
+  const threshold = MOVED * MOVED * largest
+  for (let k = 0; k < used.length; k++) if (squares[k] > threshold) found.push(used[k])
   return found
 }
 
-/** A box that all but a few do not exceed. */
+/** Box that contains the others, without outliers. */
 function commonBox(boxes: readonly Box3[]): Box3 {
   const common = new Box3()
   const left = Math.floor(OUTLIERS * boxes.length)
@@ -117,8 +117,8 @@ function commonBox(boxes: readonly Box3[]): Box3 {
 }
 
 /**
- * Adds the normals of triangles whose vertices all move, times their areas. That sum depends on the rim of the surface alone, not on
- * what is folded inside of it, such as lids, nostrils and the inside of the mouth (Stokes' theorem).
+ * Adds the area-weighted normals of triangles whose vertices all move. By Stokes' theorem the sum depends only on the rim of the surface,
+ * not on its folds (lids, nostrils, mouth cavity).
  */
 function addNormals(
   { mesh, positions, triangles }: DrawnMesh,
@@ -126,7 +126,7 @@ function addNormals(
   total: { normal: Vector3; area: number },
 ): void {
   const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()]
-  // A mirrored mesh is drawn with its triangles turned round.
+  // Negative scale reverses the winding.
   const side = mesh.matrixWorld.determinant() < 0 ? -0.5 : 0.5
   for (let t = 0; t + 2 < triangles.length; t += 3) {
     const [i, j, k] = [triangles[t], triangles[t + 1], triangles[t + 2]]
@@ -154,7 +154,7 @@ function headVertices({ mesh, used }: DrawnMesh): number[] {
   })
 }
 
-/** Whether a joint is the head or hangs on it. */
+/** Whether a joint is the head or its descendant. */
 export function isOfHead(joint: Object3D): boolean {
   for (let object: Object3D | null = joint; object; object = object.parent) {
     if ((object as Partial<Bone>).isBone && /head/i.test(object.name)) return true

@@ -1,7 +1,7 @@
 import { type Object3D, type SkinnedMesh, Vector3 } from 'three'
 import type { DrawnMesh } from './drawn-mesh.ts'
 
-/** Names of the right side for those of the left one: `LeftEye`, `J_Bip_L_Hand`, `L_Hand`, `hand_l`, `eyeL`. */
+/** Replacements that turn left names into right names: `LeftEye`, `J_Bip_L_Hand`, `L_Hand`, `hand_l`, `eyeL`. */
 const MIRRORS: readonly [left: RegExp, right: string][] = [
   [/Left/, 'Right'],
   [/left/, 'right'],
@@ -11,18 +11,18 @@ const MIRRORS: readonly [left: RegExp, right: string][] = [
 ]
 
 /**
- * Where a character looks, by the joints of its left and right side: left minus right, turned by a quarter round +Y.
+ * Finds the facing direction of a character from its left and right joints: left minus right, rotated 90 degrees about +Y.
  *
- * @param root of the character. World matrices must be up to date.
- * @param meshes of the character.
- * @returns length 1, horizontal; 0 where no joints have such names, or they say nothing.
+ * @param root root of the character, with up-to-date world matrices.
+ * @param meshes meshes of the character.
+ * @returns a horizontal unit vector, or 0 if there are no paired joints or they cancel out.
  */
 export function frontOfSides(root: Object3D, meshes: readonly DrawnMesh[]): Vector3 {
   const places = new Map<string, Vector3>()
   const add = ({ name, matrixWorld }: Object3D) => {
     if (name && !places.has(name)) places.set(name, new Vector3().setFromMatrixPosition(matrixWorld))
   }
-  // A mesh's joints may be outside of the root.
+  // Joints may be outside of the root.
   for (const { mesh } of meshes) (mesh as Partial<SkinnedMesh>).skeleton?.bones.forEach(add)
   root.traverse(add)
   const across = new Vector3()

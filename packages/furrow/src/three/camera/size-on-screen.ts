@@ -5,35 +5,35 @@ const sphere = new Sphere()
 const eye = new Vector3()
 
 /**
- * How far wrinkles have faded because a mesh is small in the picture being drawn.
+ * Opacity of wrinkles by the size of a mesh in the current picture.
  *
  * @param fadeBelow pixels, see `WrinklesOptions`.
- * @returns 1 = not at all, 0 = they are not shown.
+ * @returns 0 (hidden) to 1 (fully visible).
  */
 export function fadeOnScreen(mesh: Mesh, camera: Camera, renderer: AnyRenderer, fadeBelow: number): number {
   return Math.min(1, Math.max(0, (2 * sizeOnScreen(mesh, camera, renderer)) / fadeBelow - 1))
 }
 
-/** Pixels per unit of a mesh's positions in the picture being drawn, at its centre; Infinity if the camera is inside its bounding sphere. */
+/** Pixels per local unit at the centre of a mesh, in the current picture; Infinity if the camera is inside its bounding sphere. */
 export function pixelsPerUnit(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
   const size = sizeOnScreen(mesh, camera, renderer)
   return size / (2 * mesh.geometry.boundingSphere!.radius)
 }
 
-/** Diameter of a mesh's bounding sphere in the picture being drawn, in pixels; Infinity if the camera is inside it. */
+/** Diameter of a mesh's bounding sphere in the current picture, pixels; Infinity if the camera is inside the sphere. */
 export function sizeOnScreen(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
   const { geometry } = mesh
   if (geometry.boundingSphere === null) geometry.computeBoundingSphere()
   sphere.copy(geometry.boundingSphere!).applyMatrix4(mesh.matrixWorld)
   const { height } = pictureOf(renderer)
-  // Element 5 of a projection scales heights to halves of the screen.
+  // Element 5 of a projection matrix maps heights to half screens.
   const diameter = Math.abs(camera.projectionMatrix.elements[5]) * sphere.radius
   if (!(camera as PerspectiveCamera).isPerspectiveCamera) return diameter * height
   const distance = eye.setFromMatrixPosition(camera.matrixWorld).distanceTo(sphere.center)
   return distance > sphere.radius ? (diameter / distance) * height : Infinity
 }
 
-/** The size of the picture being drawn, in pixels. */
+/** Size of the current render target or canvas, pixels. */
 export function pictureOf(renderer: AnyRenderer): { width: number; height: number } {
   return renderer.getRenderTarget() ?? renderer.domElement
 }

@@ -6,53 +6,53 @@ import type { AnyRenderer } from '../renderer.ts'
 import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 
 /**
- * Calls a function before a mesh is drawn with a material.
+ * Calls a function before each draw of a mesh with a material.
  *
- * @returns what ends that.
+ * @returns a function that stops watching.
  */
 export type WatchDraws = (
   material: Material,
   onDraw: (mesh: Mesh, renderer: AnyRenderer, camera: Camera, scene: Scene) => void,
 ) => () => void
 
-/** What adopting a mesh takes. */
+/** Functions that an adoption needs. */
 export interface AdoptionParts {
   watch: WatchDraws
-  /** Adds wrinkles of its own to a mesh; undefined, and a warning, if that is not possible. */
+  /** Adds separate wrinkles to a mesh. Warns and returns undefined if that fails. */
   add(mesh: Mesh, source: WrinklesBase): WrinklesBase | undefined
 }
 
 const adoptions = new WeakMap<Material, Adoption>()
 
-/** The face that a mesh belongs to by its material: it was made by the page, which took the material from a loaded file. */
+/** Returns the face of a mesh that the page created with the material of a loaded file. */
 export function adoptedBy(mesh: Mesh): WrinklesBase | undefined {
   return adoptions.get(surfaceOf(mesh))?.faceOf(mesh)
 }
 
 /**
- * Meshes that a page makes itself and draws with the material of a loaded face, as JSX of gltfjsx and drei's `<Clone>` do. One that has
- * the blendshape weights and the skeleton of a loaded mesh is the same face. Any other is a face of its own, as a copy is, until it is
- * removed from its parent. Nothing is kept of the former, and nothing happens while only loaded meshes are drawn.
+ * Adopts meshes that a page creates with the material of a loaded face, as gltfjsx's JSX and drei's `<Clone>` do. A mesh that shares its
+ * blendshape weights and skeleton with a loaded mesh is the same face. Any other mesh becomes a separate face until it is removed from
+ * its parent. Costs nothing while only loaded meshes are drawn.
  */
 export class Adoption {
   readonly #material: Material
   readonly #meshes: readonly Mesh[]
   readonly #parts: AdoptionParts
-  /** Of adopted meshes that are faces of their own. React may set the shared material again. */
+  /** Material copies of adopted meshes that are separate faces. Kept because React may set the shared material again. */
   readonly #copies = new WeakMap<Mesh, Material>()
   readonly #unwatch: () => void
   readonly #copyOf: WrinklesBase | undefined
-  /** Adopted meshes that show a copy. */
+  /** Adopted meshes that show a cloned face. */
   readonly #guests = new Set<Mesh>()
-  /** Whether a mesh of the face itself was drawn. */
+  /** Whether one of the face's own meshes was drawn. */
   #isShown = false
   #face: WrinklesBase | null = null
 
   /**
-   * To be created before the material is patched.
+   * Must be created before the material is patched.
    *
-   * @param meshes of the face.
-   * @param copyOf the face of which this one is a copy.
+   * @param meshes meshes of the face.
+   * @param copyOf face that this face is a clone of.
    */
   constructor(
     material: Material,
@@ -69,11 +69,11 @@ export class Adoption {
     )
   }
 
-  /** Begins to adopt, until the face is disposed of. */
+  /** Adopts meshes until the face is disposed of. */
   begin(face: WrinklesBase): void {
     this.#face = face
     adoptions.set(this.#material, this)
-    // drei's `<Clone deep>`, and whoever else copies the material.
+    // drei's `<Clone deep>` clones the material.
     const clone = () => {
       const copy = meshOf(face).cloneSurface()
       adoptCopy(copy, face, this.#parts)
@@ -90,7 +90,7 @@ export class Adoption {
     delete (this.#material as Partial<Material>).clone
   }
 
-  /** The face, if the mesh is part of it. */
+  /** Returns the face if the mesh is part of it. */
   faceOf(mesh: Mesh): WrinklesBase | undefined {
     return this.#face && this.#meshes.some((own) => movesAs(own, mesh)) ? this.#face : undefined
   }
@@ -112,8 +112,8 @@ export class Adoption {
   }
 
   /**
-   * Disposes of a copy that only adopted meshes show when the last of them is removed, since nobody else will: drei's `<Clone>` makes
-   * such a copy of a face with a skeleton, and never draws it.
+   * Disposes of a cloned face when the last adopted mesh that shows it is removed. Required for drei's `<Clone>`, which clones faces with a
+   * skeleton, but neither draws the clone nor disposes of it.
    */
   #host(mesh: Mesh, face: WrinklesBase, source: WrinklesBase): void {
     this.#guests.add(mesh)
@@ -125,10 +125,10 @@ export class Adoption {
     })
   }
 
-  /** Gives a mesh wrinkles of its own. */
+  /** Turns a mesh into a separate face. */
   #separate(mesh: Mesh): void {
     const face = this.#face
-    // Several passes of one frame may have drawn it, and the page may have changed it since.
+    // Several passes of one frame may have queued the mesh, and the page may have changed the mesh since.
     if (!face || surfaceOf(mesh) !== this.#material || this.faceOf(mesh)) return
     const known = this.#copies.get(mesh)
     const copy = known ?? meshOf(face).cloneSurface()
@@ -142,7 +142,7 @@ export class Adoption {
   }
 }
 
-/** Adds wrinkles to the first mesh that is drawn with a copy of a face's material. */
+/** Adds wrinkles to the first mesh drawn with a copy of a face's material. */
 function adoptCopy(copy: Material, source: WrinklesBase, parts: AdoptionParts): void {
   const unwatch = parts.watch(copy, (mesh) => {
     if (isReliefMesh(mesh)) return
@@ -151,7 +151,7 @@ function adoptCopy(copy: Material, source: WrinklesBase, parts: AdoptionParts): 
   })
 }
 
-/** A new face may need a larger atlas, and the frame being drawn reads the old one. */
+/** Defers a change: a new face may resize the atlas that the current frame reads. */
 function afterFrame(change: () => void): void {
   queueMicrotask(change)
 }
@@ -169,7 +169,7 @@ function addUntilRemoved(
   })
 }
 
-/** Calls a function once when a mesh is removed from its parent, unless its face was disposed of. */
+/** Calls a function once when a mesh is removed from its parent, unless its face is disposed of first. */
 function whenRemoved(mesh: Mesh, face: WrinklesBase | undefined, run: () => void): void {
   const remove = () => {
     mesh.removeEventListener('removed', remove)
@@ -181,7 +181,7 @@ function whenRemoved(mesh: Mesh, face: WrinklesBase | undefined, run: () => void
 
 type Skinned = Mesh & { skeleton?: object }
 
-/** Whether two meshes move as one. */
+/** Whether two meshes share their blendshape weights and skeleton. */
 function movesAs(a: Skinned, b: Skinned): boolean {
   if (instancesOf(a) || instancesOf(b)) return false
   return a.morphTargetInfluences === b.morphTargetInfluences && a.skeleton === b.skeleton

@@ -19,22 +19,22 @@ type Meshes = [Mesh, ...Mesh[]]
 /** Adds wrinkles to a face of a file. */
 export type AddFace = (meshes: Meshes, made: FileWrinkles) => Promise<WrinklesBase>
 
-/** Milliseconds over which wrinkles appear that come after loading. */
+/** Duration of the fade-in, milliseconds. */
 const FADE_IN = 300
 
-/** Wrinkles that were made for a file. */
-interface MadeWrinkles extends FileWrinkles {
-  /** The faces that show the skin. */
+/** Wrinkles generated for a file. */
+interface GeneratedWrinkles extends FileWrinkles {
+  /** Faces with the skin that the wrinkles belong to. */
   faces: Meshes[]
 }
 
-/** Files are worked on one after the other: each takes a core and some hundred megabytes. */
+/** Files are processed one at a time: each occupies a core and hundreds of megabytes. */
 let previous: Promise<unknown> = Promise.resolve()
 
 /**
- * Begins to make wrinkles from the blendshapes of a file, while it is at rest. They are added when they are done.
+ * Starts generating wrinkles from the blendshapes of a file, in its current pose.
  *
- * @param file its `userData.wrinkles` takes them, and `userData.wrinklesReady` says when.
+ * @param file receives the wrinkles in `userData.wrinkles`, and a promise in `userData.wrinklesReady`.
  */
 export function beginAuto(
   file: GLTF,
@@ -48,7 +48,7 @@ export function beginAuto(
   )
 }
 
-/** @throws FurrowError as `makeAutoWrinkles` does. */
+/** @throws FurrowError if no mesh has blendshapes and UVs, or the worker fails. */
 async function addAutoWrinkles(
   file: GLTF,
   faces: readonly Meshes[],
@@ -57,28 +57,28 @@ async function addAutoWrinkles(
 ): Promise<void> {
   const made = await makeAutoWrinkles(file.parser, faces, options)
   for (const meshes of made?.faces ?? []) {
-    const own = await addFace(meshes, made!)
-    meshOf(own).appear(new Appearance(FADE_IN, own.clock))
-    file.userData.wrinkles.push(own)
+    const wrinkles = await addFace(meshes, made!)
+    meshOf(wrinkles).appear(new Appearance(FADE_IN, wrinkles.clock))
+    file.userData.wrinkles.push(wrinkles)
   }
 }
 
 /**
- * Makes wrinkles for the skin of a file from its blendshapes, in a worker.
+ * Generates wrinkles from the blendshapes of a file, in a worker.
  *
- * @param faces the meshes of each face.
- * @returns undefined when that was cancelled, or everything was disposed of.
- * @throws FurrowError when none of them can wrinkle, or the worker fails.
+ * @param faces meshes of each face.
+ * @returns undefined if aborted, or if all skins were disposed of.
+ * @throws FurrowError if no mesh has blendshapes and UVs, or the worker fails.
  */
 async function makeAutoWrinkles(
   parser: GLTFParser,
   faces: readonly Meshes[],
   options: AutoRunOptions,
-): Promise<MadeWrinkles | undefined> {
+): Promise<GeneratedWrinkles | undefined> {
   const skins = groupBySkin(faces.filter((meshes) => meshes.every(canCrease)))
   if (skins.length === 0) throw withoutBlendshapes()
   nameTargets(parser, faces.flat())
-  // Now, since a page may move the scene and its bones at once.
+  // Reads the pose before the first await: the page may move the scene and its bones afterwards.
   for (const [first] of skins) readQuantised(first!)
   const character = skins.map(([first]) => readMeshes(first!, expressionsOfMesh(parser, first![0])))
   const inUse = new SkinsInUse(skins, options.signal)
@@ -103,7 +103,7 @@ async function makeAutoWrinkles(
   }
 }
 
-/** The worker has packed the maps, so that this takes no time. */
+/** Wraps the maps, which the worker has packed, in textures. */
 function setOf(made: CharacterWrinkles): FileWrinkles {
   const { layers, normals, occlusionAndBlood, bloodAmplitude, heights, areas, drivers } = made
   const normalArray = mapTexture(normals, 1)
@@ -125,7 +125,7 @@ function setOf(made: CharacterWrinkles): FileWrinkles {
 
 const WHO = 'WrinkleLoaderPlugin'
 
-/** Several nodes may have the same mesh. */
+/** Groups faces by geometry and material: several nodes may share a mesh. */
 function groupBySkin(faces: readonly Meshes[]): Meshes[][] {
   const groups: Meshes[][] = []
   for (const face of faces) {
@@ -138,20 +138,20 @@ function groupBySkin(faces: readonly Meshes[]): Meshes[][] {
   return groups
 }
 
-/** Skins of which neither geometry nor material was disposed of. The signal is aborted when there is none left. */
+/** Tracks skins until their geometry or material is disposed of. Aborts its signal when none is left. */
 class SkinsInUse {
   readonly #left: Set<Meshes[]>
-  readonly #gone = new AbortController()
+  readonly #unused = new AbortController()
   readonly #unwatch: (() => void)[] = []
   readonly signal: AbortSignal
 
   constructor(skins: readonly Meshes[][], signal: AbortSignal | undefined) {
     this.#left = new Set(skins)
-    this.signal = signal ? AbortSignal.any([signal, this.#gone.signal]) : this.#gone.signal
+    this.signal = signal ? AbortSignal.any([signal, this.#unused.signal]) : this.#unused.signal
     for (const skin of skins) {
       const remove = () => {
         this.#left.delete(skin)
-        if (this.#left.size === 0) this.#gone.abort()
+        if (this.#left.size === 0) this.#unused.abort()
       }
       const [[mesh]] = skin
       for (const part of [mesh.geometry, surfaceOf(mesh)]) {

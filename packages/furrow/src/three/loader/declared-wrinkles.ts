@@ -3,15 +3,15 @@ import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import { extensionOf } from '../../runtime/file/read-wrinkles.ts'
 
 /**
- * The wrinkles that a file declares, by material. Other plugins may replace the extensions of materials in `beforeRoot`, as three-vrm's
- * `VRMMaterialsV0CompatPlugin` does for MToon and `VRM/Unlit` of VRM 0. Registered as a plugin, it makes `readWrinkleMaps` work then.
+ * Keeps the extension that each material declares. Other plugins may replace `material.extensions` in `beforeRoot`, as three-vrm's
+ * `VRMMaterialsV0CompatPlugin` does for MToon and `VRM/Unlit` of VRM 0. As a plugin, restores the extension for `readWrinkleMaps`.
  */
 export class DeclaredWrinkles {
   readonly name = WRINKLE_MAPS
   readonly #parser: GLTFParser
   readonly #byMaterial = new Map<number, unknown>()
 
-  /** To be created before any plugin changes the file. */
+  /** Must be created before any plugin changes the file. */
   constructor(parser: GLTFParser) {
     this.#parser = parser
     for (const material of materialsOfMeshes(parser.json)) {
@@ -25,12 +25,12 @@ export class DeclaredWrinkles {
     return this.#byMaterial.keys()
   }
 
-  /** Called by the loader when everything else is loaded. */
+  /** Called by the loader after everything else is loaded. */
   async afterRoot(): Promise<void> {
     this.restore()
   }
 
-  /** Adds the declarations to materials that have lost them. */
+  /** Restores extensions that were removed from materials. */
   restore(): void {
     for (const [material, declared] of this.#byMaterial) {
       if (extensionOf(material, this.#parser) !== undefined) continue
@@ -40,7 +40,7 @@ export class DeclaredWrinkles {
   }
 }
 
-/** The materials that a file's meshes have, as far as it is sound. */
+/** Indices of the materials that meshes use. Ignores invalid JSON. */
 function materialsOfMeshes({ meshes, materials }: GLTFParser['json']): Set<number> {
   const used: unknown[] = [meshes]
     .flat()

@@ -3,20 +3,20 @@ import { wrongArgument } from '../../core/argument.ts'
 import { checkLoaderOptions, type WrinkleLoaderOptions } from '../options.ts'
 import type { WrinkleLoader } from './wrinkle-loader.ts'
 
-/** A `GLTFLoader`, three.js's or another package's. */
+/** A `GLTFLoader`, from three.js or another package. */
 export interface ExtendableLoader {
-  /** Adds a plugin, once for each function. */
-  // biome-ignore lint/suspicious/noExplicitAny: each package has a parser type of its own
+  /** Registers a plugin; ignores a function that is already registered. */
+  // biome-ignore lint/suspicious/noExplicitAny: each package has its own parser type
   register(plugin: (parser: any) => any): unknown
 }
 
-/** The `WrinkleLoaderPlugin` of a renderer. */
+/** `WrinkleLoaderPlugin` for one kind of renderer. */
 type PluginClass = new (parser: GLTFParser, options?: WrinkleLoaderOptions) => WrinkleLoader
 
-/** Plugin and options of each extended loader. */
+/** Plugin and options per extended loader. */
 const extensions = new WeakMap<ExtendableLoader, { Plugin: PluginClass; options: WrinkleLoaderOptions }>()
 
-/** Registers a renderer's plugin on a loader, or replaces the options of one that was registered before. */
+/** Registers a plugin on a loader, or replaces the options if the loader is already extended. */
 export function extendWith<Loader extends ExtendableLoader>(
   Plugin: PluginClass,
   loader: Loader,
@@ -24,12 +24,12 @@ export function extendWith<Loader extends ExtendableLoader>(
 ): Loader {
   if (typeof loader?.register !== 'function') {
     const value = typeof loader === 'function' ? 'a class or function' : loader
-    throw wrongArgument('extendLoader', 'a loader', value, 'a GLTFLoader of three.js, not its class')
+    throw wrongArgument('extendLoader', 'invalid loader', value, 'a GLTFLoader instance')
   }
   checkLoaderOptions(options, 'extendLoader')
   const isExtended = extensions.has(loader)
   extensions.set(loader, { Plugin, options })
-  // Hooks extend a loader that they share again and again: one plugin each would pile up.
+  // React hooks extend a shared loader repeatedly; registering each time would accumulate plugins.
   if (!isExtended) {
     loader.register((parser: GLTFParser) => {
       const own = extensions.get(loader)!

@@ -5,7 +5,7 @@ import { hoistTargetNames } from '../../runtime/file/hoist-target-names.ts'
 
 type ParsedFile = Pick<GLTFParser, 'json' | 'associations'>
 
-/** Gives meshes those names of blendshapes that three.js does not read, see `hoistTargetNames`. */
+/** Sets blendshape names that three.js does not read; see `hoistTargetNames`. */
 export function nameTargets({ json, associations }: ParsedFile, meshes: readonly Mesh[]): void {
   const named = structuredClone({ meshes: json.meshes })
   hoistTargetNames(named)
@@ -16,7 +16,7 @@ export function nameTargets({ json, associations }: ParsedFile, meshes: readonly
   }
 }
 
-/** Names of a VRM's expressions that move one blendshape of a mesh alone, by its index. */
+/** Names of VRM expressions that move exactly one blendshape of a mesh, by target index. */
 export function expressionsOfMesh({ json, associations }: ParsedFile, mesh: Mesh): Map<number, string> {
   return soleExpressions(json, associations.get(mesh)?.meshes ?? -1)
 }

@@ -3,12 +3,12 @@ import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import { notFetched } from '../../runtime/file/image-faults.ts'
 
 /**
- * Reads the bytes of an image of a file, in the file or beside it.
+ * Reads the bytes of a glTF image, embedded or external.
  *
- * @param image its index.
+ * @param image image index.
  * @param who names the texture in errors.
- * @returns undefined where there is no such image.
- * @throws FurrowError when it cannot be fetched.
+ * @returns undefined if the image is missing.
+ * @throws FurrowError if the image cannot be fetched.
  */
 export async function readImageBytes(
   parser: GLTFParser,

@@ -4,19 +4,19 @@ import { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 
-/** Maps that become one array. */
+/** Kinds of maps that are joined into one array. */
 const GROUPS = [['normal'], ['baseColor'], ['roughness'], ['occlusion', 'blood']] as const
 
 /**
- * Joins separate compressed images of one kind of map into one array, since shaders read them through one sampler; blocks are copied as
- * they are. Uncompressed images are left alone.
+ * Joins compressed images of one kind of map into one texture array, because shaders read them through one sampler. Copies blocks without
+ * decoding. Leaves uncompressed images as they are.
  *
- * @returns a set whose slices of one kind are in one array.
- * @throws FurrowError when maps of a kind differ in size, format or mipmaps.
+ * @returns a set in which all slices of one kind are in one array.
+ * @throws FurrowError if maps of a kind differ in size, format or mipmaps.
  */
 export function joinArrays({ layers, areas }: WrinkleSet<ArraySlice>): WrinkleSet<ArraySlice> {
   const joined = layers.map((layer) => ({ ...layer }))
-  // Occlusion and roughness may be channels of the same images, and then use the same array.
+  // Occlusion and roughness may be channels of the same images, and then share an array.
   const known = new Map<string, Compressed>()
   for (const kinds of GROUPS) {
     const sliced = joined.flatMap((layer) =>
@@ -40,13 +40,13 @@ export function joinArrays({ layers, areas }: WrinkleSet<ArraySlice>): WrinkleSe
 
 function join(
   maps: readonly ArraySlice[],
-  what: string,
+  label: string,
   known: Map<string, Compressed>,
 ): readonly ArraySlice[] {
   const arrays = [...new Set(maps.map(({ array }) => array as Compressed))]
   if (arrays.length < 2) return maps
   const key = arrays.map(({ uuid }) => uuid).join()
-  const array = known.get(key) ?? concatenate(arrays, what)
+  const array = known.get(key) ?? concatenate(arrays, label)
   known.set(key, array)
   const offsets = arrays.map((_, i) => arrays.slice(0, i).reduce((sum, { image }) => sum + image.depth, 0))
   return maps.map((map) => ({
@@ -56,16 +56,16 @@ function join(
   }))
 }
 
-function concatenate(arrays: readonly Compressed[], what: string): Compressed {
+function concatenate(arrays: readonly Compressed[], label: string): Compressed {
   const [first] = arrays
   const other = arrays.find((array) => layoutOf(array) !== layoutOf(first))
   if (other) {
     throw new FurrowError({
       who: WRINKLE_MAPS,
-      problem: `${what} with different layouts`,
+      problem: `${label} with different layouts`,
       value: layoutOf(other),
       limit: layoutOf(first),
-      remedy: 'give all of a kind one size and one encoding, or let `furrow pack --ktx2` do it',
+      remedy: 'use one size and encoding for all maps of a kind, or run `furrow pack --ktx2`',
     })
   }
   const mipmaps = first.mipmaps!.map(({ width, height }, level) => ({
@@ -80,18 +80,18 @@ function concatenate(arrays: readonly Compressed[], what: string): Compressed {
   return Object.assign(array, { minFilter, magFilter, wrapS, wrapT, colorSpace, needsUpdate: true })
 }
 
-/** Size, number of mipmaps and format (three.js's constant), for errors. */
+/** Size, mipmap count and format (three.js constant), for errors. */
 function layoutOf({ image, mipmaps, format, colorSpace }: Compressed): string {
   const encoding = `${colorSpace || 'linear'} format ${format}`
   return `${image.width} x ${image.height} with ${mipmaps?.length} levels, ${encoding}`
 }
 
 function concatenateBytes(parts: readonly Uint8Array[]): Uint8Array {
-  const whole = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0))
+  const bytes = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0))
   let offset = 0
   for (const part of parts) {
-    whole.set(part, offset)
+    bytes.set(part, offset)
     offset += part.length
   }
-  return whole
+  return bytes
 }

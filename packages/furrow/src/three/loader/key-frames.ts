@@ -11,27 +11,27 @@ type Parser = GLTF['parser']
 
 /** A face of a file. */
 export interface LoadedFace {
-  /** Index of its material in the file. */
+  /** Material index in the file. */
   material: number
   wrinkles: WrinklesBase
 }
 
-/** Most key frames of an area. */
+/** Maximum number of key frames per area. */
 const MAX_KEY_FRAMES = 1_000_000
 
-/** Drops the channels that animate areas by samplers which do not exist: the loader would refuse the whole file. */
+/** Drops channels that animate areas with missing samplers; `GLTFLoader` would otherwise reject the file. */
 export function dropBrokenChannels(parser: Parser, warnings: Warnings): void {
   for (const animation of parser.json.animations as Partial<AnimationJson>[]) {
     if (!Array.isArray(animation?.channels)) continue
     animation.channels = animation.channels.filter((channel) => {
       if (!pointerOf(channel) || animation.samplers?.[channel.sampler]) return true
-      warnings.add(broken('a sampler that does not exist', channel.sampler), PLAYS_ON)
+      warnings.add(invalid('missing sampler', channel.sampler), REMEDY)
       return false
     })
   }
 }
 
-/** Adds to the clips of a file the tracks that animate its areas through KHR_animation_pointer. Those that are broken are left out. */
+/** Adds tracks for areas animated through KHR_animation_pointer to the clips of a file. Skips invalid tracks with a warning. */
 export async function addActivationTracks(
   gltf: GLTF,
   parser: Parser,
@@ -51,15 +51,15 @@ export async function addActivationTracks(
           clip.tracks.push(await readTrack(parser, samplers[channel.sampler], wrinkles.mesh, area))
           clip.resetDuration()
         } catch (error) {
-          const what = error instanceof FurrowError ? error : broken('accessors that cannot be read', area)
-          warnings.add(what, PLAYS_ON)
+          const reported = error instanceof FurrowError ? error : invalid('unreadable accessors', area)
+          warnings.add(reported, REMEDY)
         }
       }
     }
   }
 }
 
-const PLAYS_ON = 'the rest of the animation plays'
+const REMEDY = 'its other tracks keep playing'
 
 interface AnimationJson {
   channels: {
@@ -80,12 +80,12 @@ function pointerOf(channel: AnimationJson['channels'][number] | null): Activatio
   return parseActivationPointer(channel.target.extensions?.KHR_animation_pointer?.pointer)
 }
 
-function broken(what: string, value: unknown): FurrowError {
+function invalid(problem: string, value: unknown): FurrowError {
   return new FurrowError({
     who: WRINKLE_MAPS,
-    problem: `an area is animated by ${what}`,
+    problem: `invalid animation of an area: ${problem}`,
     value,
-    limit: `times that increase from 0, and as many activations; at most ${MAX_KEY_FRAMES} key frames`,
+    limit: `increasing times from 0, one activation each, at most ${MAX_KEY_FRAMES} key frames`,
     remedy: 'export the animation again',
   })
 }
@@ -97,9 +97,9 @@ async function readTrack(
   area: string,
 ): Promise<KeyframeTrack> {
   const counts = [input, output].map((index) => parser.json.accessors?.[index]?.count)
-  // Before anything is decoded: an accessor without data may claim any count.
+  // Checked before decoding: an accessor without data may claim any count.
   if (counts.some((count) => !(count >= 1 && count <= 3 * MAX_KEY_FRAMES))) {
-    throw broken('accessors of an impossible length', counts.join(' and '))
+    throw invalid('accessor counts', counts.join(' and '))
   }
   const [times, values] = await Promise.all(
     [input, output].map(async (index) => numbersOf(await parser.getDependency('accessor', index))),
@@ -110,7 +110,7 @@ async function readTrack(
     if (interpolation === 'STEP') track.setInterpolation(InterpolateDiscrete)
     return track
   }
-  // The track holds one value per key frame; the mixer gets values and tangents from the interpolant.
+  // The track stores one value per key frame; the interpolant supplies the tangents.
   const track = activationTrack(
     mesh,
     area,
@@ -125,22 +125,22 @@ async function readTrack(
 
 function checkKeyFrames(times: readonly number[], values: readonly number[], valuesPerKey: number): void {
   if (values.length !== valuesPerKey * times.length) {
-    throw broken('times and activations of different lengths', `${times.length} and ${values.length}`)
+    throw invalid('times and activations of different lengths', `${times.length} and ${values.length}`)
   }
   const unordered = times.findIndex((time, i) => !(time >= 0 && (i === 0 || time > times[i - 1])))
-  if (unordered >= 0) throw broken('times that do not increase', times[unordered])
+  if (unordered >= 0) throw invalid('times do not increase', times[unordered])
   const bad = values.find((value) => !Number.isFinite(value))
-  if (bad !== undefined) throw broken('activations that are not numbers', bad)
+  if (bad !== undefined) throw invalid('activations are not finite', bad)
 }
 
-/** Reads an accessor of scalars; normalised integers become 0..1. */
+/** Reads a scalar accessor; normalised integers become 0..1. */
 function numbersOf(accessor: { count: number; getX(i: number): number }): number[] {
   return Array.from({ length: accessor.count }, (_, i) => accessor.getX(i))
 }
 
-/** Cubic spline interpolation of glTF 2.0, appendix C. A key frame is an in-tangent, a value and an out-tangent. */
+/** Cubic spline interpolation of glTF 2.0, appendix C. Each key frame has an in-tangent, a value and an out-tangent. */
 class CubicSpline extends Interpolant {
-  /** For times before the first key frame and after the last. */
+  /** Called for times before the first key frame and after the last. */
   override copySampleValue_(index: number): TypedArray {
     this.resultBuffer[0] = this.sampleValues[3 * index + 1]
     return this.resultBuffer

@@ -24,9 +24,9 @@ interface LoaderOptions {
   ktx2Loader?: KTX2Loader | null
 }
 
-/** A KTX2Loader with its internals, which three.js's types leave out and `requireInternal` guards. */
+/** A KTX2Loader with internals that three.js's types omit; `requireInternal` guards their use. */
 type Transcoder = KTX2Loader & {
-  /** The formats that the GPU supports. */
+  /** Formats supported by the GPU. */
   workerConfig: NonNullable<KTX2Loader['workerConfig']> | null
   transcoderPending: Promise<unknown> | null
   transcoderBinary?: ArrayBuffer
@@ -35,21 +35,21 @@ type Transcoder = KTX2Loader & {
   init?(): Promise<unknown>
 }
 
-/** A KTX 2 image or array of a file. A plain image is an array of one slice on the GPU. */
+/** KTX 2 image or array of a file. A plain image becomes an array of one slice. */
 interface Ktx2Texture {
   array: ArrayTexture
   header: Ktx2Header
 }
 
-/** Throws where an image may not be decoded. */
+/** Throws if an image must not be decoded. */
 type ShapeCheck = (shape: TextureShape) => void
 
-/** Reads the KTX 2 images and arrays of a file that `GLTFLoader` loads. */
+/** Returns a reader of the KTX 2 images and arrays in a file that `GLTFLoader` loads. */
 export function arraysOf(parser: GLTFParser): FileArrays {
   return {
     async load(index, use, check) {
       const loaded = await (use === 'areas' ? loadAreaArray : loadMapArray)(parser, index, check)
-      // In glTF the use of a texture decides, not the colour space in its file.
+      // glTF defines the colour space by a texture's use, not by its file.
       loaded.array.colorSpace = use === 'colours' ? SRGBColorSpace : NoColorSpace
       return loaded
     },
@@ -58,23 +58,23 @@ export function arraysOf(parser: GLTFParser): FileArrays {
 }
 
 /**
- * Loads the areas of a file, a KTX 2 image or array, in the best format that the GPU supports.
+ * Loads areas from a KTX 2 image or array, in the best format that the GPU supports.
  *
- * @throws FurrowError when the loader has no KTX2Loader, or the image is not one that KHR_texture_basisu allows.
+ * @throws FurrowError if the loader has no KTX2Loader, or KHR_texture_basisu does not allow the image.
  */
 async function loadAreaArray(parser: GLTFParser, index: number, check: ShapeCheck): Promise<Ktx2Texture> {
   const file = await readFile(parser, index, check)
   const array = await transcode(file, ktx2LoaderOf(parser))
-  // Areas are smooth already, and mipmaps would bleed across UV islands.
+  // Areas are smooth, and mipmaps would bleed across UV islands.
   array.minFilter = LinearFilter
   return { array, header: file.header }
 }
 
 /**
- * Loads maps of a file's layers, a KTX 2 image or array, in half the memory where the GPU can: BC1 instead of BC7. Creases stay visible,
- * see "Sizes" in docs/pack.md.
+ * Loads layer maps from a KTX 2 image or array. Uses BC1 instead of BC7 if supported, which halves the memory. Creases stay visible: see
+ * "Sizes" in docs/pack.md.
  *
- * @throws FurrowError as `loadAreaArray` does, or when three.js's KTX2Loader lacks an internal that this needs.
+ * @throws FurrowError as `loadAreaArray`, or if three.js's KTX2Loader lacks a required internal.
  */
 export async function loadMapArray(
   parser: GLTFParser,
@@ -83,23 +83,23 @@ export async function loadMapArray(
 ): Promise<Ktx2Texture> {
   const file = await readFile(parser, index, check)
   const { header } = file
-  const usual = ktx2LoaderOf(parser) as Transcoder
-  const { workerConfig } = usual
-  if (!workerConfig?.dxtSupported) return { array: await transcode(file, usual), header }
-  const small = await withFormats(usual, { ...workerConfig, ...BC1_TO_BC3 })
+  const loader = ktx2LoaderOf(parser) as Transcoder
+  const { workerConfig } = loader
+  if (!workerConfig?.dxtSupported) return { array: await transcode(file, loader), header }
+  const bc1Loader = await withFormats(loader, { ...workerConfig, ...BC1_TO_BC3 })
   try {
-    return { array: await transcode(file, small), header }
+    return { array: await transcode(file, bc1Loader), header }
   } finally {
-    small.workerPool?.dispose?.()
+    bc1Loader.workerPool?.dispose?.()
   }
 }
 
-/** Rules out all formats but BC1 to BC3. */
+/** Disables all formats except BC1 to BC3. */
 const BC1_TO_BC3 = { astcSupported: false, bptcSupported: false, etc1Supported: false, etc2Supported: false }
 
 /**
- * A second loader that transcodes to other formats. It shares the transcoder: a loader of its own would fetch that again, of which
- * three.js warns.
+ * Creates a second loader that transcodes to other formats. It shares the transcoder binary: fetching that twice triggers a three.js
+ * warning.
  */
 async function withFormats(
   loader: Transcoder,
@@ -131,15 +131,15 @@ async function withFormats(
   return other
 }
 
-/** A KTX 2 file of which only the header was read. */
+/** A KTX 2 file with its parsed header. */
 interface Ktx2File {
   bytes: Uint8Array<ArrayBuffer>
   header: Ktx2Header
-  /** The texture, for errors. */
+  /** Names the texture in errors. */
   who: string
 }
 
-/** Reads the KTX 2 file of a texture, and checks its header before anything is decoded. */
+/** Reads the KTX 2 file of a texture, and checks its header before decoding. */
 async function readFile(parser: GLTFParser, index: number, check: ShapeCheck): Promise<Ktx2File> {
   const who = `${WRINKLE_MAPS} texture ${index}`
   const { extensions } = parser.json.textures[index]
@@ -165,13 +165,13 @@ async function transcode({ bytes, who }: Ktx2File, loader: KTX2Loader): Promise<
     array.magFilter = LinearFilter
     return array
   } catch (error) {
-    throw fileError(error, who, 'a KTX 2 image that cannot be decoded')
+    throw fileError(error, who, 'KTX 2 image cannot be decoded')
   } finally {
     URL.revokeObjectURL(url)
   }
 }
 
-/** `KTX2Loader` returns an array of one slice as a plain texture. */
+/** Converts to an array: `KTX2Loader` returns an array of one slice as a plain texture. */
 function asArray(texture: CompressedTexture): CompressedArrayTexture {
   if ('isCompressedArrayTexture' in texture) return texture as CompressedArrayTexture
   const { mipmaps, format, type, minFilter, colorSpace } = texture
@@ -189,7 +189,7 @@ function ktx2LoaderOf(parser: GLTFParser): KTX2Loader {
   throw new FurrowError({
     code: 'unsupported',
     who: WRINKLE_MAPS,
-    problem: 'the maps are KTX 2, which the loader cannot read',
+    problem: 'the loader cannot read KTX 2 maps',
     limit: 'a GLTFLoader with a KTX2Loader',
     remedy: 'call loader.setKTX2Loader(new KTX2Loader().setTranscoderPath(...).detectSupport(renderer))',
   })

@@ -8,11 +8,11 @@ import { parseWrinkleSetDocument } from '../../drivers/parse.ts'
 import { decodeImage, toGray } from '../../runtime/file/decode-image.ts'
 
 /**
- * Loads a wrinkle set from a `wrinkles.json` and the images beside it, drivers included. It must list its layers and areas, since a
- * page cannot look into a folder.
+ * Loads a wrinkle set, with its drivers, from a `wrinkles.json` and its images. The document must list its layers and areas, because a
+ * page cannot list a folder.
  *
- * @param url of the document, relative to the page.
- * @throws FurrowError when a file is missing or malformed.
+ * @param url address of the document, relative to the page.
+ * @throws FurrowError if a file is missing or malformed.
  */
 export async function loadWrinkleSet(url: string): Promise<WrinkleSet> {
   const base = new URL(url, globalThis.location?.href)
@@ -25,9 +25,9 @@ export async function loadWrinkleSet(url: string): Promise<WrinkleSet> {
 /**
  * Decodes the images of a `wrinkles.json`.
  *
- * @param read gives the file of an address in it.
+ * @param read reads the file at an address in the document.
  * @param who names the document in errors.
- * @throws FurrowError when an image cannot be decoded, or does not fit the others.
+ * @throws FurrowError if an image cannot be decoded, or differs from the others in size.
  */
 export async function readImages(
   document: SetDocument,
@@ -96,6 +96,6 @@ async function fetchFile(address: URL): Promise<Blob> {
     who: address.pathname,
     problem: 'file not found',
     value: `HTTP status ${response.status}`,
-    remedy: 'check that the server serves it at this address',
+    remedy: 'check that the server has the file at this address',
   })
 }

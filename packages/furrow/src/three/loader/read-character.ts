@@ -13,14 +13,14 @@ import { readsNormalMap, surfaceOf } from '../material/surface.ts'
 import { flatNormalTexture } from '../material/textures.ts'
 import { targetNames } from '../sources/morph.ts'
 
-/** Whether a mesh, at rest, has all that automatic wrinkles are made from. */
+/** Whether a mesh has the positions, UVs and blendshapes that automatic wrinkles need. */
 export function canCrease({ geometry: { attributes, morphAttributes } }: Mesh): boolean {
   return Boolean(attributes.position && attributes.uv && morphAttributes.position?.length)
 }
 
 /**
- * Gives a material without a normal map a flat one with the transform of its base colour. Quantised texture coordinates may be readable by that
- * transform alone (KHR_mesh_quantization), and wrinkles use the coordinates of the normal map.
+ * Adds a flat normal map, with the base colour's transform, to a material without a normal map. Quantised UVs may need that transform
+ * (KHR_mesh_quantization), and wrinkles use the normal map's coordinates.
  */
 export function readQuantised(meshes: readonly [Mesh, ...Mesh[]]): void {
   const surface = surfaceOf(meshes[0])
@@ -35,10 +35,10 @@ export function readQuantised(meshes: readonly [Mesh, ...Mesh[]]): void {
 }
 
 /**
- * The meshes of a face as plain data, in world space as their first one or its skeleton places them now. Nothing is copied or converted: the
- * arrays are those of the geometries.
+ * Describes the meshes of a face as plain data, placed in world space by the first mesh or its skeleton. References the geometries'
+ * arrays without copying.
  *
- * @param expressions names of a VRM's expressions that move one target alone, by its index.
+ * @param expressions names of VRM expressions that move exactly one target, by target index.
  */
 export function readMeshes(
   meshes: readonly [Mesh, ...Mesh[]],
@@ -88,8 +88,8 @@ function vectors(attribute: BufferAttribute | InterleavedBufferAttribute): Vecto
 }
 
 /**
- * The matrix from mesh to world space in the rest pose. glTF places a skinned mesh by its joints and ignores its node; in the rest pose
- * all joints give the same matrix.
+ * Matrix from mesh to world space in the rest pose. A skinned glTF mesh is placed by its joints, not by its node. In the rest pose all
+ * joints give the same matrix.
  */
 export function placementOf(mesh: Mesh): Matrix4 {
   mesh.updateWorldMatrix(true, false)

@@ -4,10 +4,10 @@ import type { RgbaImage } from '../../core/types.ts'
 import { type Drawable, hasPixels, readImage } from '../../runtime/file/read-image.ts'
 
 /**
- * Reads the pixels of a texture as stored in its file, row 0 at v = 0.
+ * Reads the pixels of a texture as stored, row 0 at v = 0.
  *
  * @param who names the texture in errors.
- * @throws FurrowError when its image cannot be read: it is compressed, a video, or not loaded yet.
+ * @throws FurrowError if the image is compressed, a video, or not loaded yet.
  */
 export function readTexture(texture: Texture, who: string): RgbaImage {
   const image = texture.image as object | undefined
@@ -18,7 +18,7 @@ export function readTexture(texture: Texture, who: string): RgbaImage {
       who,
       problem: 'texture without readable pixels',
       value: texture.name || texture.uuid,
-      limit: 'an image that is loaded and not GPU-compressed',
+      limit: 'a loaded image without GPU compression',
       remedy: 'await the loader first, or use the default mode',
     })
   }

@@ -13,22 +13,22 @@ import type { RaisedLayer } from '../relief/raised-layer.ts'
 import { targetNames } from '../sources/morph.ts'
 import { readImageBytes } from './image-bytes.ts'
 
-/** The wrinkles of one face in a file. */
+/** Wrinkles of one face in a file. */
 export interface LoadedWrinkles extends FileWrinkles {
-  /** The meshes of the face, which have one material: the primitives of a glTF mesh. The first one drives. */
+  /** Meshes of the face: the primitives of a glTF mesh with one material. Drivers read the first one. */
   meshes: [Mesh, ...Mesh[]]
 }
 
 type Parser = GLTF['parser']
 
 /**
- * Reads FURROW_wrinkle_maps from a file that three.js's `GLTFLoader` has loaded, as plain data for any renderer. `WrinkleLoaderPlugin`
- * calls it by itself. three-vrm replaces the materials of a VRM 0: for these, register `WrinkleLoaderPlugin` too.
+ * Reads FURROW_wrinkle_maps from a file loaded by three.js's `GLTFLoader`, as plain data for any renderer. `WrinkleLoaderPlugin` does this
+ * automatically. For VRM 0 files register the plugin too, because three-vrm replaces their materials.
  *
- * @param gltf what the loader returned.
- * @param parser the loader's, `gltf.parser` by default.
- * @returns one entry for each face that has the extension: of several meshes with its material, for those that its drivers move.
- * @throws FurrowError when the extension is malformed or an image cannot be read.
+ * @param gltf result of the loader.
+ * @param parser parser of the loader, default `gltf.parser`.
+ * @returns one entry per face with the extension. If several meshes share its material, only those that its drivers move count.
+ * @throws FurrowError if the extension is malformed, or an image cannot be read.
  */
 export async function readWrinkleMaps(gltf: GLTF, parser: Parser = gltf.parser): Promise<LoadedWrinkles[]> {
   const read = materialReader(parser)
@@ -47,19 +47,19 @@ async function decodeHeight(layer: RaisedLayer): Promise<void> {
   delete layer.readHeight
 }
 
-/** A material with wrinkles and the meshes that have it. */
+/** A material with wrinkles, and the meshes that use it. */
 export interface WrinkledMaterial {
-  /** Its index in the file. */
+  /** Material index in the file. */
   material: number
-  /** See `facesOf`. */
+  /** Meshes grouped by face, see `facesOf`. */
   faces: [Mesh, ...Mesh[]][]
 }
 
-/** The materials with the extension, malformed or not. */
+/** Returns the materials with the extension, even if the extension is malformed. */
 export function wrinkledMaterials(gltf: GLTF, parser: Parser): WrinkledMaterial[] {
   const found = new Map<number, WrinkledMaterial>()
   for (const meshes of facesOf(gltf, parser)) {
-    // The loader clones materials; the clones are of the same material in the file.
+    // The loader clones materials; clones map to the same index in the file.
     const material = parser.associations.get(surfaceOf(meshes[0]))?.materials
     if (material === undefined || extensionOf(material, parser) === undefined) continue
     const known = found.get(material) ?? { material, faces: [] }
@@ -69,7 +69,7 @@ export function wrinkledMaterials(gltf: GLTF, parser: Parser): WrinkledMaterial[
   return [...found.values()]
 }
 
-/** Chooses, among meshes that share a material, the faces that its drivers move; see `drivenFaces`. */
+/** Selects the faces that the drivers move, among meshes that share a material; see `drivenFaces`. */
 export function chooseFaces(
   faces: readonly [Mesh, ...Mesh[]][],
   { drivers }: Pick<FileWrinkles, 'drivers'>,
@@ -81,14 +81,14 @@ export function chooseFaces(
   return drivenFaces(faces, measure, drivers)
 }
 
-/** Gives meshes that are no face a copy of the material, which stays plain. */
+/** Gives meshes that are not faces a plain copy of the material. */
 export function separateOthers(others: readonly Mesh[], surface: Material): void {
   if (others.length === 0) return
   const plain = surface.clone()
   for (const mesh of others) mesh.material = withSurface(mesh, surface, plain)
 }
 
-/** `wrinkleReader` of a file that `GLTFLoader` loads. */
+/** `wrinkleReader` for a file that `GLTFLoader` loads. */
 export function materialReader(
   parser: Parser,
   onFaults?: OnFaults,
@@ -96,7 +96,7 @@ export function materialReader(
   return wrinkleReader(fileOf(parser), onFaults)
 }
 
-/** Few files have KTX 2 images: the code for these is fetched when one appears. */
+/** Adapts a parser. Imports the KTX 2 chunk only when a file needs it. */
 function fileOf(parser: Parser): GltfSource {
   return {
     json: parser.json,
@@ -108,7 +108,7 @@ function fileOf(parser: Parser): GltfSource {
   }
 }
 
-/** Groups meshes by face: the primitives of a glTF mesh that have one material are one face. */
+/** Groups meshes by face: primitives of one glTF mesh with the same material are one face. */
 export function facesOf(gltf: GLTF, parser: Parser): [Mesh, ...Mesh[]][] {
   const faces: [Mesh, ...Mesh[]][] = []
   const seen = new Set<Object3D>()
@@ -129,7 +129,7 @@ function isSibling(first: Mesh, mesh: Mesh): boolean {
   return first.parent === mesh.parent && surfaceOf(first) === surfaceOf(mesh)
 }
 
-/** Whether a mesh is one of several primitives of a glTF mesh, which the loader turns into a group. */
+/** Whether a mesh is one of several primitives of a glTF mesh; the loader puts these into a group. */
 function isPart(mesh: Mesh, parser: Parser): boolean {
   const index = parser.associations.get(mesh)?.meshes
   return index !== undefined && parser.json.meshes[index].primitives.length > 1

@@ -33,29 +33,30 @@ import {
   wrinkledMaterials,
 } from './read-wrinkle-maps.ts'
 
-/** The `Wrinkles` class of a renderer. */
+/** `Wrinkles` class for one kind of renderer. */
 type WrinklesClass = new (
   mesh: Mesh,
   source: WrinkleSet<ArraySlice> | WrinklesBase,
   options: WrinklesOptions,
 ) => WrinklesBase
 
-/** What depends on the renderer. */
+/** Renderer-specific parts of the loader. */
 export interface LoaderParts {
   Wrinkles: WrinklesClass
   watchDraws: WatchDraws
 }
 
 /**
- * Adds the wrinkles of FURROW_wrinkle_maps to what `GLTFLoader` loads. A loaded face wrinkles by itself as its blendshapes move, without
- * calls in the render loop. So does each copy made by `clone()` or three.js's `SkeletonUtils.clone()`, with activations of its own and
- * the same textures, and each mesh that a page makes with the material of a face, as JSX does. `wrinklesOf(gltf)` lists the wrinkles,
- * one per face, as `gltf.userData.wrinkles` does; `wrinklesOf(mesh)` finds those of a mesh. Drivers of a VRM may read its expressions if
- * three-vrm's plugin is registered too.
+ * Plugin of `GLTFLoader` that adds the wrinkles of FURROW_wrinkle_maps to loaded faces. Wrinkles follow blendshapes automatically, without
+ * calls in the render loop.
  *
- * With the option `auto`, a file without wrinkles gets them some time after it was loaded: `wrinklesReady(gltf)` waits for them.
+ * `wrinklesOf(gltf)` returns the wrinkles of a file, one per face; `wrinklesOf(mesh)` returns those of a mesh. Copies made with `clone()`
+ * or `SkeletonUtils.clone()`, and meshes created with a face's material (as in JSX), get their own activations and share textures. VRM
+ * drivers can read expressions if three-vrm's plugin is registered too.
  *
- * A file never fails to load because of its wrinkles: a face whose wrinkles are damaged or not possible stays plain, with one warning.
+ * With the option `auto`, files without wrinkles get generated ones after loading; await `wrinklesReady(gltf)`.
+ *
+ * A file never fails to load because of its wrinkles: if they are invalid or unsupported, the face stays plain, with one warning.
  */
 export class WrinkleLoader {
   readonly name = WRINKLE_MAPS
@@ -65,11 +66,11 @@ export class WrinkleLoader {
   readonly #auto: AutoRunOptions | undefined
   readonly #warnings = new Warnings('WrinkleLoaderPlugin')
   readonly #declared: DeclaredWrinkles
-  /** The first of each set, whose textures all others use. */
+  /** First face of each set; later faces share its textures. */
   readonly #bySet = new Map<FileWrinkles['set'], WrinklesBase>()
-  /** The first of each material. */
+  /** First face of each material. */
   readonly #byMaterial = new Map<Material, WrinklesBase>()
-  /** Reads the wrinkles of a material, once. */
+  /** Reads the wrinkles of a material; cached. */
   readonly #read: ReturnType<typeof materialReader>
 
   constructor(parser: GLTFParser, parts: LoaderParts, options: WrinkleLoaderOptions) {
@@ -84,17 +85,17 @@ export class WrinkleLoader {
     this.#read = materialReader(parser, (faults) => this.#warnings.addDrivers(faults))
   }
 
-  /** Begins to read the wrinkles while the rest is loaded. Called by the loader before it loads anything. */
+  /** Starts reading wrinkles in parallel with the rest of the file. Called by the loader before it loads anything. */
   async beforeRoot(): Promise<void> {
     this.#declared.restore()
-    // Faults are reported when the wrinkles are added.
+    // Errors are reported when the wrinkles are added.
     for (const material of this.#declared.materials) this.#read(material).catch(() => {})
-    // Arrives while the rest is loaded.
+    // Prefetches the chunk while the file loads.
     if (this.#auto) import('./auto-wrinkles.ts').catch(() => {})
     if (hasPointers(this.#parser)) dropBrokenChannels(this.#parser, this.#warnings)
   }
 
-  /** Called by the loader when everything else is loaded. */
+  /** Called by the loader after everything else is loaded. */
   async afterRoot(gltf: GLTF): Promise<void> {
     const wrinkles: WrinklesBase[] = []
     gltf.userData.wrinkles = wrinkles
@@ -148,13 +149,13 @@ export class WrinkleLoader {
   ): Promise<WrinklesBase> {
     const material = surfaceOf(meshes[0])
     const copy = this.#byMaterial.get(material)?.cloneMaterial()
-    // Another face with the same material has its own activations, and so needs its own material.
+    // Each face has its own activations, and so needs its own material.
     if (copy) for (const mesh of meshes) mesh.material = copy
-    // What comes after it packs all maps: a task of its own, after that of the last image.
+    // Packing all maps takes long: do so in a task separate from the last image's.
     await nextTask()
     const own = this.#addWrinkles(meshes, this.#bySet.get(set) ?? new ReadSet(set))
     try {
-      // three-vrm may create a VRM's expressions after this.
+      // three-vrm may create the expressions later.
       meshOf(own).drive(drivers, this.#inputsOf(meshes[0], file), this.#isVrm)
     } catch (error) {
       own.dispose()
@@ -165,7 +166,7 @@ export class WrinkleLoader {
     return own
   }
 
-  /** Where the drivers of a face find its inputs. A VRM has them elsewhere than in its meshes. */
+  /** Input sources of a face's drivers. In a VRM, expressions and their binds drive too. */
   #inputsOf(mesh: Mesh, { userData }: GLTF): InputOptions {
     if (!this.#isVrm) return {}
     const { json, associations } = this.#parser
@@ -178,7 +179,7 @@ export class WrinkleLoader {
     }
   }
 
-  /** Adds wrinkles to the meshes of one face, to every copy of them, and to what is drawn with their material. */
+  /** Adds wrinkles to the meshes of one face, to all their clones, and to other meshes drawn with their material. */
   #addWrinkles(
     meshes: readonly Mesh[],
     source: WrinkleSet<ArraySlice> | WrinklesBase,
@@ -202,7 +203,7 @@ export class WrinkleLoader {
     return own
   }
 
-  /** For a mesh that the page made. */
+  /** Adds wrinkles to a mesh that the page created. */
   #tryAdd(mesh: Mesh, source: WrinklesBase): WrinklesBase | undefined {
     try {
       return this.#addWrinkles([mesh], source)
@@ -225,7 +226,7 @@ export class WrinkleLoader {
   }
 }
 
-/** The faces of a material; other meshes that have it stay plain. */
+/** Returns the faces of a material, and gives its other meshes a plain copy. */
 function separatedFaces({ faces }: WrinkledMaterial, read: FileWrinkles): [Mesh, ...Mesh[]][] {
   const chosen = chooseFaces(faces, read)
   const others = faces.filter((meshes) => !chosen.includes(meshes)).flat()
@@ -236,14 +237,14 @@ function separatedFaces({ faces }: WrinkledMaterial, read: FileWrinkles): [Mesh,
 function withoutParser(given: unknown): FurrowError {
   return new FurrowError({
     who: 'WrinkleLoaderPlugin',
-    problem: 'a parser',
+    problem: 'invalid parser',
     value: given === null || given === undefined ? String(given) : (given as object).constructor?.name,
-    limit: 'the GLTFParser that GLTFLoader passes to what is registered',
+    limit: 'the GLTFParser that GLTFLoader passes to registered callbacks',
     remedy: 'call extendLoader(loader), or loader.register((parser) => new WrinkleLoaderPlugin(parser))',
   })
 }
 
-/** Whether an animation moves what only a pointer reaches, such as an area. */
+/** Whether an animation uses KHR_animation_pointer. */
 function hasPointers({ json: { animations } }: GLTFParser): boolean {
   const isPointer = (channel?: { target?: { path?: unknown } } | null) => channel?.target?.path === 'pointer'
   return (

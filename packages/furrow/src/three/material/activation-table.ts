@@ -3,19 +3,19 @@ import { MAX_AREAS, MAX_LAYERS } from '../../core/limits.ts'
 import type { Activations } from '../../runtime/activations.ts'
 import type { AreaArray } from '../atlas/area-array.ts'
 
-/** One for each channel of the largest array of areas. */
+/** One column per channel of the largest area array. */
 const COLUMNS = 4 * MAX_AREAS
 
 /**
  * Activations as a texture, for shaders that loop over all areas as the paper does.
  *
- * Column `slice * channels + channel` is for the area whose weights are there. Row 0 is for areas that combine by `sum`, row 1 for
- * `max`. The activation is in the channel of the area's layer; all else is 0. So one loop computes all layers at once, and shader
- * programs depend neither on the number of areas nor on their layers.
+ * Column `slice * channels + channel` belongs to the area with these weights. Row 0 holds areas that combine by `sum`, row 1 by `max`. The
+ * activation is in the channel of the area's layer; other channels are 0. One loop then computes all layers, and shader programs do not
+ * depend on the number of areas or their layers.
  */
 export class ActivationTable {
   readonly texture: DataTexture
-  /** Number of columns in use; a uniform. */
+  /** Uniform: number of columns in use. */
   readonly count = { value: 0 }
   readonly #table = new Float32Array(COLUMNS * 2 * MAX_LAYERS)
   #version = -1
@@ -27,9 +27,9 @@ export class ActivationTable {
   }
 
   /**
-   * Writes the activations of all areas, if they have another version than those written before.
+   * Writes the activations of all areas if their version has changed.
    *
-   * @param activations their values 0..1, in the order of the areas.
+   * @param activations values (0..1) in the order of the areas.
    */
   update({ slots, channels }: AreaArray, { version, values }: Pick<Activations, 'version' | 'values'>): void {
     if (version === this.#version) return

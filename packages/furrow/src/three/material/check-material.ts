@@ -3,13 +3,13 @@ import { FurrowError } from '../../core/error.ts'
 import { readsNormalMap, surfaceOf } from './surface.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
-/** Those that show wrinkles. */
+/** Materials that show wrinkles. */
 export const patchedMaterials = new WeakSet<Material>()
 
 /**
- * The material of a mesh that shows its wrinkles.
+ * Returns the material of a mesh that will show its wrinkles.
  *
- * @throws FurrowError, which names the mesh, when it cannot, or shows others already.
+ * @throws FurrowError if the material is unsupported, or already shows wrinkles. The error names the mesh.
  */
 export function checkMaterial(mesh: Mesh): WrinkleMaterial {
   const material = surfaceOf(mesh) as WrinkleMaterial
@@ -26,12 +26,12 @@ function problemOf(material: WrinkleMaterial): { problem: string; remedy: string
     }
   }
   if (material.normalMap && material.normalMapType === ObjectSpaceNormalMap) {
-    return { problem: 'object-space normal map', remedy: 'bake it to tangent space' }
+    return { problem: 'object-space normal map', remedy: 'bake the normal map to tangent space' }
   }
   if (patchedMaterials.has(material)) {
     return {
       problem: 'the material already shows wrinkles',
-      remedy: 'give the mesh its own: mesh.material = mesh.material.clone(), or dispose the other wrinkles',
+      remedy: 'clone the material (mesh.material = mesh.material.clone()), or dispose of the other wrinkles',
     }
   }
   return null

@@ -18,7 +18,8 @@ import { renderPreservingState } from '../atlas/render-preserving-state.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 
-const WHOLE: AreaSlot = {
+/** Slot that covers the complete map. */
+const FULL: AreaSlot = {
   layer: 0,
   combine: 'sum',
   slice: 0,
@@ -26,39 +27,38 @@ const WHOLE: AreaSlot = {
   bounds: { x0: 0, y0: 0, x1: 1, y1: 1 },
 }
 
-/** In texels. */
+/** Size in texels. */
 export interface Size {
   width: number
   height: number
 }
 
 /**
- * A material for `Quads` that draws the composed normal map: `base` with the wrinkles mixed in.
+ * Creates a material for `Quads` that draws the composed normal map: `base` with the wrinkles mixed in.
  *
- * @param level which level of the target is drawn, where each of its texels is one of `base` and one of the layers' maps, which then need no
- *   filter; none where sizes differ.
+ * @param level mip level being drawn, if all maps have one size: texels then correspond and need no filtering. Undefined if sizes differ.
  */
 export type ComposeMaterial = (base: Texture, inputs: ShaderInputs, level?: Level) => Material
 
-/** Set before a level is drawn: 0 is the finest. */
+/** Mip level being drawn, 0 = finest. */
 export interface Level {
   value: number
 }
 
 export interface ComposedFormat extends Size {
-  /** What the material reads. */
+  /** Level uniform of the material. */
   level?: Level | undefined
   /**
-   * Number of levels that are drawn, each from those of the maps that are as fine: as the default mode mixes them. Of one, the default, the GPU
-   * makes the others, each of them whole, which differ by a step of 8 bits or two.
+   * Number of mip levels drawn, each from the same level of the maps, as the default mode mixes them. With 1 (the default) the GPU generates
+   * the other levels completely; they differ by one or two 8-bit steps.
    */
   levels?: number
 }
 
 /**
- * How a face's own normal map and the array of its layers' normals are composed.
+ * Chooses the size and mip levels of the map composed from a material's normal map and its layers' normals.
  *
- * @param drawsLevels whether all levels are drawn where these maps have as many.
+ * @param drawsLevels whether to draw all mip levels, if both maps have them.
  */
 export function composedFormat(base: Texture, normals: Texture, drawsLevels: boolean): ComposedFormat {
   const [own, layered] = sizesOf(base, normals)
@@ -69,7 +69,7 @@ export function composedFormat(base: Texture, normals: Texture, drawsLevels: boo
   return { ...size, level: { value: 0 }, levels: isDrawn ? levels : 1 }
 }
 
-/** Number of levels of a map, down to one texel. */
+/** Number of mip levels down to one texel. */
 function levelsOf({ width, height }: Size): number {
   return 1 + Math.floor(Math.log2(Math.max(width, height)))
 }
@@ -79,7 +79,7 @@ function hasLevels({ generateMipmaps, minFilter, mipmaps }: Texture, levels: num
   return isMipmapped && (generateMipmaps || mipmaps!.length === levels)
 }
 
-/** The size of the larger of both. */
+/** Larger size of the two maps, per axis. */
 export function composedSize(base: Texture, normals: Texture): Size {
   const [own, layered] = sizesOf(base, normals)
   return { width: Math.max(own.width, layered.width), height: Math.max(own.height, layered.height) }
@@ -90,8 +90,8 @@ function sizesOf(...maps: Texture[]): Size[] {
 }
 
 /**
- * A face's normal map with its wrinkles mixed in, drawn in UV space: for materials whose shader cannot be patched, and for faces that
- * seldom move, which then cost as much as a plain face.
+ * Normal map of a face with its wrinkles mixed in, drawn in UV space. Supports materials whose shader cannot be patched. A face at rest
+ * costs as much as a plain face.
  */
 export class ComposedMap {
   readonly target: RenderTarget
@@ -108,11 +108,11 @@ export class ComposedMap {
   readonly #levels: number
   readonly #level: Level | undefined
   #slots: AreaSlot[] = []
-  readonly #span: AreaSlot = { ...WHOLE, bounds: { ...WHOLE.bounds } }
+  readonly #span: AreaSlot = { ...FULL, bounds: { ...FULL.bounds } }
   #drawn = new Float32Array(0)
 
   /**
-   * @param base the map to replace, whose filters and transform are kept.
+   * @param base normal map to replace; its filters and transform are kept.
    * @param material draws `Quads` of the composed map.
    */
   constructor(
@@ -134,7 +134,7 @@ export class ComposedMap {
       wrapT: base.wrapT,
     })
     const { texture } = this.target
-    // What three.js allocates levels by that are drawn one by one.
+    // three.js allocates levels that are drawn separately by the length of `mipmaps`.
     if (levels > 1) texture.mipmaps = Array.from({ length: levels }, () => ({})) as typeof texture.mipmaps
     texture.channel = base.channel
     texture.matrixAutoUpdate = base.matrixAutoUpdate
@@ -150,9 +150,9 @@ export class ComposedMap {
   }
 
   /**
-   * Redraws where activations have changed, and all as wrinkles appear; the influence map must be up to date.
+   * Redraws areas whose activations have changed, or everything if the fade has changed. The influence map must be up to date.
    *
-   * @param version another number when weights or maps have changed.
+   * @param version changes with the weights and maps.
    */
   update(renderer: AnyRenderer, areas: AreaArray, values: Float32Array, fade: number, version: number): void {
     this.#quads.begin()
@@ -164,7 +164,7 @@ export class ComposedMap {
     this.#quads.end()
     if (!this.#quads.mesh.visible) return
     for (let level = 0; level < this.#levels; level++) {
-      // `WebGPURenderer` halves it by itself.
+      // `WebGPURenderer` scales the viewport per level itself.
       const halvings = 'isWebGLRenderer' in renderer ? level : 0
       const [width, height] = [this.target.width >> halvings, this.target.height >> halvings]
       this.target.viewport.set(0, 0, Math.max(1, width), Math.max(1, height))
@@ -188,10 +188,10 @@ export class ComposedMap {
     this.#areas = areas
     this.#slots = areas.slots.map((slot) => reachOf(slot, areas))
     this.#drawn = values.slice(0, areas.slots.length)
-    this.#quads.put(0, 0, WHOLE, 0)
+    this.#quads.put(0, 0, FULL, 0)
   }
 
-  /** Puts the rectangles of areas that have moved, or their bounding rectangle if that is smaller: they may overlap. */
+  /** Adds the rectangles of changed areas, or their bounding rectangle if it is smaller than the sum (rectangles may overlap). */
   #putMoved(values: Float32Array): void {
     const { bounds } = this.#span
     bounds.x0 = bounds.y0 = 1
@@ -211,7 +211,7 @@ export class ComposedMap {
   }
 }
 
-/** The part of the map, 0..1, that an area affects: bilinear filtering spreads its outermost texels to the centres of their neighbours. */
+/** Region of the map (0..1) that an area affects: bilinear filtering extends it by one texel. */
 function reachOf(slot: AreaSlot, { width, height }: AreaArray): AreaSlot {
   const { x0, y0, x1, y1 } = slot.bounds
   const bounds = {

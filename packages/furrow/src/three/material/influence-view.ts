@@ -7,13 +7,13 @@ import type { WrinkleMaterial } from './wrinkle-material.ts'
 
 /** Influence that a material shows as gray. */
 export interface InfluenceView {
-  /** Its normal map has the texture coordinates. */
+  /** Wrinkled material, whose normal map defines the texture coordinates. */
   wrinkled: Pick<WrinkleMaterial, 'normalMap'>
   inputs: ShaderInputs
   instances: Instances
-  /** The weights of some areas; by default, the current influence. */
+  /** Areas whose weights are shown. Default: the current influence. */
   weights?: { areas: readonly Area<unknown>[]; names: readonly string[] } | undefined
 }
 
-/** Makes an unlit material show the influence map as gray, or the areas of a table by their activations in it. */
+/** Makes an unlit material show the influence map as gray, or, if a table is given, areas by their activations in the table. */
 export type ShowInfluence = (material: Material, view: InfluenceView, table: ActivationTable | null) => void

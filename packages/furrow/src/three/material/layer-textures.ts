@@ -5,10 +5,10 @@ import { type PackedMaps, packMaps, type ValueKind } from '../../runtime/layer-m
 import { type ArrayTexture, arrayOf } from './array-texture.ts'
 import { mapTexture } from './textures.ts'
 
-/** One kind of map of all layers, as one array on the GPU. */
+/** Maps of one kind for all layers, as one texture array. */
 export interface LayerMaps {
   texture: ArrayTexture
-  /** Slice of each layer's map; null for a layer that has none. */
+  /** Slice of each layer's map; null if the layer has no such map. */
   slices: readonly (number | null)[]
   /** Channel of single-channel maps, 0 = R to 3 = A. */
   channel: number
@@ -16,7 +16,7 @@ export interface LayerMaps {
 
 type Map = RgbaImage | GrayImage | ArraySlice
 
-/** The maps of one kind; undefined where no layer has any. */
+/** Creates the array of one kind of map; undefined if no layer has such a map. */
 export function layerMaps(
   layers: readonly Layer<ArraySlice>[],
   kind: 'normal' | ValueKind,
@@ -36,7 +36,7 @@ export function layerMaps(
   return { texture, slices, channel: (present[0] as ArraySlice).channel }
 }
 
-/** Maps that were packed, on the GPU. */
+/** Layer maps of packed images in a texture. */
 export function onGpu({ slices, channel }: PackedMaps, texture: ArrayTexture): LayerMaps {
   return { texture, slices, channel }
 }

@@ -3,13 +3,13 @@ import { ComposedMap, composedFormat } from './composed-map.ts'
 import type { ModeHost, ShownMode } from './patch.ts'
 import type { RendererParts } from './renderer-parts.ts'
 
-/** Makes a material show wrinkles in a mode. The caller calls `renew` then, and when that is undone. */
+/** Patches a material to show wrinkles in a mode. Callers must call `renew` afterwards, and again after `undo`. */
 export function showMode(mode: Exclude<WrinkleMode, 'off'>, host: ModeHost, parts: RendererParts): ShownMode {
   if (mode === 'composed') return showComposed(host, parts)
   return mode === 'paper' ? showPaper(host, parts) : parts.showDefault(host)
 }
 
-/** Lights twice, and mixes the colours: after `updatePaper`. */
+/** Lights twice and mixes the colours. Requires `updatePaper`. */
 function showPaper(host: ModeHost, { showPaper: show }: RendererParts): ShownMode {
   const { inputs } = host
   return {
@@ -18,7 +18,7 @@ function showPaper(host: ModeHost, { showPaper: show }: RendererParts): ShownMod
   }
 }
 
-/** Replaces a material's own normal map by the composed one. */
+/** Replaces a material's normal map by the composed one. */
 function showComposed(
   { material, inputs }: ModeHost,
   { composeMaterial, drawsLevels, quads }: RendererParts,

@@ -10,20 +10,20 @@ import { mapTexture } from './textures.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 import type { WrinkleTextures } from './wrinkle-textures.ts'
 
-/** The array that the paper's shader reads: diffuse texture, smooth normals, wrinkled normals. */
+/** Texture array read by the paper's shader. Slices: diffuse colours, smooth normals, wrinkled normals. */
 export interface PaperArray {
   texture: DataArrayTexture
-  /** Whether the diffuse texture is encoded in sRGB, as the material's own map says. */
+  /** Whether the diffuse colours are sRGB-encoded. */
   diffuseIsSrgb: boolean
-  /** Version of the layers' maps. */
+  /** Version of the layer maps. */
   version: number
 }
 
 /**
  * Packs the paper's array.
  *
- * @param smoothMap the material's own normal map; null if it has none.
- * @throws FurrowError when there are several layers, or maps cannot be read or differ in size.
+ * @param smoothMap the material's original normal map, or null.
+ * @throws FurrowError if there are several layers, or maps cannot be read or differ in size.
  */
 export function packPaperArray(
   { layers, version }: WrinkleTextures,
@@ -34,7 +34,7 @@ export function packPaperArray(
     throw new FurrowError({
       code: 'unsupported',
       who: 'Wrinkles.mode',
-      problem: "the paper's mode has one wrinkled normal map",
+      problem: 'the paper mode supports one layer only',
       value: layers.map(({ name }) => name).join(', '),
       limit: 'one layer',
       remedy: 'use the default mode',
@@ -45,7 +45,7 @@ export function packPaperArray(
     throw new FurrowError({
       code: 'unsupported',
       who: 'Wrinkles.mode',
-      problem: "compressed maps cannot be packed for the paper's mode",
+      problem: 'the paper mode does not support compressed maps',
       value: layers[0].name,
       remedy: 'use the default mode, or a file with PNG or WebP maps',
     })

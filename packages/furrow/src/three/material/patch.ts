@@ -4,29 +4,29 @@ import type { AnyRenderer } from '../renderer.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
-/** The face that a mode is shown on, and the events of its shader's compilation. */
+/** Face on which a mode is shown, with callbacks for the compilation of its shader. */
 export interface ModeHost {
   readonly material: WrinkleMaterial
   readonly inputs: ShaderInputs
-  /** The meshes of the face: a list that may grow. */
+  /** Live list of the face's meshes. */
   readonly meshes: readonly Mesh[]
-  /** The shader cannot be edited after all; it then stays as it was. */
+  /** Reports that the shader cannot be patched, and was left unchanged. */
   refuse(): void
-  /** Called on `WebGLRenderer` when an edited shader is about to be compiled. `compile` calls nothing else that precedes a draw. */
+  /** Called before `WebGLRenderer` compiles a patched shader. `WebGLRenderer.compile` makes no other call before a draw. */
   onCompile(renderer: WebGLRenderer): void
 }
 
-/** A change that makes a material show wrinkles. The caller has the material built again. */
+/** A patch that makes a material show wrinkles. Callers must rebuild the material. */
 export interface ShownMode {
-  /** The material's own normal map, where another one is in its place. */
+  /** The material's original normal map, if the mode replaces it. */
   base?: Texture
-  /** The map in that place. */
+  /** The replacement of `base`. */
   composed?: Texture
-  /** Phase 5 of a frame: takes the activations of the face, when its influence map is up to date. */
+  /** Phase 5 of a frame, with an up-to-date influence map. */
   update?: (renderer: AnyRenderer, activations: Activations) => void
-  /** Whether its shader is right for another mesh of the face; for any where it is left out. */
+  /** Whether the shader supports another mesh of the face. Omitted if it supports any. */
   isFor?(mesh: Mesh): boolean
-  /** Whether its shader is right for the maps that the material has by now, and for the faces in the atlas; always where it is left out. */
+  /** Whether the shader matches the material's current maps and the faces in the atlas. Omitted if it always does. */
   isCurrent?(): boolean
   undo(): void
 }

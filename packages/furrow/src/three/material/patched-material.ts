@@ -16,36 +16,36 @@ import { flatNormalTexture } from './textures.ts'
 import { updatePaper } from './update-paper.ts'
 import { cloneByClass, type WrinkleMaterial } from './wrinkle-material.ts'
 
-/** The user's own material while it shows wrinkles. */
+/** A user's material, patched to show wrinkles. */
 export class PatchedMaterial {
-  /** What is shown. */
+  /** Current mode. */
   mode: WrinkleMode = 'off'
   readonly #meshes: readonly Mesh[]
   readonly #material: WrinkleMaterial
   readonly #inputs: ShaderInputs
   readonly #renderer: RendererParts
-  /** The normal map while it shows wrinkles and has none of its own, as from the start or since the page took it away. */
+  /** Flat normal map, used while the material has none of its own. */
   readonly #flat: Texture
-  /** Makes the material draw relief too; null while there is none. */
+  /** Patches the material to draw relief; null without relief. */
   #patchRelief: ((material: Material) => () => void) | null = null
   #undoRelief: (() => void) | undefined
   /** Materials that show influence. */
   readonly #influenceMaterials = new WeakSet<Material>()
-  /** How many materials show the current influence, which needs the map in any mode. */
+  /** Number of materials that show the current influence, which keep the influence map updated in any mode. */
   views = 0
-  /** Whether the shader turned out to be one that cannot be patched. */
+  /** Whether the shader turned out not to be patchable. */
   #isRefused = false
-  /** What makes it show the mode; null while it is plain. */
+  /** Patch of the current mode; null while the material is plain. */
   #shown: ShownMode | null = null
-  /** Whether it stays plain in every mode. */
+  /** Whether the material is kept plain in every mode. */
   #isSuspended = false
-  /** Whether this object, and not the page, disposes of the material now. */
+  /** Whether this object, rather than the page, is disposing of the material. */
   #isRenewing = false
   readonly #onCompile: ModeHost['onCompile']
   readonly #onDisposed: () => void
 
   /**
-   * @param meshes of the face: a list that may grow, see `follow`.
+   * @param meshes live list of the face's meshes; call `follow` after adding one.
    * @param onDisposed called when the page disposes of the material.
    */
   constructor(
@@ -63,25 +63,24 @@ export class PatchedMaterial {
     this.#inputs = inputs
     this.#renderer = renderer
     this.#flat = flatNormalTexture(material.normalMap)
-    // three.js writes the name into a line of the shader, which another line end, or a backslash before its own, would break.
+    // three.js writes the name into a one-line shader directive, which line breaks and trailing backslashes would break.
     material.name &&= material.name.replace(/[\r\n\\]/g, ' ')
     patchedMaterials.add(material)
     material.addEventListener('dispose', this.#onDisposed)
   }
 
-  /** Phase 5 of a frame, in modes that take activations then. */
+  /** Phase 5 of a frame, in modes that need it. */
   get update(): ShownMode['update'] {
     return this.#shown?.update
   }
 
   /**
-   * Changes the mode. A material that cannot be patched shows the composed mode instead of the
-   * default one.
+   * Changes the mode. Falls back from `default` to `composed` if the material cannot be patched.
    *
-   * @throws FurrowError when the mode is not possible; it then stays as it was.
+   * @throws FurrowError if the mode is unsupported here; the mode then stays unchanged.
    */
-  show(wanted: WrinkleMode): void {
-    const mode = wanted === 'default' && !this.#isPatchable ? 'composed' : wanted
+  show(requested: WrinkleMode): void {
+    const mode = requested === 'default' && !this.#isPatchable ? 'composed' : requested
     if (mode === 'paper' && !this.#isPatchable) {
       throw new FurrowError({
         code: 'unsupported',
@@ -98,15 +97,15 @@ export class PatchedMaterial {
   }
 
   /**
-   * Called before each frame, since only the first one tells what becomes of the shader: a material that could not be patched shows
-   * the composed mode from the second on, and one whose shader the GPU refuses is plain again, with one warning.
+   * Called before each frame, because the result of compilation is known only after the first one. Falls back to the composed mode if
+   * the shader could not be patched. Turns wrinkles off, with one warning, if the shader does not compile.
    *
    * @param renderer null between frames.
    */
   settle(renderer: AnyRenderer | null): void {
     if (this.mode === 'off') return
     try {
-      // The page may take its map away, put another one where the composed map was, change which maps it has, or add faces.
+      // The page may remove or replace the normal map, change other maps, or add faces.
       const { normalMap } = this.#material
       const isReplaced = !normalMap || (this.#shown?.composed ?? normalMap) !== normalMap
       if (isReplaced || this.#shown?.isCurrent?.() === false) this.#apply(this.mode)
@@ -119,18 +118,18 @@ export class PatchedMaterial {
     }
   }
 
-  /** Makes the material draw relief too, in all modes but `off`; null for none. */
+  /** Sets the relief patch, which applies in all modes but `off`; null for none. */
   setRelief(patch: ((material: Material) => () => void) | null): void {
     this.#patchRelief = patch
     if (this.mode !== 'off') this.#apply(this.mode)
   }
 
-  /** Called when the face has another mesh. */
+  /** Called when a mesh is added to the face. */
   follow(mesh: Mesh): void {
     if (this.#shown?.isFor?.(mesh) === false) this.#apply(this.mode)
   }
 
-  /** Copies the material without wrinkles. */
+  /** Clones the material without wrinkles. */
   clone(): Material {
     this.#unpatch()
     const copy = cloneByClass(this.#material)
@@ -138,7 +137,7 @@ export class PatchedMaterial {
     return copy
   }
 
-  /** Copies what the mesh has as its material, without wrinkles; of several materials only the one that shows them. */
+  /** Returns the mesh's `material` value in which the wrinkled material is cloned, without wrinkles. */
   cloneAll(): Material | Material[] {
     return withSurface(this.#mesh, this.#material, this.clone())
   }
@@ -156,7 +155,7 @@ export class PatchedMaterial {
     return material
   }
 
-  /** Makes the material plain until `resume`, and frees everything that its mode needs. */
+  /** Makes the material plain until `resume`, and frees the resources of its mode. */
   suspend(): void {
     this.#isSuspended = true
     this.#apply(this.mode)
@@ -179,18 +178,17 @@ export class PatchedMaterial {
     this.#material.dispose()
   }
 
-  /** Whether a mesh has the material, or one that shows its influence. */
+  /** Whether a mesh uses the material, or a material that shows its influence. */
   isOn({ material }: Mesh): boolean {
     if (Array.isArray(material)) return material.includes(this.#material)
     return material === this.#material || this.#influenceMaterials.has(material)
   }
 
-  /** The user's own. */
   get material(): Material {
     return this.#material
   }
 
-  /** The one that the wrinkles were added to. */
+  /** Mesh that the wrinkles were created with. */
   get #mesh(): Mesh {
     return this.#meshes[0]
   }
@@ -239,25 +237,25 @@ export class PatchedMaterial {
     if (this.#material.normalMap === this.#flat) this.#material.normalMap = null
   }
 
-  /** Makes a material plain whose shader the GPU refuses. */
+  /** Turns wrinkles off if the shader does not compile. */
   #checkShader(renderer: AnyRenderer): void {
-    const fault = this.#renderer.faultOf(this.#material, renderer)
-    if (fault === null) return
+    const shaderError = this.#renderer.shaderErrorOf(this.#material, renderer)
+    if (shaderError === null) return
     const { mode } = this
     this.show('off')
-    warnOfFault(this.#mesh, mode, fault)
+    warnOfShaderError(this.#mesh, mode, shaderError)
   }
 }
 
-function warnOfFault({ name }: Mesh, mode: WrinkleMode, fault: string): void {
+function warnOfShaderError({ name }: Mesh, mode: WrinkleMode, shaderError: string): void {
   const { message } = new FurrowError({
     code: 'unsupported',
     who: 'Wrinkles',
-    problem: `the shader of mesh "${name}" does not compile in the ${mode} mode, so it is shown without wrinkles`,
-    value: fault,
+    problem: `the shader of mesh "${name}" does not compile in the ${mode} mode, so its wrinkles are off`,
+    value: shaderError,
     remedy:
       mode === 'composed'
-        ? 'give it another material, such as MeshStandardMaterial'
+        ? 'use another material, such as MeshStandardMaterial'
         : 'use the composed mode, or another material',
   })
   console.warn(message)

@@ -8,36 +8,33 @@ import type { ShowInfluence } from './influence-view.ts'
 import type { ModeHost, ShownMode } from './patch.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
-/** What depends on the renderer. */
+/** Renderer-specific parts of wrinkles. */
 export interface RendererParts {
-  /** The entry of the package that it belongs to. */
+  /** Entry point of the package. */
   entry: Entry
-  /** Whether the material's shader is known to be one that can be edited; if not, the composed mode shows its wrinkles. */
+  /** Whether the material's shader can be patched; otherwise the composed mode is used. */
   canPatch(material: WrinkleMaterial): boolean
   showDefault(host: ModeHost): ShownMode
   showPaper(host: ModeHost): ShownMode
   composeMaterial: ComposeMaterial
   /**
-   * Whether the composed mode draws all levels of its map, only where areas move: on a software rasteriser that takes half of what
-   * the GPU takes to make them, each of them whole. Where a pass is dear, the GPU makes them.
+   * Whether the composed mode draws all mip levels itself, limited to changed areas. On a software rasteriser that takes half as long as
+   * generating complete mipmaps. False where render passes are expensive.
    */
   drawsLevels: boolean
   showInfluence: ShowInfluence
-  /** Makes the renderer build the material's shader again, with the uniforms that it has now. */
+  /** Makes the renderer rebuild the material's shader with its current uniforms. */
   renew(material: Material): void
-  /**
-   * Why the GPU does not accept the material's shader, as far as the renderer knows by now; null if nothing is wrong. Called before the
-   * material is drawn, in every frame.
-   */
-  faultOf(material: Material, renderer: AnyRenderer): string | null
-  /** Whether nothing must be drawn now, in the midst of a compilation; what draws influence is then compiled with the first frame. */
+  /** Compile error of the material's shader, or null if none is known yet. Called before every draw. */
+  shaderErrorOf(material: Material, renderer: AnyRenderer): string | null
+  /** Whether a compilation is running, during which nothing may be drawn. */
   isCompiling?(renderer: AnyRenderer): boolean
-  /** A black one, without lights and tone mapping. */
+  /** Creates a black material without lights and tone mapping. */
   unlitMaterial(): Material
   /** Measures the tension of the skin. */
   bindTension: BindTension
-  /** What draws influence maps. */
+  /** Materials of the influence atlas. */
   quads: QuadMaterials
-  /** Relief is a lazy chunk: most faces are never large enough on screen to need it. */
+  /** Imports the relief chunk; lazy, because few faces get large enough on screen to need relief. */
   loadRelief(): Promise<CreateRelief>
 }

@@ -8,39 +8,39 @@ import type { PaperArray } from './paper-array.ts'
 import { release, retain } from './texture-users.ts'
 import { listTextures, type WrinkleTextures } from './wrinkle-textures.ts'
 
-/** What shaders read, as uniforms `{ value }`. The objects stay the same for the lifetime of the wrinkles. */
+/** Uniforms of the shaders. Each `{ value }` object keeps its identity for the lifetime of the wrinkles. */
 export interface ShaderInputs {
   readonly textures: WrinkleTextures
   areas: AreaArray
-  /** Their texture, for shaders that loop over the areas. */
+  /** Texture of `areas`, for shaders that loop over them. */
   readonly areaTexture: { value: Texture }
-  /** The atlas of influence maps. */
+  /** Influence atlas. */
   readonly influence: { value: Texture }
-  /** Whether that is the map of one face, which is no instance, see `AtlasCells.isSingle`. */
+  /** Whether the atlas holds a single, non-instanced face; see `AtlasCells.isSingle`. */
   isAlone(): boolean
-  /** Columns and rows of its cells, and the index of this mesh's first cell. */
+  /** Columns and rows of the atlas, and the index of the mesh's first cell. */
   readonly grid: { value: Vector3 }
-  /** Where that cell is, see `AtlasCells.locate`. */
+  /** Location of the first cell, see `AtlasCells.locate`. */
   readonly cell: { value: Vector4 }
-  /** What takes texture coordinates there, see `AtlasCells.inside`. */
+  /** Transform of texture coordinates into a cell, see `AtlasCells.inside`. */
   readonly inside: { value: Vector4 }
-  /** Half a texel of a cell, in 0..1. */
+  /** Half a texel of a cell, in cell coordinates (0..1). */
   readonly inset: { value: Vector2 }
-  /** Texture coordinates outside which there are no wrinkles now: u0, v0, u1, v1. Empty where all are faded out. */
+  /** UV bounds of the active areas: u0, v0, u1, v1. Empty if all wrinkles are faded out. */
   readonly reach: { value: Vector4 }
-  /** 1 = not faded, 0 = too far away to show wrinkles. */
+  /** Opacity, 0 (hidden) to 1. */
   readonly fade: { value: number }
-  /** Scale of normals, per layer. */
+  /** Normal scale per layer. */
   readonly normalScale: { value: Vector4 }
-  /** Strength of occlusion, per layer. */
+  /** Occlusion strength per layer. */
   readonly occlusionStrength: { value: Vector4 }
-  /** Amplitude of blood, per layer. */
+  /** Blood amplitude per layer. */
   readonly bloodAmplitude: { value: Vector4 }
-  /** In the paper's mode only. */
+  /** Inputs of the paper mode; null in other modes. */
   paper: (PaperArray & { table: ActivationTable }) | null
 }
 
-/** Creates the inputs of a set whose faces have cells in an atlas. Other faces may use the same textures. */
+/** Creates shader inputs for faces with cells in an atlas. Textures may be shared with other faces. */
 export function createShaderInputs(
   textures: WrinkleTextures,
   areas: AreaArray,
@@ -69,12 +69,12 @@ export function createShaderInputs(
   return inputs
 }
 
-/** Counts a face as a user of the textures. */
+/** Registers a user of the textures. */
 export function retainShaderInputs({ textures, areas }: ShaderInputs): void {
   for (const texture of [areas.texture, ...listTextures(textures)]) retain(texture)
 }
 
-/** Takes other areas. */
+/** Replaces the area array. */
 export function exchangeAreas(inputs: ShaderInputs, areas: AreaArray): void {
   retain(areas.texture)
   release(inputs.areas.texture)
@@ -82,14 +82,14 @@ export function exchangeAreas(inputs: ShaderInputs, areas: AreaArray): void {
   inputs.areaTexture.value = areas.texture
 }
 
-/** Frees the textures that no other face uses. Textures that are drawn afterwards are uploaded again. */
+/** Disposes of textures without other users. Textures drawn later are uploaded again. */
 export function releaseShaderInputs({ textures, areas, paper }: ShaderInputs): void {
   for (const texture of [areas.texture, ...listTextures(textures)]) release(texture)
   paper?.texture.dispose()
   paper?.table.texture.dispose()
 }
 
-/** Updates where the cells of a mesh are, since an atlas may grow, and where there are active areas in them. */
+/** Updates the location of a mesh's cells, because the atlas may grow, and the bounds of its active areas. */
 export function locateCells(
   { grid, cell, reach, fade, areas }: ShaderInputs,
   atlas: InfluenceAtlas,

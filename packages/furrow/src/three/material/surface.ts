@@ -1,18 +1,18 @@
 import type { Material, Mesh } from 'three'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
-/** The material of a mesh that shows its wrinkles: of several, as three-vrm has them for MToon's outlines, the first with a normal map. */
+/** Returns the material that shows a mesh's wrinkles: the first one with a normal map. three-vrm adds a second material for MToon outlines. */
 export function surfaceOf(mesh: Mesh): Material {
   const materials = [mesh.material].flat()
   return materials.find(readsNormalMap) ?? materials[0]
 }
 
-/** What a mesh has as its material, with another one in place of that which shows its wrinkles. */
+/** Returns a mesh's `material` value with `surface` replaced by `other`. */
 export function withSurface({ material }: Mesh, surface: Material, other: Material): Material | Material[] {
   return Array.isArray(material) ? material.map((own) => (own === surface ? other : own)) : other
 }
 
-/** Whether a material has a normal map, or may be given one. A shader of its own must name it. */
+/** Whether a material supports a normal map. A custom shader must mention `normalMap`. */
 export function readsNormalMap(material: Material | undefined): material is WrinkleMaterial {
   if (!material || !('normalMap' in material)) return false
   const { fragmentShader } = material as WrinkleMaterial

@@ -2,12 +2,12 @@ import type { Texture } from 'three'
 
 const users = new WeakMap<Texture, number>()
 
-/** Adds a user of a texture. */
+/** Increments the user count of a texture. */
 export function retain(texture: Texture): void {
   users.set(texture, (users.get(texture) ?? 0) + 1)
 }
 
-/** Removes a user of a texture, and frees it with the last one. */
+/** Decrements the user count of a texture, and disposes of the texture at 0. */
 export function release(texture: Texture): void {
   const left = (users.get(texture) ?? 1) - 1
   users.set(texture, left)

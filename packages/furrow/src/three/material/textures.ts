@@ -17,8 +17,8 @@ import {
 import type { ImageArray } from '../../core/image-array.ts'
 
 /**
- * A texture of areas: one channel, filtered, without mipmaps (areas are smooth already, and mipmaps would bleed across UV islands).
- * Edges are clamped, as in the reference.
+ * Creates a texture of areas: one channel, filtered, clamped to the edge as in the reference. No mipmaps: areas are smooth, and mipmaps
+ * would bleed across UV islands.
  */
 export function areaTexture(areas: ImageArray): DataArrayTexture {
   const texture = new DataArrayTexture(areas.data, areas.width, areas.height, areas.depth)
@@ -30,10 +30,10 @@ export function areaTexture(areas: ImageArray): DataArrayTexture {
 const FORMATS = { 1: RedFormat, 2: RGFormat, 4: RGBAFormat } as const
 
 /**
- * A texture of layers' maps, with one channel, two or four, filtered with mipmaps.
+ * Creates a mipmapped texture of layer maps with one, two or four channels.
  *
- * @param anisotropy that of the map they are mixed with, so that both blur alike at grazing angles.
- * @param colorSpace `SRGBColorSpace` for colours to be decoded when sampled; none by default.
+ * @param anisotropy anisotropy of the base map, so that both blur alike at grazing angles.
+ * @param colorSpace `SRGBColorSpace` for colours that are decoded when sampled, default none.
  */
 export function mapTexture(
   maps: ImageArray,
@@ -50,17 +50,16 @@ export function mapTexture(
 }
 
 /**
- * A normal map of one flat texel, for a material that has none. In half floats, since no byte is exactly 0.5: skin without wrinkles
- * must look as it did before.
+ * Creates a normal map of one flat texel. Half floats, because no byte is exactly 0.5 and skin without wrinkles must look unchanged.
  *
- * @param map whose place it takes, with its texture coordinates, which are those of the wrinkles; null for none.
+ * @param map map whose UV channel and transform are copied; null for the default.
  */
 export function flatNormalTexture(map: Texture | null): DataTexture {
   const [half, one] = [0.5, 1].map(DataUtils.toHalfFloat)
   const texture = new DataTexture(Uint16Array.of(half, half, one, one), 1, 1, RGBAFormat, HalfFloatType)
-  // A composed map inherits this, and must repeat as the layers do.
+  // The composed map inherits the wrapping, and must repeat as layers do.
   texture.wrapS = texture.wrapT = RepeatWrapping
-  // And it is drawn by a shader that was built for this one: on WebGPU that of an unfiltered texture loads texels of level 0.
+  // The composed map is drawn with the same shader. On WebGPU the shader of an unfiltered texture would load level 0 only.
   texture.magFilter = LinearFilter
   texture.minFilter = LinearMipmapLinearFilter
   if (map) {

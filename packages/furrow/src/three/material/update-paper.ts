@@ -4,10 +4,10 @@ import type { ShaderInputs } from './shader-inputs.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
 /**
- * Packs the paper's array of a material, and again if the layers' maps have changed: into the same texture, since shaders hold that.
+ * Packs the paper's array of a material if it is missing or outdated. Reuses the texture, because shaders reference it.
  *
- * @param smoothMap the material's own normal map; null if it has none.
- * @throws FurrowError when there are several layers, or maps cannot be read or differ in size.
+ * @param smoothMap the material's original normal map, or null.
+ * @throws FurrowError if there are several layers, or maps cannot be read or differ in size.
  */
 export function updatePaper(
   inputs: ShaderInputs,

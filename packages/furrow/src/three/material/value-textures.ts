@@ -6,7 +6,7 @@ import { type LayerMaps, layerMaps, onGpu } from './layer-textures.ts'
 import { mapTexture } from './textures.ts'
 
 /**
- * Creates the textures of the layers' maps besides their normals.
+ * Creates the textures of all layer maps except normals.
  *
  * @throws FurrowError as `createTextures` does.
  */
@@ -24,7 +24,7 @@ export function valueTextures(
 
 type PairedKind = (typeof PAIR)[number]
 
-/** Occlusion and blood of layers that have images of both. */
+/** Packs occlusion and blood into one texture; undefined unless there are images of both. */
 function pairMaps(
   layers: readonly Layer<ArraySlice>[],
   anisotropy: number,

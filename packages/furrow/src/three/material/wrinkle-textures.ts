@@ -7,28 +7,28 @@ import { valueTextures } from './value-textures.ts'
 
 export { type LayerMaps, VALUE_KINDS, type ValueKind }
 
-/** The maps of a set's layers on the GPU, which several faces may use; see `retain` and `release`. */
+/** Textures of a set's layer maps, reference-counted because faces share them; see `retain` and `release`. */
 export interface WrinkleTextures {
   readonly layers: Layer<ArraySlice>[]
   readonly kinds: readonly LayerKind[]
   readonly normals: LayerMaps
   readonly values: Readonly<Partial<Record<ValueKind, LayerMaps>>>
-  /** Scale of normals, strength of occlusion and amplitude of blood, per layer: uniforms that all faces with these textures read. */
+  /** Normal scale, occlusion strength and blood amplitude per layer. Uniforms shared by all faces with these textures. */
   readonly normalScale: { value: Vector4 }
   readonly occlusionStrength: { value: Vector4 }
   readonly bloodAmplitude: { value: Vector4 }
   /** Incremented when maps or their strengths change. */
   version: number
-  /** Uploads maps that changed; set by `updateLayer`. */
+  /** Uploads changed maps; set by `updateLayer`. */
   upload?: Upload
 }
 
 /**
  * Creates the textures of a set's layers.
  *
- * @param layers whose images of each kind have one size.
- * @param anisotropy that of the map they are mixed with.
- * @throws FurrowError when maps of one kind are in several arrays.
+ * @param layers layers whose images of each kind have one size.
+ * @param anisotropy anisotropy of the base map.
+ * @throws FurrowError if maps of one kind are in several texture arrays.
  */
 export function createTextures(layers: readonly Layer<ArraySlice>[], anisotropy: number): WrinkleTextures {
   const normals = layerMaps(layers, 'normal', anisotropy)!
@@ -49,7 +49,7 @@ function perLayer(numbers: readonly number[]): Vector4 {
   return new Vector4().fromArray([...numbers, 1, 1, 1])
 }
 
-/** All textures of a set's layers, each once. */
+/** Returns the distinct textures of a set's layers. */
 export function listTextures({ normals, values }: WrinkleTextures): ArrayTexture[] {
   return [...new Set([normals, ...Object.values(values)].map(({ texture }) => texture))]
 }

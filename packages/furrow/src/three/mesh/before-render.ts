@@ -3,29 +3,30 @@ import type { AnyRenderer } from '../renderer.ts'
 
 type Call = (renderer: AnyRenderer, camera: Camera, scene: Scene, drawn: object) => void
 
-/** Callbacks with nothing of the page's behind them. */
+/** Callbacks that call no code of the page. */
 const ours = new WeakSet<Mesh['onBeforeRender']>([Object3D.prototype.onBeforeRender])
 
-/** Notes that a callback does nothing of the page's but what the one before it does. */
+/** Registers a callback that replaces another one and adds no code of the page. */
 export function replaces(before: Mesh['onBeforeRender'], after: Mesh['onBeforeRender']): void {
   if (ours.has(before)) ours.add(after)
 }
 
-/** Whether the page itself does something before a mesh is drawn. */
+/** Whether the page has its own callback before a mesh is drawn. */
 export function isPrepared({ onBeforeRender }: Mesh): boolean {
   return !ours.has(onBeforeRender)
 }
 
 /**
- * Calls a function before a mesh or a scene is drawn, or whatever has a material, behind what it had for that. Returns what undoes it.
+ * Calls a function before a mesh, a scene, or any object with a material is drawn, after the existing `onBeforeRender`. Returns a function
+ * that undoes this.
  */
 export function callBeforeRender(owner: Mesh | Scene | Material, prepare: Call): () => void {
-  // Materials are called as meshes are, but with the object that is drawn instead of the material.
+  // Materials get the same arguments as meshes, except the drawn object in place of the material.
   const mesh = owner as Mesh
   const own = Object.hasOwn(mesh, 'onBeforeRender') ? mesh.onBeforeRender : null
-  // All parameters by name: a rest parameter would allocate in every frame.
+  // No rest parameter: it would allocate in every frame.
   const both: Mesh['onBeforeRender'] = (renderer, scene, camera, geometry, drawn, group) => {
-    // A page may set the class's own at any time.
+    // The page may change the prototype's callback at any time.
     const before = own ?? (Object.getPrototypeOf(mesh) as Mesh).onBeforeRender
     before.call(mesh, renderer, scene, camera, geometry, drawn, group)
     prepare(renderer as AnyRenderer, camera, scene as Scene, drawn)

@@ -6,13 +6,13 @@ import { instancesOf } from './instances.ts'
 /**
  * Checks that a mesh has positions, normals and UVs.
  *
- * @throws FurrowError when one is missing, or it is not a mesh.
+ * @throws FurrowError if an attribute is missing, or the value is not a mesh.
  */
 export function checkMesh(mesh: Mesh): void {
   checkIsMesh(mesh, 'Wrinkles')
   for (const [attribute, remedy] of [
-    ['position', 'give the mesh its vertices first'],
-    ['uv', 'unwrap the mesh: areas and layers are in its UV layout'],
+    ['position', 'add positions first'],
+    ['uv', 'unwrap the mesh: areas and layers use its UV layout'],
     ['normal', 'call geometry.computeVertexNormals() first'],
   ] as const) {
     if (mesh.geometry.hasAttribute(attribute)) continue
@@ -26,29 +26,29 @@ export function checkMesh(mesh: Mesh): void {
   }
 }
 
-/** @throws FurrowError when a value is not a mesh of three.js. */
+/** @throws FurrowError if a value is not a mesh of three.js. */
 export function checkIsMesh(mesh: Mesh, who: string): void {
-  if (!mesh?.isMesh || !mesh.geometry) throw wrongArgument(who, 'a mesh', mesh, 'a Mesh of three.js')
+  if (!mesh?.isMesh || !mesh.geometry) throw wrongArgument(who, 'invalid mesh', mesh, 'a Mesh of three.js')
 }
 
-/** @throws FurrowError when a value is not a mesh, or has no positions or normals. */
+/** @throws FurrowError if a value is not a mesh, or has no positions or normals. */
 export function checkNormals(mesh: Mesh, who: string): void {
   checkIsMesh(mesh, who)
   const { attributes } = mesh.geometry
   if (attributes.position && attributes.normal) return
-  throw wrongArgument(who, 'a mesh without positions or normals', mesh.name, 'one with both')
+  throw wrongArgument(who, 'mesh without positions or normals', mesh.name, 'a mesh with both')
 }
 
 /**
- * Checks that a mesh is not instanced, for modes in which all instances would show the same wrinkles.
+ * Checks that a mesh is not instanced, for modes that cannot show different wrinkles per instance.
  *
- * @throws FurrowError when it is.
+ * @throws FurrowError if the mesh is instanced.
  */
 export function checkNotInstanced(mesh: Mesh, mode: string): void {
   if (!instancesOf(mesh)) return
   throw new FurrowError({
     who: 'Wrinkles.mode',
-    problem: 'instances cannot wrinkle independently in this mode',
+    problem: 'mode unsupported for instances',
     value: mode,
     limit: 'default or off for an InstancedMesh or BatchedMesh',
     remedy: 'use the default mode',

@@ -1,20 +1,20 @@
 import type { BatchedMesh, InstancedMesh, Mesh } from 'three'
 
-/** The kind of mesh, if it has instances, each of which wrinkles independently; null if it is one face. */
+/** Kind of instanced mesh, with one face per instance; null for a single face. */
 export type Instances = 'instanced' | 'batched' | null
 
-/** Whether a mesh has instances, and of which kind. */
+/** Returns the kind of instancing of a mesh, or null. */
 export function instancesOf(mesh: Mesh): Instances {
   if ((mesh as Partial<InstancedMesh>).isInstancedMesh) return 'instanced'
   return (mesh as Partial<BatchedMesh>).isBatchedMesh ? 'batched' : null
 }
 
-/** Number of faces: instances that a mesh may have, 1 for any other mesh. */
+/** Number of faces: maximum instance count, or 1 for a plain mesh. */
 export function countFaces(mesh: Mesh): number {
   const instances = instancesOf(mesh)
   if (!instances) return 1
   if (instances === 'instanced') return (mesh as InstancedMesh).count
-  // Until r165 of three.js each geometry of a batch is one instance.
+  // Up to three.js r165 each geometry of a batch is one instance.
   const { maxInstanceCount, maxGeometryCount } = mesh as BatchedMesh & { maxGeometryCount?: number }
   return maxInstanceCount ?? maxGeometryCount!
 }

@@ -1,6 +1,6 @@
 import type { Object3D } from 'three'
 
-/** The object at the top: the scene, where it is in one. */
+/** Returns the topmost ancestor: the scene, if the object is in one. */
 export function rootOf(object: Object3D): Object3D {
   return object.parent ? rootOf(object.parent) : object
 }

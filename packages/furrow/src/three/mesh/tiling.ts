@@ -2,18 +2,20 @@ import type { Material, Mesh, MeshStandardMaterial } from 'three'
 import { isTiledBy, type UvRanges, uvRanges } from '../../math/uv-ranges.ts'
 import { type AnyAttribute, componentOf } from '../sources/geometry-arrays.ts'
 
-/** Whether texture coordinates wrap somewhere on a face, as its shader was made for. */
+/** Whether the shader of a face supports texture coordinates that wrap. */
 export interface Tiling {
   readonly isTiled: boolean
-  /** Whether the shader is right for another mesh of the face. */
+  /** Whether the shader supports another mesh of the face. */
   isFor(mesh: Mesh): boolean
-  /** Whether it still is when the page has changed the transform of the normal map. */
+  /** Whether the shader still supports all meshes, after the page changed the transform of the normal map. */
   isCurrent(): boolean
 }
 
 /**
- * @param meshes of the face: a list that may grow.
- * @param material with a normal map.
+ * Finds out whether texture coordinates wrap somewhere on a face.
+ *
+ * @param meshes live list of the face's meshes.
+ * @param material material with a normal map.
  */
 export function tilingOf(meshes: readonly Mesh[], material: Material): Tiling {
   const matrixOf = () => (material as MeshStandardMaterial).normalMap!.matrix
@@ -32,7 +34,7 @@ export function tilingOf(meshes: readonly Mesh[], material: Material): Tiling {
   }
 }
 
-/** Whether texture coordinates wrap somewhere on a mesh, see `isTiledBy`. */
+/** Whether texture coordinates wrap somewhere on a mesh; see `isTiledBy`. */
 export function isTiled({ geometry }: Mesh, material: Material): boolean {
   const map = (material as MeshStandardMaterial).normalMap!
   if (map.matrixAutoUpdate) map.updateMatrix()
@@ -43,7 +45,7 @@ export function isTiled({ geometry }: Mesh, material: Material): boolean {
 
 const knownRanges = new WeakMap<AnyAttribute, UvRanges>()
 
-/** Found once for all meshes of a crowd. */
+/** UV ranges of an attribute; cached, because the meshes of a crowd share it. */
 function rangesOf(attribute: AnyAttribute): UvRanges {
   const ranges =
     knownRanges.get(attribute) ?? uvRanges(attribute.count, (i, axis) => componentOf(attribute, i, axis))

@@ -1,9 +1,9 @@
 import { type Material, type Mesh, type MeshStandardMaterial, Vector2 } from 'three'
 
 /**
- * Texture coordinates of the areas and layers, which are those of the normal map, its `KHR_texture_transform` applied.
+ * Texture coordinates of areas and layers: those of the normal map, with its `KHR_texture_transform` applied.
  *
- * @returns u and v of each vertex.
+ * @returns packed uv per vertex.
  */
 export function wrinkleUvs({ geometry }: Mesh, material: Material): Float64Array {
   const { normalMap } = material as MeshStandardMaterial

@@ -15,37 +15,36 @@ import { renderPreservingState } from '../atlas/render-preserving-state.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import { copyNumbers } from '../sources/geometry-arrays.ts'
 
-/** Texels in a row of the coarse textures. */
+/** Width of the coarse textures, texels. */
 export const COARSE_WIDTH = 512
 
-/** What depends on the renderer: how vertices are written, and whether a target still holds them. */
+/** Renderer-specific parts of the coarse pass. */
 export interface CoarseParts {
   /**
-   * A material for points that writes two textures, a texel for each vertex of a geometry, deformed in the mesh's local space: its
-   * position, and in w the next vertex at the same position; its normal and its tangent, each as a point of an octahedron (Z. Cigolle et
-   * al., "A Survey of Efficient Representations for Independent Unit Vectors", 2014), since three textures of floats are more than every
-   * WebGPU device can write at once.
+   * Creates a points material that writes each deformed vertex, in the mesh's local space, to one texel of two textures. Texture 0: xyz =
+   * position, w = next vertex at the same position. Texture 1: normal and tangent, octahedral-encoded (Z. Cigolle et al., "A Survey of
+   * Efficient Representations for Independent Unit Vectors", 2014), because some WebGPU devices cannot write three float textures at once.
    *
    * @param first texel of the geometry's first vertex.
-   * @param rows of the textures.
+   * @param rows height of the textures, texels.
    */
   coarseMaterial(ring: Texture, first: number, rows: number, hasTangents: boolean): Material
   hasContents(renderer: AnyRenderer, target: RenderTarget): boolean
 }
 
-/** Vertices of the meshes of one face as three.js deforms them, by blendshapes and skeleton, in textures. */
+/** Renders the vertices of a face, deformed by three.js's blendshapes and skinning, into textures. */
 export class CoarsePass {
   readonly target: RenderTarget
   readonly #parts: CoarseParts
   readonly #scene = new Scene()
   readonly #camera = new OrthographicCamera()
   readonly #poses: Pose[]
-  /** The renderer whose target holds the vertices: a page may make another one, as after the loss of a device. */
+  /** Renderer whose target holds the vertices. The page may create another one, e.g. after a device loss. */
   #renderer: AnyRenderer | null = null
 
   /**
-   * @param meshes with the texel of each one's first vertex.
-   * @param ring the next vertex at the same position, of each texel.
+   * @param meshes meshes, each with the texel of its first vertex.
+   * @param ring next vertex at the same position, per texel.
    */
   constructor(meshes: readonly { mesh: Mesh; first: number }[], ring: Texture, parts: CoarseParts) {
     const { height: rows } = ring.image as { height: number }
@@ -65,7 +64,7 @@ export class CoarsePass {
     this.#poses = meshes.map(({ mesh }) => new Pose(mesh))
   }
 
-  /** Draws the vertices, if any may have moved. */
+  /** Redraws the vertices if any may have moved. */
   update(renderer: AnyRenderer): void {
     let changed = renderer !== this.#renderer || !this.#parts.hasContents(renderer, this.target)
     this.#renderer = renderer
@@ -81,7 +80,7 @@ export class CoarsePass {
   #draw(renderer: AnyRenderer): void {
     const points = this.#scene.children as Points[]
     const restore = points.map((object, i) => {
-      // RecomputedNormals exchanges the geometry.
+      // RecomputedNormals replaces the geometry.
       object.geometry = this.#poses[i].mesh.geometry
       return drawEachVertex(object.geometry)
     })
@@ -90,7 +89,11 @@ export class CoarsePass {
   }
 }
 
-/** Without an index, each vertex is drawn once. The geometry itself is used, since three.js keeps the textures of its blendshapes with it. */
+/**
+ * Removes the index, so that each vertex is drawn once. Edits the geometry in place, because three.js caches its morph texture by geometry.
+ *
+ * @returns a function that restores the geometry.
+ */
 function drawEachVertex(geometry: BufferGeometry): () => void {
   const { index, drawRange } = geometry
   const { start, count } = drawRange
@@ -102,7 +105,7 @@ function drawEachVertex(geometry: BufferGeometry): () => void {
   }
 }
 
-/** Points that three.js deforms as a mesh. */
+/** Creates points that three.js deforms like the mesh. */
 function pointsOf(mesh: Mesh, material: Material): Points {
   const points = new Points(mesh.geometry, material)
   points.frustumCulled = false
@@ -114,7 +117,7 @@ function pointsOf(mesh: Mesh, material: Material): Points {
     : points
 }
 
-/** What the shape of a mesh depends on. */
+/** Detects pose changes of a mesh. */
 class Pose {
   readonly mesh: Mesh
   readonly #weights: Float32Array
@@ -130,7 +133,7 @@ class Pose {
     this.#current = this.#bones.slice()
   }
 
-  /** Reads it; returns whether anything has changed. */
+  /** Reads the current pose. Returns whether it has changed. */
   update(): boolean {
     const { mesh } = this
     const { skeleton, bindMatrixInverse } = mesh as Partial<SkinnedMesh>
@@ -153,7 +156,7 @@ function versionOf(attribute: Attribute): number {
   return 'data' in attribute ? attribute.data.version : (attribute as { version: number }).version
 }
 
-/** Whether the graphics card itself may write to it. */
+/** Whether compute shaders may write to the attribute. */
 function isComputed(attribute: Attribute): boolean {
   return (attribute as { isStorageBufferAttribute?: boolean }).isStorageBufferAttribute === true
 }

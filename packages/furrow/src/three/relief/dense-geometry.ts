@@ -22,38 +22,38 @@ import { wrinkleUvs } from '../mesh/wrinkle-uvs.ts'
 import { coordinates, trianglesOf } from '../sources/geometry-arrays.ts'
 import { COARSE_WIDTH } from './coarse-pass.ts'
 
-/** How the layers move the surface; where heights are not in memory, only where they do; null for anywhere. */
+/** Heights of the layers; a mask of raised texels if the heights are not in CPU memory; null if neither is known. */
 export type Raised = readonly HeightField[] | Mask | null
 
-/** What is split, and how. */
+/** Input of `splitGeometry`. */
 export interface SplitRequest {
   mesh: Mesh
-  /** Only its triangles are drawn with relief, where the mesh has several materials. */
+  /** Material whose triangles get relief, if the mesh has several materials. */
   material: Material
   raised: Raised
   /** Texel of the mesh's first vertex in the coarse textures. */
   first: number
   /** Metres per unit of the mesh's positions. */
   metresPerUnit: number
-  /** Metres that heights can move the surface. */
+  /** Maximum displacement by heights, metres. */
   reach: number
-  /** Size of the heights in texels. */
+  /** Size of the height maps, texels. */
   map: { width: number; height: number }
 }
 
-/** The dense geometry of a mesh. */
+/** Dense geometry of a mesh. */
 export interface Split {
-  /** Has a group for each version of the surface, the finest first. */
+  /** Geometry with one group per level of detail, finest first. */
   geometry: BufferGeometry
   /** See `DenseMesh`. */
   edge: number
-  /** The next vertex at the same position of each vertex; the last one's is the first. */
+  /** Next vertex at the same position, per vertex; cyclic. */
   next: Uint32Array
 }
 
 /**
- * Splits a mesh into the geometry that its relief is drawn with. Attributes of its own are interpolated; positions and normals that move
- * are read from the coarse textures by `furrowParents`, `furrowCorners` and `furrowWeights`.
+ * Splits a mesh into the geometry of its relief. Interpolates the mesh's attributes. Shaders read deformed positions and normals from the
+ * coarse textures, with `furrowParents`, `furrowCorners` and `furrowWeights`.
  */
 export function* splitGeometry(request: SplitRequest): Generator<void, Split> {
   const { mesh, material, raised, first, metresPerUnit, reach, map } = request
@@ -75,9 +75,9 @@ export function* splitGeometry(request: SplitRequest): Generator<void, Split> {
   yield
   const attributes = { furrowRoom: mixParents(dense, room), furrowLevel: mixParents(dense, levels) }
   yield
-  const dressed = yield* denseGeometry(geometry, dense, first, attributes)
+  const split = yield* denseGeometry(geometry, dense, first, attributes)
   yield
-  return { geometry: dressed, edge: dense.edge, next: ringOf(firstOf) }
+  return { geometry: split, edge: dense.edge, next: ringOf(firstOf) }
 }
 
 function* halvingsFor(
@@ -91,7 +91,7 @@ function* halvingsFor(
   return [new Float32Array(coarse.triangles.length).fill(MAX_LEVEL)]
 }
 
-/** A texture of the rings of all meshes, each of whose vertices begin at its first texel. */
+/** Creates the texture of `next` indices of all meshes, offset by the first texel of each mesh. */
 export function ringTexture(splits: readonly { next: Uint32Array; first: number }[]): DataTexture {
   const count = splits.reduce((sum, { next }) => sum + next.length, 0)
   const rows = Math.ceil(count / COARSE_WIDTH)
@@ -103,7 +103,7 @@ export function ringTexture(splits: readonly { next: Uint32Array; first: number 
   return texture
 }
 
-/** The triangles of a mesh that a material is on. */
+/** Triangles of a mesh that use a material. */
 function drawnTriangles(mesh: Mesh, material: Material): ArrayLike<number> {
   const all = trianglesOf(mesh.geometry)
   const { material: own, geometry } = mesh
@@ -125,7 +125,7 @@ function ringOf(firstOf: Uint32Array): Uint32Array {
   return next
 }
 
-/** A number of each vertex, between those of its parents: the same on both sides of a seam. */
+/** Interpolates a number per vertex from its parents; equal on both sides of a seam. */
 function mixParents({ count, parents, weights }: DenseMesh, values: Float32Array): Float32Array {
   const out = new Float32Array(count)
   for (let i = 0; i < count; i++) {
@@ -134,10 +134,10 @@ function mixParents({ count, parents, weights }: DenseMesh, values: Float32Array
   return out
 }
 
-/** Attributes that only deform the coarse mesh. */
+/** Attributes needed only to deform the coarse mesh. */
 const DEFORMING = ['skinIndex', 'skinWeight']
 
-/** @param perVertex attributes of one number. */
+/** @param perVertex attributes with one float per vertex. */
 function* denseGeometry(
   { attributes }: BufferGeometry,
   dense: DenseMesh,
@@ -165,7 +165,7 @@ function* denseGeometry(
   return geometry
 }
 
-/** One after the other in one index: a group each. */
+/** Concatenates levels of detail in one index, with one group each. */
 function addVersions(geometry: BufferGeometry, versions: readonly Uint32Array[]): void {
   const index = new Uint32Array(versions.reduce((sum, { length }) => sum + length, 0))
   let start = 0
@@ -177,7 +177,7 @@ function addVersions(geometry: BufferGeometry, versions: readonly Uint32Array[])
   geometry.setIndex(new BufferAttribute(index, 1))
 }
 
-/** Adds attributes of floats in one buffer: WebGPU guarantees no more than eight for a geometry. */
+/** Adds float attributes in one interleaved buffer: WebGPU guarantees only eight vertex buffers. */
 function addInterleaved(
   geometry: BufferGeometry,
   count: number,

@@ -5,20 +5,20 @@ import { packGrays } from '../../core/pack.ts'
 import type { GrayImage } from '../../core/types.ts'
 import { type ArrayTexture, arrayOf } from '../material/array-texture.ts'
 import { mapTexture } from '../material/textures.ts'
-import { canRise, type RaisedLayer } from './raised-layer.ts'
+import { hasHeights, type RaisedLayer } from './raised-layer.ts'
 
-/** The heights of a set's layers on the GPU. */
+/** Height maps of a set's layers. */
 export interface HeightMaps {
   texture: ArrayTexture
-  /** The same in memory; null for compressed ones, which are on the graphics card only. */
+  /** CPU copy of the texture; null if it is compressed. */
   array: ImageArray | null
   /** Channel of the texture, 0 = R to 3 = A. */
   channel: number
-  /** Those of the layers that have heights. */
+  /** Layers with heights. */
   layers: readonly HeightLayer[]
-  /** Metres that all of them together can move the surface outwards. */
+  /** Maximum outward displacement, all layers together, metres. */
   reach: number
-  /** Frees the texture, unless it belongs to others. */
+  /** Disposes of the texture, unless it belongs to the wrinkle set. */
   dispose(): void
 }
 
@@ -27,19 +27,19 @@ export interface HeightLayer {
   layer: number
   /** Slice of the texture. */
   slice: number
-  /** Metres from black to white. */
+  /** Displacement from black to white, metres. */
   amplitude: number
 }
 
 /**
- * Creates the texture of the layers' heights, which a file may have yet to decode.
+ * Creates the height texture of the layers. Decodes heights that the file has deferred.
  *
- * @throws FurrowError when maps cannot be read, differ in size or are in several arrays.
+ * @throws FurrowError if maps cannot be read, differ in size, or are in several texture arrays.
  */
 export async function createHeightMaps(layers: readonly RaisedLayer[]): Promise<HeightMaps> {
-  const read = layers.map(async (own, layer) => {
-    const map = canRise(own) && (own.height ?? (await own.readHeight?.()))
-    return map ? [{ layer, amplitude: own.heightAmplitude!, map }] : []
+  const read = layers.map(async (raised, layer) => {
+    const map = hasHeights(raised) && (raised.height ?? (await raised.readHeight?.()))
+    return map ? [{ layer, amplitude: raised.heightAmplitude!, map }] : []
   })
   const found = (await Promise.all(read)).flat()
   const maps = found.map(({ map }) => map)
@@ -61,17 +61,17 @@ export async function createHeightMaps(layers: readonly RaisedLayer[]): Promise<
   }
 }
 
-/** Of the size of a mesh, what heights may reach at most: more is no wrinkle, but a mistake in the units. */
-const LARGEST_REACH = 0.05
+/** Maximum displacement relative to a mesh's radius. Larger values indicate wrong units. */
+const MAX_REACH = 0.05
 
 /**
  * Checks heights against the size of a mesh.
  *
- * @param radius of its bounding sphere, in metres.
- * @throws FurrowError when they reach farther than wrinkles can.
+ * @param radius radius of the mesh's bounding sphere, metres.
+ * @throws FurrowError if the heights are too large.
  */
 export function checkReach({ reach }: HeightMaps, radius: number): void {
-  const limit = LARGEST_REACH * radius
+  const limit = MAX_REACH * radius
   if (reach <= limit) return
   throw new FurrowError({
     code: 'out-of-range',
@@ -79,6 +79,6 @@ export function checkReach({ reach }: HeightMaps, radius: number): void {
     problem: 'the heights of the layers reach too far',
     value: `${reach} m`,
     limit: `${limit.toPrecision(2)} m for a mesh of this size`,
-    remedy: 'give the heights their amplitude in metres',
+    remedy: 'set heightAmplitude in metres',
   })
 }

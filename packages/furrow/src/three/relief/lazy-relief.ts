@@ -2,17 +2,17 @@ import type { Camera, Mesh } from 'three'
 import { checkReliefMode, type ReliefMode } from '../options.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import type { RaisedFace } from './raised-face.ts'
-import { canRise } from './raised-layer.ts'
+import { hasHeights } from './raised-layer.ts'
 import type { CreateRelief, ReliefControl } from './relief-control.ts'
 
-/** The relief of a face. Its code is fetched when relief is first wanted, and there are heights for it. */
+/** Relief of a face. Imports the relief chunk on first use, if any layer has heights. */
 export class LazyRelief {
   readonly #face: RaisedFace
   readonly #load: () => Promise<CreateRelief>
   #mode: ReliefMode = 'off'
   #control: ReliefControl | null = null
 
-  /** @param load fetches the code. */
+  /** @param load imports the relief chunk. */
   constructor(face: RaisedFace, load: () => Promise<CreateRelief>) {
     this.#face = face
     this.#load = load
@@ -22,7 +22,7 @@ export class LazyRelief {
     return this.#mode
   }
 
-  /** @throws FurrowError when there is no such mode. */
+  /** @throws FurrowError if the mode is unknown. */
   set mode(mode: ReliefMode) {
     this.#face.checkInUse('relief')
     checkReliefMode(mode)
@@ -36,13 +36,13 @@ export class LazyRelief {
     return this.#control?.isShown ?? false
   }
 
-  /** Splits the triangles now; fulfilled when relief can be drawn. */
+  /** Splits the triangles now. Resolves when relief can be drawn. */
   async ready(): Promise<void> {
     this.#face.checkInUse('reliefReady')
     await (await this.#fetch())?.ready()
   }
 
-  /** Called when the material shows another mode, so that the first frame has its relief already. */
+  /** Called after a mode change, so that the next frame already has relief. */
   resume(): void {
     this.#control?.resume()
   }
@@ -52,7 +52,7 @@ export class LazyRelief {
     this.#control?.prepare(renderer, camera, mesh)
   }
 
-  /** Frees the relief. A later frame makes it again. */
+  /** Frees the relief. Later frames recreate it. */
   suspend(): void {
     this.#control?.suspend()
   }
@@ -62,7 +62,7 @@ export class LazyRelief {
   }
 
   async #fetch(): Promise<ReliefControl | null> {
-    if (!this.#face.shaderInputs.textures.layers.some(canRise)) return null
+    if (!this.#face.shaderInputs.textures.layers.some(hasHeights)) return null
     const createRelief = await this.#load()
     if (this.#face.isDisposed) return null
     this.#control ??= createRelief(this.#face, this.#mode)

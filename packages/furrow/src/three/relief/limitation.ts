@@ -4,10 +4,10 @@ import { MOST_TRIANGLES } from '../../relief/most-triangles.ts'
 import { instancesOf } from '../mesh/instances.ts'
 import { releaseOf } from '../three-version.ts'
 
-/** The oldest release of three.js that draws into several textures of one `RenderTarget`. */
+/** Oldest three.js release whose `RenderTarget` supports several textures. */
 const OLDEST_THREE_WITH_RELIEF = 162
 
-/** Why a mesh with which nothing is wrong has no relief; null if it can have it. */
+/** Returns why relief is unsupported for a valid mesh, or null. */
 export function limitationOf(mesh: Mesh): FurrowError | null {
   const { index, attributes } = mesh.geometry
   const count = Math.floor((index ?? attributes.position).count / 3)
@@ -16,10 +16,10 @@ export function limitationOf(mesh: Mesh): FurrowError | null {
     return new FurrowError({
       code: 'out-of-range',
       who,
-      problem: 'the mesh has too many triangles to split',
+      problem: 'too many triangles to split',
       value: count,
       limit: `${MOST_TRIANGLES} triangles`,
-      remedy: 'reduce it; fine detail belongs into its normal map',
+      remedy: 'simplify the mesh, and bake fine detail to its normal map',
     })
   }
   if (releaseOf(REVISION) < OLDEST_THREE_WITH_RELIEF) {
@@ -29,7 +29,7 @@ export function limitationOf(mesh: Mesh): FurrowError | null {
       problem: 'three.js is too old for relief',
       value: `r${REVISION}`,
       limit: `r${OLDEST_THREE_WITH_RELIEF} or later`,
-      remedy: 'install a later release of three.js, or show it without relief',
+      remedy: "install a later release of three.js, or set relief to 'off'",
     })
   }
   const { morphTexture } = mesh as Partial<InstancedMesh>
@@ -37,8 +37,10 @@ export function limitationOf(mesh: Mesh): FurrowError | null {
   return new FurrowError({
     code: 'unsupported',
     who,
-    problem: morphTexture ? 'instances with blendshapes of their own' : 'a BatchedMesh',
-    limit: 'meshes, and instances that move as one',
-    remedy: 'show it without relief',
+    problem: morphTexture
+      ? 'unsupported instances with their own blendshape weights'
+      : 'unsupported BatchedMesh',
+    limit: 'meshes, and instances that share blendshape weights',
+    remedy: "set relief to 'off'",
   })
 }

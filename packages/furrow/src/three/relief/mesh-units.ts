@@ -1,15 +1,15 @@
 import { Matrix4, type Mesh, type SkinnedMesh } from 'three'
 import type { MeshPlace } from '../mesh/mesh-place.ts'
 
-/** Metres per unit of a mesh's positions, by the nodes of the file that it is in. */
+/** Metres per unit of a mesh's positions, by the scale of its nodes in the file. */
 export interface MeshUnits {
-  /** Of the positions as stored. */
+  /** Metres per unit of stored positions. */
   atRest: number
-  /** Of the positions in the mesh's local space after skinning. */
+  /** Metres per unit of skinned positions, in the mesh's local space. */
   deformed: number
 }
 
-/** The units of a mesh, from where it was when it had been loaded. */
+/** Computes the units of a mesh from its place when it was loaded. */
 export function meshUnits(mesh: Mesh, place: MeshPlace): MeshUnits {
   const deformed = scaleOf(place.mesh)
   if (!place.bone) return { atRest: deformed, deformed }

@@ -5,26 +5,26 @@ import type { MeshPlace } from '../mesh/mesh-place.ts'
 import type { WrinkleMode } from '../options.ts'
 import type { AnyRenderer } from '../renderer.ts'
 
-/** A face whose surface may be moved: what relief needs of its wrinkles. */
+/** Part of a face that relief needs. */
 export interface RaisedFace {
   readonly isDisposed: boolean
   readonly mode: WrinkleMode
   readonly mesh: Mesh
   /** All meshes of the face. */
   readonly meshes: readonly Mesh[]
-  /** One per instance. */
+  /** One face per instance. */
   readonly faces: readonly Face[]
-  /** Where the mesh was when the wrinkles were added. */
+  /** Place of the mesh when the wrinkles were added. */
   readonly place: MeshPlace
   readonly material: {
-    /** Shows the wrinkles. */
+    /** Wrinkled material. */
     readonly material: Material
-    /** Makes the material draw relief too; null for none. */
+    /** Sets the patch that draws relief; null for none. */
     setRelief(patch: ((own: Material) => () => void) | null): void
   }
   readonly shaderInputs: ShaderInputs
-  /** @throws FurrowError when the wrinkles were disposed of. */
+  /** @throws FurrowError if the wrinkles were disposed of. */
   checkInUse(method: string): void
-  /** Called before a mesh is drawn. Runs the phases of the frame. */
+  /** Runs the phases of the frame, before a mesh is drawn. */
   prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void
 }

@@ -1,12 +1,12 @@
 import type { ArraySlice, GrayImage, Layer } from '../../core/types.ts'
 
-/** A layer whose heights a file has, and decodes when relief is first wanted: most faces on most pages are too small for it. */
+/** A layer whose heights are decoded on first use, because most faces are too small on screen for relief. */
 export interface RaisedLayer extends Layer<ArraySlice> {
-  /** Decodes them, once; rejects where they cannot be read. */
+  /** Decodes the heights; cached. Rejects if they cannot be read. */
   readHeight?: () => Promise<GrayImage | ArraySlice>
 }
 
-/** Whether a layer can move the surface. */
-export function canRise({ height, readHeight, heightAmplitude = 0 }: RaisedLayer): boolean {
+/** Whether a layer has heights that displace the surface. */
+export function hasHeights({ height, readHeight, heightAmplitude = 0 }: RaisedLayer): boolean {
   return Boolean(height ?? readHeight) && heightAmplitude > 0
 }

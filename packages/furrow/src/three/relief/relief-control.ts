@@ -8,23 +8,23 @@ import type { AnyRenderer } from '../renderer.ts'
 import { limitationOf } from './limitation.ts'
 import { type MeshUnits, meshUnits } from './mesh-units.ts'
 import type { RaisedFace } from './raised-face.ts'
-import { canRise } from './raised-layer.ts'
+import { hasHeights } from './raised-layer.ts'
 import { Relief, type ReliefHost } from './relief.ts'
 import type { ReliefParts } from './relief-parts.ts'
 
-/** Pixels per millimetre at which relief by size begins, and at which it is full: between them it grows, so that nobody sees it come. */
+/** Pixels per millimetre at which relief in the mode `near` begins, and is full. Grows in between, to avoid popping. */
 const SIZES = [1, 1.5] as const
 
-/** Activation up to which relief by size grows with the face's largest one: a face at rest is drawn as without relief. */
-const AWAKE = 0.1
+/** Largest activation of a face at which relief in the mode `near` is full. Faces at rest have no relief. */
+const FULL_ACTIVATION = 0.1
 
-/** Draws in a row in which nothing of it is seen before the meshes themselves are drawn again: cameras may take turns. */
-const PATIENCE = 60
+/** Consecutive draws without visible relief before the original meshes are drawn again. Cameras may alternate. */
+const MAX_UNSEEN = 60
 
-/** Creates the relief of a face by a renderer's shaders. */
+/** Creates the relief of a face for one kind of renderer. */
 export type CreateRelief = (face: RaisedFace, mode: ReliefMode) => ReliefControl
 
-/** Whether a face is drawn with relief: splits its meshes when that is first wanted, and shows it while it can be seen. */
+/** Decides when a face is drawn with relief. Splits its meshes on first use. */
 export class ReliefControl {
   #mode: ReliefMode
   readonly #face: RaisedFace
@@ -32,25 +32,25 @@ export class ReliefControl {
   readonly #units: MeshUnits
   #relief: Relief | null = null
   #making: Promise<void> | null = null
-  /** The areas that the meshes were split under: they are split again under others. */
+  /** Areas that the current split is for. */
   #areas: AreaArray | null = null
   #version = 0
-  /** The geometries that were split: a page may give a mesh another one. */
+  /** Geometries that were split; the page may replace them. */
   #geometries: BufferGeometry[] = []
   /** Whether the dense geometries are drawn. */
   isShown = false
   #isPossible: boolean
   #isDisposed = false
-  /** What keeps the relief from being drawn, or as fine as it should be, though nothing is wrong with the file. */
+  /** Reason why a valid file has no relief, or coarser relief. */
   #limitation: Error | null = null
-  /** Draws in a row in which nothing of it was seen. */
+  /** Consecutive draws without visible relief. */
   #unseen = 0
 
   constructor(face: RaisedFace, parts: ReliefParts, mode: ReliefMode) {
     this.#face = face
     this.#parts = parts
     this.#units = meshUnits(face.mesh, face.place)
-    this.#isPossible = face.shaderInputs.textures.layers.some(canRise)
+    this.#isPossible = face.shaderInputs.textures.layers.some(hasHeights)
     this.#mode = mode
   }
 
@@ -60,18 +60,18 @@ export class ReliefControl {
 
   set mode(mode: ReliefMode) {
     this.#mode = mode
-    this.#tellLimitation()
-    // By size the next frame tells.
+    this.#warnOfLimitation()
+    // `near` is decided in the next frame.
     if (mode !== 'near') this.#show(mode === 'on')
   }
 
-  /** Splits the meshes, and shows the relief if the mode is `on`. */
+  /** Splits the meshes, and shows relief if the mode is `on`. */
   async ready(): Promise<void> {
     await this.#make()
     if (this.mode === 'on') this.#show(true)
   }
 
-  /** Called when the material shows another mode, so that the first frame has its relief already. */
+  /** Called after a mode change, so that the next frame already has relief. */
   resume(): void {
     if (this.#relief && !this.#isOutdated && this.#amountAt(this.#relief.pixelsPerMetre) > 0) this.#show(true)
   }
@@ -88,14 +88,14 @@ export class ReliefControl {
     }
     if (amount === 0) {
       this.#unseen++
-      if (this.isShown && this.#unseen === PATIENCE) queueMicrotask(() => this.#show(false))
+      if (this.isShown && this.#unseen === MAX_UNSEEN) queueMicrotask(() => this.#show(false))
       return
     }
     this.#unseen = 0
     if (!this.isShown || this.#isOutdated) this.#begin()
   }
 
-  /** Frees the relief. A later frame makes it again. Not to be called during a frame. */
+  /** Frees the relief. Later frames recreate it. Must not be called during a frame. */
   suspend(): void {
     this.#drop()
     this.#geometries = []
@@ -119,10 +119,10 @@ export class ReliefControl {
     if (this.mode === 'on') return 1
     const [from, to] = SIZES
     const bySize = smoothstep((pixelsPerMetre / 1000 - from) / (to - from))
-    return bySize && bySize * Math.min(largestActivation(this.#face.faces) / AWAKE, 1)
+    return bySize && bySize * Math.min(largestActivation(this.#face.faces) / FULL_ACTIVATION, 1)
   }
 
-  /** After this frame: lists of what it draws have been made. */
+  /** Starts after the current frame, whose render lists already exist. */
   #begin(): void {
     queueMicrotask(() => this.#make().then(() => this.#show(this.#unseen === 0 && this.mode !== 'off')))
   }
@@ -157,36 +157,36 @@ export class ReliefControl {
         refuse: (error) => this.#limit(error as Error),
       }
       const made = await Relief.create(host, this.#parts, () => !this.#isDisposed)
-      if (made) this.#exchange(made)
+      if (made) this.#replace(made)
     } catch (error) {
       this.#end()
       this.#warn(error as Error)
     }
   }
 
-  /** No relief, because of what it cannot do. */
+  /** Turns relief off because of a limitation. */
   #limit(limitation: Error): void {
     if (!this.#isPossible) return
     this.#end()
     this.#limitation = limitation
-    this.#tellLimitation()
+    this.#warnOfLimitation()
   }
 
-  /** A page that asked for nothing hears of faults only. */
-  #tellLimitation(): void {
+  /** Warns only if the page asked for relief. */
+  #warnOfLimitation(): void {
     if (this.#limitation && this.mode === 'on') this.#warn(this.#limitation)
   }
 
-  /** Once: several faces may have the same heights. */
+  /** Warns once per error: several faces may share heights. */
   #warn(error: Error): void {
-    if (told.has(error)) return
-    told.add(error)
+    if (warned.has(error)) return
+    warned.add(error)
     console.warn(
       this.#isPossible ? error.message : `${error.message} (the wrinkles are shown without relief)`,
     )
   }
 
-  /** The face stays without relief from the next frame on. */
+  /** Turns relief off for good, from the next frame on. */
   #end(): void {
     this.#isPossible = false
     queueMicrotask(() => {
@@ -201,19 +201,19 @@ export class ReliefControl {
     this.#relief = null
   }
 
-  #exchange(made: Relief): void {
-    const before = this.#relief
-    made.amount.value = before?.amount.value ?? Number(this.mode === 'on')
+  #replace(made: Relief): void {
+    const previous = this.#relief
+    made.amount.value = previous?.amount.value ?? Number(this.mode === 'on')
     this.#relief = made
     this.#limitation = made.limitation
-    this.#tellLimitation()
+    this.#warnOfLimitation()
     this.#face.material.setRelief((own) => made.patch(own))
-    before?.dispose()
+    previous?.dispose()
     this.#show(this.isShown)
   }
 }
 
-/** Of all areas of all faces. */
+/** Largest activation of all areas of all faces. */
 function largestActivation(faces: readonly Face[]): number {
   let largest = 0
   for (const { activations, slots } of faces) {
@@ -223,4 +223,4 @@ function largestActivation(faces: readonly Face[]): number {
   return largest
 }
 
-const told = new WeakSet<Error>()
+const warned = new WeakSet<Error>()

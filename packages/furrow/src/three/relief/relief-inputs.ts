@@ -1,15 +1,15 @@
 import type { Texture } from 'three'
 import type { HeightMaps } from './height-maps.ts'
 
-/** What the shaders of dense geometries read besides the influence, as uniforms `{ value }`. */
+/** Uniforms of the relief shaders, besides `ShaderInputs`. */
 export interface ReliefInputs {
   readonly heights: HeightMaps
-  /** Of the meshes' vertices as they are deformed now, see `CoarseParts`. */
+  /** Deformed vertices of the meshes, see `CoarseParts`. */
   readonly coarse: { positions: Texture; directions: Texture }
   /** Units of the meshes' positions per metre. */
   readonly unitsPerMetre: number
   /** 0 = the coarse mesh, 1 = full relief. */
   readonly amount: { value: number }
-  /** Called if a shader turns out to be one that cannot draw it, which is known only when it is compiled. */
+  /** Called while compiling a shader that turns out not to support relief. */
   refuse(error: unknown): void
 }

@@ -1,20 +1,20 @@
 import { type BufferGeometry, InstancedMesh, type Material, Mesh, Object3D } from 'three'
 
-/** What is drawn in place of a mesh: its dense geometry. A child of that mesh, which it follows in all that drawing depends on. */
+/** Mesh with the dense geometry, drawn in place of its parent, whose render settings it copies. */
 export type ReliefMesh = Mesh & { readonly isReliefMesh: true }
 
-/** Creates what is drawn in place of a mesh with one of its materials. It is not a child yet. */
+/** Creates the relief mesh for one material of a mesh, without adding it as a child. */
 export function createReliefMesh(mesh: Mesh, geometry: BufferGeometry, material: Material): ReliefMesh {
   const { isInstancedMesh, count, instanceMatrix, instanceColor } = mesh as InstancedMesh
   const relief: Mesh = isInstancedMesh
     ? Object.assign(new InstancedMesh(geometry, material, 0), { count, instanceMatrix, instanceColor })
     : new Mesh(geometry, material)
   relief.name = `${mesh.name} relief`
-  // The user's mesh is what rays hit, and its bounds are those that count.
+  // Raycasts and bounds use the user's mesh.
   relief.raycast = () => {}
-  // A copy of the mesh has a relief of its own.
+  // Clones of the mesh get their own relief.
   relief.clone = () => new Object3D() as never
-  // The bones of the mesh scale quantised positions, and the relief has no bones.
+  // Bones may scale quantised positions, and the relief has no bones.
   Object.defineProperty(relief, 'boundingSphere', { get: () => boundingSphereOf(mesh) })
   Object.defineProperty(relief, 'boundingBox', { get: () => boundingBoxOf(mesh) })
   relief.getVertexPosition = (index, target) =>
@@ -22,7 +22,7 @@ export function createReliefMesh(mesh: Mesh, geometry: BufferGeometry, material:
   return Object.assign(relief, { isReliefMesh: true } as const)
 }
 
-/** Takes from the mesh what drawing depends on. */
+/** Copies the render settings of the mesh. */
 export function followMesh(relief: ReliefMesh, mesh: Mesh): void {
   relief.castShadow = mesh.castShadow
   relief.receiveShadow = mesh.receiveShadow

@@ -6,12 +6,12 @@ import type { CoarseParts } from './coarse-pass.ts'
 import type { ReliefInputs } from './relief-inputs.ts'
 import type { ReliefMesh } from './relief-mesh.ts'
 
-/** What relief needs of a renderer. */
+/** Renderer-specific parts of relief. */
 export interface ReliefParts extends CoarseParts {
-  /** Makes a material draw dense geometries in their places too; returns what undoes that. Any other geometry is drawn as before. */
+  /** Patches a material to displace dense geometries; other geometries are unaffected. Returns a function that undoes the patch. */
   patch(material: Material, relief: ReliefInputs, inputs: ShaderInputs, instances: Instances): () => void
-  /** Gives what is drawn in place of a mesh the materials that its shadow needs, if any; returns what frees them. */
-  dressShadow(
+  /** Adds the shadow materials that a relief mesh needs, if any. Returns a function that disposes of them. */
+  addShadowMaterials(
     dense: ReliefMesh,
     mesh: Mesh,
     relief: ReliefInputs,
@@ -19,8 +19,8 @@ export interface ReliefParts extends CoarseParts {
     instances: Instances,
   ): () => void
   /**
-   * Creates a copy of a material that draws the outline of a mesh, which draws that of a dense geometry, and has the widths and colours of the
-   * other, also when these change; null where there can be none.
+   * Clones an outline material so that it draws the outline of a dense geometry. The clone follows changes of the original's width and
+   * colour. Returns null if unsupported.
    */
   outlineMaterial(
     own: Material,
@@ -28,6 +28,6 @@ export interface ReliefParts extends CoarseParts {
     inputs: ShaderInputs,
     instances: Instances,
   ): Material | null
-  /** Runs something that draws elsewhere while a shadow is being drawn. */
+  /** Runs a function that draws to another target while a shadow is being drawn. */
   duringShadow(renderer: AnyRenderer, draw: () => void): void
 }

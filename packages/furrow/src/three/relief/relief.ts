@@ -17,24 +17,24 @@ import type { ReliefParts } from './relief-parts.ts'
 import { inSlices } from './slices.ts'
 import { StandIn } from './stand-in.ts'
 
-/** The face whose relief it is. */
+/** Face that the relief belongs to. */
 export interface ReliefHost {
   readonly face: RaisedFace
   readonly units: MeshUnits
-  /** Called during a frame if a shader cannot draw the relief: it is then to be dropped. */
+  /** Called during a frame if a shader does not support relief, which must then be dropped. */
   refuse(error: unknown): void
 }
 
-/** The dense geometry of one mesh, and the texel of its first vertex in the coarse textures. */
+/** Dense geometry of one mesh, and the texel of its first vertex in the coarse textures. */
 type MeshSplit = Split & { mesh: Mesh; first: number }
 
-/** The relief of one face: dense geometries that are drawn in place of its meshes. */
+/** Relief of one face: dense geometries drawn in place of its meshes. */
 export class Relief {
-  /** 0 = the meshes as they are, 1 = full relief. */
+  /** Uniform: 0 = no relief, 1 = full relief. */
   readonly amount = { value: 0 }
-  /** Pixels per metre in the picture being drawn. */
+  /** Pixels per metre in the current picture. */
   pixelsPerMetre = Infinity
-  /** Why it is not as fine as it should be; null if it is. */
+  /** Reason why the relief is coarser than intended, or null. */
   readonly limitation: FurrowError | null
   readonly #host: ReliefHost
   readonly #parts: ReliefParts
@@ -73,10 +73,10 @@ export class Relief {
   }
 
   /**
-   * Splits the meshes of a face, in slices.
+   * Splits the meshes of a face, in time slices.
    *
-   * @param isWanted asked now and then; the work ends when it no longer is, and the result is null.
-   * @throws FurrowError when the meshes or the heights are not fit for it.
+   * @param isWanted polled between slices; if false, the work stops and the result is null.
+   * @throws FurrowError if the meshes or heights are invalid.
    */
   static async create(host: ReliefHost, parts: ReliefParts, isWanted: () => boolean): Promise<Relief | null> {
     const { face, units } = host
@@ -107,19 +107,19 @@ export class Relief {
     return null
   }
 
-  /** Makes the material draw it; for `PatchedMaterial`. */
+  /** Patches the material to draw relief; see `ReliefParts.patch`. */
   patch(material: Material): () => void {
     const { mesh, shaderInputs } = this.#host.face
     return this.#parts.patch(material, this.#inputs, shaderInputs, instancesOf(mesh))
   }
 
-  /** Draws the dense geometries from now on, or the meshes themselves. Not to be called during a frame. */
+  /** Switches between the dense geometries and the original meshes. Must not be called during a frame. */
   show(isShown: boolean): void {
-    // Those of one mesh hook into each other, and must let go in turn.
+    // Stand-ins of one mesh wrap each other's hooks, and must unhook in reverse order.
     for (const standIn of isShown ? this.#standIns : this.#standIns.toReversed()) standIn.show(isShown)
   }
 
-  /** Takes over how the meshes are drawn, from the next frame on. */
+  /** Copies the render settings of the meshes, for the next frame. */
   follow(): void {
     for (const standIn of this.#standIns) standIn.follow()
   }
@@ -132,7 +132,7 @@ export class Relief {
     this.#heights.dispose()
   }
 
-  /** Of its surface, and of the outlines round it. */
+  /** Creates the stand-ins for a mesh's surface and outlines. */
   #standInsOf(split: MeshSplit): StandIn[] {
     const { shaderInputs } = this.#host.face
     const { material } = this.#host.face.material
@@ -148,14 +148,14 @@ export class Relief {
   }
 
   /**
-   * @param material of the mesh.
-   * @param drawn what is drawn with instead.
+   * @param material material of the mesh.
+   * @param drawn material that draws the dense geometry.
    */
   #standInOf({ mesh, geometry }: MeshSplit, material: Material, drawn: Material): StandIn {
     const { face } = this.#host
     const dense = createReliefMesh(mesh, geometry, drawn)
     this.#onDispose.push(
-      this.#parts.dressShadow(dense, mesh, this.#inputs, face.shaderInputs, instancesOf(mesh)),
+      this.#parts.addShadowMaterials(dense, mesh, this.#inputs, face.shaderInputs, instancesOf(mesh)),
     )
     return new StandIn(mesh, dense, {
       material,
@@ -170,29 +170,29 @@ export class Relief {
   }
 }
 
-/** Pixels by which a surface may miss its heights: another version of it then differs by less than one. */
-const MOST_PIXELS = 0.45
+/** Maximum error of a level of detail, pixels. Below half a pixel, so that two levels differ by less than one pixel. */
+const MAX_PIXELS = 0.45
 
-/** The coarsest version of a surface that is fine enough: edges of triangles cost more than what they show, see bench/README.md. */
+/** Index of the coarsest sufficient level of detail. Small triangles are expensive, see bench/README.md. */
 function versionFor(pixelsPerMetre: number): number {
-  const tooCoarse = TOLERANCES.findIndex((tolerance) => tolerance * pixelsPerMetre > MOST_PIXELS)
+  const tooCoarse = TOLERANCES.findIndex((tolerance) => tolerance * pixelsPerMetre > MAX_PIXELS)
   return tooCoarse < 0 ? TOLERANCES.length - 1 : Math.max(tooCoarse - 1, 0)
 }
 
-/** @throws FurrowError when positions of a mesh are no numbers. */
+/** @throws FurrowError if a mesh has positions that are not finite. */
 function checkPositions(mesh: Mesh): void {
   if (Number.isFinite(radiusOf(mesh))) return
   throw new FurrowError({
     who: `Wrinkles.relief of mesh "${mesh.name}"`,
     problem: 'the mesh has positions that are not numbers',
-    remedy: 'export it again; it is shown without relief until then',
+    remedy: 'export the mesh again; until then it has no relief',
   })
 }
 
 function raisedBy({ areas }: ShaderInputs, { array, layers }: HeightMaps): Raised {
   const { texture, slots, channels, width, height } = areas
   const { data, depth } = texture.image as { data?: Uint8Array; depth: number }
-  // Compressed areas are on the graphics card only.
+  // Compressed areas have no texels in CPU memory.
   const weights = channels === 1 && data ? { data, width, height, depth, channels } : null
   const raised = layers.map((own) => ({
     ...own,
@@ -208,7 +208,7 @@ function radiusOf({ geometry }: Mesh): number {
   return (geometry.boundingSphere as Sphere).radius
 }
 
-/** The first mesh whose edges are longer than they should be, so as not to be too many. */
+/** Returns the limitation of the first mesh whose edges are longer than intended, because of the triangle budget. */
 function longEdges(splits: readonly MeshSplit[]): FurrowError | null {
   const long = splits.find(({ edge }) => edge > SPLIT_DEFAULTS.edge)
   if (!long) return null
@@ -216,9 +216,9 @@ function longEdges(splits: readonly MeshSplit[]): FurrowError | null {
   return new FurrowError({
     code: 'out-of-range',
     who: `Wrinkles.relief of mesh "${long.mesh.name}"`,
-    problem: `more than ${SPLIT_DEFAULTS.budget} triangles, so their edges are longer`,
+    problem: `more than ${SPLIT_DEFAULTS.budget} triangles needed, so their edges are longer`,
     value: millimetres(long.edge),
     limit: millimetres(SPLIT_DEFAULTS.edge),
-    remedy: 'let fewer areas be on layers with heights',
+    remedy: 'use fewer areas on layers with heights',
   })
 }

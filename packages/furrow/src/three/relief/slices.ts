@@ -1,13 +1,13 @@
 import { nextTask } from '../../runtime/next-task.ts'
 
-/** Milliseconds of work between pauses: half of a frame. */
+/** Length of a time slice, milliseconds: half a frame. */
 const SLICE = 8
 
 /**
- * Runs a generator to its end, with pauses in which the page draws and answers.
+ * Runs a generator in time slices, so that the page stays responsive.
  *
- * @param isWanted asked after each pause.
- * @returns what the generator returns; null if that is no longer wanted.
+ * @param isWanted polled after each pause.
+ * @returns the generator's result; null if stopped because `isWanted` returned false.
  */
 export async function inSlices<T>(steps: Generator<void, T>, isWanted: () => boolean): Promise<T | null> {
   let started = performance.now()

@@ -3,26 +3,26 @@ import { replaces } from '../mesh/before-render.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import { followMesh, type ReliefMesh } from './relief-mesh.ts'
 
-/** Vertices to draw for nothing to be drawn: less than a triangle, but not 0, of which WebGPU warns. */
+/** Vertex count that draws nothing: less than a triangle, but not 0, which triggers a WebGPU warning. */
 const NOTHING = 1
 
-/** The wrinkles of the mesh, as far as a stand-in needs them. */
+/** Part of a face that a stand-in needs. */
 export interface StandInHost {
-  /** The one of the mesh's materials in whose place it is drawn. */
+  /** Material of the mesh that the stand-in replaces. */
   readonly material: Material
-  /** Whether it shows them now. */
+  /** Whether wrinkles are shown. */
   isOn(): boolean
-  /** Runs the phases of a frame, as before any mesh is drawn. */
+  /** Runs the phases of a frame, before a mesh is drawn. */
   prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void
-  /** Finds where the vertices of the mesh are now. */
+  /** Updates the deformed vertices of the mesh. */
   deform(renderer: AnyRenderer, isShadow: boolean): void
-  /** Which version of the surface to draw: a group of the dense geometry. */
+  /** Level of detail to draw: index of a group of the dense geometry. */
   version(): number
 }
 
 /**
- * Draws a dense geometry in place of a mesh. The mesh stays what the page knows: only that nothing of it is drawn with one of its
- * materials while the other is. Both renderers read the range to draw after `onBeforeRender` and `onBeforeShadow`.
+ * Draws a dense geometry in place of a mesh with one of its materials. The mesh stays in the scene and hides itself through its draw
+ * range, which both renderers read after `onBeforeRender` and `onBeforeShadow`.
  */
 export class StandIn {
   readonly #mesh: Mesh
@@ -34,7 +34,7 @@ export class StandIn {
     this.#mesh = mesh
     this.#dense = dense
     this.#host = host
-    // A scene whose matrices the page updates itself knows nothing of the child.
+    // Shared, because pages that update matrices themselves do not know the child.
     dense.matrixWorld = mesh.matrixWorld
     this.#hookDense()
   }
@@ -43,7 +43,7 @@ export class StandIn {
     return this.#unhook !== null
   }
 
-  /** Begins or ends it. Not to be called during a frame: lists of what is drawn have been made. */
+  /** Shows or hides the dense geometry. Must not be called during a frame, whose render lists already exist. */
   show(isShown: boolean): void {
     if (isShown === this.isShown) return
     if (isShown) {
@@ -57,12 +57,12 @@ export class StandIn {
     this.#unhook = null
   }
 
-  /** Takes over how the mesh is drawn, from the next frame on. */
+  /** Copies the render settings of the mesh, for the next frame. */
   follow(): void {
     followMesh(this.#dense, this.#mesh)
   }
 
-  /** Whether the dense geometry is what is drawn with a material. Passes with another material draw the mesh itself. */
+  /** Whether the dense geometry replaces the mesh for a material. Passes with override materials draw the mesh. */
   #isDrawnWith(material: Material): boolean {
     return material === this.#host.material && this.#isInUse
   }
@@ -127,7 +127,7 @@ export class StandIn {
   }
 }
 
-/** Hides a geometry for the time of one draw. */
+/** Hides a geometry during one draw. */
 class HiddenRange {
   #geometry: BufferGeometry | null = null
   #start = 0

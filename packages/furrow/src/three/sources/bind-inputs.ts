@@ -5,7 +5,7 @@ import { bindJoints } from './joint.ts'
 import { bindTargets, type InputOptions } from './target.ts'
 import type { BindTension, DrivenFace } from './tension.ts'
 
-/** Finds the inputs of drivers on the mesh of a face. */
+/** Binds the inputs of drivers to a face's mesh. */
 export function bindInputs(
   face: DrivenFace,
   { target, joint, tension }: DriverPlan['inputs'],

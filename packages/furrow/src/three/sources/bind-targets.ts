@@ -4,13 +4,13 @@ import { targetFinder } from '../../drivers/morph/target-names.ts'
 import { noTargets, type TargetBinding } from '../../runtime/target-binding.ts'
 
 /**
- * Finds the morph targets with some names, in any spelling that `findTargets` knows, on all meshes under an object.
+ * Finds morph targets by name, in any spelling that `findTargets` knows, on all meshes under an object.
  *
- * @throws FurrowError when no mesh has morph targets, or the face is not an object of three.js.
+ * @throws FurrowError if no mesh has morph targets, or `face` is not an Object3D.
  */
 export function bindTargets(face: Object3D, names: readonly string[], who: string): TargetBinding[] {
   if (typeof face?.traverse !== 'function')
-    throw wrongArgument(who, 'a face', face, 'an Object3D of three.js')
+    throw wrongArgument(who, 'invalid face', face, 'an Object3D of three.js')
   const bindings: TargetBinding[] = []
   let meshes = 0
   face.traverse((object) => {

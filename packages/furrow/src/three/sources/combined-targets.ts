@@ -5,26 +5,25 @@ import { type ReadWeights, targetNames, weightReader } from './morph.ts'
 import type { MeshTargets } from './target.ts'
 
 /**
- * Blendshapes of the face of a VRM and of its copies, by the names of the file also after `VRMUtils.combineMorphs` of three-vrm. That
- * replaces all blendshapes of a mesh by one for each expression, with the expression's name; what the weights of the file's blendshapes
- * would be follows from the file. The names are the file's too, since pages combine before the first frame, and before automatic wrinkles
- * are done.
+ * Reads the weights of a VRM face's original blendshapes, even after three-vrm's `VRMUtils.combineMorphs`. That call replaces all
+ * blendshapes by one per expression, named like the expression. The file's expression binds give the original weights. Pages may combine
+ * before the first frame, and before automatic wrinkles are done.
  *
- * @param json of the file.
- * @param index of the face's mesh in it.
+ * @param json JSON of the file.
+ * @param index index of the face's mesh.
  */
 export function combinableTargets(json: GLTFParser['json'], index: number): (mesh: Mesh) => MeshTargets {
   const written = writtenNames(json.meshes[index])
   const binds = expressionBinds(json, index)
-  /** What the weights of a mesh whose blendshapes have some names add to those of `names`. */
+  /** Links from the current blendshapes of a mesh to `names`. */
   const linksOf = (own: readonly string[], names: readonly string[]): Link[] => {
-    const isAsWritten = own.length === written.length && own.every((name, i) => name === written[i])
-    const isCombined = !isAsWritten && own.every((name) => binds.has(name))
+    const isUnchanged = own.length === written.length && own.every((name, i) => name === written[i])
+    const isCombined = !isUnchanged && own.every((name) => binds.has(name))
     return own.flatMap((name, from) => {
       const to = names.indexOf(name)
       const moved = (isCombined && binds.get(name)) || []
       const links = moved.map(({ index, weight }) => ({ from, to: names.indexOf(written[index]), weight }))
-      // An expression may have the name of a blendshape of the file, and move others too.
+      // An expression may share its name with a blendshape of the file, and move others too.
       if (!isCombined || !written.includes(name)) links.push({ from, to, weight: 1 })
       return links.filter(({ to }) => to >= 0)
     })
@@ -56,7 +55,7 @@ export function combinableTargets(json: GLTFParser['json'], index: number): (mes
   }
 }
 
-/** A weight of the mesh that counts as part of another. */
+/** Contribution of a mesh's weight to a named weight. */
 interface Link {
   from: number
   to: number

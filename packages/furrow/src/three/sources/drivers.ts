@@ -7,17 +7,16 @@ import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 
 /** Options of `addDrivers` and `setDrivers`. */
 export interface DriversOptions {
-  /** A VRM's expressions (`vrm.expressionManager` of three-vrm), which links may name like blendshapes. Default: those known before. */
+  /** Expressions of a VRM (three-vrm's `vrm.expressionManager`) that links can name like blendshapes. Default: the current ones. */
   expressions?: VrmExpressions
 }
 
 /**
- * Adds drivers to those of a face (`wrinkles.drivers`). They activate areas before each frame, as long as `wrinkles.driven` is true, and
- * add to an area's activation at rest, up to 1. Muscles become blendshapes of the mesh.
+ * Adds drivers to a face. They run before each frame while `wrinkles.driven` is true, and add to the resting activations, up to 1.
+ * Muscles become blendshapes of the mesh.
  *
- * @param drivers as in a file. Unknown types are left out with a warning, as are targets, joints and areas that do not exist.
- * @throws FurrowError when `wrinkles` is not a `Wrinkles` or was disposed of, or a driver is not as `parseDrivers` reads it; the face
- *   then keeps its drivers.
+ * @param drivers drivers as in a file. Unknown types, targets, joints and areas are skipped with a warning.
+ * @throws FurrowError if `wrinkles` is invalid or disposed of, or `parseDrivers` rejects a driver; the drivers then stay unchanged.
  */
 export function addDrivers(
   wrinkles: WrinklesBase,
@@ -31,11 +30,11 @@ export function addDrivers(
 }
 
 /**
- * Replaces the drivers of a face. Tension is measured under the weights that areas have now, and joints that are no bones from their
- * present pose: `setDrivers(wrinkles, wrinkles.drivers)` updates both.
+ * Replaces the drivers of a face. Also samples the areas' weights for tension, and the rest pose of joints that are not bones of the
+ * mesh: `setDrivers(wrinkles, wrinkles.drivers)` updates both.
  *
- * @param drivers as for `addDrivers`; an empty list drives nothing.
- * @throws FurrowError as `addDrivers` does.
+ * @param drivers drivers as for `addDrivers`; an empty list removes all.
+ * @throws FurrowError as `addDrivers`.
  */
 export function setDrivers(
   wrinkles: WrinklesBase,

@@ -4,16 +4,16 @@ export type AnyAttribute = BufferAttribute | InterleavedBufferAttribute
 
 const GETTERS = ['getX', 'getY', 'getZ', 'getW'] as const
 
-/** Component k of vertex i. Interleaved attributes lack `getComponent` in three.js r160. */
+/** Returns component k of vertex i. Interleaved attributes lack `getComponent` in three.js r160. */
 export function componentOf(attribute: AnyAttribute, i: number, k: number): number {
   const { getComponent } = attribute as Partial<AnyAttribute>
   return getComponent ? getComponent.call(attribute, i, k) : attribute[GETTERS[k]](i)
 }
 
-/** Copies an attribute to floats, whether it is quantised, interleaved or plain. */
+/** Copies an attribute to floats. Supports quantised and interleaved attributes. */
 export function coordinates(attribute: AnyAttribute, size = 3): Float32Array {
   const { isBufferAttribute, array, itemSize, normalized } = attribute as Partial<BufferAttribute>
-  // Reading through the attribute takes several times as long.
+  // Reading through the attribute is several times slower.
   if (isBufferAttribute && itemSize === size && !normalized) return new Float32Array(array!)
   const out = new Float32Array(size * attribute.count)
   for (let i = 0; i < out.length; i++) out[i] = componentOf(attribute, Math.floor(i / size), i % size)
@@ -21,8 +21,8 @@ export function coordinates(attribute: AnyAttribute, size = 3): Float32Array {
 }
 
 /**
- * x, y and z of some vertices, at three times their index; not to be changed: it is the attribute's own array where that holds nothing else, for
- * reading through the attribute takes several times as long.
+ * Returns packed xyz vectors, valid at the given vertices. Read-only: may alias the attribute's array, because reading through the attribute
+ * is several times slower.
  */
 export function vectorsOf(
   attribute: BufferAttribute | InterleavedBufferAttribute,
@@ -40,12 +40,12 @@ export function vectorsOf(
   return vectors
 }
 
-/** Three indices of vertices per triangle, even if the geometry has no index. */
+/** Vertex indices of the triangles; generated if the geometry has no index. */
 export function trianglesOf({ attributes, index }: BufferGeometry): ArrayLike<number> {
   return index?.array ?? Uint32Array.from({ length: attributes.position.count }, (_, i) => i)
 }
 
-/** The displacements of each morph target, whether targets are stored relative or not. */
+/** Packed xyz displacements of each morph target, for relative and absolute targets. */
 export function targetOffsets({
   attributes,
   morphAttributes,
@@ -57,7 +57,7 @@ export function targetOffsets({
   return targets.map((target) => target.map((value, i) => value - rest[i]))
 }
 
-/** Copies numbers; returns whether any has changed. */
+/** Copies numbers. Returns whether any has changed. */
 export function copyNumbers(out: Float32Array, values: ArrayLike<number>): boolean {
   let changed = false
   for (let i = 0; i < out.length; i++) {

@@ -5,7 +5,7 @@ import { measuredSource } from '../../drivers/sources.ts'
 import type { InputReader } from '../../runtime/driver-runtime.ts'
 import { rootOf } from '../mesh/root-of.ts'
 
-/** Measures joints relative to the bind pose, or to their pose when the inputs are bound; see `restPoses`. */
+/** Measures joints relative to their rest pose, see `restPoses`. */
 export function bindJoints(mesh: Mesh, inputs: readonly InputOf<'joint'>[]): InputReader<unknown> {
   const all = [...new Set(inputs.flatMap(({ from, joint }) => [from, joint]))]
   const names = all.filter((name) => findJoint(mesh, name))
@@ -16,13 +16,13 @@ export function bindJoints(mesh: Mesh, inputs: readonly InputOf<'joint'>[]): Inp
   return {
     ...measuredSource(measurement.missing),
     read(values) {
-      // A copy of a skinned mesh gets its own skeleton only after it is created.
+      // A cloned skinned mesh gets its skeleton after its creation.
       if (joints.length === 0 || (mesh as SkinnedMesh).skeleton !== skeleton) {
         skeleton = (mesh as SkinnedMesh).skeleton
         joints = names.map((name) => findJoint(mesh, name)!)
       }
       for (let i = 0; i < joints.length; i++) {
-        // One number at a time: `set` with a plain array allocates.
+        // `set` with a plain array allocates.
         const { elements } = joints[i].matrixWorld
         for (let k = 0; k < MATRIX; k++) matrices[MATRIX * i + k] = elements[k]
       }
@@ -31,7 +31,7 @@ export function bindJoints(mesh: Mesh, inputs: readonly InputOf<'joint'>[]): Inp
   }
 }
 
-/** Finds a node by its name in the file, or that name as `GLTFLoader` sanitizes it. */
+/** Finds a node by its name in the file, as written or as sanitized by `GLTFLoader`. */
 function findJoint(mesh: Mesh, name: string): Object3D | undefined {
   const isNamed = (object: Object3D) =>
     object.name === name || object.name === PropertyBinding.sanitizeNodeName(name)
@@ -45,10 +45,10 @@ function findJoint(mesh: Mesh, name: string): Object3D | undefined {
 }
 
 /**
- * The rest pose of an input: the bind pose if both of its joints are bones of the mesh's skeleton, so that the pose the model was loaded
- * in does not matter, otherwise the current pose.
+ * Returns the rest pose per input: the bind pose if both joints are bones of the mesh's skeleton, independent of the pose when loaded.
+ * Otherwise the current pose.
  *
- * @returns world matrices of all joints.
+ * @returns a function from an input to the packed world matrices of all joints.
  */
 function restPoses(mesh: Mesh, names: readonly string[]): (input: InputOf<'joint'>) => Float64Array {
   const { skeleton } = mesh as Partial<SkinnedMesh>

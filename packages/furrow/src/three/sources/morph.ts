@@ -1,14 +1,14 @@
 import type { InstancedMesh, Mesh } from 'three'
 
-/** Reads the weights of a mesh's blendshapes, in the order of their names. It runs in every frame, and allocates nothing. */
+/** Reads blendshape weights in the order of their names. Runs in every frame, and allocates nothing. */
 export type ReadWeights = (weights: Float64Array, instance: number) => void
 
-/** Reads the weights of a mesh's blendshapes; of instances, their own if they have any (`setMorphAt`). */
+/** Creates a reader of a mesh's blendshape weights, or of an instance's own weights (`setMorphAt`). */
 export function weightReader(mesh: Mesh, { length }: readonly string[]): ReadWeights {
   return (values, instance) => {
     const { morphTargetInfluences, morphTexture } = mesh as Partial<InstancedMesh>
     if (morphTexture) {
-      // One row per instance: the weight of the base shape, then those of the targets.
+      // One row per instance: the weight of the base shape, then the target weights.
       const { data, width } = morphTexture.image
       for (let i = 0; i < length; i++) values[i] = data![instance * width + 1 + i]
     } else if (morphTargetInfluences) for (let i = 0; i < length; i++) values[i] = morphTargetInfluences[i]
@@ -16,8 +16,8 @@ export function weightReader(mesh: Mesh, { length }: readonly string[]): ReadWei
 }
 
 /**
- * Names of a mesh's blendshapes in the order of the weights; the index of one that has none. An `InstancedMesh` may have them in its geometry
- * only. The dictionary alone does not tell the order: its keys may be numbers, and several blendshapes may have one name.
+ * Names of a mesh's blendshapes in the order of the weights; unnamed blendshapes get their index. An `InstancedMesh` may have names only in
+ * its geometry. The dictionary's key order is unreliable: keys may be numbers, and names may repeat.
  */
 export function targetNames({ geometry, morphTargetDictionary }: Mesh): string[] {
   const targets = geometry.morphAttributes.position ?? []

@@ -7,12 +7,12 @@ import { checkIsMesh } from '../mesh/check-mesh.ts'
 import { coordinates, targetOffsets, trianglesOf } from './geometry-arrays.ts'
 
 /**
- * Adds virtual muscles to a mesh: each becomes a morph target of its name, with normals, whose weight is the contraction. Muscles
- * whose name is a target already are skipped. Call it for every mesh of a face (brows and lashes too).
+ * Adds virtual muscles to a mesh. Each becomes a morph target with normals, named like the muscle; its weight is the contraction.
+ * Existing target names are skipped. Call it for every mesh of a face, including brows and lashes.
  *
- * @param mesh in the space of the muscles; its geometry is changed, for all meshes that use it.
+ * @param mesh mesh in the space of the muscles. Its geometry is edited in place, also for other meshes that share it.
  * @param muscles drivers of type `muscle`, see `driversOf`.
- * @throws FurrowError when it is not a mesh, or the muscles are not a list.
+ * @throws FurrowError if `mesh` is not a mesh, or `muscles` is not an array.
  */
 export function addMuscles(mesh: Mesh, muscles: readonly MuscleDriver[]): void {
   checkIsMesh(mesh, 'addMuscles')
@@ -33,7 +33,7 @@ export function addMuscles(mesh: Mesh, muscles: readonly MuscleDriver[]): void {
     const index = known < 0 ? morphAttributes.position.length : known
     targets[muscle.name] = index
     while (influences.length <= index) influences.push(0)
-    // Another mesh with this geometry has the muscle already.
+    // Another mesh with this geometry already has the muscle.
     if (known >= 0) continue
     const offsets = muscleOffsets(muscle, position)
     const own = geometry.morphTargetsRelative ? offsets : offsets.map((offset, i) => offset + position[i])
@@ -43,8 +43,8 @@ export function addMuscles(mesh: Mesh, muscles: readonly MuscleDriver[]): void {
 }
 
 /**
- * Adds normals to the morph targets of a geometry that lack them: three.js otherwise shades the face as if at rest. Does nothing if
- * the geometry has no normals, or no target lacks them.
+ * Adds missing normals to the morph targets of a geometry. Without them three.js shades the face as if at rest. Does nothing if the
+ * geometry has no normals.
  */
 export function addMorphNormals(geometry: BufferGeometry): void {
   const { morphAttributes, morphTargetsRelative } = geometry

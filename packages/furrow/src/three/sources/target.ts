@@ -6,23 +6,23 @@ import { targetSource } from '../../drivers/sources.ts'
 import type { InputReader } from '../../runtime/driver-runtime.ts'
 import { type ReadWeights, targetNames, weightReader } from './morph.ts'
 
-/** Names of blendshapes, and a reader of their weights. */
+/** Blendshape names with a reader of their weights. */
 export interface MeshTargets {
   names: readonly string[]
   read: ReadWeights
 }
 
-/** Where the inputs of a face's drivers are found, besides the mesh itself. */
+/** Sources of a face's driver inputs, besides its mesh. */
 export interface InputOptions {
-  /** Returns a VRM's expressions, which may not exist before the first frame. */
+  /** Returns the expressions of a VRM, which may not exist before the first frame. */
   expressions?: () => VrmExpressions | undefined
-  /** The expressions of its file, by the blendshapes that they move. */
+  /** Expressions of the VRM file, as blendshape weights. */
   vrmExpressions?: readonly Expression[]
-  /** Blendshapes of a mesh; by default those that it has. */
+  /** Returns the blendshapes of a mesh. Default: the mesh's own. */
   targetsOf?: (mesh: Mesh) => MeshTargets
 }
 
-/** Reads the weights of the mesh's blendshapes, and of a VRM's expressions if it has any. */
+/** Binds inputs to the mesh's blendshapes, and to VRM expressions if there are any. */
 export function bindTargets(
   mesh: Mesh,
   inputs: readonly InputOf<'target'>[],

@@ -14,17 +14,17 @@ import { trianglesOf } from './geometry-arrays.ts'
 
 export { indexIn, type MeasuredArea, type TensionSurface } from '../../runtime/sampled-tension.ts'
 
-/** Parts of a face that tension needs. GPU objects need `onRelease`. */
+/** Part of a face that tension needs. GPU objects need `onRelease`. */
 export type DrivenFace = Pick<FaceGroup, 'getArea'> &
   Partial<Pick<FaceGroup, 'onRelease'>> & { readonly mesh: Mesh }
 
-/** Measures tension as a renderer can. */
+/** Binds tension inputs, on the CPU or GPU. */
 export type BindTension = (
   face: DrivenFace,
   inputs: readonly InputOf<'tension'>[],
 ) => InputReader<AnyRenderer>
 
-/** The surface of a mesh for some inputs. */
+/** Samples the surface of a mesh for some inputs. */
 export function tensionSurface(face: DrivenFace, inputs: readonly InputOf<'tension'>[]): TensionSurface {
   if (inputs.length === 0) return { sampled: EMPTY, measured: [] }
   return surfaceOf(sampledMesh(face.mesh), inputs, (name) => face.getArea(name))
@@ -32,7 +32,7 @@ export function tensionSurface(face: DrivenFace, inputs: readonly InputOf<'tensi
 
 const EMPTY: SampledMesh = { positions: [], uvs: [], triangles: [] }
 
-/** Measures the mesh as skinning and blendshapes deform it, on the CPU. */
+/** Measures tension on the CPU, after blendshapes and skinning. */
 export const bindTension: BindTension = (face, inputs) =>
   sampledTension(face.mesh, tensionSurface(face, inputs), inputs)
 
@@ -49,7 +49,7 @@ export function sampledTension(
   })
 }
 
-/** The mesh at rest, with the texture coordinates of the areas. */
+/** Mesh at rest, with the texture coordinates of the areas. */
 function sampledMesh(mesh: Mesh): SampledMesh {
   const position = mesh.geometry.getAttribute('position')
   const positions = new Float64Array(3 * position.count)

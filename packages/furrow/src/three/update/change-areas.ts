@@ -3,11 +3,12 @@ import { checkWrinkles } from '../../runtime/check-wrinkles.ts'
 import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 
 /**
- * Adds an area to wrinkles, with its activation at rest. Shaders are not recompiled.
+ * Adds an area to wrinkles, without recompiling shaders.
  *
- * @param wrinkles of the face.
- * @param area as in a wrinkle set.
- * @throws FurrowError when its name is taken, its image malformed, its layer unknown, or the wrinkles were disposed of; nothing then changes.
+ * @param wrinkles wrinkles of the face.
+ * @param area area as in a wrinkle set; `activation` is its resting activation.
+ * @throws FurrowError if the name is taken, the image malformed, the layer unknown, or the wrinkles were disposed of; nothing then
+ *   changes.
  */
 export function addArea(wrinkles: WrinklesBase, area: Area): void {
   checkWrinkles(wrinkles, 'addArea')
@@ -20,11 +21,11 @@ export function addArea(wrinkles: WrinklesBase, area: Area): void {
 }
 
 /**
- * Removes an area from wrinkles. Shaders are not recompiled.
+ * Removes an area from wrinkles, without recompiling shaders.
  *
- * @param wrinkles of the face.
- * @param name of the area.
- * @throws FurrowError when no area has that name, it is the last one, or the wrinkles were disposed of; nothing then changes.
+ * @param wrinkles wrinkles of the face.
+ * @param name name of the area.
+ * @throws FurrowError if the area is unknown or the last one, or the wrinkles were disposed of; nothing then changes.
  */
 export function removeArea(wrinkles: WrinklesBase, name: string): void {
   checkWrinkles(wrinkles, 'removeArea')

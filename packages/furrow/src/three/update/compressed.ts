@@ -1,6 +1,6 @@
 import { FurrowError } from '../../core/error.ts'
 
-/** The error for maps and areas that are slices of a KTX 2 file's texture. */
+/** Error for an update of maps or areas in KTX 2 textures. */
 export function compressed(who: string): FurrowError {
   return new FurrowError({
     code: 'unsupported',

@@ -8,22 +8,21 @@ export interface MipLevel {
   readonly data: Uint8Array
 }
 
-/** The first level of a slice: a view of the texture's own data. */
+/** First level of a slice, as a view of the texture's data. */
 export function firstLevel(texture: DataArrayTexture, slice: number): MipLevel {
   const { data, width, height, depth } = texture.image as MipLevel & { depth: number }
   const bytes = data.length / depth
   return { width, height, data: data.subarray(slice * bytes, (slice + 1) * bytes) }
 }
 
-/** Bytes per texel. */
+/** Channels (bytes) per texel. */
 export function channelsOf({ width, height, data }: MipLevel): number {
   return data.length / (width * height)
 }
 
 /**
- * The mipmaps of one slice of an array on the CPU, so that a change of a few texels costs a few texels on every level. Each texel is the
- * mean of four, colours decoded, as GPUs compute it for sides that are powers of two. Of other sizes, for which they differ, there is
- * the first level only.
+ * Mipmaps of one slice of a texture array, on the CPU: a change of a few texels then updates a few texels per level. Each texel is the mean
+ * of four, in linear colour, as GPUs compute it for power-of-two sides. GPUs differ for other sizes, which get the first level only.
  */
 export class MipChain {
   readonly levels: readonly MipLevel[]
@@ -40,9 +39,9 @@ export class MipChain {
   }
 
   /**
-   * Computes the texels of all levels that depend on a rectangle of the first.
+   * Updates all levels after a change in a rectangle of the first.
    *
-   * @returns their rectangle on each level.
+   * @returns the changed rectangle per level.
    */
   update(bounds: Bounds): Bounds[] {
     const touched = [bounds]
@@ -55,7 +54,7 @@ export class MipChain {
     return touched
   }
 
-  /** Averages texels of a level into a rectangle of the next. */
+  /** Averages texels of a level into a rectangle of the next level. */
   #halve(from: MipLevel, to: MipLevel, { x0, y0, x1, y1 }: Bounds): void {
     const channels = channelsOf(from)
     const colours = this.#isColour ? colourTables() : null
@@ -78,7 +77,7 @@ export class MipChain {
   }
 }
 
-/** Empty levels below another, down to one texel. */
+/** Creates empty levels below another, down to one texel. */
 function smallerLevels(level: MipLevel): MipLevel[] {
   if (level.width === 1 && level.height === 1) return []
   const [width, height] = [Math.max(1, level.width >> 1), Math.max(1, level.height >> 1)]
@@ -86,22 +85,22 @@ function smallerLevels(level: MipLevel): MipLevel[] {
   return [smaller, ...smallerLevels(smaller)]
 }
 
-/** A fourth of an integer, rounded to the nearest, and to an even one in the middle, as GPUs round. */
+/** Quarter of an integer, rounded half to even, as GPUs round. */
 function quarter(sum: number): number {
   return (sum + 1 + ((sum >> 2) & 1)) >> 2
 }
 
-/** Steps of light between none and full: five for the finest step of sRGB, that from 0 to 1. */
+/** Quantisation steps of linear light: five steps for the smallest sRGB step, 0 to 1. */
 const STEPS = 1 << 14
 
 interface ColourTables {
-  /** The mean of four sRGB bytes as light, encoded again. */
+  /** Mean of four sRGB bytes in linear light, sRGB-encoded. */
   mean(a: number, b: number, c: number, d: number): number
 }
 
 let tables: ColourTables | null = null
 
-/** Made when first needed: encoding a million texels one by one takes a noticeable time. */
+/** Returns cached lookup tables: encoding texels one at a time is slow. */
 function colourTables(): ColourTables {
   if (tables) return tables
   const color = new Color()

@@ -7,17 +7,17 @@ import { unknownLayer } from './unknown-layer.ts'
 
 const WHO = 'scaleLayer'
 
-/** How strongly a layer shows; see `Layer`. */
+/** Strengths of a layer; see `Layer`. */
 export type LayerScale = Pick<Layer, 'normalScale' | 'occlusionStrength' | 'bloodAmplitude'>
 
 /**
- * Sets how strongly a layer shows, from the next frame on: on these wrinkles, and on all that use the same textures. Nothing is compiled
- * or uploaded, except in the modes `paper` and `composed`, which draw their maps again.
+ * Sets the strengths of a layer from the next frame on, on these wrinkles and all others that share their textures. Nothing is compiled or
+ * uploaded, but the modes `paper` and `composed` redraw their maps.
  *
- * @param wrinkles of the face.
- * @param name of the layer.
- * @param scale what is left out stays.
- * @throws FurrowError when no layer has that name, a number is not finite or out of its range, or the wrinkles were disposed of; nothing then changes.
+ * @param wrinkles wrinkles of the face.
+ * @param name name of the layer.
+ * @param scale new strengths; omitted ones stay unchanged.
+ * @throws FurrowError if the layer is unknown, a number is out of range, or the wrinkles were disposed of; nothing then changes.
  */
 export function scaleLayer(wrinkles: WrinklesBase, name: string, scale: LayerScale): void {
   checkWrinkles(wrinkles, WHO)

@@ -13,18 +13,18 @@ import type { AnyRenderer } from '../renderer.ts'
 import { releaseOf } from '../three-version.ts'
 import { channelsOf, firstLevel, MipChain, type MipLevel } from './mip-chain.ts'
 
-/** Changes that are kept for renderers that have not drawn them yet; one that lags further behind uploads whole slices. */
-const KEPT = 64
+/** Maximum number of recorded changes. Renderers further behind upload complete slices. */
+const MAX_KEPT = 64
 
-/** Fraction of a slice from which on the GPU makes mipmaps faster, of all slices, than the CPU makes and uploads them. */
+/** Fraction of a slice above which the GPU generates the mipmaps of all slices faster than the CPU computes and uploads some. */
 const LARGE = 0.25
 
-/** Whether three.js copies rectangles into slices and levels of an array; older ones than r173 upload all of it again. */
+/** Whether three.js can copy rectangles into slices and levels of a texture array; before r173 the complete array is uploaded. */
 const COPIES_RECTANGLES = releaseOf(REVISION) >= 173
 
 const changesByTexture = new WeakMap<DataArrayTexture, TextureChanges>()
 
-/** The changes of a texture, one object for all faces that use it. */
+/** Returns the changes of a texture, shared by all faces that use it. */
 export function changesOf(texture: DataArrayTexture): TextureChanges {
   const changes = changesByTexture.get(texture) ?? new TextureChanges(texture)
   changesByTexture.set(texture, changes)
@@ -32,17 +32,16 @@ export function changesOf(texture: DataArrayTexture): TextureChanges {
 }
 
 /**
- * Texels of an array texture that have changed since it was made. three.js uploads whole slices at least, and computes all mipmaps of
- * all slices again; this uploads rectangles. The texture's data stay complete, so that three.js uploads the same to a renderer that has
- * not drawn the texture yet, or has lost its context.
+ * Changed regions of a texture array. Uploads rectangles, because three.js uploads at least complete slices and regenerates all mipmaps.
+ * The texture's data stay complete, so three.js can upload them to new renderers, and after a lost context.
  */
 export class TextureChanges {
   readonly #texture: DataArrayTexture
-  /** Oldest first. */
+  /** Recorded changes, oldest first. */
   readonly #kept: { slice: number; bounds: Bounds }[] = []
-  /** Number of changes before those. */
+  /** Number of changes dropped before `#kept`. */
   #dropped = 0
-  /** Number of changes that each renderer has uploaded. */
+  /** Number of uploaded changes per renderer. */
   readonly #uploaded = new WeakMap<AnyRenderer, number>()
   readonly #chains = new Map<number, MipChain>()
 
@@ -50,7 +49,7 @@ export class TextureChanges {
     this.#texture = texture
   }
 
-  /** Records that the texture's data have changed in a rectangle of a slice. */
+  /** Records a change of the texture's data in a rectangle of a slice. */
   add(slice: number, bounds: Bounds): void {
     if (bounds.x1 <= bounds.x0 || bounds.y1 <= bounds.y0) return
     if (!COPIES_RECTANGLES) {
@@ -58,23 +57,23 @@ export class TextureChanges {
       return
     }
     this.#kept.push({ slice, bounds })
-    if (this.#kept.length <= KEPT) return
+    if (this.#kept.length <= MAX_KEPT) return
     this.#kept.shift()
     this.#dropped++
   }
 
-  /** Uploads what a renderer lacks. */
+  /** Uploads the changes that a renderer lacks. */
   upload(renderer: AnyRenderer): void {
     const count = this.#dropped + this.#kept.length
     const from = this.#uploaded.get(renderer) ?? 0
     if (from === count) return
     this.#uploaded.set(renderer, count)
-    // One that does not have the texture yet, or not any more, uploads all of it now.
+    // Renderers without the texture upload it completely here.
     ;(renderer as WebGLRenderer).initTexture(this.#texture)
     for (const [slice, bounds] of this.#since(from)) this.#copy(renderer as WebGLRenderer, slice, bounds)
   }
 
-  /** By slice the rectangle that contains all changes since one of them. */
+  /** Bounding rectangle, per slice, of all changes since the given count. */
   #since(from: number): Map<number, Bounds> {
     const { width, height, depth } = this.#texture.image as { width: number; height: number; depth: number }
     const rectangles = new Map<number, Bounds>()
@@ -91,13 +90,13 @@ export class TextureChanges {
     return rectangles
   }
 
-  /** Copies a rectangle of a slice to the GPU, and what it changes on smaller levels. */
+  /** Copies a rectangle of a slice to the GPU, with the affected texels of smaller levels. */
   #copy(renderer: WebGLRenderer, slice: number, bounds: Bounds): void {
     const texture = this.#texture
     const { levels, touched } = this.#levelsOf(slice, bounds)
     const source = stack(levels, touched, texture)
     const { generateMipmaps } = texture
-    // After a copy to the first level three.js lets the GPU make all mipmaps again.
+    // three.js regenerates all mipmaps after a copy to the first level.
     if (levels.length > 1) texture.generateMipmaps = false
     try {
       let row = 0
@@ -112,7 +111,7 @@ export class TextureChanges {
     }
   }
 
-  /** The levels to upload, and the rectangle that has changed in each: only the first, where the GPU makes the others. */
+  /** Levels to upload with their changed rectangles; only the first level if the GPU generates the others. */
   #levelsOf(slice: number, bounds: Bounds): { levels: readonly MipLevel[]; touched: Bounds[] } {
     const first = firstLevel(this.#texture, slice)
     const { x0, y0, x1, y1 } = bounds
@@ -126,7 +125,7 @@ export class TextureChanges {
   }
 }
 
-/** Rectangles of all levels as one image, below each other. */
+/** Stacks the rectangles of all levels vertically in one image. */
 function stack(levels: readonly MipLevel[], touched: readonly Bounds[], like: DataArrayTexture): DataTexture {
   const channels = channelsOf(levels[0])
   const width = touched[0].x1 - touched[0].x0

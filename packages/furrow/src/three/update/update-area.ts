@@ -11,17 +11,15 @@ import { compressed } from './compressed.ts'
 import { changesOf } from './texture-changes.ts'
 
 /**
- * Gives an area new weights, which the next frame shows: on these wrinkles, and on all that use the same textures. Its activation,
- * drivers, layer and place in the order stay. Only the rectangle that the area covers is uploaded, so that it may be called for every
- * movement of a brush. Tension is measured under the weights that the area had when its drivers were set: call
- * `setDrivers(wrinkles, wrinkles.drivers)` after a stroke.
+ * Replaces the weights of an area from the next frame on, on these wrinkles and all others that share their textures. Uploads only the
+ * rectangle that the area covers, so it can be called for every movement of a brush. Tension keeps using the weights at the last change of
+ * drivers: call `setDrivers(wrinkles, wrinkles.drivers)` after a stroke.
  *
- * @param wrinkles of the face.
- * @param name of the area.
- * @param weights 255 = fully visible. Any size, resampled as in `new Wrinkles`, which takes longer than the size that they already have,
- *   `areaSize`.
- * @throws FurrowError when no area has that name, the image is malformed, the areas are in KTX 2 textures, or the wrinkles were disposed
- *   of; nothing then changes.
+ * @param wrinkles wrinkles of the face.
+ * @param name name of the area.
+ * @param weights gray image, 255 = fully visible. Any size; fastest at `areaSize`, because other sizes are resampled.
+ * @throws FurrowError if the area is unknown, the image malformed, the areas are in KTX 2 textures, or the wrinkles were disposed of;
+ *   nothing then changes.
  */
 export function updateArea(wrinkles: WrinklesBase, name: string, weights: GrayImage): void {
   checkWrinkles(wrinkles, WHO)

@@ -14,7 +14,7 @@ import { channelsOf, firstLevel } from './mip-chain.ts'
 import { changesOf } from './texture-changes.ts'
 import { unknownLayer } from './unknown-layer.ts'
 
-/** New images for maps of a layer, each with the size of the one it replaces; see `Layer`. */
+/** New images for maps of a layer, each with the size of the image it replaces; see `Layer`. */
 export interface LayerImages {
   normal?: RgbaImage
   baseColor?: RgbaImage
@@ -26,18 +26,17 @@ export interface LayerImages {
 type Kind = (typeof MAP_KINDS)[number]
 
 /**
- * Gives maps of a layer new pixels, which the next frame shows: on these wrinkles, and on all that use the same textures. Only a rectangle
- * of them is uploaded, with the mipmaps that it touches, so that a stroke may be drawn again for every movement of a point. The GPU makes
- * all mipmaps again, which takes about as long as uploading a whole map, where a quarter of a map or more changes, or a side of it is not
- * a power of two.
+ * Replaces pixels in maps of a layer from the next frame on, on these wrinkles and all others that share their textures. Uploads only the
+ * region and its mipmaps, so it can be called for every movement of a brush. If the region covers a quarter of a map or more, or a side is
+ * not a power of two, the GPU regenerates all mipmaps, which takes about as long as uploading a complete map.
  *
- * @param wrinkles of the face.
- * @param name of the layer.
- * @param images the whole maps; copied. Maps that are left out stay.
- * @param region the texels that differ from the present maps, in each of them: columns x0 to x1 and rows y0 to y1 from the top, x1 and y1
- *   excluded. By default all.
- * @throws FurrowError when no layer has that name or it has no such map, an image is malformed or differs in size, the region is not
- *   within it, the maps are in KTX 2 textures, or the wrinkles were disposed of; nothing then changes.
+ * @param wrinkles wrinkles of the face.
+ * @param name name of the layer.
+ * @param images complete maps, copied. Omitted maps stay unchanged.
+ * @param region texels that changed, the same in each map: columns x0 to x1 and rows y0 to y1 from the top, x1 and y1 excluded. Default:
+ *   the complete map.
+ * @throws FurrowError if the layer or map is unknown, an image is malformed or differs in size, or the region is out of bounds. Also if the
+ *   maps are in KTX 2 textures, or the wrinkles were disposed of. Nothing then changes.
  */
 export function updateLayer(
   wrinkles: WrinklesBase,
@@ -77,7 +76,7 @@ function kindsOf(images: LayerImages): Kind[] {
   throw wrongArgument(WHO, 'images', isObject(images) ? names.join(', ') : images, MAP_KINDS.join(', '))
 }
 
-/** @throws FurrowError when a layer's map cannot be replaced by the image. */
+/** @throws FurrowError if the image cannot replace the layer's map. */
 function checkUpdate(
   textures: WrinkleTextures,
   index: number,
@@ -95,7 +94,7 @@ function checkUpdate(
   const { width, height } = present
   checkImage(image, kind === 'normal' || kind === 'baseColor' ? 'RGBA' : 'gray', who)
   if (image.width !== width || image.height !== height) {
-    throw wrongArgument(who, 'size', `${image.width} x ${image.height}`, `${width} x ${height}, as before`)
+    throw wrongArgument(who, 'size', `${image.width} x ${image.height}`, `${width} x ${height}`)
   }
   const bounds = region ?? { x0: 0, y0: 0, x1: width, y1: height }
   checkRegion(bounds, width, height, who)
@@ -104,16 +103,16 @@ function checkUpdate(
 
 function checkRegion(region: Readonly<Bounds>, width: number, height: number, who: string): void {
   const { x0, y0, x1, y1 } = region
-  const areWhole = [x0, y0, x1, y1].every(Number.isInteger)
-  if (areWhole && x0 >= 0 && y0 >= 0 && x0 <= x1 && y0 <= y1 && x1 <= width && y1 <= height) return
+  const areIntegers = [x0, y0, x1, y1].every(Number.isInteger)
+  if (areIntegers && x0 >= 0 && y0 >= 0 && x0 <= x1 && y0 <= y1 && x1 <= width && y1 <= height) return
   const limit = `0 <= x0 <= x1 <= ${width}, 0 <= y0 <= y1 <= ${height}, in whole texels`
   throw wrongArgument(who, 'region', region, limit)
 }
 
 /**
- * Copies a rectangle of an image into a layer's slice of an array, or into a channel of it.
+ * Copies a rectangle of an image into a layer's slice of a texture array, or into a channel of the slice.
  *
- * @returns the slice, as an image; undefined where it holds another map too. The paper's mode packs the layers' images.
+ * @returns the slice as an image, for the paper mode; undefined if the slice also holds another map.
  */
 function copyRegion(
   { width, height, data }: RgbaImage | GrayImage,
@@ -147,6 +146,6 @@ function missing(who: string, layer: Layer<ArraySlice>): FurrowError {
     who,
     problem: 'the layer has no such map',
     limit: MAP_KINDS.filter((kind) => layer[kind]).join(', '),
-    remedy: 'create the wrinkles anew, from layers with it',
+    remedy: 'create new wrinkles from layers with this map',
   })
 }

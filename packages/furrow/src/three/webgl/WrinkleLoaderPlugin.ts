@@ -4,11 +4,11 @@ import type { WrinkleLoaderOptions } from '../options.ts'
 import { Wrinkles } from './Wrinkles.ts'
 import { watchDraws } from './watch-draws.ts'
 
-/** For `GLTFLoader` and `WebGLRenderer`: `loader.register((parser) => new WrinkleLoaderPlugin(parser))`. */
+/** `GLTFLoader` plugin for `WebGLRenderer`: `loader.register((parser) => new WrinkleLoaderPlugin(parser))`. */
 export class WrinkleLoaderPlugin extends WrinkleLoader {
   /**
-   * @param options of the `Wrinkles` of all faces, and `auto` for files without wrinkles.
-   * @throws FurrowError when an option is unknown or out of range.
+   * @param options options of all faces, and `auto` for files without wrinkles.
+   * @throws FurrowError if an option is unknown or out of range.
    */
   constructor(parser: GLTFParser, options: WrinkleLoaderOptions = {}) {
     super(parser, { Wrinkles, watchDraws }, options)

@@ -7,9 +7,9 @@ import { composeMaterial } from './modes/compose-material.ts'
 import { showDefault } from './modes/default.ts'
 import { showInfluence } from './modes/influence-material.ts'
 import { showPaper } from './modes/paper.ts'
-import { faultOf } from './patch/program-fault.ts'
+import { shaderErrorOf } from './patch/program-error.ts'
 
-/** Everything that depends on `WebGLRenderer`. */
+/** Parts for `WebGLRenderer`. */
 export const WEBGL: RendererParts = {
   entry: 'furrow/three',
   canPatch: ({ fragmentShader, isRawShaderMaterial }) =>
@@ -20,14 +20,14 @@ export const WEBGL: RendererParts = {
   drawsLevels: true,
   showInfluence,
   /**
-   * three.js keeps the programs of a material, but the uniforms of the one that it built last: a program that it takes up again, as that of
-   * the default mode after `off`, would get none of its own.
+   * Disposes of the material too: three.js caches all programs of a material, but only the uniforms of the last one built. A reused
+   * program, e.g. when `default` follows `off`, would lack its uniforms.
    */
   renew(material) {
     material.dispose()
     material.needsUpdate = true
   },
-  faultOf,
+  shaderErrorOf,
   unlitMaterial: () => new MeshBasicMaterial({ color: 0, toneMapped: false }),
   bindTension,
   quads: quadMaterials,

@@ -1,7 +1,7 @@
 import type { IUniform } from 'three'
 import type { ShaderInputs } from '../material/shader-inputs.ts'
 
-/** For shaders that read the influence map. */
+/** Uniforms of shaders that read the influence map. */
 export function mapUniforms(inputs: ShaderInputs): Record<string, IUniform> {
   return {
     furrowInfluenceMap: inputs.influence,
@@ -14,7 +14,7 @@ export function mapUniforms(inputs: ShaderInputs): Record<string, IUniform> {
   }
 }
 
-/** For shaders that mix the layers' maps. */
+/** Uniforms of shaders that mix the layers' maps. */
 export function layerUniforms({
   textures,
   normalScale,

@@ -7,23 +7,22 @@ import { WrinklesBase } from '../wrinkles-base.ts'
 import { checkBatch } from './influence/influence.ts'
 import { WEBGPU } from './parts.ts'
 
-/** Wrinkles on one mesh for `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
+/** Wrinkles on one mesh for `WebGPURenderer`, with its WebGPU or WebGL 2 backend. */
 export class Wrinkles extends WrinklesBase {
   /**
-   * @param mesh needs UVs and normals and a lit material of its own: a node material or a plain one; each
-   *   instance of an `InstancedMesh` or `BatchedMesh` wrinkles independently.
-   * @param source a set, copied: later changes to it have no effect, use `addArea`, `removeArea`, `updateArea` and
-   *   `updateLayer`. Or the wrinkles of another mesh, which are then shown here too, at rest, from the same textures and by the same
-   *   drivers.
-   * @throws FurrowError when the mesh, its material or the set does not fit, or three.js is too old or lacks what
-   *   is needed; the mesh is then unchanged.
+   * @param mesh mesh with UVs, normals, and a lit material (node material or not) that no other mesh uses. Each instance of an
+   *   `InstancedMesh` or `BatchedMesh` wrinkles independently.
+   * @param source wrinkle set, copied: edit it later with `addArea`, `removeArea`, `updateArea` and `updateLayer`. Or the wrinkles of
+   *   another mesh, to share their textures and drivers; activations start at rest.
+   * @throws FurrowError if the mesh, its material or the set is invalid, or the three.js release is unsupported; the mesh is then
+   *   unchanged.
    */
   constructor(mesh: Mesh, source: WrinkleSet<ArraySlice> | WrinklesBase, options: WrinklesOptions = {}) {
     super(WEBGPU, withBatchChecked(mesh), source, options)
   }
 }
 
-/** @throws FurrowError when it is not a mesh, or three.js lacks what is needed for a `BatchedMesh`. */
+/** @throws FurrowError if the value is not a mesh, or three.js lacks an internal required for a `BatchedMesh`. */
 function withBatchChecked(mesh: Mesh): Mesh {
   checkIsMesh(mesh, 'Wrinkles')
   if (instancesOf(mesh) === 'batched') checkBatch(mesh)

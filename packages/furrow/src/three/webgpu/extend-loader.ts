@@ -3,12 +3,12 @@ import type { WrinkleLoaderOptions } from '../options.ts'
 import { WrinkleLoaderPlugin } from './WrinkleLoaderPlugin.ts'
 
 /**
- * Registers `WrinkleLoaderPlugin` for `WebGPURenderer` on any `GLTFLoader`: `extendLoader(new GLTFLoader())`, or as an argument of a
- * framework's loader, such as `useGLTF(url, undefined, undefined, extendLoader)`. Called again, it replaces the options.
+ * Registers `WrinkleLoaderPlugin` for `WebGPURenderer` on a `GLTFLoader`: `extendLoader(new GLTFLoader())`. Also works as a callback of
+ * framework loaders: `useGLTF(url, undefined, undefined, extendLoader)`. Further calls replace the options.
  *
- * @param options of the wrinkles of all faces, and `auto` for files without wrinkles.
+ * @param options options of all faces, and `auto` for files without wrinkles.
  * @returns the loader.
- * @throws FurrowError when it is not a loader, or an option is unknown or out of range.
+ * @throws FurrowError if `loader` is not a loader, or an option is unknown or out of range.
  */
 export function extendLoader<Loader extends ExtendableLoader>(
   loader: Loader,

@@ -1,5 +1,5 @@
 /**
- * Wrinkles for three.js and its `WebGPURenderer`, on WebGPU and on its WebGL 2 backend.
+ * Wrinkles for three.js with `WebGPURenderer` (WebGPU or WebGL 2 backend).
  *
  * @module furrow/webgpu
  */

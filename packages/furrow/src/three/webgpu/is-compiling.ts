@@ -1,16 +1,16 @@
 import type { RendererParts } from '../material/renderer-parts.ts'
 
-/** What three.js does not document of its renderer. */
+/** Undocumented internals of `WebGPURenderer`. */
 interface Compiler {
-  /** Null but while `compileAsync` goes through a scene. */
+  /** Set while `compileAsync` traverses a scene. */
   _compilationPromises?: object | null
-  /** From r187 on. */
+  /** Since r187. */
   _precompilationState?: object | null
 }
 
 /**
- * Whether r186 goes through a scene that it compiles. Drawn meanwhile, an influence map would begin a frame, which clears the lists of what was
- * not drawn in the last ten: that of the scene too. From r187 on `compileAsync` allows for it.
+ * Whether r186 is traversing a scene in `compileAsync`. Drawing an influence map then would begin a frame, which drops render lists unused
+ * for ten frames, including the scene's. Fixed in r187.
  */
 export const isCompiling: RendererParts['isCompiling'] = (renderer) => {
   const { _compilationPromises, _precompilationState } = renderer as Compiler

@@ -1,6 +1,6 @@
 /**
- * Functions of TSL that three.js r168 to r185 lack. A bundler refuses a named import of a missing export; read from the namespace they are
- * undefined, and `checkThree` names the release that is needed.
+ * TSL functions that three.js r168 to r185 lack. Read from the namespace, because bundlers reject named imports of missing exports.
+ * `checkThree` reports the required release.
  */
 import * as TSL from 'three/tsl'
 

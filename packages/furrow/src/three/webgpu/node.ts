@@ -1,10 +1,10 @@
-/** TSL nodes whose type three.js's declarations leave open. All casts of nodes are in this file, but those of compute passes. */
+/** Casts of TSL nodes that three.js's declarations leave untyped. Casts for compute passes are in `compute/buffers.ts`. */
 import type { Material } from 'three'
 import { int, textureSize, uniform } from 'three/tsl'
 import { MaterialReferenceNode, type Node, type TextureNode } from 'three/webgpu'
 import { subBuild } from './newer-nodes.ts'
 
-/** Materials' properties by the type that `materialReference` takes, and what their nodes are. */
+/** Node types by the type argument of `materialReference`. */
 interface PropertyNodes {
   float: 'float'
   vec2: 'vec2'
@@ -13,10 +13,9 @@ interface PropertyNodes {
 }
 
 /**
- * A property of the material being drawn.
+ * Property of the material being drawn.
  *
- * @param owner material that the node is made for. Shadows are drawn by a material of the renderer's own with nodes of the mesh's: it has not
- *   all of their properties, and the renderer fails on those.
+ * @param owner fallback: the renderer's shadow material uses nodes of the mesh's material, but may lack its properties.
  */
 export function materialProperty<T extends keyof PropertyNodes>(
   name: string,
@@ -42,7 +41,7 @@ class PropertyNode extends MaterialReferenceNode {
   }
 }
 
-/** A uniform that takes an input's `value` whenever an object is drawn. */
+/** Uniform that reads an input's `value` before each draw. */
 export function inputUniform<T extends string>(input: { readonly value: unknown }, type?: T): Node<T> {
   return typed(uniform(input.value as never, type as never).onObjectUpdate(() => input.value))
 }
@@ -50,12 +49,12 @@ export function inputUniform<T extends string>(input: { readonly value: unknown 
 /** Channels of a `vec4` in the order of the layers. */
 export const CHANNELS = ['x', 'y', 'z', 'w'] as const
 
-/** Width and height of a texture's level 0, in texels. */
+/** Width and height of a texture's level 0, texels. */
 export function sizeOf(node: TextureNode): Node<'ivec2'> {
   return typed(textureSize(node, int(0)))
 }
 
-/** A normal in view space, built as three.js builds the material's own. */
+/** View-space normal, built like the material's own in three.js. */
 export function normalInView(normal: Node): Node<'vec3'> {
   return typed(subBuild(normal, 'NORMAL', 'vec3'))
 }
@@ -65,7 +64,7 @@ export function typed<T extends string>(node: Node): Node<T> {
   return node as Node<T>
 }
 
-/** The scale of the material's normal map. */
+/** Scale of the material's normal map. */
 export function normalScale(owner: Material): Node<'vec2'> {
   return materialProperty('normalScale', 'vec2', owner)
 }

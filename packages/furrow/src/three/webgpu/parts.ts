@@ -7,9 +7,9 @@ import { composeMaterial } from './modes/compose-material.ts'
 import { showDefault } from './modes/default.ts'
 import { showInfluence } from './modes/influence-material.ts'
 import { showPaper } from './modes/paper.ts'
-import { faultOf } from './patch/build-fault.ts'
+import { shaderErrorOf } from './patch/build-error.ts'
 
-/** Everything that depends on `WebGPURenderer`. */
+/** Parts for `WebGPURenderer`. */
 export const WEBGPU: RendererParts = {
   entry: 'furrow/webgpu',
   canPatch: () => true,
@@ -21,7 +21,7 @@ export const WEBGPU: RendererParts = {
   renew(material) {
     material.needsUpdate = true
   },
-  faultOf,
+  shaderErrorOf,
   isCompiling,
   unlitMaterial: () => new MeshBasicNodeMaterial({ color: 0, toneMapped: false }),
   bindTension: bindComputedTension,

@@ -1,4 +1,4 @@
-/** Texture coordinates and how maps are sampled at them, in TSL; the same formulas as the GLSL of `webgl/`. */
+/** Texture coordinates and sampling of maps, in TSL; same formulas as the GLSL in `webgl/`. */
 import { Matrix3 } from 'three'
 import { int, max, min, texture, uniform, uv, vec2, vec3 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
@@ -13,7 +13,7 @@ export interface Gradients {
   dy: Node<'vec2'>
 }
 
-/** Call it outside of any branch: inside one, neighbouring pixels may diverge. */
+/** Computes gradients. Must be called outside of branches, where neighbouring pixels may diverge. */
 export function gradientsOf(uv: Node<'vec2'>): Gradients {
   const unwrapped = uv.toVar()
   return {
@@ -24,11 +24,11 @@ export function gradientsOf(uv: Node<'vec2'>): Gradients {
 }
 
 /**
- * Samples one slice of an array with the gradients of the coordinates: safe inside a branch. Only an anisotropic sampler needs the
- * gradients themselves, which cost more than the level of detail computed from them (OpenGL ES 3.0, equations 3.18 and 3.21).
+ * Samples one slice of a texture array with explicit derivatives; safe inside branches. Only anisotropic samplers need the gradients.
+ * Otherwise the level of detail computed from them is cheaper (OpenGL ES 3.0, equations 3.18 and 3.21).
  *
- * @param slice counted from 0.
- * @returns the filtered texel, colours decoded to linear.
+ * @param slice index from 0.
+ * @returns the filtered texel, with colours in linear space.
  */
 export function sampleSlice(array: ArrayTexture, { uv, dx, dy }: Gradients, slice: number): Node<'vec4'> {
   const sampled = texture(array, uv).depth(int(slice))
@@ -39,27 +39,27 @@ export function sampleSlice(array: ArrayTexture, { uv, dx, dy }: Gradients, slic
   return sampled.level(level)
 }
 
-/** Samples a slice of an array, counted from 0. */
+/** Samples a slice, by index from 0, of a texture array. */
 export type SampleSlice = (array: ArrayTexture, slice: number) => Node<'vec4'>
 
-/** How the layers' maps are sampled at texture coordinates within 0..1, by gradients at any. Called outside of any branch. */
+/** Samples layer maps at texture coordinates: within 0..1 for `bySampler`, any for `byGradients`. Must be called outside of branches. */
 export type SliceSampler = (uv: Node<'vec2'>) => SampleSlice
 
-/** The sampler finds the level of detail, which software rasterisers pay less for than for one that is given. */
+/** Implicit level of detail; on software rasterisers cheaper than an explicit one. */
 export const bySampler: SliceSampler = (uv) => (array, slice) => texture(array, uv).depth(int(slice))
 
-/** Where texture coordinates may wrap between neighbouring pixels. */
+/** Explicit gradients, for texture coordinates that wrap between neighbouring pixels. */
 export const byGradients: SliceSampler = (uv) => {
   const gradients = gradientsOf(uv)
   return (array, slice) => sampleSlice(array, gradients, slice)
 }
 
-/** Wraps texture coordinates into 0..1, see `repeat` in core; those already within stay exactly as they are. */
+/** Wraps texture coordinates into 0..1, see `repeat` in core. Coordinates within 0..1 stay bit-exact. */
 export function repeat(uv: Node<'vec2'>): Node<'vec2'> {
   return uv.sub(max(uv.ceil().sub(1), min(uv.floor(), 0)))
 }
 
-/** Texture coordinates of the material's normal map, its `KHR_texture_transform` applied. */
+/** Texture coordinates of the material's normal map, with its `KHR_texture_transform` applied. */
 export function mapUv(material: Pick<WrinkleMaterial, 'normalMap'>): Node<'vec2'> {
   const transform = uniform(new Matrix3()).onObjectUpdate(() => {
     const map = material.normalMap!

@@ -5,7 +5,7 @@ import { OnBeforeObjectUpdate } from './newer-nodes.ts'
 
 const watchers = new WeakMap<Material, Parameters<WatchDraws>[1]>()
 
-/** Watches a material as `WebGPURenderer` draws, which does not call its `onBeforeRender`, by an event in its shader graph. */
+/** Watches draws of a material by an event in its shader graph, because `WebGPURenderer` does not call `Material.onBeforeRender`. */
 export const watchDraws: WatchDraws = (material, onDraw) => {
   if (!Object.hasOwn(material, 'setupVertex')) addEvent(material)
   watchers.set(material, onDraw)
@@ -14,7 +14,7 @@ export const watchDraws: WatchDraws = (material, onDraw) => {
   }
 }
 
-/** Plain materials carry this too: the renderer copies it to the node material that it makes. It stays, and does nothing unwatched. */
+/** Adds the event permanently. Non-node materials can carry it too: the renderer copies it to its node material. */
 function addEvent(material: Material): void {
   const setupVertex = function (this: NodeMaterial, builder: NodeBuilder) {
     OnBeforeObjectUpdate(({ material: drawn, object, renderer, camera, scene }) => {
@@ -25,7 +25,7 @@ function addEvent(material: Material): void {
     return Object.getPrototypeOf(this).setupVertex.call(this, builder)
   }
   const { customProgramCacheKey } = material
-  // Materials without the event must not use the same built shader.
+  // Materials without the event must not share the shader.
   const ownKey = () => `${customProgramCacheKey.call(material)} furrow watched`
   Object.assign(material, { setupVertex, customProgramCacheKey: ownKey })
 }

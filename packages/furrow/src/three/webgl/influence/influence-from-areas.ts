@@ -4,9 +4,9 @@ import type { ShaderInputs } from '../../material/shader-inputs.ts'
 import { REPEAT } from './influence.ts'
 
 /**
- * The influence of each layer from the areas themselves, as in the paper's step 3: a loop over all of them, for every layer at once.
+ * GLSL that computes the influence of all layers in one loop over the areas, as in step 3 of the paper.
  *
- * @param channels of a slice that hold areas.
+ * @param channels area channels per slice.
  */
 export function influenceFromAreas(channels: 1 | 4): string {
   const weight = channels === 1 ? 'texel.r' : 'texel[i % 4]'
@@ -31,7 +31,7 @@ vec4 furrowInfluenceFromAreas(vec2 unwrapped) {
 `
 }
 
-/** What it reads. */
+/** Uniforms of `influenceFromAreas`. */
 export function areaUniforms(inputs: ShaderInputs, table: ActivationTable): Record<string, IUniform> {
   return {
     furrowAreas: inputs.areaTexture,

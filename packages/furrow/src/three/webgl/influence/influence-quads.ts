@@ -12,7 +12,7 @@ import type { QuadMaterials } from '../../atlas/quad-materials.ts'
 import { requireInternal } from '../../three-version.ts'
 import { QUAD_SETTINGS } from './quad-settings.ts'
 
-/** The area's weight at the texel, times its activation in the channel of its layer. */
+/** Writes the area's weight times its activation to the channel of its layer. */
 const FRAGMENT = /* glsl */ `
 uniform highp sampler2DArray areas;
 in vec2 texel;
@@ -33,7 +33,7 @@ void main() {
 }
 `
 
-/** The materials that draw influence maps on `WebGLRenderer`. */
+/** Materials that draw influence maps with `WebGLRenderer`. */
 export const quadMaterials: QuadMaterials = {
   create(rule, areas) {
     return new ShaderMaterial({
@@ -49,7 +49,7 @@ export const quadMaterials: QuadMaterials = {
     })
   },
   hasContents(renderer, target) {
-    // A context that was lost and restored has none of its textures, nor anything known of them.
+    // After a context loss three.js has no textures and no properties of them.
     const properties = requireInternal(
       (renderer as WebGLRenderer).properties,
       WHO,
@@ -64,5 +64,5 @@ export const quadMaterials: QuadMaterials = {
   },
 }
 
-/** Who an error names. */
+/** Module name in errors. */
 const WHO = 'Wrinkles'

@@ -1,13 +1,13 @@
 /**
- * The influence of each layer: one sample of the atlas of influence maps, however many areas there are. No branch between pixels: graphics cards
- * and software rasterisers pay as much for one as for the sample that it saves. `furrowSampleInfluence` is called first in `main`; the other
- * functions read the globals that it sets, `furrowDx` and `furrowDy` only where coordinates wrap.
+ * GLSL that samples the influence of all layers from the atlas, for any number of areas. Branch-free: a branch costs as much as the sample
+ * that it would save. Call `furrowSampleInfluence` first in `main`: it sets globals for the other functions. `furrowDx` and `furrowDy`
+ * are used only if coordinates wrap.
  *
- * @param cell which one: that of the mesh, of each of its instances, or the only one that there is.
+ * @param cell cell to sample.
  * @param isTiled whether texture coordinates leave 0..1, and so wrap.
  */
 export function influenceFromMap(layers: number, cell: SampledCell, isTiled: boolean): string {
-  // What the texture lacks is 0 in a sample, but alpha is 1.
+  // Missing channels are sampled as 0, but missing alpha as 1.
   const alpha = layers < 4 ? '0.0' : 'influence.a'
   return /* glsl */ `${cell === 'only' ? MAP : CELL}${isTiled ? REPEAT : ''}
 ${cell === 'instances' ? 'flat in highp vec2 vFurrowCorner;' : ''}
@@ -26,7 +26,7 @@ void furrowSampleInfluence(vec2 uv) {
 `
 }
 
-/** The cell of the atlas that a shader samples. */
+/** Cell of the atlas that a shader samples: the mesh's, each instance's, or the only one. */
 export type SampledCell = 'mesh' | 'instances' | 'only'
 
 const SAMPLE_CELL: Record<SampledCell, string> = {
@@ -35,14 +35,14 @@ const SAMPLE_CELL: Record<SampledCell, string> = {
   only: 'furrowSampleMap(furrowUv)',
 }
 
-/** Wraps texture coordinates into 0..1, see `repeat` in core; those already within stay exactly as they are. */
+/** Wraps texture coordinates into 0..1, see `repeat` in core. Coordinates within 0..1 stay bit-exact. */
 export const REPEAT = /* glsl */ `
 vec2 furrowRepeat(vec2 uv) {
   return uv - max(ceil(uv) - 1.0, min(floor(uv), 0.0));
 }
 `
 
-/** Declares `vec4 furrowSampleMap(vec2 at)`: the influence at a point of the atlas, 0..1. */
+/** Declares `vec4 furrowSampleMap(vec2 at)`: influence at a point of the atlas (0..1). */
 const MAP = /* glsl */ `
 uniform highp sampler2D furrowInfluenceMap;
 uniform highp float furrowFade;
@@ -52,7 +52,7 @@ vec4 furrowSampleMap(vec2 at) {
 }
 `
 
-/** Declares `vec4 furrowSampleCell(vec2 uv, vec2 corner)` besides: the influence of the cell at a corner, at texture coordinates within 0..1. */
+/** Adds `vec4 furrowSampleCell(vec2 uv, vec2 corner)`: influence at texture coordinates (0..1) of the cell with this corner. */
 const CELL = /* glsl */ `${MAP}
 uniform highp vec4 furrowCell;
 uniform highp vec4 furrowInside;
@@ -63,7 +63,7 @@ vec4 furrowSampleCell(vec2 uv, vec2 corner) {
 }
 `
 
-/** Declares `vec4 furrowLookUp(vec2 uv, vec2 corner)` besides: the same, 0 outside of what active areas reach. For vertices, which skip the sample there. */
+/** Adds `vec4 furrowLookUp(vec2 uv, vec2 corner)` for vertex shaders: skips the sample, and returns 0, outside the bounds of active areas. */
 export const INFLUENCE_LOOKUP = /* glsl */ `${CELL}${REPEAT}
 uniform highp vec4 furrowBounds;
 
@@ -77,8 +77,8 @@ vec4 furrowLookUp(vec2 uv, vec2 corner) {
 `
 
 /**
- * Declares `vec2 furrowCornerOf(float instance)`, for vertex shaders; each instance has a cell, in the order of rows. A shader may have it
- * twice, by the default mode and by relief.
+ * Declares `vec2 furrowCornerOf(float instance)` for vertex shaders; instances have consecutive cells, row by row. Guarded, because the
+ * default mode and relief may both declare it.
  */
 export const CORNER_OF_INSTANCE = /* glsl */ `
 #ifndef FURROW_CORNER
@@ -95,12 +95,12 @@ vec2 furrowCornerOf(float instance) {
 `
 
 /**
- * How the layers' maps are sampled: the sampler finds the level of detail, which costs least; where coordinates wrap, with their gradients,
- * which samplers with anisotropy need, or at the level of detail computed from them, which costs less.
+ * Sampling of layer maps. `sampler` uses implicit derivatives and is cheapest. Wrapping coordinates need explicit ones: `gradients` for
+ * anisotropic samplers, otherwise `level`, which is cheaper.
  */
 export type SliceSampling = 'sampler' | 'gradients' | 'level'
 
-/** Declares `vec4 furrowSampleSlice(highp sampler2DArray maps, float slice)`, which samples the layers' maps. */
+/** Declares `vec4 furrowSampleSlice(highp sampler2DArray maps, float slice)`, which samples layer maps. */
 export function sliceSampling(sampling: SliceSampling): string {
   return /* glsl */ `
 vec4 furrowSampleSlice(highp sampler2DArray maps, float slice) {
@@ -113,7 +113,7 @@ const BY_SAMPLER = 'return texture(maps, vec3(furrowUv, slice));'
 
 const BY_GRADIENTS = 'return textureGrad(maps, vec3(furrowUv, slice), furrowDx, furrowDy);'
 
-/** The level of detail of OpenGL ES 3.0, equations 3.18 and 3.21. */
+/** Level of detail by OpenGL ES 3.0, equations 3.18 and 3.21. */
 const BY_LEVEL = /* glsl */ `vec2 size = vec2(textureSize(maps, 0).xy);
   vec2 dx = furrowDx * size;
   vec2 dy = furrowDy * size;

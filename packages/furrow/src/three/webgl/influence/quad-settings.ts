@@ -1,6 +1,6 @@
 import { DoubleSide, GLSL3, NoBlending } from 'three'
 
-/** Draws `Quads`: `targetUv` is the point of the target, 0..1, `texel` that of the area. */
+/** Vertex shader of `Quads`. `targetUv` is the position in the target (0..1), `texel` the position in the area. */
 const VERTEX = /* glsl */ `
 in vec4 furrowPoint;
 in vec2 furrowSource;
@@ -19,7 +19,7 @@ void main() {
 }
 `
 
-/** What all materials of `Quads` have in common. */
+/** Settings shared by all materials of `Quads`. */
 export const QUAD_SETTINGS = {
   glslVersion: GLSL3,
   vertexShader: VERTEX,

@@ -5,22 +5,22 @@ import type { Values } from './value-layers.ts'
 
 interface EditedShader {
   isToon: boolean
-  /** The variable of the mixed normal. */
+  /** Variable of the mixed normal. */
   normal: string
 }
 
-/** The parts of a shader that mix the layers' other maps in, and draw wrinkles as lines on materials that light in steps. */
+/** GLSL that mixes the layers' value maps, and draws wrinkle lines on toon materials. */
 export interface AddedValues {
   declarations: string
-  /** First in `main`, behind the influence. */
+  /** Statements at the start of `main`, after the influence. */
   begin: string
-  /** Behind the mixed normal, beside `furrowOwn`. */
+  /** Statement after the mixed normal, where `furrowOwn` is declared. */
   tint: string
-  /** Mixes into the material's own maps where it reads them; without a map its own value is 1. */
+  /** Mixes values into the material's maps where the shader reads them. Without a map the material's value is 1. */
   mixOthers(fragment: string): string
 }
 
-/** Mixes the layers' other maps, and draws the lines of a material that lights in steps. */
+/** Creates the GLSL of the layers' value maps, and of toon lines. */
 export function addValues(values: Values, { isToon, normal }: EditedShader): AddedValues {
   const hasValues = Object.keys(values).length > 0
   return {
@@ -40,10 +40,9 @@ export function addValues(values: Values, { isToon, normal }: EditedShader): Add
   }
 }
 
-/** See `AddedValues`. */
 function mixOthers(fragment: string, { baseColor, roughness, occlusion, blood }: Values): string {
   let shader = fragment
-  // Before the edit below, which replaces the include.
+  // Must precede the next edit, which replaces the include.
   if (blood) {
     shader = shader.replace(
       includeOf('map_fragment'),
@@ -85,7 +84,7 @@ function mixOthers(fragment: string, { baseColor, roughness, occlusion, blood }:
   return shader
 }
 
-/** Highlights of lights are shadowed by the layers' occlusion; those of the surroundings are by three.js. */
+/** Shadows the specular highlights of lights by the layers' occlusion. three.js does so for environment maps. */
 function shadowHighlights(chunk: string): string {
   const highlight = 'reflectedLight.directSpecular += irradiance *'
   return `float furrowMicroShadow( highp float cosine );\n${replace(chunk, highlight, `${highlight} furrowMicroShadow( dotNL ) *`)}`

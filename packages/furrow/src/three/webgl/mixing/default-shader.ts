@@ -12,25 +12,24 @@ import { addValues } from './add-values.ts'
 import { type NormalLayers, normalMixing } from './mix-normals.ts'
 import type { Values } from './value-layers.ts'
 
-/** What a program depends on: never the number of areas. */
+/** Parameters of a shader program. Independent of the number of areas. */
 export interface ShaderVariant extends NormalLayers {
-  /** The layers' other maps, by kind. */
+  /** Value maps of the layers, by kind. */
   values: Values
   cell: SampledCell
   /** Whether texture coordinates leave 0..1, and so wrap. */
   isTiled: boolean
   sampling: SliceSampling
-  /** Whether the material lights in steps, and so shows wrinkles as lines too. */
+  /** Whether the material has toon shading, and so shows wrinkles as lines too. */
   isToon: boolean
 }
 
 /**
- * Makes a material's fragment shader mix the layers' maps into its own before it lights them: `mixNormals` and `mixValues` of the
- * reference, except that the last normalisation is left to the material. The shader is one of three.js's, as the user may have edited
- * it, or another that reads its normal map as these do, such as MToon's. Such a one shows the layers' normals only: it need not
- * have the texture coordinates before its other maps are read.
+ * Patches a fragment shader to mix the layers' maps into the material's before lighting: `mixNormals` and `mixValues` of the reference,
+ * without the final normalisation. Supports three.js's shaders, also when edited by the user, and others that read the normal map the same
+ * way, such as MToon. The latter show normals only, because they may read other maps before the texture coordinates are known.
  *
- * @throws Error when it reads its normal map in another way, or not at all.
+ * @throws Error if the shader does not read its normal map like three.js.
  */
 export function defaultFragment(fragment: string, variant: ShaderVariant): string {
   const shader = replaceChunk(fragment, 'normal_fragment_maps')
@@ -56,22 +55,22 @@ export function defaultFragment(fragment: string, variant: ShaderVariant): strin
   return added.mixOthers(shown)
 }
 
-/** Whether `defaultFragment` can edit a shader. */
+/** Whether `defaultFragment` can patch a shader. */
 export function isPatchable(fragment: string): boolean {
   const shader = replaceChunk(fragment, 'normal_fragment_maps')
   return MAP_READ.test(shader) && NORMAL_SCALED.test(shader) && shader.includes(MAIN)
 }
 
-/** How three.js's `normal_fragment_maps`, and the shaders made after it, read the normal map: the texture coordinates ... */
+/** Sample of the normal map in three.js's `normal_fragment_maps` and shaders modelled on it; captures the texture coordinates. */
 const MAP_READ = /texture2D\( *normalMap, *(\w+) *\)/
 
-/** ... and the normal in tangent space. */
+/** Scaling of the tangent-space normal in the same chunk; captures its variable. */
 const NORMAL_SCALED = /\b(\w+)\.xy \*= normalScale;/
 
-/** Texture coordinates that three.js passes from the vertex shader. */
+/** Varying with three.js's texture coordinates of the normal map. */
 const BUILT_IN_UV = 'vNormalMapUv'
 
-/** Passes the corner of the instance's cell from the vertex shader to the fragment shader. */
+/** Patches a vertex shader to pass the corner of the instance's cell to the fragment shader. */
 export function instancedVertex(vertex: string, instances: 'instanced' | 'batched'): string {
   const declarations = `${CORNER_OF_INSTANCE}flat out highp vec2 vFurrowCorner;`
   const corner = `vFurrowCorner = furrowCornerOf(${instanceIndex(instances)});`
@@ -81,9 +80,9 @@ export function instancedVertex(vertex: string, instances: 'instanced' | 'batche
 function instanceIndex(instances: 'instanced' | 'batched'): string {
   if (instances === 'instanced') return 'float(gl_InstanceID)'
   const chunk = ShaderChunk.batching_pars_vertex
-  // Until r165 of three.js each vertex of a batch knows its instance.
+  // Up to three.js r165 each vertex of a batch has an instance index.
   if (chunk.includes('attribute float batchId;')) return 'batchId'
-  // Later ones draw the visible instances in an order of their own.
+  // Later releases reorder the visible instances.
   const [call] = chunk.match(/getIndirectIndex(?=\()/) ?? []
   return `${requireInternal(call, 'Wrinkles', 'getIndirectIndex in batching_pars_vertex', REVISION)}(gl_DrawID)`
 }

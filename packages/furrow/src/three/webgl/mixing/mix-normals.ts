@@ -1,7 +1,7 @@
 import type { LayerKind } from '../../../core/types.ts'
 import { sharesOf } from '../../../runtime/layer-shares.ts'
 
-/** The layers' normals, as a program depends on them. */
+/** Parameters of `normalMixing`. */
 export interface NormalLayers {
   kinds: readonly LayerKind[]
   /** Slice of each layer's normals. */
@@ -9,8 +9,8 @@ export interface NormalLayers {
 }
 
 /**
- * Declares `vec3 furrowMixNormals(vec3 base)`: `mixNormals` of the reference, of any length, since whoever uses it normalises it; in the direction of
- * the base where the influence of all layers is 0. All layers are sampled: a graphics card pays more for the branches.
+ * Declares `vec3 furrowMixNormals(vec3 base)`: `mixNormals` of the reference, not normalised. Keeps the direction of the base if the
+ * influence of all layers is 0. Samples all layers, because branches cost more on GPUs.
  */
 export function normalMixing({ kinds, normals }: NormalLayers): string {
   const influence = (layer: number) => `furrowInfluence[${layer}]`
@@ -21,7 +21,7 @@ export function normalMixing({ kinds, normals }: NormalLayers): string {
   const scaled = (layer: number) => `n${layer} * vec3(vec2(furrowNormalScale[${layer}]), 1.0)`
   const replaced = replacing.map((layer, i) => ` + (${scaled(layer)} - base) * (${shares[i]})`)
   const mixed = `base${replaced.join('')}`
-  // The normal of a single one need not be divided by its z, which takes the longest.
+  // A single detail normal needs no division by z, the most expensive operation.
   const isOne = details.length === 1
   const factors = details.map(
     (layer) =>
@@ -40,17 +40,17 @@ ${sampled.join('')}${factors.join('')}
 `
 }
 
-/** The normal of a layer: of one of detail, x and y as stored, which are unpacked with their factor, and half of z. */
+/** Normal of a layer. For a detail layer: stored x and y, unpacked later with their factor, and half of z. */
 function layerNormal(kind: LayerKind, slice: number): string {
   return `furrowSampleSlice(furrowNormals, ${slice}.0).xyz ${kind === 'detail' ? '- FURROW_FLAT' : '* 2.0 - 1.0'}`
 }
 
 /**
- * `FURROW_FLAT` takes half of z from what is stored, but for a little: a z of exactly 0 would leave no normal, or divide an influence of 0 by 0.
+ * `FURROW_FLAT` subtracts slightly less than half from z: a z of exactly 0 gives no normal, or 0 / 0 at an influence of 0.
  *
- * `furrowReorient` is reoriented normal mapping, see `reorientNormal` in the reference: the same direction, of a base of any length, and of a detail with
- * this slope times its depth. With the base's length l, t = (x, y, z + l) and r = (-slope, depth), t dot(t, r) / t.z - l r is multiplied out, so that a slope of 0 leaves
- * the base's direction. What is added to the length keeps z + l from 0; a limit would be one step more.
+ * `furrowReorient` is reoriented normal mapping (`reorientNormal` in the reference) of a base of any length l. `slope` is premultiplied by
+ * `depth`. It expands t dot(t, r) / t.z - l r with t = (x, y, z + l) and r = (-slope, depth). A slope of 0 keeps the base's direction.
+ * The epsilon in l keeps z + l above 0, cheaper than a clamp.
  */
 const DETAILS = /* glsl */ `
 const vec3 FURROW_FLAT = vec3(0.0, 0.0, 0.4999999);

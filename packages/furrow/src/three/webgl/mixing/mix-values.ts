@@ -1,4 +1,4 @@
-/** The layers' other maps, and lines of materials that light in steps, in GLSL. */
+/** GLSL of the layers' value maps, and of toon lines. */
 import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from '../../../core/blood.ts'
 import { TOON_LINE } from '../../../core/toon-line.ts'
 import { sharesOf } from '../../../runtime/layer-shares.ts'
@@ -14,7 +14,7 @@ vec3 furrowToonColour(vec3 colour, vec3 own, vec3 mixed) {
 }
 `
 
-/** Declares `float furrowMicroShadow(float cosine)`, see `microShadow` in the reference, by what `furrowOcclude` was told. */
+/** Declares `float furrowMicroShadow(float cosine)`, see `microShadow` in the reference; call `furrowOcclude` first. */
 export const MICRO_SHADOW = /* glsl */ `
 float furrowVisibility = 1.0;
 highp float furrowInverseCone = 1e20;
@@ -27,7 +27,7 @@ float furrowMicroShadow(highp float cosine) {
 }
 `
 
-/** Declares `vec3 furrowBloodColour(vec3 colour)`, see `bloodColour` in the reference; after `furrowMix_blood`. */
+/** Declares `vec3 furrowBloodColour(vec3 colour)`, see `bloodColour` in the reference; needs `furrowMix_blood`. */
 export const BLOOD_COLOUR = /* glsl */ `
 vec3 furrowBloodColour(vec3 colour) {
   float blood = furrowMix_blood(0.0);
@@ -43,16 +43,16 @@ float furrowBloodOf(float stored) {
 }
 `
 
-/** How a kind's values are read in GLSL. */
+/** GLSL that reads the values of one kind of map. */
 interface ValueReading {
   type: string
-  /** Components of a texel. */
+  /** Swizzle of a texel. */
   swizzle: (channel: number) => string
-  /** What scales them, by layer. */
+  /** Uniform with the scale per layer. */
   uniform?: string
-  /** The value of what is stored, and the scale of its layer. */
+  /** Expression for the value, from the stored value and the scale. */
   decode?: (stored: string, scale: string) => string
-  /** Declared before. */
+  /** Required declarations. */
   functions?: string
 }
 
@@ -76,7 +76,7 @@ const VALUES: Record<ValueKind, ValueReading> = {
   },
 }
 
-/** Declares the samplers of the layers' other maps, and `void furrowReadValues()`, which reads each of their texels once. */
+/** Declares the samplers of the value maps, and `void furrowReadValues()`, which reads each texel once. */
 export function valueReading(values: Values): string {
   const texels = listTexels(values)
   const samplers = new Set(texels.map(({ sampler }) => sampler))
@@ -93,7 +93,7 @@ void furrowReadValues() {
 `
 }
 
-/** Declares `TYPE furrowMix_KIND(TYPE base)`: `mixValues` of the reference; after `furrowReadValues`. */
+/** Declares `TYPE furrowMix_KIND(TYPE base)`: `mixValues` of the reference; call `furrowReadValues` first. */
 export function valueMixing(kind: ValueKind, { slices, channel, sampler }: ValueLayers): string {
   const { type, swizzle, uniform, decode, functions = '' } = VALUES[kind]
   const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))

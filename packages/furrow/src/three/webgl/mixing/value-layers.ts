@@ -1,10 +1,10 @@
 import type { ValueLayers } from '../../../runtime/value-texels.ts'
 import type { ValueKind, WrinkleTextures } from '../../material/wrinkle-textures.ts'
 
-/** The layers' other maps, by kind. */
+/** Value maps (all except normals) of the layers, by kind. */
 export type Values = Readonly<Partial<Record<ValueKind, ValueLayers>>>
 
-/** The layers' other maps, as a program depends on them. */
+/** Shader parameters of the layers' value maps. */
 export function valueLayers(values: WrinkleTextures['values']): Values {
   const kinds = Object.keys(values) as ValueKind[]
   return Object.fromEntries(

@@ -5,7 +5,7 @@ import { QUAD_SETTINGS } from '../influence/quad-settings.ts'
 import { normalMixing } from '../mixing/mix-normals.ts'
 import { layerUniforms, mapUniforms } from '../uniforms.ts'
 
-/** Draws the composed normal map on `WebGLRenderer`. */
+/** Draws the composed normal map with `WebGLRenderer`. */
 export const composeMaterial: ComposeMaterial = (base, inputs, level) => {
   const { kinds, normals } = inputs.textures
   const isTexelwise = level !== undefined
@@ -39,7 +39,7 @@ void main() {
   })
 }
 
-/** A pixel of the target is a texel of that level. */
+/** Reads the texel at the target's pixel: all maps have the target's size. */
 const TEXELS = /* glsl */ `
 uniform int furrowLevel;
 

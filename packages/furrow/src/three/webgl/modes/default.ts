@@ -8,7 +8,7 @@ import { valueLayers } from '../mixing/value-layers.ts'
 import { patchShader, type ShaderEdit } from '../patch/patch-shader.ts'
 import { layerUniforms, mapUniforms } from '../uniforms.ts'
 
-/** The default mode on `WebGLRenderer`. */
+/** Default mode for `WebGLRenderer`. */
 export const showDefault: RendererParts['showDefault'] = ({
   material,
   inputs,
@@ -18,7 +18,7 @@ export const showDefault: RendererParts['showDefault'] = ({
 }) => {
   const { textures } = inputs
   const instances = instancesOf(meshes[0])
-  const { isTiled, isFor, isCurrent: isTiledAsBefore } = tilingOf(meshes, material)
+  const { isTiled, isFor, isCurrent: isTilingCurrent } = tilingOf(meshes, material)
   const isAlone = inputs.isAlone()
   const cell = isAlone ? 'only' : 'mesh'
   const variant: ShaderVariant = {
@@ -39,7 +39,7 @@ export const showDefault: RendererParts['showDefault'] = ({
     },
     refuse,
   }
-  const isCurrent = () => isTiledAsBefore() && (!isAlone || inputs.isAlone())
+  const isCurrent = () => isTilingCurrent() && (!isAlone || inputs.isAlone())
   return { ...patchShader(material, edit, onCompile), isFor, isCurrent }
 }
 

@@ -6,7 +6,7 @@ import { instancedVertex } from '../mixing/default-shader.ts'
 import { MAIN, replace, replaceChunk } from '../patch/shader-text.ts'
 import { mapUniforms } from '../uniforms.ts'
 
-/** Shows the influence as gray on the mesh as it moves: black = no wrinkles, white = fully visible. */
+/** Shows the influence on the moving mesh as gray: black = no wrinkles, white = fully visible. */
 export const showInfluence: ShowInfluence = (
   material,
   { wrinkled: { normalMap }, inputs, instances },
@@ -15,7 +15,7 @@ export const showInfluence: ShowInfluence = (
   const layers = inputs.textures.layers.length
   const { channels } = inputs.areas
   const uniforms: Record<string, IUniform> = table ? areaUniforms(inputs, table) : mapUniforms(inputs)
-  // The map provides its texture coordinates, transform included; the shader samples the areas instead.
+  // `map` only supplies its texture coordinates and transform; the shader does not sample it.
   Object.assign(material, { map: normalMap, color: new Color(1, 1, 1), needsUpdate: true })
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, uniforms)
@@ -30,14 +30,14 @@ export const showInfluence: ShowInfluence = (
 
 const LARGEST = 'diffuseColor.rgb *= vec3(max(max(influence.x, influence.y), max(influence.z, influence.w)));'
 
-/** Makes an unlit material show the largest influence of any layer as gray, from the map. */
+/** Patches an unlit fragment shader to show the largest influence of any layer, from the influence map. */
 function mapFragment(fragment: string, layers: number, isInstanced: boolean): string {
   const declarations = influenceFromMap(layers, isInstanced ? 'instances' : 'mesh', true)
   const started = replace(fragment, MAIN, `${declarations}\n${MAIN}\n\tfurrowSampleInfluence(vMapUv);`)
   return replaceChunk(started, 'map_fragment', () => `vec4 influence = furrowInfluence;\n\t${LARGEST}`)
 }
 
-/** The same, from the areas themselves. */
+/** Patches an unlit fragment shader to show the largest influence of any layer, from the areas. */
 function areasFragment(fragment: string, channels: 1 | 4): string {
   const declared = replace(fragment, MAIN, `${influenceFromAreas(channels)}\n${MAIN}`)
   const influence = 'vec4 influence = furrowInfluenceFromAreas(vMapUv);'

@@ -2,12 +2,11 @@ import { influenceFromAreas } from '../influence/influence-from-areas.ts'
 import { includeOf, MAIN, replace, replaceChunk } from '../patch/shader-text.ts'
 
 /**
- * The paper's shader on a built-in material: light with smooth normals, light again with wrinkled ones, mix
- * the two colours by the influence. The material's own text between its first lighting chunk and its output
- * is run twice, so that it works for any of three.js's lit materials.
+ * Patches a built-in material with the paper's shader: lights smooth normals, lights wrinkled normals, and mixes both colours by the
+ * influence. Duplicates the code from the first lighting chunk to the output, and so supports all lit materials of three.js.
  *
- * @param channels of a slice that hold areas.
- * @param diffuseIsSrgb whether the diffuse slice of the array is sampled as stored, and is decoded here.
+ * @param channels area channels per slice.
+ * @param diffuseIsSrgb whether the diffuse slice is sRGB-encoded, and decoded here.
  */
 export function paperFragment(fragment: string, channels: 1 | 4, diffuseIsSrgb: boolean): string {
   const lighting = lightingOf(fragment)
@@ -46,7 +45,7 @@ export function paperFragment(fragment: string, channels: 1 | 4, diffuseIsSrgb: 
   ].reduce((shader, [text, replacement]) => replace(shader, text, replacement), coloured)
 }
 
-/** Decodes sRGB as three.js does from r170 on, in its `sRGBTransferEOTF`. */
+/** sRGB decoding of three.js since r170, `sRGBTransferEOTF`. */
 const LINEAR_OF = /* glsl */ `
 vec4 furrowLinearOf(vec4 value) {
   vec3 curve = pow(value.rgb * 0.9478672986 + vec3(0.0521327014), vec3(2.4));
@@ -56,7 +55,7 @@ vec4 furrowLinearOf(vec4 value) {
 
 const OUTPUT = '#include <opaque_fragment>'
 
-/** The text of a material's fragment shader that lights it. */
+/** Returns the lighting code of a fragment shader. */
 function lightingOf(fragment: string): string {
   const body = fragment.indexOf(MAIN)
   const start = body + fragment.slice(body).search(includeOf('lights_\\w+_fragment'))

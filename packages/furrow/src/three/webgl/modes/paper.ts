@@ -3,7 +3,7 @@ import { areaUniforms } from '../influence/influence-from-areas.ts'
 import { patchShader, type ShaderEdit } from '../patch/patch-shader.ts'
 import { paperFragment } from './paper-shader.ts'
 
-/** The paper's mode on `WebGLRenderer`. */
+/** Paper mode for `WebGLRenderer`. */
 export const showPaper: RendererParts['showPaper'] = ({ material, inputs, refuse }) => {
   const { areas } = inputs
   const { diffuseIsSrgb, table, texture } = inputs.paper!

@@ -3,19 +3,19 @@ import type { ShownMode } from '../../material/patch.ts'
 
 /** An edit of a material's GLSL. */
 export interface ShaderEdit {
-  /** The same for edits that give the same program. */
+  /** Cache key; equal for edits that give the same program. */
   key: string
   uniforms: Record<string, IUniform>
-  /** Throws where the shader cannot be edited. */
+  /** Edits the shader. Throws if it is unsupported. */
   apply(shader: WebGLProgramParametersWithUniforms): void
-  /** Called where it cannot; the shader then stays as it was. */
+  /** Called if `apply` throws; the shader is left unchanged. */
   refuse(): void
 }
 
 /**
- * Edits a material's own GLSL, after the user's `onBeforeCompile`, if any.
+ * Patches a material's GLSL, after the user's `onBeforeCompile`, if any.
  *
- * @param onCompile called after the shader was edited, before it is compiled.
+ * @param onCompile called with the patched shader, before compilation.
  */
 export function patchShader(
   material: Material,
@@ -31,7 +31,7 @@ export function patchShader(
     } catch {
       return edit.refuse()
     }
-    // Not into the object itself: a ShaderMaterial's is its own, which its copies copy.
+    // A new object: a ShaderMaterial passes its own `uniforms`, which its clones would copy.
     shader.uniforms = { ...shader.uniforms, ...edit.uniforms }
     onCompile?.(renderer)
   }

@@ -1,13 +1,13 @@
 /**
- * Edits to the text of materials' shaders, which may include three.js's chunks or hold such text themselves. Where a shader lacks a text, an
- * error is thrown that has this text for its message.
+ * Text edits of shaders, which may include three.js's chunks or contain their text. If a shader lacks an expected text, the message of the
+ * thrown error is this text.
  */
 import { ShaderChunk } from 'three'
 
 /**
  * Replaces the first occurrence of a text in a shader.
  *
- * @throws Error when the shader does not contain it.
+ * @throws Error if the shader does not contain the text.
  */
 export function replace(shader: string, text: string, replacement: string): string {
   if (!shader.includes(text)) throw new Error(text)
@@ -15,9 +15,9 @@ export function replace(shader: string, text: string, replacement: string): stri
 }
 
 /**
- * Replaces an `#include` by its text, edited. Like three.js, it leaves those in comments alone.
+ * Replaces an `#include` by its edited text. Ignores includes in comments, like three.js.
  *
- * @returns the shader as it was if it does not include the chunk.
+ * @returns the shader, unchanged if it does not include the chunk.
  */
 export function replaceChunk(
   shader: string,
@@ -27,10 +27,10 @@ export function replaceChunk(
   return shader.replace(includeOf(name), () => edit(ShaderChunk[name]))
 }
 
-/** Finds the `#include` of a chunk, by its name or a pattern of it. */
+/** Matches the `#include` of a chunk, by name or pattern. */
 export function includeOf(name: string): RegExp {
   return new RegExp(`^[ \\t]*#include +<${name}>`, 'm')
 }
 
-/** Where a material's fragment shader starts. */
+/** Start of a shader's main function. */
 export const MAIN = 'void main() {'

@@ -2,20 +2,20 @@ import { CANCELLED, PHONG, ROOM_TO_CURVE } from '../../../relief/displaced.ts'
 import type { HeightLayer } from '../../relief/height-maps.ts'
 import { CORNER_OF_INSTANCE, INFLUENCE_LOOKUP } from '../influence/influence.ts'
 
-/** Vertices at one position at most whose normals are averaged: a guard, not a limit that meshes meet. */
-const MOST_TWINS = 16
+/** Maximum number of vertices at one position whose normals are averaged. A loop guard that real meshes do not reach. */
+const MAX_TWINS = 16
 
-/** What a program with relief depends on. */
+/** Parameters of a relief program. */
 export interface ReliefVariant {
   heights: readonly HeightLayer[]
-  /** Channel of the heights' texture. */
+  /** Channel of the height texture. */
   channel: number
   isInstanced: boolean
 }
 
 /**
- * Declares functions of a vertex of a dense geometry, see `displace` of the room `relief`; `furrowIsDense` tells whether it is one.
- * Vertices at a seam read the same numbers in the same order, so that they stay together to the bit.
+ * Declares the vertex functions of dense geometries, see `displace` in src/relief. `furrowIsDense` detects such geometries. Vertices at a
+ * seam read the same numbers in the same order, and so get bit-identical positions.
  */
 export function reliefFunctions({ heights, channel, isInstanced }: ReliefVariant): string {
   const displacement = heights.map(
@@ -51,7 +51,7 @@ vec3 furrowUnpack(vec2 octahedral) {
   return normalize(v);
 }
 
-/** Of the three corners, as far as they have weight; read first in main. */
+/** Directions of the three corners with nonzero weights; read first in main. */
 vec4 furrowDirections[3];
 
 void furrowReadDirections() {
@@ -73,7 +73,7 @@ vec3 furrowShadingTangent() {
     + furrowUnpack(furrowDirections[2].zw) * furrowWeights.z;
 }
 
-/** Position and smooth normal of a parent; most are no seam, where the normal is that of the corner. */
+/** Position and smooth normal of a parent. Off seams the smooth normal is the corner's. */
 void furrowReadParent(float first, float corner, vec2 direction, out vec3 position, out vec3 normal) {
   vec4 texel = furrowCoarse(furrowCoarsePositions, first);
   position = texel.xyz;
@@ -82,7 +82,7 @@ void furrowReadParent(float first, float corner, vec2 direction, out vec3 positi
   if (texel.w == first) return;
   vec3 sum = normal;
   float next = texel.w;
-  for (int i = 0; i < ${MOST_TWINS} && next != first; i++) {
+  for (int i = 0; i < ${MAX_TWINS} && next != first; i++) {
     sum += furrowUnpack(furrowCoarse(furrowCoarseDirections, next).xy);
     next = furrowCoarse(furrowCoarsePositions, next).w;
   }

@@ -22,7 +22,7 @@ import { MAIN, replace, replaceChunk } from '../patch/shader-text.ts'
 import { mapUniforms } from '../uniforms.ts'
 import { reliefFunctions } from './relief-surface.ts'
 
-/** Writes each vertex into its texel, deformed by three.js's own chunks. */
+/** Writes each vertex to its texel, deformed by three.js's chunks. */
 const COARSE_VERTEX = /* glsl */ `
 #include <common>
 #include <morphtarget_pars_vertex>
@@ -84,7 +84,7 @@ const coarseMaterial: CoarseParts['coarseMaterial'] = (ring, first, rows, hasTan
     depthWrite: false,
   })
 
-/** Patches the material's own GLSL, after what patched it before. */
+/** Patches the material's GLSL, after earlier patches. */
 const patch: ReliefParts['patch'] = (material, relief, inputs, instances) => {
   const { onBeforeCompile, customProgramCacheKey } = material
   const { layers, channel } = relief.heights
@@ -105,19 +105,19 @@ const patch: ReliefParts['patch'] = (material, relief, inputs, instances) => {
   return () => Object.assign(material, { onBeforeCompile, customProgramCacheKey })
 }
 
-/** The error for a shader without a text that the patch needs. */
+/** Error for a shader that lacks a text required by the patch. */
 function unpatchable(missing: string): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who: 'Wrinkles',
-    problem: `material whose shader cannot be patched in three.js r${REVISION}, it lacks`,
+    problem: `the shader cannot be patched for relief in three.js r${REVISION}: missing text`,
     value: missing,
     limit: `the built-in lit materials of three.js up to r${NEWEST_THREE}`,
-    remedy: 'use one of them, or the composed mode',
+    remedy: 'use a built-in lit material, or the composed mode',
   })
 }
 
-/** Puts vertices of dense geometries in their places before three.js's chunks deform others. */
+/** Places the vertices of dense geometries before three.js's chunks deform other geometries. */
 function reliefVertex(vertex: string, functions: string): string {
   const declared = replace(
     vertex,
@@ -155,20 +155,20 @@ function reliefUniforms({ heights, coarse, unitsPerMetre, amount }: ReliefInputs
   }
 }
 
-/** Shadows are drawn with materials of three.js's own, which are patched alike. */
-const dressShadow: ReliefParts['dressShadow'] = (dense, mesh, relief, inputs, instances) => {
-  const own: Material[] = [
+/** three.js draws shadows with separate materials, which need the same patch. */
+const addShadowMaterials: ReliefParts['addShadowMaterials'] = (dense, mesh, relief, inputs, instances) => {
+  const materials: Material[] = [
     mesh.customDepthMaterial?.clone() ?? new MeshDepthMaterial({ depthPacking: RGBADepthPacking }),
     mesh.customDistanceMaterial?.clone() ?? new MeshDistanceMaterial(),
   ]
-  for (const material of own) patch(material, relief, inputs, instances)
-  ;[dense.customDepthMaterial, dense.customDistanceMaterial] = own
+  for (const material of materials) patch(material, relief, inputs, instances)
+  ;[dense.customDepthMaterial, dense.customDistanceMaterial] = materials
   return () => {
-    for (const material of own) material.dispose()
+    for (const material of materials) material.dispose()
   }
 }
 
-/** Several meshes may have an outline's material in common, as copies of an avatar do: each one's relief needs its own. */
+/** Clones the outline material, because meshes (e.g. copies of an avatar) may share it. */
 const outlineMaterial: ReliefParts['outlineMaterial'] = (own, relief, inputs, instances) => {
   const { uniforms } = own as Partial<ShaderMaterial>
   if (!uniforms) return null
@@ -179,7 +179,7 @@ const outlineMaterial: ReliefParts['outlineMaterial'] = (own, relief, inputs, in
 
 const viewport = new Vector4()
 
-/** A light's shadow may have several views in one target, whose viewport three.js sets once for each. */
+/** Restores the viewport: a light's shadow may have several views in one target, and three.js sets the viewport once per view. */
 const duringShadow: ReliefParts['duringShadow'] = (renderer, draw) => {
   const { state } = renderer as WebGLRenderer
   const context = (renderer as WebGLRenderer).getContext()
@@ -192,10 +192,10 @@ const PARTS: ReliefParts = {
   coarseMaterial,
   hasContents: quadMaterials.hasContents,
   patch,
-  dressShadow,
+  addShadowMaterials,
   outlineMaterial,
   duringShadow,
 }
 
-/** Relief on `WebGLRenderer`. */
+/** Relief for `WebGLRenderer`. */
 export const createRelief: CreateRelief = (face, mode) => new ReliefControl(face, PARTS, mode)

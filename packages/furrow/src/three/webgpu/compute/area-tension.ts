@@ -8,22 +8,24 @@ import { localId, workgroupBarrier, workgroupId } from '../newer-nodes.ts'
 import { Buffers, sharedArray, workgroups } from './buffers.ts'
 import { DeformedPositions } from './deformed-positions.ts'
 
-/** Invocations in an area's workgroup: a multiple of every subgroup size, and no more than any WebGPU device allows. */
+/** Invocations per workgroup: a multiple of every subgroup size, within the limits of all WebGPU devices. */
 const LANES = 64
 
-/** Values of each area in `values`. */
+/** Values per area in `values`. */
 const PER_AREA = 2
 
 /**
- * Measures on the graphics card how far the skin under each area is compressed and stretched, along its principal directions or a given
- * one: the mean over all of its triangles, weighted by the area's weight times surface at rest, however the mesh is deformed. Each area has a workgroup: there are few
- * areas and thousands of triangles under each, too many for a single invocation. The result is read back one or two
- * frames later; nothing waits for it.
+ * Measures compression and stretch of the skin under each area on the GPU, along principal directions or a given direction. Computes the
+ * mean over all triangles, weighted by the area's weight times the surface at rest. Uses one workgroup per area, because there are few
+ * areas with thousands of triangles each. Results are read back asynchronously, one or two frames later.
  */
 export class AreaTension {
-  /** Of each measured area the means of 1 - smaller principal stretch and larger one - 1, or of 1 - stretch and stretch - 1 along its direction. */
+  /**
+   * Two means per area: 1 - smaller principal stretch, and larger principal stretch - 1. With a direction: 1 - stretch, and stretch - 1
+   * along it.
+   */
   readonly values: Float32Array
-  /** Whether `values` hold a measurement. */
+  /** Whether `values` contains a measurement. */
   isReady = false
   readonly #mesh: Mesh
   readonly #lists: TriangleLists
@@ -33,14 +35,14 @@ export class AreaTension {
   #isReleased = false
   #hasFailed = false
 
-  /** @param surface the mesh at rest; areas that cover none of it measure 0. */
+  /** @param surface mesh at rest. Areas that cover no triangle measure 0. */
   constructor(mesh: Mesh, surface: TensionSurface) {
     this.#mesh = mesh
     this.#lists = listTriangles(surface)
     this.values = new Float32Array(PER_AREA * surface.measured.length)
   }
 
-  /** Starts measuring the mesh in its current pose, unless a measurement is pending or nothing has changed. Never waits or throws. */
+  /** Starts a measurement of the current pose, unless one is pending or nothing has changed. Never waits or throws. */
   update(renderer: WebGPURenderer): void {
     this.#isReleased = false
     if (renderer !== this.#renderer) this.#restart(renderer)
@@ -60,12 +62,12 @@ export class AreaTension {
       })
   }
 
-  /** Copies measurements, by their indices in `values`. */
+  /** Copies measurements by their indices in `values`. */
   copyTo(out: Float64Array, indices: readonly number[]): void {
     for (let i = 0; i < indices.length; i++) out[i] = this.values[indices[i]]
   }
 
-  /** Frees the buffers, once no read is pending. The next update makes them again. */
+  /** Frees the buffers once no readback is pending. The next update recreates them. */
   release(): void {
     this.#isReleased = true
     this.#renderer = null
@@ -84,7 +86,7 @@ export class AreaTension {
     this.isReady = true
   }
 
-  /** Gives up until another renderer draws the mesh; the processor measures instead. */
+  /** Stops measuring until another renderer draws the mesh. The CPU is the fallback. */
   #fail(renderer: WebGPURenderer, error: unknown): void {
     if (renderer !== this.#renderer) return
     this.isReady = false
@@ -92,9 +94,9 @@ export class AreaTension {
     console.warn(
       sentence({
         who: 'Wrinkles',
-        problem: 'tension could not be read back from the graphics card',
+        problem: 'tension could not be read back from the GPU',
         value: String(error),
-        remedy: 'the processor measures it on a sample of triangles',
+        remedy: 'the CPU measures tension on a sample of triangles',
       }),
     )
   }
@@ -105,7 +107,7 @@ export class AreaTension {
   }
 }
 
-/** Triangles by area: three corners padded to four, and the inverse at rest followed by the weight in the mean. */
+/** Triangles by area: corners padded to four, and the inverse rest matrix followed by the weight in the mean. */
 interface TriangleLists {
   starts: Uint32Array
   corners: Uint32Array
@@ -135,7 +137,7 @@ function listTriangles({ sampled: { positions, uvs, triangles }, measured }: Ten
   return { starts, corners: Uint32Array.from(corners), weighted: Float32Array.from(weighted) }
 }
 
-/** The passes, and what they read and write. */
+/** Compute passes with their buffers. */
 interface Work {
   positions: DeformedPositions
   passes: ComputeNode[]
@@ -161,7 +163,7 @@ function createWork(mesh: Mesh, lists: TriangleLists): Work {
   }
 }
 
-/** Sums an area's triangles, every `LANES`th of them in one lane, then the lanes by a tree reduction. */
+/** Sums an area's triangles: each lane takes every `LANES`th triangle, then a tree reduction adds the lanes. */
 function meanOf(
   positions: StorageBufferNode<'vec4'>,
   lists: TriangleLists,
@@ -206,17 +208,17 @@ function meanOf(
   })().compute(workgroups(areas), [LANES])
 }
 
-/** `principalStretches` of math/stretch: 1 - the smaller one, and the larger one - 1. */
+/** `principalStretches` of math/stretch, as (1 - smaller, larger - 1). */
 function changeOf(u: Node<'vec3'>, v: Node<'vec3'>, inverse: Node<'vec4'>): Node<'vec2'> {
   const [xx, xy, yy] = [inverse.x, inverse.y, inverse.z]
-  // The columns of the deformation gradient; their dot products are the right Cauchy-Green tensor.
+  // Columns of the deformation gradient; their dot products form the right Cauchy-Green tensor.
   const first = u.mul(xx).toVar()
   const second = u.mul(xy).add(v.mul(yy)).toVar()
   const [c00, c01, c11] = [first.dot(first), first.dot(second), second.dot(second)]
   const mean = c00.add(c11).mul(0.5).toVar()
   const spread = vec2(c00.sub(c11).mul(0.5), c01).length().toVar()
   const larger = mean.add(spread).sqrt().toVar()
-  // Only the matrix of a direction has a 0 here.
+  // The matrix has a 0 here only if a direction is given.
   const smaller = xx.equal(0).select(larger, max(mean.sub(spread), 0).sqrt())
   return vec2(smaller.oneMinus(), larger.sub(1))
 }

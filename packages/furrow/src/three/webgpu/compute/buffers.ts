@@ -1,4 +1,4 @@
-/** What the compute passes share, and casts of their nodes, whose type three.js's declarations leave open. */
+/** Helpers of compute passes, and casts of their nodes, which three.js's declarations leave untyped. */
 import type { TypedArray } from 'three'
 import { Fn, If, instanceIndex, storage } from 'three/tsl'
 import {
@@ -14,11 +14,11 @@ import { workgroupArray } from '../newer-nodes.ts'
 const SIZES = { float: 1, uint: 1, vec2: 2, vec4: 4, uvec4: 4, mat4: 16 } as const
 type BufferType = keyof typeof SIZES
 
-/** The storage buffers of one computation, freed together. */
+/** Storage buffers that are disposed of together. */
 export class Buffers {
   readonly #attributes: StorageBufferAttribute[] = []
 
-  /** @param values its initial contents; kept, not copied. */
+  /** @param values initial contents; referenced, not copied. */
   create<T extends BufferType>(type: T, values: TypedArray): StorageBufferNode<T> {
     const attribute = new StorageBufferAttribute(values, SIZES[type])
     this.#attributes.push(attribute)
@@ -26,14 +26,14 @@ export class Buffers {
   }
 
   dispose(): void {
-    // r186 frees them with the renderer only.
+    // three.js r186 frees storage buffers only with the renderer.
     for (const attribute of this.#attributes) attribute.dispose()
   }
 }
 
 /**
- * A pass with one invocation for each of `count` elements. The invocations that fill up the last workgroup do nothing: not all versions
- * of three.js stop them, and their writes would be clamped to the last element.
+ * Creates a pass with one invocation per element. Excess invocations of the last workgroup do nothing: some three.js releases run them, and
+ * their writes would be clamped to the last element.
  */
 export function computePass(count: number, body: (i: Node<'uint'>) => void): ComputeNode {
   return Fn(() => {
@@ -41,13 +41,13 @@ export function computePass(count: number, body: (i: Node<'uint'>) => void): Com
   })().compute(count)
 }
 
-/** Whether a renderer has compute passes with storage buffers: `WebGPURenderer` on WebGPU, not on its WebGL 2 backend. */
+/** Whether a renderer supports compute passes with storage buffers: `WebGPURenderer` with its WebGPU backend. */
 export function canCompute(renderer: AnyRenderer): renderer is WebGPURenderer {
   const { backend } = renderer as WebGPURenderer & { backend?: { isWebGPUBackend?: boolean } }
   return backend?.isWebGPUBackend === true
 }
 
-/** Copies x, y and z into one `vec4` each: storage buffers align a `vec3` to 16 bytes (WGSL, "Alignment and Size"). */
+/** Pads packed xyz values to `vec4`: storage buffers align a `vec3` to 16 bytes (WGSL, "Alignment and Size"). */
 export function padToVec4(
   values: ArrayLike<number>,
   out = new Float32Array((4 * values.length) / 3),
@@ -56,12 +56,12 @@ export function padToVec4(
   return out
 }
 
-/** An array that the invocations of a workgroup share. */
+/** Creates an array in workgroup memory. */
 export function sharedArray<T extends string>(type: T, count: number): StorageBufferNode<T> {
   return typedBuffer(workgroupArray(type, count))
 }
 
-/** A dispatch of one workgroup each for `count` elements; the types know counts of invocations only. */
+/** Dispatch size for `count` workgroups. Cast, because three.js's types allow only a number of invocations. */
 export function workgroups(count: number): number {
   return [count, 1, 1] as unknown as number
 }

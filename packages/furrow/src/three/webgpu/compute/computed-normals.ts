@@ -7,19 +7,19 @@ import { coordinates, trianglesOf } from '../../sources/geometry-arrays.ts'
 import { Buffers, computePass, padToVec4 } from './buffers.ts'
 import { DeformedPositions } from './deformed-positions.ts'
 
-/** The mesh at rest. */
+/** Mesh at rest. */
 interface Rest {
   positions: Float32Array
   triangles: ArrayLike<number>
-  /** Index of each vertex's welded vertex: vertices at one position share it. */
+  /** Welded vertex of each vertex; vertices at one position share it. */
   welded: Uint32Array
   weldedCount: number
 }
 
 /**
- * `DeformedNormals` of math/ in compute passes. Positions are deformed; each welded vertex gathers the normals of the triangles round
- * it, since there is no atomic sum of floats; each vertex rotates its authored normal and tangent as the direction of its welded vertex
- * has rotated, in the very buffers that it is drawn from.
+ * `DeformedNormals` of math/ in compute passes. The passes deform positions, sum the normals of the triangles around each welded vertex
+ * (gathered, because WGSL has no atomic float add), and rotate authored normals and tangents accordingly. The last pass writes to the
+ * buffers that are drawn.
  */
 export class ComputedNormals {
   readonly #mesh: Mesh
@@ -46,8 +46,8 @@ export class ComputedNormals {
   }
 
   update(renderer: WebGPURenderer): void {
-    const isOther = renderer !== this.#renderer
-    if (!this.#positions.update() && !isOther) return
+    const isNewRenderer = renderer !== this.#renderer
+    if (!this.#positions.update() && !isNewRenderer) return
     this.#renderer = renderer
     renderer.compute(this.#passes)
   }
@@ -61,7 +61,7 @@ export class ComputedNormals {
     this.#buffers.dispose()
   }
 
-  /** Rotates what was authored at each vertex from the direction at rest to the current one. */
+  /** Rotates authored normals and tangents from the direction at rest to the current one. */
   #rotateAuthored(rest: Rest, sums: StorageBufferNode<'vec4'>): ComputeNode {
     const { normal, tangent } = this.#original.attributes
     const welded = this.#buffers.create('uint', rest.welded)
@@ -87,7 +87,7 @@ export class ComputedNormals {
       const squared = sum.dot(sum).toVar()
       If(squared.greaterThan(NO_DIRECTION), () => {
         const after = sum.div(squared.sqrt()).toVar()
-        // A welded vertex without a direction at rest has (0, 0, 0) there: what was authored is kept.
+        // A welded vertex without a direction at rest has (0, 0, 0): its authored values are kept.
         const isRotated = before.dot(before).greaterThan(0).and(before.dot(after).greaterThan(HALF_TURN))
         If(isRotated, () => {
           cosine.assign(before.dot(after))
@@ -102,7 +102,7 @@ export class ComputedNormals {
   }
 }
 
-/** The smallest rotation, by Rodrigues' formula as in math/deformed-normals: d c + (a x d) + a (a . d) / (1 + c). */
+/** Smallest rotation by Rodrigues' formula, as in math/deformed-normals: d c + (a x d) + a (a . d) / (1 + c). */
 function rotate(direction: Node<'vec3'>, axis: Node<'vec3'>, cosine: Node<'float'>): Node<'vec3'> {
   const along = axis.dot(direction).div(cosine.add(1))
   return direction.mul(cosine).add(cross(axis, direction), axis.mul(along))
@@ -114,7 +114,7 @@ function weld(geometry: BufferGeometry): Rest {
   return { positions, triangles: trianglesOf(geometry), welded, weldedCount }
 }
 
-/** Of each welded vertex, of length 1, padded to `vec4`; (0, 0, 0) where it has none. */
+/** Unit normal at rest per welded vertex, padded to `vec4`; (0, 0, 0) if undefined. */
 function directionsAtRest({ positions, triangles, welded, weldedCount }: Rest): Float32Array {
   const sums = new Float64Array(3 * weldedCount)
   sumNormals(sums, positions, triangles, welded)
@@ -126,14 +126,14 @@ function directionsAtRest({ positions, triangles, welded, weldedCount }: Rest): 
   return padToVec4(sums)
 }
 
-/** Sums, for each welded vertex, the normals of the triangles round it, weighted by surface. */
+/** Sums the area-weighted normals of the triangles around each welded vertex. */
 function gatherNormals(
   positions: StorageBufferNode<'vec4'>,
   { triangles, welded, weldedCount }: Rest,
   sums: StorageBufferNode<'vec4'>,
   buffers: Buffers,
 ): ComputeNode {
-  const { starts, list: around } = trianglesRound(welded, weldedCount, triangles)
+  const { starts, list: around } = trianglesAround(welded, weldedCount, triangles)
   const [bounds, list, corners] = [
     buffers.create('uint', starts),
     buffers.create('uint', around),
@@ -156,8 +156,8 @@ function gatherNormals(
   })
 }
 
-/** Indices of the triangles round each welded vertex, one vertex after the other, and where each vertex's list starts. */
-function trianglesRound(welded: Uint32Array, weldedCount: number, triangles: ArrayLike<number>) {
+/** Lists the triangles around each welded vertex, concatenated, with the start of each list. */
+function trianglesAround(welded: Uint32Array, weldedCount: number, triangles: ArrayLike<number>) {
   const lists = Array.from({ length: weldedCount }, (): number[] => [])
   const complete = triangles.length - (triangles.length % 3)
   for (let k = 0; k < complete; k++) lists[welded[triangles[k]]].push(Math.floor(k / 3))
@@ -166,13 +166,13 @@ function trianglesRound(welded: Uint32Array, weldedCount: number, triangles: Arr
   return { starts, list: Uint32Array.from(lists.flat()) }
 }
 
-/** r186 keeps a pipeline with the old strides of the attributes until the material asks for a new one. */
+/** Replaces the geometry and invalidates the materials: three.js r186 keeps pipelines with the old attribute strides. */
 function setGeometry(mesh: Mesh, geometry: BufferGeometry): void {
   mesh.geometry = geometry
   for (const material of [mesh.material].flat()) material.needsUpdate = true
 }
 
-/** A geometry that draws from another's buffers, so that whatever moves its positions moves both; without normals of targets. */
+/** Creates a geometry that shares another's buffers, except morph normals. */
 function shareBuffers(geometry: BufferGeometry): BufferGeometry {
   const { attributes, morphAttributes, morphTargetsRelative, index, groups, drawRange } = geometry
   const { name, userData, boundingBox, boundingSphere } = geometry
@@ -185,7 +185,7 @@ function shareBuffers(geometry: BufferGeometry): BufferGeometry {
   })
 }
 
-/** Replaces another's buffers by empty ones, since renderers free all that a geometry has when it is disposed of. */
+/** Replaces shared buffers by empty ones, because disposing of a geometry frees all its buffers. */
 function detachBuffers(geometry: BufferGeometry, { attributes }: BufferGeometry): void {
   geometry.setIndex(null)
   for (const [name, own] of Object.entries(geometry.attributes)) {

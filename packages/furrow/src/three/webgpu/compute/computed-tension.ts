@@ -3,8 +3,8 @@ import { AreaTension } from './area-tension.ts'
 import { canCompute } from './buffers.ts'
 
 /**
- * Measures all triangles under an area in compute passes. Until the first result is there, and where the renderer has no
- * compute passes, the CPU measures a sample of them.
+ * Measures all triangles under an area in compute passes. Until the first result, and without compute support, the CPU measures a sample
+ * of the triangles.
  */
 export const bindComputedTension: BindTension = (face, inputs) => {
   const surface = tensionSurface(face, inputs)

@@ -12,18 +12,18 @@ import { coordinates, copyNumbers, targetOffsets } from '../../sources/geometry-
 import { Buffers, computePass, padToVec4, typedBuffer } from './buffers.ts'
 
 /**
- * The positions of a mesh's vertices, computed on the graphics card from those in its geometry: deformed by its blendshapes and,
- * optionally, its skeleton. Each vertex iterates over the targets that move it, so that memory and time grow with what moves.
+ * Vertex positions of a mesh after blendshapes and optional skinning, computed on the GPU. Each vertex iterates only over the targets that
+ * move it, so memory and time depend on the moved vertices.
  */
 export class DeformedPositions {
-  /** Of all vertices, in the mesh's local space: x, y and z of each element. */
+  /** Positions of all vertices in the mesh's local space, in xyz. */
   readonly node: StorageBufferNode<'vec4'>
-  /** The passes that bring `node` up to date, in order. */
+  /** Passes that update `node`, in order. */
   readonly passes: readonly ComputeNode[]
   readonly #buffers = new Buffers()
   readonly #inputs: readonly { update(): boolean }[]
 
-  /** @param isSkinned whether the skeleton deforms them too. */
+  /** @param isSkinned whether to apply skinning. */
   constructor(mesh: Mesh, isSkinned: boolean) {
     const { position } = mesh.geometry.attributes
     const rest = isComputed(position)
@@ -54,7 +54,7 @@ export class DeformedPositions {
     this.#buffers.dispose()
   }
 
-  /** A copy of the positions in the geometry, uploaded again when they change. */
+  /** Copy of the geometry's positions; uploaded again after changes. */
   #uploadFrom(geometry: BufferGeometry) {
     const node = this.#buffers.create('vec4', padToVec4(coordinates(geometry.attributes.position)))
     let version = -1
@@ -76,11 +76,11 @@ export class DeformedPositions {
 interface Step {
   node: StorageBufferNode<'vec4'>
   pass: ComputeNode
-  /** Reads what the pass depends on; returns whether that changed. */
+  /** Reads the inputs of the pass. Returns whether they changed. */
   update(): boolean
 }
 
-/** Adds the targets, each times its weight; null when none moves anything. */
+/** Adds the weighted morph targets; null if no target moves a vertex. */
 function morphing(
   mesh: Mesh,
   from: StorageBufferNode<'vec4'>,
@@ -120,7 +120,7 @@ function morphing(
   return { node, pass, update }
 }
 
-/** For each vertex the offsets that move it: x, y, z and the target's index; and where each vertex's list starts. */
+/** Lists the nonzero offsets (xyz, target index) per vertex, concatenated, with the start of each list. */
 function offsetsByVertex(targets: readonly Float32Array[], count: number) {
   const starts = new Uint32Array(count + 1)
   const entries: number[] = []
@@ -134,7 +134,7 @@ function offsetsByVertex(targets: readonly Float32Array[], count: number) {
   return { starts, entries: Float32Array.from(entries) }
 }
 
-/** Linear blend skinning in the mesh's local space, as three.js does it; null without a skeleton. */
+/** Linear blend skinning in the mesh's local space, as in three.js; null without a skeleton. */
 function skinning(
   mesh: Mesh,
   from: StorageBufferNode<'vec4'>,
@@ -171,7 +171,7 @@ function skinning(
 
 const matrix = new Matrix4()
 
-/** The matrix of each joint, from the bind pose to the current one, in the mesh's local space. */
+/** Writes the matrix of each joint from the bind pose to the current pose, in the mesh's local space. */
 function writeJointMatrices(
   { skeleton, bindMatrix, bindMatrixInverse }: SkinnedMesh,
   out: Float32Array,
@@ -185,12 +185,12 @@ function writeJointMatrices(
   }
 }
 
-/** Whether a simulation on the graphics card may write to it. */
+/** Whether compute shaders may write to the attribute. */
 function isComputed(attribute: BufferAttribute | InterleavedBufferAttribute): attribute is BufferAttribute {
   return (attribute as { isStorageBufferAttribute?: boolean }).isStorageBufferAttribute === true
 }
 
-/** Its `vec3`s are aligned to 16 bytes as well, so that x, y and z of each element are read alike. */
+/** Storage node of computed positions. A `vec3` has the same 16-byte alignment as a `vec4`, so xyz reads are identical. */
 function computedPositions(attribute: BufferAttribute): StorageBufferNode<'vec4'> {
   return typedBuffer(storage(attribute, 'vec3', attribute.count))
 }

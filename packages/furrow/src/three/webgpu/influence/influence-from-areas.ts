@@ -7,10 +7,10 @@ import { repeat } from '../texture-sampling.ts'
 import { channelMask } from './influence.ts'
 
 /**
- * From the areas themselves, as in the paper's step 3: a loop over all of them, for every layer at once.
+ * Computes the influence of all layers in one loop over the areas, as in step 3 of the paper.
  *
- * @param table maps slices and channels to activations.
- * @param uv texture coordinates, repeating outside of 0..1.
+ * @param table activations by slice and channel.
+ * @param uv texture coordinates; wrap outside 0..1.
  * @returns influence of layers 0..3 in x, y, z, w, each 0..1.
  */
 export function influenceFromAreas(

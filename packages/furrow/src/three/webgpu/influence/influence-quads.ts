@@ -5,7 +5,7 @@ import type { AreaArray } from '../../atlas/area-array.ts'
 import type { QuadMaterials } from '../../atlas/quad-materials.ts'
 import { channelMask } from './influence.ts'
 
-/** The materials that draw influence maps on `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
+/** Materials that draw influence maps with `WebGPURenderer`. */
 export const quadMaterials: QuadMaterials = {
   create(rule, areas) {
     return Object.assign(quadMaterial(rule, areas ? weightedActivation(areas) : vec4(0)), {
@@ -14,15 +14,15 @@ export const quadMaterials: QuadMaterials = {
       blendSrc: OneFactor,
       blendDst: OneFactor,
       transparent: true,
-      // Else three.js draws what is transparent from the back and from the front, by a pipeline for each.
+      // Otherwise three.js draws transparent back and front faces separately, with one pipeline each.
       forceSinglePass: true,
     })
   },
-  // A lost device is not restored; the page makes another renderer.
+  // A lost device is never restored; pages create a new renderer.
   hasContents: () => true,
 }
 
-/** A material of `Quads` that overwrites the target. */
+/** Creates a material of `Quads` that overwrites the target. */
 export function quadMaterial(name: string, fragment: Node<'vec4'>): NodeMaterial {
   return Object.assign(new NodeMaterial(), {
     name: `furrow ${name}`,
@@ -38,17 +38,17 @@ export function quadMaterial(name: string, fragment: Node<'vec4'>): NodeMaterial
   })
 }
 
-/** The point of the target, 0..1, that a vertex of `Quads` is drawn to. */
+/** Position of a `Quads` vertex in the target, 0..1. */
 export function targetUv(): Node<'vec2'> {
   return attribute('furrowPoint', 'vec4').xy
 }
 
-/** Row 0 of the target is at the top: three.js flips render targets accordingly on both backends. */
+/** Clip position of a `Quads` vertex. Row 0 of the target is at the top: three.js flips render targets on both backends. */
 function clipPosition(): Node<'vec4'> {
   return vec4(targetUv().mul(vec2(2, -2)).add(vec2(-1, 1)), 0, 1)
 }
 
-/** The area's weight at the texel, times its activation in the channel of its layer. */
+/** Weight of the area times its activation, in the channel of its layer. */
 function weightedActivation({ texture, channels }: AreaArray): Node<'vec4'> {
   return Fn(() => {
     const texel = varying(attribute('furrowPoint', 'vec4').zw)

@@ -1,4 +1,4 @@
-/** The influence of each layer at a point, in TSL; the same formulas as the GLSL of `webgl/`. */
+/** Influence of each layer at a point, in TSL; same formulas as the GLSL in `webgl/`. */
 import { REVISION, type Texture } from 'three'
 import {
   drawIndex,
@@ -22,13 +22,13 @@ import { requireInternal } from '../../three-version.ts'
 import { CHANNELS, inputUniform } from '../node.ts'
 
 /**
- * From the atlas of influence maps: one sample, however many areas there are. No branch between pixels: software rasterisers pay more for
- * one than for the samples that it saves.
+ * Samples the influence of all layers from the atlas, for any number of areas. Branch-free for fragments: on software rasterisers a branch
+ * costs more than the samples that it would save.
  *
  * @param uv texture coordinates within 0..1, see `repeat`.
- * @param instances of the mesh, each of which has a cell of its own.
- * @param isVertex whether it is read by a vertex, which skips the sample outside of what active areas reach.
- * @param isOnly whether the atlas is the map of that one face, which then need not be found in it.
+ * @param instances kind of instancing; each instance has its own cell.
+ * @param isVertex whether a vertex shader reads it, which skips the sample outside the bounds of active areas.
+ * @param isOnly whether the atlas holds only this face's map.
  * @returns influence of layers 0..3 in x, y, z, w, each 0..1.
  */
 export function influenceFromMap(
@@ -49,7 +49,7 @@ export function influenceFromMap(
   const sample = () => {
     const atlas = texture(inputs.influence.value, isOnly ? uv : place())
     const sampled = isVertex ? atlas.level(int(0)) : atlas
-    // Channels without a layer hold whatever the format gives them.
+    // Channels without a layer are undefined.
     const [x, y, z, w] = CHANNELS.map((channel, i) => (i < layers ? sampled[channel] : float(0)))
     return min(vec4(x, y, z, w), vec4(1)).mul(fade)
   }
@@ -68,7 +68,7 @@ function isWithin(uv: Node<'vec2'>, bounds: Node<'vec4'>): Node<'bool'> {
   return uv.greaterThanEqual(bounds.xy).all().and(uv.lessThanEqual(bounds.zw).all())
 }
 
-/** Corner of an instance's cell, in 0..1 of the atlas; each has a cell, in the order of rows. */
+/** Corner of an instance's cell in the atlas, 0..1. Instances have consecutive cells, row by row. */
 function cornerOf({ grid, inset }: ShaderInputs, instance: Node<'float'>): Node<'vec2'> {
   const { x: columns, xy: size, z: first } = inputUniform<'vec3'>(grid)
   const cell = first.add(instance)
@@ -78,7 +78,7 @@ function cornerOf({ grid, inset }: ShaderInputs, instance: Node<'float'>): Node<
     .div(size)
 }
 
-/** Index of the instance that is drawn. A batch draws its visible instances in an order of its own, which is in a texture. */
+/** Index of the drawn instance. A `BatchedMesh` reorders its visible instances; the order is in a texture. */
 function instanceOf(instances: 'instanced' | 'batched'): Node<'float'> {
   if (instances === 'instanced') return float(instanceIndex)
   return Fn((_: [], builder: NodeBuilder) => {
@@ -91,13 +91,13 @@ function instanceOf(instances: 'instanced' | 'batched'): Node<'float'> {
   })()
 }
 
-/** The builder of a `BatchedMesh`'s shader, with the internals of three.js that `checkBatch` guards. */
+/** Builder of a `BatchedMesh` shader, with three.js internals guarded by `checkBatch`. */
 type BatchBuilder = NodeBuilder & {
   object: { _indirectTexture: Texture }
   getDrawIndex(): string | null
 }
 
-/** @throws FurrowError when three.js lacks what `influenceFromMap` reads of a `BatchedMesh`. */
+/** @throws FurrowError if three.js lacks an internal that `influenceFromMap` needs for a `BatchedMesh`. */
 export function checkBatch(mesh: object): void {
   requireInternal(
     (mesh as BatchBuilder['object'])._indirectTexture,
@@ -113,7 +113,7 @@ export function checkBatch(mesh: object): void {
   )
 }
 
-/** 1 in the channel of that index, 0 in the others. */
+/** Mask with 1 in the given channel, and 0 in the others. */
 export function channelMask(channel: Node<'float'>): Node<'vec4'> {
   return vec4(0, 1, 2, 3).sub(channel).abs().oneMinus().clamp(0, 1)
 }

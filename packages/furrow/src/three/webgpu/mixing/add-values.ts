@@ -9,14 +9,14 @@ import { shadowHighlights } from './micro-shadow.ts'
 import type { LayerInfluence } from './mix-normals.ts'
 import { bloodColour, toonColour, valueMixer } from './mix-values.ts'
 
-/** The normals that are mixed, unpacked, and by what. */
+/** Unpacked normals before and after mixing, and the layers that were mixed in. */
 interface Mixing {
   layers: LayerInfluence
   ownNormal: Node<'vec3'>
   mixed: Node<'vec3'>
 }
 
-/** Adds nodes that mix the layers' other maps, and draw the lines of a material that lights in steps. */
+/** Adds nodes that mix the layers' value maps, and draw wrinkle lines on toon materials. */
 export function addValues(
   added: Added,
   material: Patched,
@@ -44,15 +44,15 @@ export function addValues(
   }
 }
 
-/** Colours of the material's own map. */
+/** Colour of the material's own map. */
 function ownColourOf(material: Patched): Node<'vec4'> {
   const { map } = material as Partial<MeshStandardMaterial>
   return map ? materialProperty('map', 'texture', material) : vec4(1)
 }
 
 /**
- * @param value of the material's own occlusion map with the layers'.
- * @param visibility the layers' occlusion over a value of 1.
+ * @param value the material's occlusion map mixed with the layers'.
+ * @param visibility the layers' occlusion alone.
  */
 function addOcclusion(
   added: Added,

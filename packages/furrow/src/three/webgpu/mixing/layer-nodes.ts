@@ -1,4 +1,4 @@
-/** The nodes of the default mode: the layers' maps mixed into the material's, lit once. */
+/** Nodes of the default mode: mixes the layers' maps into the material's, and lights once. */
 import type { Mesh } from 'three'
 import { bitangentView, Fn, mat3, TBNViewMatrix, tangentView, varying, vec3 } from 'three/tsl'
 import type { Node, NodeBuilder } from 'three/webgpu'
@@ -14,14 +14,14 @@ import { addValues } from './add-values.ts'
 import { type LayerInfluence, mixNormals, unpack } from './mix-normals.ts'
 
 /**
- * Mixes the layers' maps into a material's own.
+ * Creates nodes that mix the layers' maps into a material's own.
  *
- * @param mesh one of the face.
+ * @param mesh a mesh of the face.
  * @param isTiled whether texture coordinates leave 0..1, and so wrap.
  */
 export function layerNodes(material: Patched, inputs: ShaderInputs, mesh: Mesh, isTiled: boolean): Added {
   const { normalNode: node } = material
-  // A material whose normals are those of a node has a flat map under them.
+  // Materials with a `normalNode` have a flat normal map.
   const own = node ? vec3(0, 0, 1) : unpack(materialProperty('normalMap', 'texture', material).xyz)
   const layers = layersOf(material, inputs, mesh, isTiled)
   const mixed = mixNormals(own, inputs, layers)
@@ -32,7 +32,7 @@ export function layerNodes(material: Patched, inputs: ShaderInputs, mesh: Mesh, 
   return added
 }
 
-/** The influence of a face's layers, and how their maps are sampled. */
+/** Influence of a face's layers, and the sampling of their maps. */
 function layersOf(
   material: WrinkleMaterial,
   inputs: ShaderInputs,
@@ -48,7 +48,7 @@ function layersOf(
   }
 }
 
-/** A normal in tangent space as three.js's `normalMap` gives one of a map, which would have to be packed for that to unpack it. */
+/** Transforms a tangent-space normal to view space, like three.js's `normalMap`, which accepts packed normals only. */
 function inView(normal: Node<'vec3'>, material: Patched): Node<'vec3'> {
   return Fn((_: [], builder: NodeBuilder) => {
     const scale = normalScale(material)
@@ -59,10 +59,10 @@ function inView(normal: Node<'vec3'>, material: Patched): Node<'vec3'> {
   })()
 }
 
-/** What three.js's declarations lack. */
+/** Builder with a method that three.js's declarations lack. */
 type FlatBuilder = NodeBuilder & { isFlatShading(): boolean }
 
-/** Lays normals onto a material's own, in view space, that are not those of a map. */
+/** Applies tangent-space normals to the view-space normal of a material's `normalNode`. */
 function ontoNormal(own: Node<'vec3'>, normal: Node<'vec3'>, material: Patched): Node<'vec3'> {
   return mat3(typed<'vec3'>(tangentView), typed<'vec3'>(bitangentView), own)
     .mul(scaled(normal, normalScale(material)))

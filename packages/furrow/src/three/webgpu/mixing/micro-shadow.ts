@@ -4,9 +4,9 @@ import { typed } from '../node.ts'
 import { microShadow } from './mix-values.ts'
 
 /**
- * Lets the layers' occlusion shadow the highlights of lights; those of the surroundings are by three.js.
+ * Shadows the specular highlights of lights by the layers' occlusion. three.js does so for environment maps.
  *
- * @param visibility occlusion of the layers over a value of 1.
+ * @param visibility the layers' occlusion alone.
  */
 export function shadowHighlights<M extends LightingModel>(model: M, visibility: Node<'float'>): M {
   const { direct } = model

@@ -1,4 +1,4 @@
-/** The layers' normals mixed into the material's own, in TSL; the same formulas as the GLSL of `webgl/` and the reference. */
+/** Mixing of the layers' normals into the material's own, in TSL; same formulas as the GLSL in `webgl/` and the reference. */
 import { float, max, vec3 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
 import type { LayerKind } from '../../../core/types.ts'
@@ -6,24 +6,24 @@ import type { ShaderInputs } from '../../material/shader-inputs.ts'
 import { CHANNELS, inputUniform } from '../node.ts'
 import type { SliceSampler } from '../texture-sampling.ts'
 
-/** The influence of each layer, 0..1 in x, y, z, w, and the texture coordinates to sample the layers' maps at, see `SliceSampler`. */
+/** Influence of each layer (0..1 in x, y, z, w), and the texture coordinates of the layers' maps, see `SliceSampler`. */
 export interface LayerInfluence {
   influence: Node<'vec4'>
   uv: Node<'vec2'>
   sampler: SliceSampler
 }
 
-/** Reoriented normal mapping, see `reorientNormal` in the reference; unit vectors. */
+/** Reoriented normal mapping of unit vectors, see `reorientNormal` in the reference. */
 export function reorient(base: Node<'vec3'>, detail: Node<'vec3'>): Node<'vec3'> {
   return reorientBy(base, lengthOf(base), detail.xy, detail.z)
 }
 
 /**
- * The same direction, of vectors of any length. With t = (x, y, z + size) and r = (-slope, depth), t dot(t, r) / t.z - size r is multiplied out,
- * so that a slope of 0 leaves the base's direction without a choice between the two.
+ * Reoriented normal mapping of vectors of any length. Expands t dot(t, r) / t.z - size r with t = (x, y, z + size) and r = (-slope, depth).
+ * A slope of 0 keeps the base's direction without a branch.
  *
  * @param size length of the base.
- * @param slope of the detail, times its depth.
+ * @param slope slope of the detail, times `depth`.
  */
 function reorientBy(
   base: Node<'vec3'>,
@@ -36,7 +36,7 @@ function reorientBy(
   return vec3(base.xy.mul(shrunk).add(slope.mul(size)), base.z.mul(depth).sub(along))
 }
 
-/** What is added to it keeps the sum of z and the length from 0; a limit would be one step more. */
+/** Length with an epsilon that keeps z + length above 0, cheaper than a clamp. */
 function lengthOf(normal: Node<'vec3'>): Node<'float'> {
   return normal.dot(normal).add(1e-6).sqrt()
 }
@@ -44,8 +44,8 @@ function lengthOf(normal: Node<'vec3'>): Node<'float'> {
 /**
  * Mixes the normals of all layers into the base, see `mixNormals` in the reference.
  *
- * @param base of the material's own map, unpacked.
- * @returns of any length, since whoever uses it normalises it; in the direction of the base where the influence of all layers is 0.
+ * @param base unpacked normal of the material's own map.
+ * @returns a normal of any length; in the direction of the base if the influence of all layers is 0.
  */
 export function mixNormals(
   base: Node<'vec3'>,
@@ -56,7 +56,7 @@ export function mixNormals(
   const scales = inputUniform<'vec4'>(inputs.normalScale)
   const own = base.toVar()
   const sample = sampler(uv)
-  // A z of exactly 0 would leave no normal, or divide an influence of 0 by 0; it never comes out of this.
+  // Slightly below 0.5: a z of exactly 0 gives no normal, or 0 / 0 at an influence of 0.
   const flat = vec3(0, 0, 0.4999999)
   const layers = kinds.map((kind, layer) => {
     const stored = sample(normals.texture, normals.slices[layer]!).xyz
@@ -71,7 +71,7 @@ export function mixNormals(
   const details = ofKind('detail', layers)
   if (details.length === 0) return replaced
   const size = lengthOf(replaced).toVar()
-  // The normal of a single one need not be divided by its z, which takes the longest.
+  // A single detail normal needs no division by z, the most expensive operation.
   const isOne = details.length === 1
   const depth = isOne ? details[0].normal.z.abs() : float(1)
   return reorientBy(replaced, size, slopeOf(details, isOne), depth)
@@ -80,9 +80,9 @@ export function mixNormals(
 interface SampledLayer {
   kind: LayerKind
   influence: Node<'float'>
-  /** Of x and y of the normal. */
+  /** Scale of the normal's x and y. */
   scale: Node<'float'>
-  /** Of one of detail, x and y as stored, which are unpacked with their factor, and half of z. */
+  /** Unpacked normal. For a detail layer: stored x and y, unpacked later with their factor, and half of z. */
   normal: Node<'vec3'>
 }
 
@@ -90,12 +90,12 @@ function ofKind(kind: LayerKind, layers: readonly SampledLayer[]): SampledLayer[
   return layers.filter((layer) => layer.kind === kind)
 }
 
-/** A normal from what a map stores. */
+/** Unpacks a stored normal. */
 export function unpack(stored: Node<'vec3'>): Node<'vec3'> {
   return stored.mul(2).sub(1)
 }
 
-/** Mixes layers that replace into the base by their influence, normalised where their sum exceeds 1. */
+/** Mixes replacing layers into the base by their influences, normalised if their sum exceeds 1. */
 function replaceNormal(base: Node<'vec3'>, layers: readonly SampledLayer[]): Node<'vec3'> {
   if (layers.length === 0) return base
   const shares = sharesOf(layers.map(({ influence }) => influence))
@@ -113,7 +113,7 @@ function replaceNormal(base: Node<'vec3'>, layers: readonly SampledLayer[]): Nod
     .toVar()
 }
 
-/** The shares of layers in what they are mixed into: their influence, and less where its sum exceeds 1, which that of one layer does not. */
+/** Mixing weights of layers: their influences, divided by the sum if it exceeds 1. The influence of a single layer never does. */
 export function sharesOf(influences: readonly Node<'float'>[]): readonly Node<'float'>[] {
   if (influences.length < 2) return influences
   const sum = influences.reduce((total, influence) => total.add(influence))
@@ -122,9 +122,9 @@ export function sharesOf(influences: readonly Node<'float'>[]): readonly Node<'f
 }
 
 /**
- * The sum of the slopes of layers of detail.
+ * Sums the slopes of detail layers.
  *
- * @param isFlat whether they are left times the depth of the normal, half of its z.
+ * @param isFlat whether to skip the division by the normal's z.
  */
 function slopeOf(layers: readonly SampledLayer[], isFlat: boolean): Node<'vec2'> {
   const slopes = layers.map(({ influence, scale, normal }) => {

@@ -1,6 +1,6 @@
 /**
- * The layers' other maps mixed into the material's own, in TSL; the same formulas as the GLSL of `webgl/` and the reference. No select, which TSL
- * makes a branch: software rasterisers pay a tenth of the plain face for the first one.
+ * Mixing of the layers' value maps into the material's own, in TSL; same formulas as the GLSL in `webgl/` and the reference. Avoids `select`,
+ * which TSL compiles to a branch: the first one costs software rasterisers a tenth of the plain face.
  */
 import { max, mix, step, vec3 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
@@ -12,18 +12,18 @@ import type { ValueKind } from '../../material/wrinkle-textures.ts'
 import { CHANNELS, inputUniform } from '../node.ts'
 import { type LayerInfluence, sharesOf } from './mix-normals.ts'
 
-/** Kinds of single values. */
+/** Kinds of single-channel maps. */
 type SingleKind = Exclude<ValueKind, 'baseColor'>
 
-/** Mixes the layers' other maps into a material's own values, see `mixValues` in the reference. */
+/** Mixes the layers' value maps into a material's own values, see `mixValues` in the reference. */
 export interface ValueMixer {
-  /** @param own base colour of the material's own map, 1 where it has none. */
+  /** @param own base colour of the material's map, 1 without a map. */
   mixColour(own: Node<'vec3'>): Node<'vec3'>
-  /** @param own value of the material's own map, 1 where it has none, 0 of blood. */
+  /** @param own value of the material's map, 1 without a map; 0 for blood. */
   mixValue(kind: SingleKind, own: Node<'float'>): Node<'float'>
 }
 
-/** Reads each slice once, whatever number of kinds its channels hold, and however often they are mixed in. */
+/** Creates a mixer that samples each slice once, even if its channels hold several kinds. */
 export function valueMixer(
   { textures, occlusionStrength, bloodAmplitude }: ShaderInputs,
   { influence, uv, sampler }: LayerInfluence,
@@ -49,7 +49,7 @@ export function valueMixer(
       return { texel, stored: texel[CHANNELS[channel]], layer, share: shares[i] }
     })
   }
-  /** The value of what is stored in a layer's map. */
+  /** Value from the stored value of a layer's map. */
   const decode = (kind: SingleKind, stored: Node<'float'>, layer: number) => {
     if (kind === 'roughness') return stored
     const scale = scales[kind][CHANNELS[layer]]
@@ -75,7 +75,7 @@ export function bloodOf(stored: Node<'float'>): Node<'float'> {
   return max(steps.div(255 - BLOOD_AT_REST), -1).mul(step(BLOOD_THRESHOLD, steps.abs()))
 }
 
-/** The skin's colour with its blood, see `bloodColour` in the reference. */
+/** Skin colour with blood, see `bloodColour` in the reference. */
 export function bloodColour(colour: Node<'vec3'>, blood: Node<'float'>): Node<'vec3'> {
   return colour.mul(
     vec3(...BLOOD_ABSORPTION)
@@ -84,20 +84,20 @@ export function bloodColour(colour: Node<'vec3'>, blood: Node<'float'>): Node<'v
   )
 }
 
-/** Returns a function that gives the factor of a light's highlights by its cosine, see `microShadow` in the reference. */
+/** Returns a function from a light's cosine to the factor of its highlights, see `microShadow` in the reference. */
 export function microShadow(visibility: Node<'float'>): (cosine: Node<'float'>) => Node<'float'> {
-  const inverse = visibility.oneMinus().max(LEAST_CONE).reciprocal().toVar()
+  const inverse = visibility.oneMinus().max(MIN_CONE).reciprocal().toVar()
   return (cosine) => cosine.mul(cosine).mul(inverse).min(1)
 }
 
-/** Where nothing is occluded, so that any cosine that lights anything gives 1. */
-const LEAST_CONE = 1e-20
+/** Lower bound of the cone without occlusion, so that every lit cosine gives 1. */
+const MIN_CONE = 1e-20
 
 /**
- * Draws wrinkles as lines, for materials that light in steps, see `toonColour` in the reference.
+ * Draws wrinkles as lines on toon materials, see `toonColour` in the reference.
  *
- * @param own the material's own normal, unpacked.
- * @param mixed the same with wrinkles.
+ * @param own unpacked normal of the material.
+ * @param mixed unpacked normal with wrinkles.
  */
 export function toonColour(colour: Node<'vec3'>, own: Node<'vec3'>, mixed: Node<'vec3'>): Node<'vec3'> {
   const [from, to] = TOON_LINE.slopes

@@ -7,7 +7,7 @@ import { mixNormals, unpack } from '../mixing/mix-normals.ts'
 import { sizeOf } from '../node.ts'
 import { bySampler, type SliceSampler } from '../texture-sampling.ts'
 
-/** Draws the composed normal map on `WebGPURenderer`, on WebGPU and on its WebGL 2 backend. */
+/** Draws the composed normal map with `WebGPURenderer`. */
 export const composeMaterial: ComposeMaterial = (base, inputs, level) => {
   const isTexelwise = level !== undefined
   const uv = varying(targetUv())
@@ -21,13 +21,13 @@ export const composeMaterial: ComposeMaterial = (base, inputs, level) => {
   return quadMaterial('composed', vec4(shown.mul(0.5).add(0.5), 1))
 }
 
-/** A pixel of the target is a texel. */
+/** Reads the texel at the target's pixel: all maps have the target's size. */
 const byTexel: SliceSampler = (uv) => (array, slice) => {
   const map = texture(array)
   return map.load(texelAt(map, uv)).depth(int(slice))
 }
 
-/** The texel of a map's finest level at texture coordinates within 0..1. */
+/** Texel of a map's finest level at texture coordinates within 0..1. */
 export function texelAt(map: TextureNode, uv: Node<'vec2'>): Node<'ivec2'> {
   return ivec2(uv.mul(vec2(sizeOf(map))))
 }

@@ -5,18 +5,18 @@ import { tilingOf } from '../../mesh/tiling.ts'
 import { layerNodes } from '../mixing/layer-nodes.ts'
 import { patchNodes } from '../patch/patch-nodes.ts'
 
-/** The default mode on `WebGPURenderer`. */
+/** Default mode for `WebGPURenderer`. */
 export const showDefault: RendererParts['showDefault'] = ({ material, inputs, meshes }) => {
-  const { isTiled, isFor, isCurrent: isTiledAsBefore } = tilingOf(meshes, material)
+  const { isTiled, isFor, isCurrent: isTilingCurrent } = tilingOf(meshes, material)
   const mixesMaps = isToon(material) || Object.keys(inputs.textures.values).length > 0
   const owned = ownedMaps(material)
   const isAlone = inputs.isAlone()
   const isCurrent = () =>
-    isTiledAsBefore() && (!isAlone || inputs.isAlone()) && (!mixesMaps || ownedMaps(material) === owned)
+    isTilingCurrent() && (!isAlone || inputs.isAlone()) && (!mixesMaps || ownedMaps(material) === owned)
   return { ...patchNodes(material, layerNodes(material, inputs, meshes[0], isTiled)), isFor, isCurrent }
 }
 
-/** Bits for the maps of a material that layers are mixed into: nodes are made for these. */
+/** Bit mask of the material's maps that layers are mixed into, because nodes depend on them. */
 function ownedMaps(material: WrinkleMaterial): number {
   const { map, roughnessMap, aoMap } = material as Partial<MeshStandardMaterial>
   return (map ? 1 : 0) + (roughnessMap ? 2 : 0) + (aoMap ? 4 : 0)

@@ -6,7 +6,7 @@ import { influenceFromAreas } from '../influence/influence-from-areas.ts'
 import { materialProperty } from '../node.ts'
 import { mapUv, repeat } from '../texture-sampling.ts'
 
-/** Shows the influence as gray on the mesh as it moves: black = no wrinkles, white = fully visible. */
+/** Shows the influence on the moving mesh as gray: black = no wrinkles, white = fully visible. */
 export const showInfluence: ShowInfluence = (material, { wrinkled, inputs, instances }, table) => {
   const uv = mapUv(wrinkled)
   const influence = (

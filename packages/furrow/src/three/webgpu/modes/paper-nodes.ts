@@ -17,7 +17,7 @@ import { materialProperty, normalInView, normalScale, typed } from '../node.ts'
 import type { Added } from '../patch/patch-nodes.ts'
 import { repeat } from '../texture-sampling.ts'
 
-/** The paper's mode: lit with smooth normals, lit again with wrinkled ones, and the two colours mixed. */
+/** Nodes of the paper mode: lights smooth normals, lights wrinkled normals, and mixes both colours. */
 export function paperNodes(
   material: Material,
   { texture: colours, diffuseIsSrgb }: PaperArray,
@@ -33,7 +33,7 @@ export function paperNodes(
     colorNode: materialProperty('color', 'color', material).mul(diffuse),
     normalNode: smooth,
     setupLighting(this: NodeMaterial, builder: NodeBuilder) {
-      // One lighting graph, run twice by a loop: built twice, three.js would share the first's variables.
+      // One lighting graph in a loop: if built twice, three.js would share the variables of the first one.
       const colour = vec3(0).toVar()
       const normals = [normalInView(smooth).toVar(), normalInView(wrinkled).toVar()]
       const amount = influence.x.toVar()

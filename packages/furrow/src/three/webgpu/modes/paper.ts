@@ -4,7 +4,7 @@ import { patchNodes } from '../patch/patch-nodes.ts'
 import { mapUv } from '../texture-sampling.ts'
 import { paperNodes } from './paper-nodes.ts'
 
-/** The paper's mode on `WebGPURenderer`. */
+/** Paper mode for `WebGPURenderer`. */
 export const showPaper: RendererParts['showPaper'] = ({ material, inputs }) => {
   const array = inputs.paper!
   const uv = mapUv(material)

@@ -1,7 +1,7 @@
 import type { MeshStandardNodeMaterial, Node } from 'three/webgpu'
 import type { ShownMode } from '../../material/patch.ts'
 import type { WrinkleMaterial } from '../../material/wrinkle-material.ts'
-import { unwatch, watched } from './build-fault.ts'
+import { unwatch, watched } from './build-error.ts'
 
 const PATCHED = [
   'normalNode',
@@ -13,23 +13,23 @@ const PATCHED = [
   'customProgramCacheKey',
 ] as const
 
-/** What the patch sets; plain materials carry these too, the renderer copies them to the nodes it makes. */
+/** Material with the patched properties. Non-node materials can carry them too: the renderer copies them to its node material. */
 export type Patched = WrinkleMaterial &
   Partial<Pick<MeshStandardNodeMaterial, Exclude<(typeof PATCHED)[number], 'customProgramCacheKey'>>>
 
-/** What it sets in any mode, and more. */
+/** Properties set by a patch; every mode sets `normalNode`. */
 export type Added = Partial<Patched> & { normalNode: Node<'vec3'> }
 
 let patchCount = 0
 
-/** Sets nodes of a material. */
+/** Patches the nodes of a material. */
 export function patchNodes(material: Patched, added: Added): Pick<ShownMode, 'undo'> {
   const original = Object.fromEntries(
     PATCHED.filter((key) => Object.hasOwn(material, key)).map((key) => [key, material[key]]),
   )
   const { customProgramCacheKey } = material
-  // The renderer shares one built program among plain materials with equal properties, and nodes are not
-  // among those it compares; these read textures of their own.
+  // The renderer shares programs among non-node materials with equal properties, but does not compare nodes. These nodes read their own
+  // textures, so each patch needs its own program.
   const variant = `furrow ${patchCount++}`
   Object.assign(material, added, {
     normalNode: watched(material, added.normalNode),

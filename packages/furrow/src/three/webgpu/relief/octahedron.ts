@@ -1,22 +1,22 @@
-/** Directions as points of an octahedron, see `CoarseParts`; in TSL. */
+/** Octahedral encoding of directions in TSL, see `CoarseParts`. */
 import { select, vec2, vec3 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
 
-/** A direction of any length but 0 as two numbers, -1..1. */
+/** Encodes a direction of nonzero length as two numbers, -1..1. */
 export function toOctahedron(direction: Node<'vec3'>): Node<'vec2'> {
   const size = direction.abs()
   const v = direction.div(size.x.add(size.y, size.z)).toVar()
   return select(v.z.lessThan(0), folded(v.xy), v.xy)
 }
 
-/** The unit vector that two numbers stand for. */
+/** Decodes a unit vector. */
 export function fromOctahedron(point: Node<'vec2'>): Node<'vec3'> {
   const size = point.abs()
   const z = size.x.add(size.y).oneMinus().toVar()
   return vec3(select(z.lessThan(0), folded(point), point), z).normalize()
 }
 
-/** Folds the lower half of the octahedron over its upper one, and back. */
+/** Folds the lower half of the octahedron over the upper half, and back. */
 function folded(point: Node<'vec2'>): Node<'vec2'> {
   const sign = (value: Node<'float'>) => select(value.lessThan(0), -1, 1)
   return point.yx

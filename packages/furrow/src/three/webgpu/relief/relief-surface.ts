@@ -1,4 +1,4 @@
-/** A vertex of a dense geometry, in TSL; the same formulas as the GLSL of `webgl/` and `displace` of the room `relief`. */
+/** Vertex of a dense geometry in TSL; same formulas as the GLSL in `webgl/` and `displace` in src/relief. */
 import type { BufferGeometry, Texture } from 'three'
 import {
   attribute,
@@ -30,16 +30,16 @@ import { inputUniform, typed } from '../node.ts'
 import { repeat } from '../texture-sampling.ts'
 import { fromOctahedron } from './octahedron.ts'
 
-/** Vertices at one position at most whose normals are averaged: a guard, not a limit that meshes meet. */
-const MOST_TWINS = 16
+/** Maximum number of vertices at one position whose normals are averaged. A loop guard that real meshes do not reach. */
+const MAX_TWINS = 16
 
 const CHANNELS = ['x', 'y', 'z', 'w'] as const
 
 /**
- * For `positionNode`, which shadows and other passes use too: the place of a vertex of a dense geometry, whose normal and tangent are set as
- * well. Any other geometry is drawn as before.
+ * Creates the `positionNode` of dense geometries, which shadows and other passes use too. Also sets normal and tangent. Other geometries are
+ * unaffected.
  *
- * @param own the material's own `positionNode`, which then moves the surface further.
+ * @param own the material's own `positionNode`, applied afterwards.
  */
 export function reliefPosition(
   relief: ReliefInputs,
@@ -55,7 +55,7 @@ export function reliefPosition(
     function cornerOf(axis: Axis): Corner {
       const [position, normal] = [vec3(0).toVar(), vec3(0).toVar()]
       const directions = vec4(0).toVar()
-      // Most vertices are the mesh's own, or on an edge.
+      // Most vertices coincide with a vertex of the mesh or lie on an edge, and so have fewer corners.
       If(weights[axis].greaterThan(0), () => {
         const corner = attribute<'vec3'>('furrowCorners', 'vec3')[axis]
         directions.assign(coarseTexel(relief.coarse.directions, corner))
@@ -68,21 +68,21 @@ export function reliefPosition(
     if (geometry.hasAttribute('tangent'))
       tangentLocal.assign(mixThree((axis) => fromOctahedron(corners[axis].directions.zw), weights))
     positionLocal.assign(surface(relief, inputs, instances, corners))
-    // three.js has moved the instances already: vertices that were not in their places then.
+    // three.js applied the instance matrix before the position was replaced; apply it again.
     if (instances) instancedMesh(object as never)
     return own ?? positionLocal
   })()
 }
 
-/** One of the coarse vertices that a vertex lies between: as the surface has it, and the directions for shading. */
+/** Coarse vertex of the triangle that contains a dense vertex. `directions` are for shading. */
 interface Corner {
   position: Node<'vec3'>
-  /** Smooth. */
+  /** Smooth normal. */
   normal: Node<'vec3'>
   directions: Node<'vec4'>
 }
 
-/** Position and smooth normal of a parent; most are no seam, where the normal is that of the corner. */
+/** Reads position and smooth normal of a parent. Off seams the smooth normal is the corner's. */
 function readParent(
   { positions, directions }: ReliefInputs['coarse'],
   axis: Axis,
@@ -101,7 +101,7 @@ function readParent(
       normal.assign(normalOf(directions, first))
     })
     const sum = normal.toVar()
-    Loop(MOST_TWINS, () => {
+    Loop(MAX_TWINS, () => {
       If(next.equal(first), () => {
         Break()
       })

@@ -21,7 +21,7 @@ import { typed } from '../node.ts'
 import { toOctahedron } from './octahedron.ts'
 import { reliefPosition } from './relief-surface.ts'
 
-/** Writes each vertex into its texel, deformed as three.js deforms any vertex before `vertexNode`. */
+/** Writes each vertex to its texel; three.js applies blendshapes and skinning before `vertexNode`. */
 const coarseMaterial: CoarseParts['coarseMaterial'] = (ring, first, rows, hasTangents) => {
   const i = int(vertexIndex).add(first)
   const texel = ivec2(i.mod(int(COARSE_WIDTH)), i.div(int(COARSE_WIDTH)))
@@ -33,7 +33,7 @@ const coarseMaterial: CoarseParts['coarseMaterial'] = (ring, first, rows, hasTan
       varying(vec4(toOctahedron(normalLocal), hasTangents ? toOctahedron(tangentLocal) : vec2(0))),
     ) as never,
   )
-  // Row 0 of the target is at the top: three.js flips render targets accordingly on both backends.
+  // Row 0 of the target is at the top: three.js flips render targets on both backends.
   const centre = vec2(texel).add(0.5).div(vec2(COARSE_WIDTH, rows))
   material.vertexNode = vec4(centre.mul(vec2(2, -2)).add(vec2(-1, 1)), 0, 1)
   return material
@@ -43,7 +43,7 @@ type Patched = Material & Partial<Pick<NodeMaterial, 'positionNode'>>
 
 let patchCount = 0
 
-/** Sets the material's `positionNode`; plain materials carry it too, the renderer copies it to the nodes it makes. */
+/** Sets the material's `positionNode`. Non-node materials can carry it too: the renderer copies it to its node material. */
 const patch: ReliefParts['patch'] = (material: Patched, relief, inputs, instances) => {
   const { positionNode, customProgramCacheKey } = material
   const hadOwn = Object.hasOwn(material, 'positionNode')
@@ -61,12 +61,12 @@ const PARTS: ReliefParts = {
   coarseMaterial,
   hasContents: quadMaterials.hasContents,
   patch,
-  // Shadows are drawn with the material's own `positionNode`.
-  dressShadow: () => () => {},
-  // Node materials read widths and colours of themselves: a copy would not follow them.
+  // Shadows use the material's `positionNode`.
+  addShadowMaterials: () => () => {},
+  // Node materials read their own width and colour: a clone would not follow the original's.
   outlineMaterial: () => null,
   duringShadow: (_renderer, draw) => draw(),
 }
 
-/** Relief on `WebGPURenderer`. */
+/** Relief for `WebGPURenderer`. */
 export const createRelief: CreateRelief = (face, mode) => new ReliefControl(face, PARTS, mode)

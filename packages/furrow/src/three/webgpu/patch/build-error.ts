@@ -3,14 +3,14 @@ import { Fn } from 'three/tsl'
 import type { Node, NodeBuilder } from 'three/webgpu'
 import type { RendererParts } from '../../material/renderer-parts.ts'
 
-/** What becomes of a material's shaders. */
+/** Build state of a material's shaders. */
 interface Watch {
-  /** Those that nothing is known of yet. */
+  /** Builds with an unknown result. */
   builds: Build[]
-  fault: string | null
+  error: string | null
 }
 
-/** A shader, built while the material is drawn, or bit by bit between frames (`compileAsync`). */
+/** A shader build: during a draw, or asynchronously by `compileAsync`. */
 interface Build {
   builder: Builder
   isImmediate: boolean
@@ -19,11 +19,10 @@ interface Build {
 const watches = new WeakMap<Material, Watch>()
 
 /**
- * Passes a node on, and notes each shader that it is built into for `faultOf`: three.js tells of a shader that fails on the console
- * only, and draws nothing.
+ * Wraps a node to record each shader build for `shaderErrorOf`: three.js reports build errors only on the console, and draws nothing.
  */
 export function watched(material: Material, node: Node<'vec3'>): Node<'vec3'> {
-  const watch: Watch = watches.get(material) ?? { builds: [], fault: null }
+  const watch: Watch = watches.get(material) ?? { builds: [], error: null }
   watches.set(material, watch)
   return Fn((_: [], nodeBuilder: NodeBuilder) => {
     const builder = nodeBuilder as Builder
@@ -33,24 +32,24 @@ export function watched(material: Material, node: Node<'vec3'>): Node<'vec3'> {
   })()
 }
 
-/** Forgets a material. */
+/** Stops watching a material. */
 export function unwatch(material: Material): void {
   watches.delete(material)
 }
 
-/** On WebGPU the device answers a few frames later. */
-export const faultOf: RendererParts['faultOf'] = (material) => {
+/** Returns the build error of a material. On WebGPU the result arrives a few frames later. */
+export const shaderErrorOf: RendererParts['shaderErrorOf'] = (material) => {
   const watch = watches.get(material)
   if (!watch) return null
   if (watch.builds.length > 0) watch.builds = watch.builds.filter((build) => !inspect(build, watch))
-  return watch.fault
+  return watch.error
 }
 
-/** Looks for a fault of a shader. Returns false if it is too early to tell. */
+/** Checks a build for errors. Returns false if the result is not known yet. */
 function inspect({ builder, isImmediate }: Build, watch: Watch): boolean {
   const { fragmentShader, renderer } = builder
   if (fragmentShader === null) {
-    if (isImmediate) watch.fault = 'nodes that cannot be built'
+    if (isImmediate) watch.error = 'the nodes cannot be built'
     return isImmediate
   }
   const { backend } = renderer
@@ -59,31 +58,31 @@ function inspect({ builder, isImmediate }: Build, watch: Watch): boolean {
     .map((pipeline) => backend.get(pipeline))
   if (pipelines.some(({ pipeline, error }) => !pipeline && !error)) return false
   const check = () => {
-    if (pipelines.some((own) => own.error || isUnlinked(own, backend))) watch.fault = 'an invalid pipeline'
+    if (pipelines.some((own) => own.error || isUnlinked(own, backend))) watch.error = 'invalid pipeline'
   }
   if (!backend.device) check()
   else {
-    // It answers in order: after this, three.js knows whether its pipelines are valid. A lost device does not answer.
+    // Error scopes resolve in order: afterwards three.js has set `error` of its pipelines. A lost device rejects.
     backend.device.pushErrorScope('validation')
     backend.device.popErrorScope().then(check, () => {})
   }
   return true
 }
 
-/** On the WebGL 2 backend a pipeline is a program. */
+/** Whether a pipeline of the WebGL 2 backend, which is a program, failed to link. */
 function isUnlinked({ programGPU }: PipelineData, { gl }: Builder['renderer']['backend']): boolean {
   if (!gl || !programGPU || gl.isContextLost()) return false
   return gl.getProgramParameter(programGPU, gl.LINK_STATUS) === false
 }
 
-/** A builder, with what three.js does not document of it and of its renderer. */
+/** Undocumented internals of a node builder and its renderer. */
 type Builder = NodeBuilder & {
-  /** Null until it is complete. */
+  /** Null until the build is complete. */
   fragmentShader: string | null
   renderer: {
-    /** In `render`. */
+    /** Set during `render`. */
     _currentRenderContext: object | null
-    /** In `compileAsync`, from r187 on. */
+    /** Set during `compileAsync`, since r187. */
     _precompilationState?: object | null
     _pipelines?: { caches: Map<unknown, { fragmentProgram?: { code: string } }> }
     backend: {
@@ -98,9 +97,9 @@ type Builder = NodeBuilder & {
 }
 
 interface PipelineData {
-  /** Undefined until it is compiled. */
+  /** Undefined until compiled. */
   pipeline?: object
-  /** Set when the device has found it invalid. */
+  /** Set if the device rejects the pipeline. */
   error?: boolean
   programGPU?: WebGLProgram
 }
