@@ -305,9 +305,9 @@ describe('features that only three.js supports', () => {
   it.each([
     [{ mode: 'paper' }, /mode unsupported in Babylon.js, got "paper"/],
     [{ mode: 'composed' }, /mode unsupported in Babylon.js/],
-    [{ relief: 'on' }, /an option that Babylon.js does not have, got "relief"/],
-    [{ auto: {} }, /an option that Babylon.js does not have, got "auto"/],
-    [{ fadeBelow: 100 }, /an option that Babylon.js does not have/],
+    [{ relief: 'on' }, /option unsupported in Babylon.js, got "relief"/],
+    [{ auto: {} }, /option unsupported in Babylon.js, got "auto"/],
+    [{ fadeBelow: 100 }, /option unsupported in Babylon.js/],
     [{ areaSize: 1 }, /areaSize/],
     [{ transcoderPath: 1 }, /transcoderPath/],
   ])('are refused: %j', (options, message) => {

@@ -188,7 +188,10 @@ describe('wrong arguments are refused in one line', () => {
         player.update(Number.NaN)
       },
     ],
-    [/^FaceScores: invalid face/, () => new FaceScores(any(null)).set([{ categoryName: 'jawOpen', score: 1 }])],
+    [
+      /^FaceScores: invalid face/,
+      () => new FaceScores(any(null)).set([{ categoryName: 'jawOpen', score: 1 }]),
+    ],
     [/^FaceScores: scores/, () => new FaceScores(mesh).set(any(null))],
     [/^FaceScores: a score/, () => new FaceScores(mesh).set([any(null)])],
     [/^RecomputedNormals: invalid mesh/, () => new RecomputedNormals(any(null))],

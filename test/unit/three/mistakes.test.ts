@@ -135,7 +135,7 @@ describe('mistakes', () => {
       (own = withAge()) => [own.inputs.set('agee', 40), own.inputs.set('agee', 50)],
     ],
     [
-      /^wrinklesOf: no file has wrinkles before registerWrinkleMaps is called; /,
+      /^wrinklesOf: files have no wrinkles before registerWrinkleMaps is called; /,
       () => [babylon.wrinklesOf({ meshes: [] }), babylon.wrinklesOf({ meshes: [] })],
     ],
   ])('one warning: %s', async (warning, run) => {

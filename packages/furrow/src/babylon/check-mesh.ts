@@ -6,24 +6,24 @@ import { wrongArgument } from '../core/argument.ts'
 import { FurrowError } from '../core/error.ts'
 import type { ShaderKind } from './shaders/injections.ts'
 
-/** A material whose shader can be edited. */
+/** A material whose shader can be patched. */
 export type SkinMaterial = PBRMaterial | StandardMaterial
 
-/** By the names of classes: to import the classes would add both materials to every page. */
+/** Shader kinds by class name: importing the classes would add both materials to every page. */
 const KINDS: Readonly<Record<string, ShaderKind>> = { PBRMaterial: 'pbr', StandardMaterial: 'standard' }
 
-/** @throws FurrowError when a value is not a mesh of Babylon.js. */
+/** @throws FurrowError if a value is not a mesh of Babylon.js. */
 export function checkIsMesh(mesh: AbstractMesh, who: string): void {
   if (typeof mesh?.isVerticesDataPresent === 'function') return
   throw wrongArgument(who, 'invalid mesh', mesh, 'a Mesh or InstancedMesh of Babylon.js')
 }
 
-/** @throws FurrowError when it has no positions, normals or UVs. */
+/** @throws FurrowError if the mesh has no positions, normals or UVs. */
 export function checkMesh(mesh: AbstractMesh): void {
   checkIsMesh(mesh, 'Wrinkles')
   for (const [data, remedy] of [
-    ['position', 'give the mesh its vertices first'],
-    ['uv', 'unwrap the mesh: areas and layers are in its UV layout'],
+    ['position', 'add positions first'],
+    ['uv', 'unwrap the mesh: areas and layers use its UV layout'],
     ['normal', 'call mesh.createNormals(true) first'],
   ] as const) {
     if (mesh.isVerticesDataPresent(data)) continue
@@ -38,9 +38,9 @@ export function checkMesh(mesh: AbstractMesh): void {
 }
 
 /**
- * The material of a mesh, and what kind of shader it has.
+ * Returns the material of a mesh, and the kind of its shader.
  *
- * @throws FurrowError when its shader cannot be edited.
+ * @throws FurrowError if the shader cannot be patched.
  */
 export function checkMaterial({ material, name }: AbstractMesh): {
   material: SkinMaterial
@@ -52,10 +52,10 @@ export function checkMaterial({ material, name }: AbstractMesh): {
     throw new FurrowError({
       code: 'unsupported',
       who: 'Wrinkles',
-      problem: `mesh "${name}" has a material that cannot show wrinkles`,
+      problem: `unsupported material of mesh "${name}"`,
       value: className ?? 'none',
       limit: Object.keys(KINDS).join(', '),
-      remedy: 'give the mesh one of these',
+      remedy: 'use a supported material',
     })
   }
   const skin = material as SkinMaterial
@@ -63,9 +63,9 @@ export function checkMaterial({ material, name }: AbstractMesh): {
     throw new FurrowError({
       code: 'unsupported',
       who: 'Wrinkles',
-      problem: `material "${(material as Material).name}" has normals in object space`,
-      limit: 'a normal map in tangent space',
-      remedy: 'bake it again in tangent space',
+      problem: `material "${(material as Material).name}" has an object-space normal map`,
+      limit: 'a tangent-space normal map',
+      remedy: 'bake the normal map to tangent space',
     })
   }
   return { material: skin, kind }

@@ -6,9 +6,9 @@ import { checkWrinkleSet } from '../core/wrinkle-set.ts'
 import { copyLayers } from '../runtime/layer-maps.ts'
 
 /**
- * Checks a set that a page made, and copies its layers' maps; those of files were checked as they were read, and belong to nobody else.
+ * Checks a wrinkle set, and copies its layers' maps because textures take ownership of texels. Sets read from files skip this.
  *
- * @throws FurrowError when it is malformed, maps of one kind differ in size, or its maps are in arrays of an engine.
+ * @throws FurrowError if the set is malformed, maps of one kind differ in size, or maps are in texture arrays.
  */
 export function checkSource(source: WrinkleSet<ArraySlice>): WrinkleSet<ArraySlice> {
   checkWrinkleSet(source, 'Wrinkles')

@@ -5,16 +5,16 @@ import { bindFaceTargets } from './sources/face-targets.ts'
 import type { WrinklesBase } from './wrinkles-base.ts'
 
 /**
- * Plays expressions on a face: morph targets on every mesh that has them, and activations on its wrinkles. Call `update` once per
- * frame; while nothing is playing it writes nothing, so that sliders can move the face too.
+ * Plays expressions on a face: sets morph targets on every mesh that has them, and activations of its wrinkles. Call `update` once per
+ * frame. The player writes nothing while idle, so sliders can move the face too.
  */
 export class ExpressionPlayer extends ExpressionPlayerBase {
   /**
-   * @param face the root of the meshes that move: head, eyes, teeth, lashes.
-   * @param wrinkles of the face; undefined for a face without, which then only moves.
-   * @param expressions the first is the initial one; by default those of the file and its VRM, and of `EXPRESSIONS` those for which it
-   *   has shapes: see `expressionNames`. Names that no mesh or area has are left out with one warning.
-   * @throws FurrowError when no mesh under `face` has morph targets.
+   * @param face root of the moving meshes: head, eyes, teeth, lashes.
+   * @param wrinkles wrinkles of the face; undefined to play morph targets only.
+   * @param expressions expressions to play, initial one first. Default: those of the file and its VRM, plus the `EXPRESSIONS` that the
+   *   face has shapes for (see `expressionNames`). Unknown shape and area names are skipped with one warning.
+   * @throws FurrowError if no mesh under `face` has morph targets.
    */
   constructor(face: Node, wrinkles: WrinklesBase | undefined, expressions?: readonly Expression[]) {
     super(wrinkles, (names) => bindFaceTargets(face, names, 'ExpressionPlayer'), expressions)

@@ -3,11 +3,11 @@ import { FaceScoresBase } from '../runtime/face-scores.ts'
 import { bindFaceTargets } from './sources/face-targets.ts'
 
 /**
- * Sets the morph targets of a face from lists of names and scores: `scores.set(result.faceBlendshapes[0].categories)`. Names are found
- * in any spelling, on every mesh that has them; wrinkles follow through the drivers of the file.
+ * Sets the morph targets of a face from a face tracker's names and scores: `scores.set(result.faceBlendshapes[0].categories)`. Any
+ * spelling of a name matches, on every mesh under the root. Wrinkles follow through the file's drivers.
  */
 export class FaceScores extends FaceScoresBase {
-  /** @param face the root of the meshes that move: head, eyes, teeth, lashes. */
+  /** @param face root of the moving meshes: head, eyes, teeth, lashes. */
   constructor(face: Node) {
     super((names) => bindFaceTargets(face, names, 'FaceScores'))
   }

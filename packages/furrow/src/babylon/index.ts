@@ -1,5 +1,5 @@
 /**
- * Wrinkles in Babylon.js, on WebGL 2 and WebGPU.
+ * Wrinkles for Babylon.js, with WebGL 2 or WebGPU.
  *
  * @module furrow/babylon
  */

@@ -7,13 +7,13 @@ import type { ValueLayers } from '../runtime/value-texels.ts'
 import type { MixedLayers } from './shaders/mixing.ts'
 import { colourTexture, mapTexture } from './textures.ts'
 
-/** The maps of a set's layers on the GPU. */
+/** Textures of a set's layer maps. */
 export interface LayerTextures {
-  /** What shaders depend on. */
+  /** Shader parameters. */
   readonly mixed: MixedLayers
-  /** By the kind whose maps they hold; occlusion and blood may share that of the first. */
+  /** Textures by kind of map; occlusion and blood may share the texture of `occlusion`. */
   readonly textures: Readonly<Partial<Record<'normal' | ValueKind, Texture>>>
-  /** Scale of normals, strength of occlusion and amplitude of blood, per layer. */
+  /** Normal scale, occlusion strength and blood amplitude per layer. */
   readonly normalScale: readonly number[]
   readonly occlusionStrength: readonly number[]
   readonly bloodAmplitude: readonly number[]
@@ -22,8 +22,8 @@ export interface LayerTextures {
 /**
  * Creates the textures of a set's layers.
  *
- * @param layers whose maps of each kind have one size.
- * @param anisotropy that of the map they are mixed with.
+ * @param layers layers whose maps of each kind have one size.
+ * @param anisotropy anisotropy of the base map.
  */
 export function createTextures(layers: readonly Layer[], anisotropy: number, scene: Scene): LayerTextures {
   const normals = packMaps(

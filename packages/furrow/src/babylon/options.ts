@@ -3,41 +3,43 @@ import { FurrowError } from '../core/error.ts'
 import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE, MIN_AREA_SIZE } from '../core/limits.ts'
 import { didYouMean } from '../core/nearest-name.ts'
 
-/** `default` mixes normals and lights once; `off` shows no wrinkles. */
+/** Shading mode: `default` mixes normals and lights once, `off` shows no wrinkles. */
 export type WrinkleMode = 'default' | 'off'
 
-/** How wrinkles are shown; defaults are in `WRINKLES_DEFAULTS`. */
+/** Options of `Wrinkles`; defaults are in `WRINKLES_DEFAULTS`. */
 export interface WrinklesOptions {
-  /** `default` by default. */
+  /** Shading mode, default `default`. */
   mode?: WrinkleMode
-  /** Side of the square grid that areas are resampled to, in texels, 128 by default. */
+  /** Side of the square grid that areas are resampled to, texels, default 128. */
   areaSize?: number
 }
 
 /** Options of `registerWrinkleMaps`. */
 export interface LoaderOptions extends WrinklesOptions {
   /**
-   * Folder of `basis_transcoder.js` and `basis_transcoder.wasm`, which files with KTX 2 need and are fetched with the first of them. None
-   * by default: such a file then stays plain.
+   * Folder of `basis_transcoder.js` and `basis_transcoder.wasm`, fetched with the first file that has KTX 2 maps. Without a folder, faces
+   * with KTX 2 maps stay plain.
    */
   transcoderPath?: string
 }
 
-/** The defaults of `WrinklesOptions`. */
+/** Defaults of `WrinklesOptions`. */
 export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = {
   mode: 'default',
   areaSize: DEFAULT_AREA_SIZE,
 }
 
-/** @throws FurrowError when there is no such mode in Babylon.js. */
+/** @throws FurrowError if Babylon.js does not support the mode. */
 export function checkMode(mode: WrinkleMode, who = 'Wrinkles.mode'): void {
   if (mode === 'default' || mode === 'off') return
   throw wrongArgument(who, 'mode unsupported in Babylon.js', mode, 'default, off')
 }
 
 /**
- * @param who the caller, in errors.
- * @throws FurrowError at the first option that is not what it must be, or that only three.js has.
+ * Fills in defaults.
+ *
+ * @param who names the caller in errors.
+ * @throws FurrowError if an option is unknown, out of range, or only supported in three.js.
  */
 export function checkOptions(options: WrinklesOptions, who: string): Required<WrinklesOptions> {
   if (!isObject(options)) throw wrongArgument(who, 'options', options, 'an object')
@@ -47,10 +49,14 @@ export function checkOptions(options: WrinklesOptions, who: string): Required<Wr
     throw new FurrowError({
       code: 'unsupported',
       who,
-      problem: 'an option that Babylon.js does not have',
+      problem: 'option unsupported in Babylon.js',
       value: unknown,
       limit: known.join(', '),
-      remedy: didYouMean(unknown, known, 'leave it out; docs/babylon.md lists what only three.js shows'),
+      remedy: didYouMean(
+        unknown,
+        known,
+        'remove the option; docs/babylon.md lists the features of three.js only',
+      ),
     })
   }
   const { mode, areaSize } = { ...WRINKLES_DEFAULTS, ...options }
@@ -61,7 +67,7 @@ export function checkOptions(options: WrinklesOptions, who: string): Required<Wr
   return { mode, areaSize }
 }
 
-/** @throws FurrowError as `checkOptions` does, or when `transcoderPath` is no text. */
+/** @throws FurrowError as `checkOptions`, or if `transcoderPath` is not a string. */
 export function checkLoaderOptions(options: LoaderOptions, who: string): void {
   if (!isObject(options)) throw wrongArgument(who, 'options', options, 'an object')
   const { transcoderPath, ...others } = options

@@ -6,7 +6,7 @@ import type { SharedSet } from './shared-set.ts'
 import { flatNormalTexture } from './textures.ts'
 import { type DrawnFace, WrinklePlugin } from './wrinkle-plugin.ts'
 
-/** How many faces a material shows, and what takes the wrinkles off it. */
+/** Number of faces that a material shows, and a function that removes its wrinkles. */
 interface Patch {
   users: number
   remove(): void
@@ -15,11 +15,11 @@ interface Patch {
 const patches = new WeakMap<SkinMaterial, Patch>()
 
 /**
- * Lets a material show the wrinkles of a set, for one more face.
+ * Patches a material to show the wrinkles of a set, or registers another face with it.
  *
- * @param faceOf the face of a mesh that is drawn.
- * @returns what undoes it, with the last face.
- * @throws FurrowError when it shows those of another set.
+ * @param faceOf returns the face of a mesh that is being drawn.
+ * @returns a function that unregisters the face; the last one restores the material.
+ * @throws FurrowError if the material shows another set.
  */
 export function patchMaterial(
   material: SkinMaterial,
@@ -32,9 +32,9 @@ export function patchMaterial(
   if (plugin.shared && plugin.shared !== shared) {
     throw new FurrowError({
       who: 'Wrinkles',
-      problem: `material "${material.name}" shows the wrinkles of another set`,
-      limit: 'one set for all meshes with a material',
-      remedy: 'give the mesh a clone of the material, or the wrinkles of the other mesh',
+      problem: `material "${material.name}" already shows another wrinkle set`,
+      limit: 'one set per material',
+      remedy: 'clone the material, or create the wrinkles from those of the other mesh',
     })
   }
   const patch = patches.get(material) ?? apply(material, plugin, shared)
@@ -57,13 +57,13 @@ function apply(material: SkinMaterial, plugin: WrinklePlugin, shared: SharedSet)
   return { users: 0, remove }
 }
 
-/** Gives a material a normal map, which shaders read only where there is one. */
+/** Adds a flat normal map: without one, shaders skip the code that mixes normals. */
 function addFlatNormals(material: SkinMaterial): () => void {
   const scene = material.getScene()
   const flat = flatNormalTexture(scene)
   const { invertNormalMapX, invertNormalMapY } = material
   material.bumpTexture = flat
-  // As the loader sets them for glTF's normal maps.
+  // Same as Babylon.js's glTF loader.
   material.invertNormalMapX = !scene.useRightHandedSystem
   material.invertNormalMapY = scene.useRightHandedSystem
   return () => {

@@ -5,18 +5,18 @@ import {
 import { WRINKLE_MAPS } from '../core/maps/declared.ts'
 import { WrinkleMapsExtension } from './loader/wrinkle-maps-extension.ts'
 import { checkLoaderOptions, type LoaderOptions } from './options.ts'
-import { noteRegistered } from './registered.ts'
+import { markRegistered } from './registered.ts'
 
 /**
- * Lets Babylon.js load the wrinkles of glTF files, from the next file on. A loaded face wrinkles by itself as its morph targets move, and
- * so does each copy of it, with activations of its own. Called again, its options replace those before.
+ * Registers FURROW_wrinkle_maps with Babylon.js's glTF loader, from the next file on. Wrinkles of loaded faces follow morph targets
+ * automatically. Copies of a face get their own activations. Further calls replace the options.
  *
- * @throws FurrowError when an option is unknown or out of range.
+ * @throws FurrowError if an option is unknown or out of range.
  */
 export function registerWrinkleMaps(options: LoaderOptions = {}): void {
   checkLoaderOptions(options, 'registerWrinkleMaps')
-  noteRegistered()
+  markRegistered()
   unregisterGLTFExtension(WRINKLE_MAPS)
-  // For files that do not declare the extension too, so that these are told of.
+  // Also for files that do not list the extension in `extensionsUsed`, so that they cause a warning.
   registerGLTFExtension(WRINKLE_MAPS, false, (loader) => new WrinkleMapsExtension(loader, options))
 }

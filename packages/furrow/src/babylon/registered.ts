@@ -1,22 +1,22 @@
 import { sentence } from '../core/error.ts'
 
-/** Whether `registerWrinkleMaps` was called. Babylon.js keeps nothing of a file that would tell whether it has wrinkles. */
+/** Whether `registerWrinkleMaps` was called. Babylon.js does not keep a file's JSON, which would tell whether the file has wrinkles. */
 let isRegistered = false
 let hasWarned = false
 
-export function noteRegistered(): void {
+export function markRegistered(): void {
   isRegistered = true
 }
 
-/** Warns once where no file can have wrinkles. */
+/** Warns once if `registerWrinkleMaps` was never called. */
 export function warnIfUnregistered(): void {
   if (isRegistered || hasWarned) return
   hasWarned = true
   console.warn(
     sentence({
       who: 'wrinklesOf',
-      problem: 'no file has wrinkles before registerWrinkleMaps is called',
-      remedy: 'call it before loading',
+      problem: 'files have no wrinkles before registerWrinkleMaps is called',
+      remedy: 'call registerWrinkleMaps before loading',
     }),
   )
 }

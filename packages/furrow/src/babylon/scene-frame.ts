@@ -1,15 +1,15 @@
 import type { Scene } from '@babylonjs/core/scene.js'
 import { Frame, type FrameEntry, type FrameMember } from '../runtime/frame.ts'
 
-/** The mesh of a member, as far as it decides whether the member takes part. */
+/** A face in a scene. */
 export interface SceneMember extends FrameMember<Scene> {
   /** Whether the face may be drawn in this frame. */
   readonly isShown: boolean
-  /** Looks for copies of the mesh that the page has made. */
+  /** Adds wrinkles to copies of the mesh that the page has made. */
   adopt(): void
 }
 
-/** The frames of one scene: runs the phases of all faces that may be drawn, once before anything of the frame is. */
+/** Runs the phases of all visible faces of a scene, once per frame, before the first draw call. */
 export class SceneFrame extends Frame<Scene> {
   readonly #members = new Map<SceneMember, FrameEntry<Scene>>()
   readonly #scene: Scene
@@ -30,7 +30,7 @@ export class SceneFrame extends Frame<Scene> {
     this.#members.delete(member)
   }
 
-  /** Runs the phases of one member now; influence is drawn only with a scene. */
+  /** Runs the phases of one member now. Influence is drawn only if a scene is given. */
   run(member: SceneMember, scene: Scene | null): void {
     this.update(this.#members.get(member)!, scene)
   }
@@ -43,7 +43,7 @@ export class SceneFrame extends Frame<Scene> {
 
 const frames = new WeakMap<Scene, SceneFrame>()
 
-/** The frames of a scene, one object for all its faces. */
+/** Returns the frame shared by all faces of a scene. */
 export function sceneFrame(scene: Scene): SceneFrame {
   const frame = frames.get(scene) ?? new SceneFrame(scene)
   frames.set(scene, frame)

@@ -5,7 +5,7 @@ import { InfluenceAtlas } from './influence/influence-atlas.ts'
 import { createTextures, type LayerTextures } from './layer-textures.ts'
 import { sceneFrame } from './scene-frame.ts'
 
-/** What all faces with one wrinkle set in one scene share: its areas, its textures, and the atlas of their influence maps. */
+/** Areas, textures and influence atlas, shared by all faces with one wrinkle set in one scene. */
 export class SharedSet {
   readonly scene: Scene
   readonly areas: readonly Area[]
@@ -15,9 +15,9 @@ export class SharedSet {
   #users = 0
 
   /**
-   * @param areaSize side of the areas' grid in texels.
-   * @param anisotropy of the normal map that the layers are mixed with.
-   * @throws FurrowError when images of one kind differ in size.
+   * @param areaSize side of the areas' grid, texels.
+   * @param anisotropy anisotropy of the base normal map.
+   * @throws FurrowError if images of one kind differ in size.
    */
   constructor(
     { layers, areas }: { layers: readonly Layer[]; areas: readonly Area[] },
@@ -37,7 +37,7 @@ export class SharedSet {
     this.#users++
   }
 
-  /** Frees everything with the last user. */
+  /** Unregisters a user. The last one frees everything. */
   release(): void {
     if (--this.#users > 0) return
     const { targets } = sceneFrame(this.scene)

@@ -12,12 +12,12 @@ const FORMATS = {
   4: Constants.TEXTUREFORMAT_RGBA,
 } as const
 
-/** A texture of areas: without filters, since shaders fetch its texels. */
+/** Creates a texture of areas, unfiltered because shaders fetch texels. */
 export function areaTexture(images: ImageArray, scene: Scene): Texture {
   return arrayTexture(images.data, images, scene, Constants.TEXTURE_NEAREST_SAMPLINGMODE)
 }
 
-/** A texture of layers' maps, filtered with mipmaps as the map they are mixed with is. */
+/** Creates a mipmapped texture of layer maps, with the anisotropy of the base map. */
 export function mapTexture(images: ImageArray, anisotropy: number, scene: Scene): Texture {
   return filtered(
     arrayTexture(images.data, images, scene, Constants.TEXTURE_TRILINEAR_SAMPLINGMODE),
@@ -25,7 +25,7 @@ export function mapTexture(images: ImageArray, anisotropy: number, scene: Scene)
   )
 }
 
-/** A texture of sRGB colours. In linear half floats: Babylon.js has no arrays that are decoded when they are sampled. */
+/** Creates a texture of sRGB colours, converted to linear half floats because Babylon.js has no sRGB texture arrays. */
 export function colourTexture(images: ImageArray, anisotropy: number, scene: Scene): Texture {
   const linear = Uint16Array.from({ length: 256 }, (_, byte) => ToHalfFloat(linearOf(byte / 255)))
   const data = Uint16Array.from(images.data, (byte) => linear[byte])
@@ -33,8 +33,7 @@ export function colourTexture(images: ImageArray, anisotropy: number, scene: Sce
 }
 
 /**
- * A normal map of one flat texel, for a material that has none. In half floats, since no byte is exactly 0.5: skin without wrinkles
- * must look as it did before.
+ * Creates a normal map of one flat texel. Half floats, because no byte is exactly 0.5 and skin without wrinkles must look unchanged.
  */
 export function flatNormalTexture(scene: Scene): RawTexture {
   const [half, one] = [0.5, 1].map(ToHalfFloat)
@@ -53,7 +52,7 @@ export function flatNormalTexture(scene: Scene): RawTexture {
   return texture
 }
 
-/** The decoding of IEC 61966-2-1. */
+/** sRGB decoding, IEC 61966-2-1. */
 function linearOf(value: number): number {
   return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4
 }
@@ -81,7 +80,7 @@ function arrayTexture(
     sampling,
     data instanceof Uint16Array ? Constants.TEXTURETYPE_HALF_FLOAT : Constants.TEXTURETYPE_UNSIGNED_BYTE,
   )
-  // Edges are clamped, as in the reference.
+  // Clamped to the edge, as in the reference.
   texture.wrapU = texture.wrapV = texture.wrapR = Constants.TEXTURE_CLAMP_ADDRESSMODE
   return texture
 }

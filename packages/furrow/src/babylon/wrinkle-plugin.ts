@@ -21,15 +21,15 @@ import { type MixedLayers, samplerOf } from './shaders/mixing.ts'
 import type { SharedSet } from './shared-set.ts'
 import { isTiled } from './tiling.ts'
 
-/** What a draw of a mesh needs to know of its face. */
+/** Part of a face that a draw needs. */
 export interface DrawnFace {
   readonly shared: SharedSet
   readonly cells: readonly Cell[]
-  /** Whether the vertices of its instances tell their cells. */
+  /** Whether instances have the `furrowCell` attribute. */
   readonly hasCells: boolean
 }
 
-/** Uniforms, each of four numbers. */
+/** Uniforms, all `vec4`. */
 const UNIFORMS = [
   'furrowPlace',
   'furrowInside',
@@ -40,10 +40,10 @@ const UNIFORMS = [
   'furrowBloodAmplitude',
 ] as const
 
-/** Where the cell of the mesh that is drawn is. */
+/** Scratch: location of the drawn mesh's cell. */
 const place: Four = { x: 0, y: 0, z: 1, w: 1 }
 
-/** Numbers of shader variants by their code: effects are told apart by their defines. */
+/** Shader variant numbers by code. Used as a define, because Babylon.js distinguishes effects by their defines. */
 const variants = new Map<string, number>()
 
 function variantOf(injections: Injections | null): number {
@@ -60,13 +60,13 @@ const ALL_KINDS: MixedLayers = {
   values: Object.fromEntries(VALUE_KINDS.map((kind) => [kind, ONE(kind)])),
 }
 
-/** Differences between the programs of a set: whether instances have cells, and texture coordinates wrap. */
+/** Defines that differ between programs of a set: whether instances have cells, and whether texture coordinates wrap. */
 const FLAGS = { FURROW_CELLS: false, FURROW_TILED: false }
 
-/** Name of the vertex attribute with the cell of an instance. */
+/** Vertex attribute with the cell of an instance. */
 export const CELL = 'furrowCell'
 
-/** Makes the shader of one material show the wrinkles of the meshes that it draws, each its own. */
+/** Material plugin that shows, on each mesh drawn with a material, the wrinkles of this mesh. */
 export class WrinklePlugin extends MaterialPluginBase {
   static readonly NAME = 'FurrowWrinkles'
   readonly #kind: ShaderKind
@@ -75,20 +75,20 @@ export class WrinklePlugin extends MaterialPluginBase {
   #fragment: Injections | null = null
   #variant = 0
 
-  /** @param faceOf the face of a mesh; undefined for a mesh without. */
+  /** @param faceOf returns the face of a mesh, or undefined. */
   constructor(material: Material, kind: ShaderKind, faceOf: (mesh: AbstractMesh) => DrawnFace | undefined) {
     super(material, WrinklePlugin.NAME, 300, { FURROW: 0, ...FLAGS }, false)
     this.registerForExtraEvents = true
     this.doNotSerialize = true
     this.#kind = kind
     this.#faceOf = faceOf
-    // Where code may be added is asked once, now: for sets with maps of all kinds.
+    // Babylon.js collects injection points once, on registration: declare them for all kinds of maps.
     this.#fragment = fragmentInjections(kind, this.#isWgsl, ALL_KINDS)
     this._pluginManager._addPlugin(this)
     this._enable(true)
   }
 
-  /** The set whose wrinkles the material shows; null for none. */
+  /** Set whose wrinkles the material shows, or null. */
   get shared(): SharedSet | null {
     return this.#shared
   }
@@ -124,7 +124,7 @@ export class WrinklePlugin extends MaterialPluginBase {
     const isWrapped = Boolean(face && bumpTexture && isTiled(mesh, bumpTexture))
     if (isWrapped === defines.FURROW_TILED) return
     defines.FURROW_TILED = isWrapped
-    // Babylon.js looks for changes of its own only; a page may move the normal map.
+    // Babylon.js does not notice when a page changes the transform of the normal map.
     defines.markAsUnprocessed()
   }
 
@@ -133,7 +133,7 @@ export class WrinklePlugin extends MaterialPluginBase {
   }
 
   override getSamplers(samplers: string[]): void {
-    // Of all kinds: the list is made once, and the material may show another set later.
+    // Lists samplers of all kinds: Babylon.js asks once, and the material may show another set later.
     samplers.push('furrowInfluenceMap')
     for (const kind of MAP_KINDS) {
       samplers.push(samplerOf(kind))
@@ -143,7 +143,7 @@ export class WrinklePlugin extends MaterialPluginBase {
   override getUniforms(language = ShaderLanguage.GLSL) {
     return {
       ubo: UNIFORMS.map((name) => ({ name, size: 4, type: 'vec4' })),
-      // For engines without uniform buffers.
+      // Used by engines without uniform buffers.
       ...(language === ShaderLanguage.GLSL && {
         fragment: UNIFORMS.map((name) => `uniform vec4 ${name};`).join('\n'),
       }),
@@ -170,7 +170,7 @@ export class WrinklePlugin extends MaterialPluginBase {
     setVector(uniforms, 'furrowPlace', place)
     setVector(uniforms, 'furrowInside', inside)
     uniforms.updateFloat4('furrowGrid', grid.columns, grid.rows, 0.5 / width, 0.5 / height)
-    // A mesh without wrinkles may have the material too.
+    // Meshes without wrinkles may use the material too.
     uniforms.updateFloat4('furrowLimit', face ? 1 : 0, 0, 0, 0)
     const { textures, normalScale, occlusionStrength, bloodAmplitude } = shared.textures
     setFour(uniforms, 'furrowNormalScale', normalScale)

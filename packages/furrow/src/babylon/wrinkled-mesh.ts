@@ -21,22 +21,22 @@ import { CELL, type DrawnFace, WrinklePlugin } from './wrinkle-plugin.ts'
 
 const facesByMesh = new WeakMap<AbstractMesh, WrinkledMesh>()
 
-/** The wrinkles of a mesh, or undefined. A copy that was made since the last frame gets its own now. */
-export function addedTo(mesh: AbstractMesh): WrinkledMesh | undefined {
+/** Returns the wrinkles of a mesh, or undefined. Copies made since the last frame get their wrinkles now. */
+export function wrinklesOfMesh(mesh: AbstractMesh): WrinkledMesh | undefined {
   const source = (mesh as InstancedMesh).sourceMesh
   if (!facesByMesh.has(mesh) && source) facesByMesh.get(source)?.adopt()
-  return facesByMesh.get(mesh) ?? adoptedLater(mesh)
+  return facesByMesh.get(mesh) ?? adoptClone(mesh)
 }
 
-/** Copies that the page has made of meshes with wrinkles, which get their own before the next frame. */
+/** Clones that have no wrinkles yet, with their source. They get wrinkles before the next frame. */
 const copies = new Map<AbstractMesh, WrinkledMesh>()
 
-function adoptedLater(mesh: AbstractMesh): WrinkledMesh | undefined {
+function adoptClone(mesh: AbstractMesh): WrinkledMesh | undefined {
   copies.get(mesh)?.adopt()
   return facesByMesh.get(mesh)
 }
 
-/** A mesh that shows wrinkles: everything behind `Wrinkles`, out of users' reach. */
+/** Internals of `Wrinkles`: the meshes, areas and drivers of one face. */
 export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, DrawnFace {
   readonly mesh: AbstractMesh
   readonly shared: SharedSet
@@ -45,13 +45,13 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
   readonly #options: Required<WrinklesOptions>
   readonly #unpatch = new Map<AbstractMesh, () => void>()
   #mode: WrinkleMode = 'off'
-  /** Whether the vertices of its instances tell their cells. */
+  /** Whether instances have the `furrowCell` attribute. */
   hasCells = false
 
   /**
-   * @param source a checked set. Or another mesh: its set, textures and drivers are used, with activations at rest; those of the same mesh are
-   *   replaced.
-   * @throws FurrowError when the mesh or its material does not fit; the mesh is then unchanged.
+   * @param source a checked set, or a mesh whose set, textures and drivers are shared; activations start at rest. Existing wrinkles of
+   *   `mesh` are replaced.
+   * @throws FurrowError if the mesh or its material is unsupported; the mesh is then unchanged.
    */
   constructor(
     mesh: AbstractMesh,
@@ -71,7 +71,7 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
           material.bumpTexture?.anisotropicFilteringLevel ?? 4,
           mesh.getScene(),
         )
-    // Read before the wrinkles of the same mesh are disposed of.
+    // Read before the mesh's existing wrinkles are disposed of.
     const plan = isCopy ? source.plan : undefined
     super(Math.max((mesh as Mesh).thinInstanceCount ?? 0, 1), shared.areas, shared.slices)
     this.mesh = mesh
@@ -98,7 +98,7 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
     return this.#mode
   }
 
-  /** @throws FurrowError when Babylon.js has no such mode, or the material shows another set; the mode then stays as it was. */
+  /** @throws FurrowError if the mode is unsupported, or the material shows another set; the mode then stays unchanged. */
   set mode(mode: WrinkleMode) {
     this.checkInUse('mode')
     checkMode(mode)
@@ -107,7 +107,7 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
     this.#mode = mode
   }
 
-  /** @throws FurrowError when the material of the mesh cannot be patched, or shows another set. */
+  /** @throws FurrowError if the material of the mesh cannot be patched, or shows another set. */
   addMesh(mesh: AbstractMesh): void {
     this.checkInUse('addMesh')
     checkIsMesh(mesh, 'Wrinkles.addMesh')
@@ -117,7 +117,7 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
     facesByMesh.set(mesh, this)
     const cloned = mesh.onClonedObservable.add((copy) => copies.set(copy as AbstractMesh, this))
     const disposed = mesh.onDisposeObservable.add(() => this.dispose())
-    if (this.faces.length > 1 || isInstance(mesh)) this.#tellCells(mesh)
+    if (this.faces.length > 1 || isInstance(mesh)) this.#writeCells(mesh)
     this.onDispose(() => {
       mesh.onClonedObservable.remove(cloned)
       mesh.onDisposeObservable.remove(disposed)
@@ -125,7 +125,7 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
     })
   }
 
-  /** Updates inputs, drivers and activations now; influence is drawn only with a scene. */
+  /** Updates inputs, drivers and activations now. Influence is drawn only if a scene is given. */
   update(scene: Scene | null): void {
     this.checkInUse('update')
     sceneFrame(this.shared.scene).run(this, scene)
@@ -134,7 +134,7 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
   /**
    * Replaces the drivers.
    *
-   * @param isLate whether their inputs are found at the first frame.
+   * @param isLate whether inputs are looked up at the first frame.
    */
   drive(drivers: readonly WrinkleDriver[] | DriverPlan, isLate = false): void {
     this.checkInUse('setDrivers')
@@ -158,7 +158,7 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
     return this.#mode === 'default' && this.mesh.isEnabled()
   }
 
-  /** Gives copies of the meshes wrinkles of their own. */
+  /** Adds wrinkles to clones and instances of the meshes. */
   adopt(): void {
     for (const [copy, source] of copies) {
       if (source !== this) continue
@@ -178,7 +178,7 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
     return true
   }
 
-  /** Phase 5: nothing is derived from the influence. */
+  /** Phase 5: unused, because there is no composed mode. */
   composeNormals(): void {}
 
   #copyTo(copy: AbstractMesh): void {
@@ -186,7 +186,7 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
     try {
       new WrinkledMesh(copy, this)
     } catch (error) {
-      // A copy with another material stays plain.
+      // A copy with an unsupported material stays plain.
       console.warn((error as Error).message)
     }
   }
@@ -205,8 +205,8 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
     this.#unpatch.clear()
   }
 
-  /** Tells the vertices of a mesh's instances which cells are theirs. */
-  #tellCells(mesh: AbstractMesh): void {
+  /** Writes the cell of each instance to a vertex attribute. */
+  #writeCells(mesh: AbstractMesh): void {
     const source = isInstance(mesh) ? mesh.sourceMesh : (mesh as Mesh)
     const first = this.cells[0].index
     if (isInstance(mesh)) {
@@ -237,7 +237,7 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
   }
 }
 
-/** The face that a mesh shows, if it does. */
+/** Returns the face of a mesh if its wrinkles are shown. */
 function shownOn(mesh: AbstractMesh): WrinkledMesh | undefined {
   const face = facesByMesh.get(mesh)
   return face?.mode === 'default' ? face : undefined

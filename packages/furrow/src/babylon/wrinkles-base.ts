@@ -6,21 +6,21 @@ import type { WrinkledMesh } from './wrinkled-mesh.ts'
 
 const wrinklesByMesh = new WeakMap<WrinkledMesh, WrinklesBase>()
 
-/** The mesh behind wrinkles, for code of the library. */
+/** Returns the internals of `Wrinkles`. */
 export function meshOf(wrinkles: WrinklesBase): WrinkledMesh {
-  // The constructor below accepts no other.
+  // The constructor below accepts no other group.
   return groupOf(wrinkles) as WrinkledMesh
 }
 
-/** The wrinkles of a mesh, as users see them. */
+/** Returns the public object for the internals of a face. */
 export function wrinklesFor(own: WrinkledMesh): WrinklesBase {
   return wrinklesByMesh.get(own) ?? new WrinklesBase(own)
 }
 
 /**
- * Wrinkles on one mesh, on an instance of one, or on each of its thin instances: what `registerWrinkleMaps` adds to loaded files, and the
- * base of `Wrinkles`. The material remains the user's, and `dispose` restores it. Copies of the mesh, by `clone`, `createInstance` or
- * `instantiateModelsToScene`, get wrinkles of their own before they are first drawn.
+ * Wrinkles on one mesh, on one instance, or on each thin instance. `registerWrinkleMaps` adds them to loaded files; base class of `Wrinkles`.
+ * The material is patched, not replaced, and `dispose` restores it. Copies of the mesh by `clone`, `createInstance` or
+ * `instantiateModelsToScene` get their own wrinkles before they are first drawn.
  */
 export class WrinklesBase extends WrinkleFaces {
   constructor(own: WrinkledMesh) {
@@ -28,39 +28,38 @@ export class WrinklesBase extends WrinkleFaces {
     wrinklesByMesh.set(own, this)
   }
 
-  /** The mesh that drives: its blendshapes, skeleton and surface are measured. */
+  /** Mesh whose morph targets, skeleton and surface the drivers read. */
   get mesh(): AbstractMesh {
     return meshOf(this).mesh
   }
 
-  /** How wrinkles are shown. */
+  /** Shading mode. */
   get mode(): WrinkleMode {
     return meshOf(this).mode
   }
 
   /**
-   * Changes how wrinkles are shown.
+   * Changes the shading mode.
    *
-   * @throws FurrowError when Babylon.js has no such mode, or the material shows another set; the mode then stays as it was.
+   * @throws FurrowError if the mode is unsupported, or the material shows another set; the mode then stays unchanged.
    */
   set mode(mode: WrinkleMode) {
     meshOf(this).mode = mode
   }
 
   /**
-   * Adds another mesh, such as a second primitive of the face. It shows the same wrinkles.
+   * Adds another mesh that shows the same wrinkles, e.g. a second primitive of the face.
    *
-   * @throws FurrowError when its material cannot, or shows those of another set.
+   * @throws FurrowError if its material is unsupported, or shows another set.
    */
   addMesh(mesh: AbstractMesh): void {
     meshOf(this).addMesh(mesh)
   }
 
   /**
-   * Updates inputs, drivers and activations now. Every frame does so before it is drawn; this is for tests, and for pages that read
-   * activations without drawing.
+   * Updates inputs, drivers and activations now. Only needed to read activations without drawing: every rendered frame updates them.
    *
-   * @param scene that of the mesh, to draw the influence maps too.
+   * @param scene scene of the mesh, to draw the influence maps too.
    */
   update(scene: Scene | null = null): void {
     meshOf(this).update(scene)

@@ -3,31 +3,31 @@ import type { Node } from '@babylonjs/core/node.js'
 import { isObject, wrongArgument } from '../core/argument.ts'
 import type { FurrowError } from '../core/error.ts'
 import { warnIfUnregistered } from './registered.ts'
-import { addedTo } from './wrinkled-mesh.ts'
+import { wrinklesOfMesh } from './wrinkled-mesh.ts'
 import { type WrinklesBase, wrinklesFor } from './wrinkles-base.ts'
 
-/** What Babylon.js returns of a file: an asset container, or what was imported of it; or a copy by `instantiateModelsToScene`. */
+/** A loaded file: an asset container, an import result, or a copy by `instantiateModelsToScene`. */
 export type LoadedFile =
   | {
       /** All meshes of the file. */
       readonly meshes: readonly AbstractMesh[]
     }
   | {
-      /** The roots of a copy. */
+      /** Roots of a copy. */
       readonly rootNodes: readonly Node[]
     }
 
 /**
- * The wrinkles of a mesh, however they were added, or undefined.
+ * Returns the wrinkles of a mesh, or undefined.
  *
- * @throws FurrowError when it is neither a mesh nor a loaded file.
+ * @throws FurrowError if the argument is neither a mesh nor a loaded file.
  */
 export function wrinklesOf(mesh: AbstractMesh): WrinklesBase | undefined
 /**
- * The wrinkles of a file or a copy of it, one per face; none if it has none, or was loaded before `registerWrinkleMaps`. Warns once if that
- * was never called.
+ * Returns the wrinkles of a loaded file or a copy of it, one per face. Empty if the file has none, or was loaded before
+ * `registerWrinkleMaps` was called. Warns once if that was never called.
  *
- * @throws FurrowError when it is neither a mesh nor a loaded file.
+ * @throws FurrowError if the argument is neither a mesh nor a loaded file.
  */
 export function wrinklesOf(file: LoadedFile): readonly WrinklesBase[]
 export function wrinklesOf(
@@ -40,18 +40,17 @@ export function wrinklesOf(
   }
   if (typeof source.isVerticesDataPresent !== 'function')
     throw wrongSource((source as object).constructor?.name)
-  const own = addedTo(source)
-  return own && wrinklesFor(own)
+  const face = wrinklesOfMesh(source)
+  return face && wrinklesFor(face)
 }
 
 function wrongSource(value: unknown): FurrowError {
-  const limit = 'what Babylon.js returned of a file, or a Mesh or InstancedMesh'
+  const limit = 'a Mesh, an InstancedMesh, or a file loaded by Babylon.js'
   return wrongArgument('wrinklesOf', 'invalid argument', value, limit)
 }
 
 function facesOf(meshes: readonly AbstractMesh[]): WrinklesBase[] {
-  const own = new Set(meshes.flatMap((mesh) => addedTo(mesh) ?? []))
-  const faces = [...own].map(wrinklesFor)
+  const faces = [...new Set(meshes.flatMap((mesh) => wrinklesOfMesh(mesh) ?? []))].map(wrinklesFor)
   if (faces.length === 0) warnIfUnregistered()
   return faces
 }

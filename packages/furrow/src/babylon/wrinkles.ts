@@ -5,14 +5,14 @@ import type { WrinklesOptions } from './options.ts'
 import { WrinkledMesh } from './wrinkled-mesh.ts'
 import { meshOf, WrinklesBase } from './wrinkles-base.ts'
 
-/** Wrinkles on one mesh, for a wrinkle set that is not in a file. */
+/** Wrinkles on one mesh, from a wrinkle set in memory. */
 export class Wrinkles extends WrinklesBase {
   /**
-   * @param mesh needs UVs whose v points down, as in glTF, normals, and a `PBRMaterial` or `StandardMaterial`; each of its thin
-   *   instances wrinkles independently.
-   * @param source a set, copied. Or the wrinkles of another mesh, which are then shown here too, at rest, from the same textures and by the same drivers; or
-   *   those of the mesh itself, which are replaced, as after a change of its thin instances.
-   * @throws FurrowError when the mesh, its material or the set does not fit; the mesh is then unchanged.
+   * @param mesh mesh with normals, UVs (v pointing down, as in glTF), and a `PBRMaterial` or `StandardMaterial`. Each thin instance
+   *   wrinkles independently.
+   * @param source wrinkle set, copied. Or the wrinkles of another mesh, to share their textures and drivers; activations start at rest.
+   *   Pass the mesh's own wrinkles to recreate them after a change of its thin instances.
+   * @throws FurrowError if the mesh, its material or the set is invalid; the mesh is then unchanged.
    */
   constructor(
     mesh: AbstractMesh,

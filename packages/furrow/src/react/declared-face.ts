@@ -6,49 +6,49 @@ type Numbers = Readonly<Record<string, number>>
 
 const NONE: Numbers = {}
 
-/** A face whose state is declared, and what it was before. */
+/** A face with a declared state, and its original state. */
 export class DeclaredFace {
   readonly #face: WrinklesBase
-  readonly #before: { mode: WrinkleMode; relief: ReliefMode; inputs: Map<string, number> }
+  readonly #original: { mode: WrinkleMode; relief: ReliefMode; inputs: Map<string, number> }
   readonly #warn: (error: unknown) => void
   #state: WrinkleState = {}
 
-  /** @param warn is told of what is not possible; everything else of a state is applied. */
+  /** @param warn called for each property that cannot be applied; the others are applied. */
   constructor(face: WrinklesBase, warn: (error: unknown) => void) {
     this.#face = face
     this.#warn = warn
-    this.#before = { mode: face.mode, relief: face.relief, inputs: new Map() }
+    this.#original = { mode: face.mode, relief: face.relief, inputs: new Map() }
   }
 
-  /** Applies what differs from the last state. */
+  /** Applies the differences from the last state. */
   apply(state: WrinkleState): void {
-    const [face, before, last] = [this.#face, this.#before, this.#state]
+    const [face, original, last] = [this.#face, this.#original, this.#state]
     if (face.isDisposed || state === last) return
     this.#state = state
     this.#attempt(() => checkState(state))
     this.#attempt(() => {
-      face.mode = state.mode ?? before.mode
+      face.mode = state.mode ?? original.mode
     })
     this.#attempt(() => {
-      face.relief = state.relief ?? before.relief
+      face.relief = state.relief ?? original.relief
     })
     this.#applyNumbers(last.activations, state.activations, (area, value) => {
       if (face.hasArea(area)) face.setActivation(area, value ?? face.getArea(area)!.activation ?? 0)
     })
     this.#applyNumbers(last.inputs, state.inputs, (name, value) => {
-      if (!before.inputs.has(name)) before.inputs.set(name, face.inputs.get(name))
-      face.inputs.set(name, value ?? before.inputs.get(name)!)
+      if (!original.inputs.has(name)) original.inputs.set(name, face.inputs.get(name))
+      face.inputs.set(name, value ?? original.inputs.get(name)!)
     })
   }
 
-  /** @param set is given undefined for a name that is no longer there. */
+  /** @param set called with undefined for removed names. */
   #applyNumbers(
     last: Numbers = NONE,
-    now: Numbers = NONE,
+    next: Numbers = NONE,
     set: (name: string, value: number | undefined) => void,
   ): void {
-    for (const name of new Set([...Object.keys(last), ...Object.keys(now)])) {
-      if (now[name] !== last[name]) this.#attempt(() => set(name, now[name]))
+    for (const name of new Set([...Object.keys(last), ...Object.keys(next)])) {
+      if (next[name] !== last[name]) this.#attempt(() => set(name, next[name]))
     }
   }
 

@@ -5,22 +5,22 @@ import type { WrinklesBase } from '../three/wrinkles-base.ts'
 import { DeclaredFace } from './declared-face.ts'
 import type { WrinkleState } from './wrinkle-state.ts'
 
-/** The faces under an object, which come and go, and the state that is declared of them. */
+/** Applies a declared state to the faces under an object, which may change between frames. */
 export class DeclaredFaces {
   readonly #known = new Map<WrinklesBase, DeclaredFace>()
   readonly #warned = new Set<string>()
   #player: ExpressionPlayer | null = null
-  /** Whether the player is for other faces. */
+  /** Whether the player must be recreated, because the faces changed. */
   #isStale = true
   #playing: ExpressionChoice | undefined
 
   /**
-   * Applies a state to faces, and moves their expression on. To be called in each frame.
+   * Applies a state to faces, and advances their expression. Call once per frame.
    *
-   * @param root of the meshes that an expression moves.
-   * @param faces that are there now.
-   * @param seconds since the last frame.
-   * @returns whether the next frame will differ by itself.
+   * @param root root of the meshes that an expression moves.
+   * @param faces current faces.
+   * @param seconds time since the last frame.
+   * @returns whether an expression is still playing, so that another frame is needed.
    */
   update(root: Object3D, faces: readonly WrinklesBase[], state: WrinkleState, seconds: number): boolean {
     for (const face of this.#known.keys()) {
@@ -40,7 +40,7 @@ export class DeclaredFaces {
     return this.#player?.isPlaying ?? false
   }
 
-  /** Returns all faces to what they were. */
+  /** Restores the original state of all faces. */
   release(): void {
     for (const face of this.#known.values()) face.apply({})
     this.#known.clear()
@@ -49,7 +49,7 @@ export class DeclaredFaces {
     this.#playing = undefined
   }
 
-  /** Faces without an expression, before and now, are left to the page. */
+  /** Plays an expression. Does nothing while none is declared, so that the page can move the blendshapes. */
   #express(root: Object3D, face: WrinklesBase | undefined, expression: ExpressionChoice | undefined): void {
     const isNew = !isSame(expression, this.#playing)
     if (!isNew && (expression === undefined || !this.#isStale)) return
@@ -74,7 +74,7 @@ export class DeclaredFaces {
   }
 }
 
-/** Of the same names and weights: pages write `{{ happy: 0.5 }}` anew for each render. */
+/** Whether two expressions have equal names and weights: JSX creates `{{ happy: 0.5 }}` on each render. */
 function isSame(a: ExpressionChoice | undefined, b: ExpressionChoice | undefined): boolean {
   if (a === b || typeof a !== 'object' || typeof b !== 'object') return a === b
   const names = Object.keys(a)

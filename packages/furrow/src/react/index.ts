@@ -1,5 +1,5 @@
 /**
- * Wrinkles in React Three Fiber, for `WebGLRenderer`.
+ * Wrinkles for React Three Fiber with `WebGLRenderer`.
  *
  * @module furrow/react
  */
@@ -15,8 +15,8 @@ export type { WrinkleState } from './wrinkle-state.ts'
 export type { WrinklesProps } from './wrinkles-component.ts'
 
 /**
- * The state of wrinkles: of the meshes among its children, or without children of its parent and what is under it.
+ * Declares the state of the wrinkles among its children, or, without children, of its parent and the meshes under that.
  *
- * What a face cannot do is left out with one warning; a face without wrinkles stays as it is.
+ * Properties that a face does not support are skipped with one warning. Faces without wrinkles are left unchanged.
  */
 export const Wrinkles: (props: WrinklesProps) => ReactNode = /* @__PURE__ */ wrinklesComponent(WebGLWrinkles)

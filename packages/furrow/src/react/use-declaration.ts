@@ -5,17 +5,17 @@ import type { WrinklesBase } from '../three/wrinkles-base.ts'
 import { DeclaredFaces } from './declared-faces.ts'
 import type { WrinkleState } from './wrinkle-state.ts'
 
-/** Where faces are. */
+/** Faces, and the root of their meshes. */
 export interface FaceSource {
   root: Object3D
   faces: readonly WrinklesBase[]
 }
 
 /**
- * Applies a state to faces before each frame: those that a page makes with the material of a loaded one have wrinkles from their second
- * frame on. Unmounted, all of them return to what they were.
+ * Applies a state to faces before each frame, and restores the original state on unmount. Runs per frame, because meshes that a page creates
+ * with the material of a loaded face get wrinkles from their second frame on.
  *
- * @param find is called in each frame; null where there is nothing yet.
+ * @param find called in each frame; returns null if there are no faces yet.
  */
 export function useDeclaration(find: () => FaceSource | null, state: WrinkleState): void {
   const invalidate = useThree((three) => three.invalidate)
@@ -27,7 +27,7 @@ export function useDeclaration(find: () => FaceSource | null, state: WrinkleStat
       declared.current = null
     }
   }, [])
-  // Also where the canvas draws on demand.
+  // Required for canvases with `frameloop="demand"`.
   useLayoutEffect(() => invalidate())
   useFrame((_, seconds) => {
     const source = find()

@@ -2,21 +2,21 @@ import { checkOptionNames } from '../core/nearest-name.ts'
 import type { ExpressionChoice } from '../runtime/expression-mix.ts'
 import type { ReliefMode, WrinkleMode } from '../three/options.ts'
 
-/** What properties say of faces. A property that is taken away returns to what it was before. */
+/** Declared state of faces. Removing a property restores its original value. */
 export interface WrinkleState {
-  /** Activations of areas by name, 0..1; names that a face does not have are ignored. */
+  /** Activations by area name, 0..1. Unknown names are ignored. */
   activations?: Readonly<Record<string, number>>
-  /** Numbers for drivers by name, such as `age` in years. */
+  /** Custom inputs of drivers by name, e.g. `age` in years. */
   inputs?: Readonly<Record<string, number>>
-  /** An expression, or several with weights, 0..1. Without it, the page moves the blendshapes. */
+  /** Expression name, or weights (0..1) by name. If omitted, the page controls the blendshapes. */
   expression?: ExpressionChoice
-  /** How wrinkles are shown. */
+  /** Shading mode. */
   mode?: WrinkleMode
-  /** Whether the layers' heights move the surface. */
+  /** When the layers' heights displace the surface. */
   relief?: ReliefMode
 }
 
-/** Names of the properties. */
+/** Property names, checked for completeness by the type. */
 const NAMES: Record<keyof WrinkleState, true> = {
   activations: true,
   inputs: true,
@@ -25,7 +25,7 @@ const NAMES: Record<keyof WrinkleState, true> = {
   relief: true,
 }
 
-/** @throws FurrowError at the first property that does not exist. */
+/** @throws FurrowError if a property is unknown. */
 export function checkState(state: WrinkleState): void {
   checkOptionNames(state, Object.keys(NAMES), 'Wrinkles')
 }

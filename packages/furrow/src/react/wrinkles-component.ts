@@ -8,16 +8,16 @@ import type { WrinkleState } from './wrinkle-state.ts'
 
 /** Properties of `<Wrinkles>`. */
 export interface WrinklesProps extends WrinkleState {
-  /** What has the faces. Without children, it is the parent: `<mesh><Wrinkles set={set} /></mesh>`. */
+  /** Objects with the faces. Without children the parent is used: `<mesh><Wrinkles set={set} /></mesh>`. */
   children?: ReactNode
-  /** Wrinkles for the mesh that is the parent, when no loader has added any. */
+  /** Wrinkle set for the parent mesh, if no loader has added wrinkles. */
   set?: WrinkleSet<ArraySlice>
 }
 
-/** The `Wrinkles` class of a renderer. */
+/** `Wrinkles` class for one kind of renderer. */
 export type WrinklesClass = new (mesh: Mesh, set: WrinkleSet<ArraySlice>) => WrinklesBase
 
-/** Makes the component for a renderer. */
+/** Creates the component for one kind of renderer. */
 export function wrinklesComponent(Wrinkles: WrinklesClass) {
   return ({ children, set, ...state }: WrinklesProps): ReactNode => {
     const group = useRef<Group>(null)
@@ -27,10 +27,10 @@ export function wrinklesComponent(Wrinkles: WrinklesClass) {
       const mesh = group.current?.parent as Mesh | null | undefined
       if (!set || !mesh) return
       try {
-        const own = new Wrinkles(mesh, set)
-        return () => own.dispose()
+        const wrinkles = new Wrinkles(mesh, set)
+        return () => wrinkles.dispose()
       } catch (error) {
-        // The face stays plain.
+        // Without wrinkles the face stays plain.
         console.warn((error as Error).message)
       }
     }, [set])
@@ -45,8 +45,8 @@ export function wrinklesComponent(Wrinkles: WrinklesClass) {
 function facesUnder(root: Object3D): WrinklesBase[] {
   const faces = new Set<WrinklesBase>()
   root.traverse((object) => {
-    const own = (object as Mesh).isMesh ? wrinklesOf(object as Mesh) : undefined
-    if (own && !own.isDisposed) faces.add(own)
+    const wrinkles = (object as Mesh).isMesh ? wrinklesOf(object as Mesh) : undefined
+    if (wrinkles && !wrinkles.isDisposed) faces.add(wrinkles)
   })
   return [...faces]
 }

@@ -5,7 +5,7 @@ import { type ImageArray, imageArray } from '../../core/image-array.ts'
 import type { Area } from '../../core/types.ts'
 import type { AreaSlots } from '../../runtime/area-slots.ts'
 
-/** The areas of a set as images of one size, one per slice. */
+/** Areas of a set as images of one size, one per slice. */
 export interface AreaSlices extends AreaSlots {
   readonly images: ImageArray
 }
@@ -13,8 +13,8 @@ export interface AreaSlices extends AreaSlots {
 /**
  * Resamples a set's areas to a square grid.
  *
- * @param areas that were checked.
- * @param size side of the grid in texels.
+ * @param areas checked areas.
+ * @param size side of the grid, texels.
  */
 export function packSlices(
   areas: readonly Area[],

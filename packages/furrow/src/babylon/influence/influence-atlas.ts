@@ -13,15 +13,15 @@ import { areaTexture } from '../textures.ts'
 import type { AreaSlices } from './area-slices.ts'
 import { GLSL, SAMPLERS, UNIFORMS, WGSL } from './influence-shader.ts'
 
-/** What tells the shader to leave a cell as it is. */
+/** Area count that tells the shader to skip a cell. */
 const KEEP = -1
 
 /**
- * The influence maps of all faces with one set, side by side in one texture: per layer, the sum of a face's areas times their
- * activations. Only cells in which an activation has changed are redrawn, all in one pass.
+ * Influence maps of all faces with one set, one cell per face: per layer, the sum of the face's areas times their activations. One pass
+ * redraws all cells in which an activation has changed.
  *
- * Texels hold T = max(sum, largest `max`), unclamped, in half floats; shaders take min(1, T) after interpolation, and so clamp exactly
- * where the reference does.
+ * Texels hold T = max(sum, largest `max`), unclamped half floats. Shaders compute min(1, T) after interpolation, and so clamp where the
+ * reference does.
  */
 export class InfluenceAtlas implements InfluenceTarget<Scene> {
   readonly cells: AtlasCells
@@ -68,20 +68,20 @@ export class InfluenceAtlas implements InfluenceTarget<Scene> {
     this.#resize()
   }
 
-  /** Whether influence can be drawn; also if it never can, since the face is drawn all the same. */
+  /** Whether the effect has compiled or failed. After a failure faces are drawn without influence. */
   get isSettled(): boolean {
     return this.#effect.isReady() || this.#effect.effect.getCompilationError() !== ''
   }
 
-  /** The texture of all cells. */
+  /** Texture of all cells. */
   get map(): ThinTexture {
     return this.#map
   }
 
   /**
-   * Allocates consecutive cells to faces.
+   * Allocates consecutive cells for faces.
    *
-   * @throws FurrowError when they do not fit into the largest texture.
+   * @throws FurrowError if the cells do not fit into the largest texture.
    */
   add(faces: readonly Face[]): Cell[] {
     const { columns, rows } = this.cells.grid
@@ -94,11 +94,11 @@ export class InfluenceAtlas implements InfluenceTarget<Scene> {
     return added
   }
 
-  /** Draws the cells that were collected. */
+  /** Draws the collected cells. */
   draw(): void {
     const { changed, changes } = this.cells
     this.cells.changes = 0
-    // Those that are left out are still to be drawn in the next frame.
+    // Skipped cells stay outdated, and are collected again in the next frame.
     if (changes === 0 || !this.#effect.isReady()) return
     const engine = this.#scene.getEngine()
     engine.setAlphaMode(Constants.ALPHA_DISABLE)
@@ -153,7 +153,7 @@ export class InfluenceAtlas implements InfluenceTarget<Scene> {
       },
     )
     this.#map = new ThinTexture(this.#target.texture)
-    // The reference is bilinear.
+    // Bilinear, as in the reference.
     this.#map.anisotropicFilteringLevel = 1
     this.#map.wrapU = this.#map.wrapV = Constants.TEXTURE_CLAMP_ADDRESSMODE
     this.#rows = new Float32Array(4 * this.#columns * (1 + columns * rows))

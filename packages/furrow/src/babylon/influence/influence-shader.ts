@@ -1,10 +1,11 @@
 /**
- * Draws the influence maps of an atlas in one pass: each texel adds up the active areas of its cell. The texture `furrowTable` has a row of
- * settings (two texels for each area: its bounds; its slice and channel, and its layer, 4 more if it combines by `max`) and then one
- * row for each cell: how many areas are active, -1 to leave the cell as it is, and the index and activation of each.
+ * Draws the influence maps of an atlas in one pass: each texel sums the active areas of its cell.
+ *
+ * Row 0 of `furrowTable` has two texels per area: its bounds, then its slice and layer (+ 4 if the area combines by `max`). Each further row
+ * belongs to a cell: the number of active areas (-1 skips the cell), then index and activation of each.
  */
 
-/** Names of what the shader reads. */
+/** Uniforms and samplers of the shader. */
 export const UNIFORMS = ['furrowSize']
 export const SAMPLERS = ['furrowAreas', 'furrowTable']
 
@@ -66,10 +67,10 @@ uniform furrowSize: vec4f;
 @fragment
 fn main(input: FragmentInputs) -> FragmentOutputs {
   let size = vec2i(uniforms.furrowSize.xy);
-  let whole = vec2i(fragmentInputs.vUV * uniforms.furrowSize.xy * uniforms.furrowSize.zw);
-  let cell = whole / size;
+  let atlasTexel = vec2i(fragmentInputs.vUV * uniforms.furrowSize.xy * uniforms.furrowSize.zw);
+  let cell = atlasTexel / size;
   let row = 1 + cell.x + cell.y * i32(uniforms.furrowSize.z);
-  let texel = whole - cell * size;
+  let texel = atlasTexel - cell * size;
   let count = i32(textureLoad(furrowTable, vec2i(0, row), 0).x);
   if (count < 0) { discard; }
   var sum = vec4f(0.0);

@@ -8,19 +8,18 @@ import type { ArraySlice, GrayImage, RgbaImage, WrinkleSet } from '../../core/ty
 import { fileError } from '../../runtime/file/file-error.ts'
 import { type Transcoded, type TranscodeRequest, transcodeInWorker } from './transcode-worker.ts'
 
-/** A KTX 2 image or array of a file, unpacked. */
+/** Decoded KTX 2 image or array of a file. */
 interface UnpackedArray {
   images: readonly RgbaImage[]
 }
 
 /**
- * Unpacks a KTX 2 image or array into images of 8 bits: a set's maps and areas are resampled and put into arrays from these, as from any
- * other format.
+ * Decodes a KTX 2 image or array to 8-bit images, which are processed like images of any other format.
  *
  * @param who names the texture in errors.
- * @param check throws where it may not be decoded.
+ * @param check throws if the image must not be decoded.
  * @param transcoderPath folder of `basis_transcoder.js` and `basis_transcoder.wasm`.
- * @throws FurrowError when it is not what KHR_texture_basisu allows, or the transcoder cannot be fetched.
+ * @throws FurrowError if KHR_texture_basisu does not allow the image, or the transcoder cannot be fetched.
  */
 export async function loadKtx2(
   bytes: Uint8Array<ArrayBuffer> | undefined,
@@ -42,7 +41,7 @@ export async function loadKtx2(
       who: WRINKLE_MAPS,
       problem: 'the maps are KTX 2, and there is no transcoder',
       limit: 'registerWrinkleMaps with transcoderPath',
-      remedy: 'name the folder of basis_transcoder.js, or pack the file without --ktx2; see docs/babylon.md',
+      remedy: 'set the folder of basis_transcoder.js, or pack the file without --ktx2; see docs/babylon.md',
     })
   }
   const header = readKtx2Header(bytes, who)
@@ -55,11 +54,11 @@ export async function loadKtx2(
     })
     return { array: { images: slices.map((data) => ({ width, height, data })) }, header }
   } catch (error) {
-    throw fileError(error, who, 'a KTX 2 image that cannot be decoded')
+    throw fileError(error, who, 'KTX 2 image cannot be decoded')
   }
 }
 
-/** A set with images in place of the slices that `loadKtx2` has unpacked. */
+/** Replaces the slices decoded by `loadKtx2` with images. */
 export function withImages({ layers, areas }: WrinkleSet<ArraySlice>): WrinkleSet<ArraySlice> {
   return {
     layers: layers.map((layer) => {
@@ -89,7 +88,7 @@ function folderOf(path: string): URL {
   return new URL(path.endsWith('/') ? path : `${path}/`, location.href)
 }
 
-/** Transcodes in a worker of its own, which ends with the image. */
+/** Transcodes in a new worker, which is terminated afterwards. */
 async function transcode(request: TranscodeRequest): Promise<Extract<Transcoded, { slices: unknown }>> {
   const url = URL.createObjectURL(new Blob([`(${transcodeInWorker})()`], { type: 'text/javascript' }))
   const worker = new Worker(url)
@@ -99,7 +98,7 @@ async function transcode(request: TranscodeRequest): Promise<Extract<Transcoded,
       worker.onerror = ({ message }) => reject(new Error(message))
       worker.postMessage(request)
     })
-    if ('fault' in answer) throw new Error(answer.fault)
+    if ('error' in answer) throw new Error(answer.error)
     return answer
   } finally {
     worker.terminate()

@@ -1,16 +1,16 @@
-/** What a worker is asked for: addresses of the transcoder, and a KTX 2 file. */
+/** Message to the worker: addresses of the transcoder, and a KTX 2 file. */
 export interface TranscodeRequest {
   script: string
   binary: string
   bytes: Uint8Array<ArrayBuffer>
 }
 
-/** The largest level of all slices in RGBA, or what went wrong. */
+/** Message from the worker: level 0 of all slices as RGBA, or an error message. */
 export type Transcoded =
   | { width: number; height: number; slices: Uint8Array<ArrayBuffer>[] }
-  | { fault: string }
+  | { error: string }
 
-/** What is used of the transcoder of Basis Universal, `basis_transcoder.js`. */
+/** Part of Basis Universal's `basis_transcoder.js` that the worker uses. */
 interface BasisModule {
   initializeBasis(): void
   KTX2File: new (
@@ -35,7 +35,7 @@ interface BasisModule {
   }
 }
 
-/** The whole of a worker, which is started from this function's text: it may use nothing around it. */
+/** Complete code of the worker, which is started from this function's text. Must not reference anything outside. */
 export function transcodeInWorker(): void {
   const RGBA32 = 13
   const scope = self as unknown as {
@@ -51,10 +51,10 @@ export function transcodeInWorker(): void {
     const basis = await scope.BASIS({ wasmBinary: await response.arrayBuffer() })
     basis.initializeBasis()
     const file = new basis.KTX2File(bytes)
-    if (!file.isValid() || !file.startTranscoding()) throw new Error('it is damaged')
+    if (!file.isValid() || !file.startTranscoding()) throw new Error('invalid file')
     const slices = Array.from({ length: Math.max(file.getLayers(), 1) }, (_, layer) => {
       const pixels = new Uint8Array(file.getImageTranscodedSizeInBytes(0, layer, 0, RGBA32))
-      if (!file.transcodeImage(pixels, 0, layer, 0, RGBA32, 0, -1, -1)) throw new Error('it is damaged')
+      if (!file.transcodeImage(pixels, 0, layer, 0, RGBA32, 0, -1, -1)) throw new Error('invalid file')
       return pixels
     })
     return { width: file.getWidth(), height: file.getHeight(), slices }
@@ -66,7 +66,7 @@ export function transcodeInWorker(): void {
           image,
           image.slices.map(({ buffer }) => buffer),
         ),
-      (error) => scope.postMessage({ fault: String(error.message ?? error) }),
+      (error) => scope.postMessage({ error: String(error.message ?? error) }),
     )
   }
 }

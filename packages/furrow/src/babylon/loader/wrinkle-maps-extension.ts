@@ -12,17 +12,17 @@ import type { LoaderOptions, WrinklesOptions } from '../options.ts'
 import { targetNames } from '../sources/morph.ts'
 import { WrinkledMesh } from '../wrinkled-mesh.ts'
 
-/** A face of a file: meshes of one node that have one material with the extension. */
+/** A face of a file: meshes of one node that share a material with the extension. */
 interface FileFace {
-  /** The first one drives. */
+  /** Meshes of the face. Drivers read the first one. */
   meshes: AbstractMesh[]
-  /** Index of the material in the file. */
+  /** Material index in the file. */
   material: number
 }
 
 /**
- * Adds the wrinkles of FURROW_wrinkle_maps to what Babylon.js loads. A file never fails to load because of its wrinkles: a face whose
- * wrinkles are damaged or not possible stays plain, with one warning.
+ * glTF loader extension of Babylon.js that adds the wrinkles of FURROW_wrinkle_maps. A file never fails to load because of its wrinkles: if
+ * they are invalid or unsupported, the face stays plain, with one warning.
  */
 export class WrinkleMapsExtension implements IGLTFLoaderExtension {
   readonly name = WRINKLE_MAPS
@@ -38,7 +38,7 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
     this.#transcoderPath = transcoderPath
   }
 
-  /** Adds the wrinkles when everything else is loaded: Babylon.js 8 waits for this hook, and not for `onReady`. */
+  /** Adds the wrinkles after everything else is loaded. Babylon.js 8 awaits this hook, but not `onReady`. */
   async loadSceneAsync(context: string, scene: IScene): Promise<void> {
     await this.#loader.loadSceneAsync(context, scene)
     await this.#addAll()
@@ -98,7 +98,7 @@ function measureOf({ meshes }: FileFace): FaceMeasure {
   }
 }
 
-/** The faces whose materials have the extension, malformed or not. */
+/** Returns the faces whose materials have the extension, even if the extension is malformed. */
 function facesOf({ gltf }: GLTFLoader): FileFace[] {
   const wrinkled = (gltf.materials ?? []).filter(
     ({ index }) => extensionOf(index, { json: gltf }) !== undefined,
@@ -116,7 +116,7 @@ function meshesOf({ _primitiveBabylonMeshes: meshes }: INode): readonly Abstract
   return meshes ?? []
 }
 
-/** Few files have KTX 2 images: the code for these is fetched when one appears. */
+/** Adapts a loader. Imports the KTX 2 chunk only when a file needs it. */
 function fileOf(loader: GLTFLoader, transcoderPath: string | undefined): GltfSource {
   const { gltf } = loader
   const readBytes: GltfSource['readBytes'] = async (index, who) => {
@@ -147,7 +147,7 @@ function fileOf(loader: GLTFLoader, transcoderPath: string | undefined): GltfSou
   }
 }
 
-/** JSON without what Babylon.js keeps in it, under names that begin with an underscore: that leads to the whole scene, and in circles. */
+/** Copies JSON without the underscore properties that Babylon.js adds, because they reference the scene and are cyclic. */
 function asWritten(json: unknown): unknown {
   const text = JSON.stringify(json, (name, value) => (name.startsWith('_') ? undefined : value))
   return text && JSON.parse(text)

@@ -1,6 +1,6 @@
 /**
- * GLSL ES 3.0 and WGSL, as far as the formulas of the layers are written differently in them. Their expressions are the same where vectors
- * are made by name, and no component is assigned.
+ * Syntax differences between GLSL ES 3.0 and WGSL. Expressions are identical if vectors are constructed by type name and no component is
+ * assigned.
  */
 export interface Dialect {
   readonly isWgsl: boolean
@@ -9,29 +9,29 @@ export interface Dialect {
   readonly vec2: string
   readonly vec3: string
   readonly vec4: string
-  /** A variable of a function. */
+  /** Declares a local variable. */
   local(type: string, name: string, value: string): string
-  /** A variable of the whole shader, of each fragment. */
+  /** Declares a global variable, per fragment. */
   global(type: string, name: string, value: string): string
-  /** A function; its parameters as pairs of type and name, and null for no result. */
+  /** Declares a function. Parameters are pairs of type and name; a null result is void. */
   declare(
     result: string | null,
     name: string,
     parameters: readonly (readonly [string, string])[],
     body: string,
   ): string
-  /** The value of a uniform of the material. */
+  /** Value of a material uniform. */
   uniform(name: string): string
-  /** What the vertex shader passes on. */
+  /** Value of a varying, in the fragment shader. */
   passed(name: string): string
   derivatives(value: string): readonly [string, string]
-  /** Declares an array of maps. */
+  /** Declares a texture array. */
   arrayOfMaps(name: string): string
-  /** Declares a texture whose mipmaps are not read. */
+  /** Declares a texture without mipmaps. */
   texture(name: string): string
-  /** A sample whose level of detail the sampler finds; in control flow that pixels share only. */
+  /** Sample with implicit level of detail; in uniform control flow only. */
   sampleArray(name: string, uv: string, slice: string): string
-  /** A sample by derivatives. */
+  /** Sample with explicit derivatives. */
   sampleArrayBy(name: string, uv: string, slice: string, dx: string, dy: string): string
   sampleTexture(name: string, uv: string): string
 }

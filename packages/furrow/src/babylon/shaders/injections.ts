@@ -2,13 +2,13 @@ import type { ValueKind } from '../../runtime/layer-maps.ts'
 import { type Dialect, GLSL, WGSL } from './dialect.ts'
 import { type MixedLayers, mixing } from './mixing.ts'
 
-/** Materials whose shaders can be edited. */
+/** Materials whose shaders can be patched. */
 export type ShaderKind = 'pbr' | 'standard'
 
-/** What Babylon.js adds to a shader, or replaces in it: by the name of a point, or by `!` and a regular expression. */
+/** Code for a Babylon.js shader, by injection point, or by `!` and a regular expression to replace. */
 export type Injections = Record<string, string>
 
-/** Passes the cell of an instance on to the fragment shader. */
+/** Passes the cell of an instance to the fragment shader. */
 export function vertexInjections(isWgsl: boolean): Injections {
   const declared = isWgsl
     ? 'attribute furrowCell: f32;\nvarying vFurrowCell: f32;'
@@ -21,15 +21,14 @@ export function vertexInjections(isWgsl: boolean): Injections {
 }
 
 /**
- * Mixes the layers' maps into the material's own where the shader reads them, before it lights them. Without a map the material's own value
- * is 1.
+ * Mixes the layers' maps into the material's own where the shader reads them, before lighting. Without a map the material's value is 1.
  */
 export function fragmentInjections(kind: ShaderKind, isWgsl: boolean, layers: MixedLayers): Injections {
   const d = isWgsl ? WGSL : GLSL
   const injections = kind === 'pbr' ? pbr(d, layers.values) : standard(d, layers.values)
   injections.CUSTOM_FRAGMENT_DEFINITIONS = mixing(d, layers)
   for (const own of texels(d, 'bump', 'Bump')) {
-    // Told apart by what follows: of several equal texts Babylon.js 8 replaces the first one again and again.
+    // Includes the next character to make keys unique: Babylon.js 8 replaces only the first of several equal texts.
     for (const next of [',', '*']) {
       injections[replacing(`${own}.xyz${next}`)] =
         `furrowMixNormals(${own}.xyz,${d.passed('vBumpUV')}+uvOffset)${next}`
@@ -75,7 +74,7 @@ metallicRoughness.g*=furrowMix_roughness(${one}).x;
       : 'vec3 ambientOcclusionColor=vec3(1.,1.,1.);'
     injections[replacing(unoccluded)] =
       `${unoccluded}\n#ifndef AMBIENT\nambientOcclusionColor=${vec3}(furrowVisibility);\n#endif`
-    // Without a map of its own the material would darken the light of lamps too, which its map does not.
+    // The occlusion of a material without a map would also darken direct light; a map's does not.
     const direct = d.isWgsl
       ? 'var ambientOcclusionForDirectDiffuse: vec3f='
       : 'vec3 ambientOcclusionForDirectDiffuse='
@@ -94,14 +93,14 @@ ${direct}${one};
   return injections
 }
 
-/** The standard material computes in the sRGB space, and has no roughness. */
+/** Injections for StandardMaterial, which computes in sRGB and has no roughness. */
 function standard(d: Dialect, { baseColor, occlusion, blood }: Values): Injections {
   const { vec3, vec4 } = d
   const [toLinear, toGamma] = d.isWgsl
     ? ['toLinearSpaceVec3', 'toGammaSpaceVec3']
     : ['toLinearSpace', 'toGammaSpace']
   const one = `${vec3}(1.0)`
-  /** Where there are no wrinkles, the colour stays as it is to the last bit. */
+  /** Converts to linear only under wrinkles, so that colours elsewhere stay bit-exact. */
   const inLinear = (change: string) =>
     `if (dot(furrowInfluence, ${vec4}(1.0)) > 0.0) { baseColor=${vec4}(${toGamma}(${change}(${toLinear}(baseColor.rgb))),baseColor.a); }`
   const injections: Injections = {}
@@ -125,14 +124,14 @@ function standard(d: Dialect, { baseColor, occlusion, blood }: Values): Injectio
   return injections
 }
 
-/** How Babylon.js reads the texel of a map: by a macro in newer releases, by the function itself in 8 and 9.0. */
+/** Expressions by which Babylon.js reads a map: a macro in newer releases, a plain function call in 8 and 9.0. */
 function texels({ isWgsl, passed }: Dialect, map: string, name: string): string[] {
   const textures = isWgsl ? `${map}Sampler,${map}SamplerSampler` : `${map}Sampler`
   const functions = ['TEXRD', isWgsl ? 'textureSample' : 'texture2D']
   return functions.map((read) => `${read}(${textures},${passed(`v${name}UV`)}+uvOffset)`)
 }
 
-/** The key of what replaces a text of the shader. */
+/** Injection key that replaces a text of the shader. */
 function replacing(text: string): string {
   return `!${text.replace(/[\\^$.*+?()[\]{}|]/g, '\\$&')}`
 }

@@ -1,4 +1,4 @@
-/** The layers' maps mixed into the material's own: `mixNormals` and `mixValues` of the reference, in either dialect. */
+/** Mixing of the layers' maps into the material's own, in GLSL and WGSL: `mixNormals` and `mixValues` of the reference. */
 import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from '../../core/blood.ts'
 import type { LayerKind } from '../../core/types.ts'
 import type { ValueKind } from '../../runtime/layer-maps.ts'
@@ -6,7 +6,7 @@ import { sharesOf } from '../../runtime/layer-shares.ts'
 import { listTexels, texelOf, type ValueLayers, type ValueTexel } from '../../runtime/value-texels.ts'
 import type { Dialect } from './dialect.ts'
 
-/** What the functions depend on: never the number of areas. */
+/** Shader parameters. Independent of the number of areas. */
 export interface MixedLayers {
   readonly kinds: readonly LayerKind[]
   /** Slice of each layer's normals. */
@@ -20,7 +20,7 @@ const influenceOf = (layer: number) => `furrowInfluence.${CHANNELS[layer]}`
 /** Name of the texture of one kind of map. */
 export const samplerOf = (kind: 'normal' | ValueKind) => `furrowMaps_${kind}`
 
-/** Declares `furrowMixNormals`, `furrowMix_KIND`, `furrowBloodColour` and `furrowMicroShadow`, as far as there are maps for them. */
+/** Declares `furrowMixNormals`, and, if there are maps for them, `furrowMix_KIND`, `furrowBloodColour` and `furrowMicroShadow`. */
 export function mixing(d: Dialect, { kinds, normals, values }: MixedLayers): string {
   const texels = listTexels(values)
   return [
@@ -37,8 +37,8 @@ export function mixing(d: Dialect, { kinds, normals, values }: MixedLayers): str
 }
 
 /**
- * The influence of each layer: one sample of the map. There are no branches between pixels, which cost graphics cards more than the samples that they
- * save. Where texture coordinates wrap, the layers' maps are sampled with derivatives from before that.
+ * Declares `furrowSampleInfluence(vec2 uv)`, which samples the influence of all layers. Branch-free: branches cost GPUs more than the samples
+ * that they would save. Wrapping texture coordinates need derivatives from before the wrap.
  */
 function sampledInfluence(d: Dialect, layers: number): string {
   const { float, vec2, vec4 } = d
@@ -77,7 +77,7 @@ ${d.global(vec2, 'furrowDy', `${vec2}(0.0)`)}
 ${d.declare(null, 'furrowSampleInfluence', [[vec2, 'uv']], body)}`
 }
 
-/** Declares an array of maps, and `vec4 furrowSample_KIND(int slice)`. */
+/** Declares a texture array, and `vec4 furrowSample_KIND(int slice)`. */
 function sampledMaps(d: Dialect, kind: 'normal' | ValueKind): string {
   const body = `
 #ifdef FURROW_TILED
@@ -89,8 +89,8 @@ function sampledMaps(d: Dialect, kind: 'normal' | ValueKind): string {
 }
 
 /**
- * Declares `vec3 furrowMixNormals(vec3 stored, vec2 uv)`: the normal as stored, 0..1; what the material unpacks of it is the same to the bit without
- * influence. Shaders read their normal map before the others, so that it reads the texels of these too.
+ * Declares `vec3 furrowMixNormals(vec3 stored, vec2 uv)`, from and to normals as stored (0..1). Without influence the result is bit-exact.
+ * Also samples the value maps, because shaders read the normal map first.
  */
 function normalMixing(
   d: Dialect,
@@ -101,7 +101,7 @@ function normalMixing(
   const { float, vec2, vec3 } = d
   const scales = d.uniform('furrowNormalScale')
   const layers = kinds.map((kind, layer) => {
-    // Of detail, x and y as stored, which are unpacked with their factor, and half of z: exactly 0 would divide an influence of 0 by 0.
+    // Detail: stored x and y, unpacked later with their factor, and slightly more than half of z, to avoid 0 / 0 at an influence of 0.
     const unpacked = kind === 'detail' ? `- ${vec3}(0.0, 0.0, 0.4999999)` : '* 2.0 - 1.0'
     return `
   ${d.local(vec3, `n${layer}`, `furrowSample_normal(${normals[layer]!}).xyz ${unpacked}`)}`
@@ -123,7 +123,7 @@ function normalMixing(
   ${d.local(float, `k${layer}`, `${influenceOf(layer)} * ${scaleOf(layer)} / n${layer}.z`)}`,
   )
   const slope = details.map((layer) => `n${layer}.xy * k${layer} - 0.5 * k${layer}`).join(' + ')
-  // Multiplied out, see `reorientBy` of three.js's shaders: a slope of 0 leaves the normal as it is. What is added to the length keeps z + size from 0.
+  // Expanded like `reorientBy` in three/webgpu: a slope of 0 keeps the normal. The epsilon keeps z + size above 0.
   const reoriented = `${factors.join('')}
   ${d.local(vec2, 'slope', slope)}
   ${d.local(float, 'size', 'sqrt(dot(normal, normal) + 1e-6)')}
@@ -131,7 +131,7 @@ function normalMixing(
   ${d.local(float, 'kept', '1.0 - along / (normal.z + size)')}
   normal = ${vec3}(normal.xy * kept + slope * size, normal.z - along);
 #ifdef DETAIL
-  // Babylon.js lays its own map of details onto a normal of unit length; elsewhere it makes it so itself.
+  // Babylon.js's detail map expects the normal's original length; elsewhere Babylon.js normalises.
   normal = normal * (size / length(normal));
 #endif`
   const body = `
@@ -146,7 +146,7 @@ function normalMixing(
   return d.declare(vec3, 'furrowMixNormals', parameters, body)
 }
 
-/** How the values of a kind are read. */
+/** Uniform with the scale per layer, and decoding, by kind of map. */
 const VALUES: Record<ValueKind, { scales?: string; decode(stored: string, scale: string): string }> = {
   baseColor: { decode: (stored) => stored },
   roughness: { decode: (stored) => stored },
@@ -160,7 +160,7 @@ const VALUES: Record<ValueKind, { scales?: string; decode(stored: string, scale:
   },
 }
 
-/** Declares `vec3 furrowMix_KIND(vec3 base)`; single values are in all three components. */
+/** Declares `vec3 furrowMix_KIND(vec3 base)`; single values fill all three components. */
 function valueMixing(d: Dialect, kind: ValueKind, { slices, channel, sampler }: ValueLayers): string {
   const { vec3 } = d
   const { scales, decode } = VALUES[kind]

@@ -5,7 +5,7 @@ import { bindJoints } from './joint.ts'
 import { bindTargets } from './target.ts'
 import { bindTension, type DrivenFace } from './tension.ts'
 
-/** Finds the inputs of drivers on the mesh of a face. */
+/** Binds the inputs of drivers to a face's mesh. */
 export function bindInputs(
   face: DrivenFace,
   { target, joint, tension }: DriverPlan['inputs'],
@@ -13,7 +13,7 @@ export function bindInputs(
   return {
     target: bindTargets(face.mesh, target),
     joint: bindJoints(face.mesh, joint),
-    // Reads the whole mesh.
+    // Only if needed: binding tension reads the complete mesh.
     ...(tension.length > 0 && { tension: bindTension(face, tension) }),
   }
 }

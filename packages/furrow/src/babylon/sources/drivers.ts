@@ -4,12 +4,11 @@ import { checkWrinkles } from '../../runtime/check-wrinkles.ts'
 import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 
 /**
- * Adds drivers to those of a face (`wrinkles.drivers`). They activate areas before each frame, as long as `wrinkles.driven` is true, and
- * add to an area's activation at rest, up to 1. Muscles become morph targets of the face's meshes.
+ * Adds drivers to a face. They run before each frame while `wrinkles.driven` is true, and add to the resting activations, up to 1.
+ * Muscles become morph targets of the face's meshes.
  *
- * @param drivers as in a file. Unknown types are left out with a warning, as are targets, joints and areas that do not exist.
- * @throws FurrowError when `wrinkles` is not a `Wrinkles` or was disposed of, or a driver is not as `parseDrivers` reads it; the face
- *   then keeps its drivers.
+ * @param drivers drivers as in a file. Unknown types, targets, joints and areas are skipped with a warning.
+ * @throws FurrowError if `wrinkles` is invalid or disposed of, or `parseDrivers` rejects a driver; the drivers then stay unchanged.
  */
 export function addDrivers(wrinkles: WrinklesBase, drivers: readonly WrinkleDriver[]): void {
   checkWrinkles(wrinkles, 'addDrivers')
@@ -17,10 +16,10 @@ export function addDrivers(wrinkles: WrinklesBase, drivers: readonly WrinkleDriv
 }
 
 /**
- * Replaces the drivers of a face. Joints that are no bones are measured from their present pose.
+ * Replaces the drivers of a face. The current pose becomes the rest pose of joints that are not bones.
  *
- * @param drivers as for `addDrivers`; an empty list drives nothing.
- * @throws FurrowError as `addDrivers` does.
+ * @param drivers drivers as for `addDrivers`; an empty list removes all.
+ * @throws FurrowError as `addDrivers`.
  */
 export function setDrivers(wrinkles: WrinklesBase, drivers: readonly WrinkleDriver[]): void {
   checkWrinkles(wrinkles, 'setDrivers')

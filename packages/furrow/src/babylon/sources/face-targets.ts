@@ -7,16 +7,16 @@ import { noTargets, type TargetBinding } from '../../runtime/target-binding.ts'
 import { targetNames } from './morph.ts'
 
 /**
- * Finds the morph targets with some names, in any spelling that `findTargets` knows, on all meshes under a node.
+ * Finds morph targets by name, in any spelling that `findTargets` knows, on all meshes under a node.
  *
- * @throws FurrowError when no mesh has morph targets, or the face is not a node of Babylon.js.
+ * @throws FurrowError if no mesh has morph targets, or `face` is not a node of Babylon.js.
  */
 export function bindFaceTargets(face: Node, names: readonly string[], who: string): TargetBinding[] {
   if (typeof face?.getChildMeshes !== 'function') {
     throw wrongArgument(who, 'invalid face', face, 'a mesh or TransformNode of Babylon.js')
   }
   const meshes = [face as AbstractMesh, ...face.getChildMeshes()]
-  // Instances and clones share them.
+  // Instances and clones share managers.
   const managers = new Set(meshes.flatMap(({ morphTargetManager }) => morphTargetManager ?? []))
   if (managers.size === 0) throw noTargets(who, face.name)
   return [...managers].flatMap((targets) => {
@@ -26,7 +26,7 @@ export function bindFaceTargets(face: Node, names: readonly string[], who: strin
   })
 }
 
-/** The weights of some targets, to be read and written by their indices. */
+/** Creates an array-like view of target weights. */
 function influencesOf(targets: MorphTargetManager): TargetBinding['influences'] {
   const influences = {}
   for (let i = 0; i < targets.numTargets; i++) {

@@ -10,11 +10,11 @@ import type { InputReader } from '../../runtime/driver-runtime.ts'
 /** A joint: a bone of the skeleton, or a node. */
 interface Joint {
   bone: Bone | undefined
-  /** What moves it; of a bone without a node, the bone does. */
+  /** Node whose transform the joint follows; undefined if the bone itself is animated. */
   node: TransformNode | undefined
 }
 
-/** Measures joints relative to the bind pose, or to their pose when the inputs are bound where one of them is no bone. */
+/** Measures joints relative to the bind pose, or, unless both are bones, to the pose when the inputs are bound. */
 export function bindJoints(mesh: AbstractMesh, inputs: readonly InputOf<'joint'>[]): InputReader<unknown> {
   const all = [...new Set(inputs.flatMap(({ from, joint }) => [from, joint]))]
   const joints = new Map(

@@ -8,7 +8,7 @@ export function readWeights({ morphTargetManager: targets }: AbstractMesh, value
   for (let i = 0; i < count; i++) values[i] = targets.getTarget(i).influence
 }
 
-/** Names of the targets of a mesh, in the order of their weights. */
+/** Returns the names of morph targets in the order of their weights. */
 export function targetNames(targets: AbstractMesh['morphTargetManager']): string[] {
   return Array.from({ length: targets?.numTargets ?? 0 }, (_, i) => nameOf(targets!, i))
 }

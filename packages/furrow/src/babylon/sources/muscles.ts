@@ -9,8 +9,8 @@ import { targetNames } from './morph.ts'
 import { trianglesOf, vertexData } from './surface.ts'
 
 /**
- * Adds virtual muscles to a mesh: each becomes a morph target of its name, with normals, whose weight is the contraction. Muscles
- * whose name is a target already are skipped, as they are for an instance, which has the targets of its source.
+ * Adds virtual muscles to a mesh. Each becomes a morph target with normals, named like the muscle; its weight is the contraction.
+ * Existing target names are skipped. Instances share the targets of their source.
  */
 export function addMuscles(mesh: AbstractMesh, muscles: readonly MuscleDriver[]): void {
   const known = targetNames(mesh.morphTargetManager)

@@ -3,17 +3,17 @@ import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { SampledMesh } from '../../drivers/tension/samples.ts'
 import type { SkinMaterial } from '../check-mesh.ts'
 
-/** Numbers of a mesh's vertices, as floats. */
+/** Returns vertex data of a mesh as floats. */
 export function vertexData(mesh: AbstractMesh, kind: string): Float32Array {
   return Float32Array.from(mesh.getVerticesData(kind) ?? [])
 }
 
-/** Three indices of vertices per triangle, even if the mesh has no indices. */
+/** Vertex indices of the triangles; generated if the mesh has no indices. */
 export function trianglesOf(mesh: AbstractMesh): ArrayLike<number> {
   return mesh.getIndices() ?? Uint32Array.from({ length: mesh.getTotalVertices() }, (_, i) => i)
 }
 
-/** The mesh at rest, with the texture coordinates of the areas: those of the normal map, which may transform them. */
+/** Mesh at rest, with the texture coordinates of the areas: those of the normal map, with its transform applied. */
 export function sampledMesh(mesh: AbstractMesh): SampledMesh {
   const { bumpTexture } = mesh.material as SkinMaterial
   const set = bumpTexture?.coordinatesIndex ?? 0

@@ -6,10 +6,10 @@ import type { FaceGroup } from '../../runtime/face-group.ts'
 import { sampledTension, tensionSurface } from '../../runtime/sampled-tension.ts'
 import { sampledMesh, vertexData } from './surface.ts'
 
-/** Parts of a face that tension needs. */
+/** Part of a face that tension needs. */
 export type DrivenFace = Pick<FaceGroup, 'getArea'> & { readonly mesh: AbstractMesh }
 
-/** Measures a few triangles of each area as morph targets and the skeleton deform them, on the CPU. */
+/** Measures a sample of triangles per area on the CPU, after morph targets and skinning. */
 export function bindTension(face: DrivenFace, inputs: readonly InputOf<'tension'>[]): InputReader<unknown> {
   const { mesh } = face
   const surface = tensionSurface(sampledMesh(mesh), inputs, (name) => face.getArea(name))
@@ -28,7 +28,7 @@ export function bindTension(face: DrivenFace, inputs: readonly InputOf<'tension'
   }
 }
 
-/** Writes, or changes, the position of a vertex at an offset. */
+/** Writes or deforms the position of a vertex, at an offset in `positions`. */
 type Deform = (vertex: number, positions: Float64Array, offset: number) => void
 
 function morphedPositions(mesh: AbstractMesh): Deform {
