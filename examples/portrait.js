@@ -1,4 +1,4 @@
-/** Common code of the examples of drivers: a lit face with controls below it. Not part of the library. */
+/** Shared code of the driver examples: a lit face with controls below it. Not part of the library. */
 
 import * as three from 'three'
 

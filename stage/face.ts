@@ -5,13 +5,13 @@ import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
 export interface Face {
-  /** The file's whole scene: skin, eyes, teeth, lashes. */
+  /** Scene of the file: skin, eyes, teeth, lashes. */
   root: Object3D
-  /** The mesh with wrinkles. */
+  /** Mesh with wrinkles. */
   skin: Mesh
-  /** The other meshes of the skin: primitives of one mesh of the file, with its material. */
+  /** Other primitives of the skin's glTF mesh, with the same material. */
   parts: Mesh[]
-  /** The file's wrinkles for `skin`; null if it has none. */
+  /** The file's wrinkles for `skin`, or null. */
   wrinkles: Pick<LoadedWrinkles, 'set' | 'drivers'> | null
 }
 
@@ -21,10 +21,10 @@ const SKIN = 'skin'
 /**
  * Loads a face.
  *
- * @param skin name of the mesh to wrinkle; by default the first one with wrinkles in the file, else the one named
- *   `skin`, else the one with the most vertices.
- * @param loader with the decoders that the file needs; meshopt is added.
- * @throws Error if the file has no mesh, or none of that name.
+ * @param skin name of the mesh to wrinkle. Default: the first mesh with wrinkles, otherwise the mesh named `skin`, otherwise the mesh
+ *   with the most vertices.
+ * @param loader loader with the decoders that the file needs; meshopt is added.
+ * @throws Error if the file has no mesh, or the named mesh is missing.
  */
 export async function loadFace(url: string, skin?: string, loader = new GLTFLoader()): Promise<Face> {
   const gltf = await loader.setMeshoptDecoder(MeshoptDecoder).loadAsync(url)
@@ -38,7 +38,7 @@ export async function loadFace(url: string, skin?: string, loader = new GLTFLoad
   if (!found) {
     const names = meshes.map(({ name }) => name).join(', ') || 'none'
     throw new Error(
-      `face: no mesh to wrinkle, got ${JSON.stringify(skin ?? SKIN)}, allowed: ${names}; name one of them`,
+      `face: unknown mesh, got ${JSON.stringify(skin ?? SKIN)}, allowed: ${names}; use one of these names`,
     )
   }
   const indexOf = (mesh: Mesh) => gltf.parser.associations.get(mesh)?.meshes

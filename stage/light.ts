@@ -17,18 +17,18 @@ const LIGHTS = [
   { name: 'rim', colour: 0xe6eeff, intensity: 1.1, from: [1.2, 1, -1.6] },
 ] as const
 
-/** Intensity of the environment map, which fills the shadows and is reflected in the eyes. */
+/** Intensity of the environment map, which fills shadows and reflects in the eyes. */
 const ENVIRONMENT = 0.28
 
 const BACKGROUND = 0x24272c
-/** WebGPURenderer tone-maps the background too; this colour becomes `BACKGROUND`. */
+/** Colour that WebGPURenderer, which tone-maps the background too, turns into `BACKGROUND`. */
 const TONE_MAPPED_BACKGROUND = 0x34373b
 
-/** The lights and environment of a scene. */
+/** Lights and environment of a scene. */
 export interface Lighting {
-  /** The light that shapes the face: its position is where it comes from, for a face that looks along +Z. */
+  /** Key light. Its position is the direction to the light, for a face that looks along +Z. */
   readonly key: DirectionalLight
-  /** Turns them round the upright axis. @param yaw radians from +Z to where the face looks. */
+  /** Rotates lights and environment about +Y. @param yaw radians from +Z to the facing direction. */
   turn(yaw: number): void
   remove(): void
 }
@@ -45,7 +45,7 @@ export function lightScene(scene: Scene, renderer: WebGLRenderer | WebGPURendere
     scene.environment = environment.texture
   }
   surround()
-  // It was drawn on the GPU: a context that was lost comes back without it.
+  // The environment map was rendered on the GPU, and is missing after a context loss.
   const { domElement } = renderer
   if (isWebGL(renderer)) domElement.addEventListener('webglcontextrestored', surround)
   scene.environmentIntensity = ENVIRONMENT

@@ -1,4 +1,4 @@
-/** The lit scene that studio, render, figures and tests share. */
+/** Lit scene, shared by studio, render, figures and tests. */
 
 import {
   addDrivers,
@@ -29,21 +29,21 @@ export type Wrinkles = WebGLWrinkles | WebGPUWrinkles
 
 export interface Stage {
   renderer: Renderer
-  /** The API in use: WebGPURenderer falls back to WebGL 2 in browsers without WebGPU. */
+  /** Graphics API in use: WebGPURenderer falls back to WebGL 2 in browsers without WebGPU. */
   backend: 'WebGL 2' | 'WebGPU'
   scene: Scene
   camera: PerspectiveCamera
   /** See `Lighting.key`. */
   key: Lighting['key']
-  /** Shows a face in place of the last one, without wrinkles. */
+  /** Replaces the shown face, without wrinkles. */
   show(face: Face): void
-  /** Adds wrinkles to a face. The caller disposes of them. */
+  /** Adds wrinkles to a face. Callers must dispose of them. */
   addWrinkles(
     face: Face,
     loaded: Pick<LoadedWrinkles, 'set' | 'drivers'>,
     options?: WrinklesOptions,
   ): Wrinkles
-  /** Moves the camera to a view, and the lights to where the face looks; returns the point that the camera looks at. */
+  /** Moves the camera to a view, and rotates the lights with the face. Returns the point that the camera looks at. */
   view(view: ViewName | Required<FaceView>): Vector3
   /** @param pixelRatio device pixels per CSS pixel. */
   resize(width: number, height: number, pixelRatio?: number): void
@@ -107,7 +107,7 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
   }
 }
 
-/** Gives meshes that have the material of the skin, such as eyes, a plain copy of it. */
+/** Gives other meshes with the skin's material, e.g. eyes, a plain copy of it. */
 function separateMaterial({ root, skin, parts }: Face): void {
   const { material } = skin
   if (Array.isArray(material)) return

@@ -1,7 +1,7 @@
 import { type FaceView, frameFace } from 'furrow/three'
 import { MathUtils, type Object3D, type PerspectiveCamera, type Vector3 } from 'three'
 
-/** Camera views of a face, from where it looks. `left` shows the person's left side. */
+/** Camera views, relative to the facing direction. `left` shows the person's left side. */
 export const VIEWS = {
   front: { yaw: 0, pitch: 0, zoom: 1 },
   left: { yaw: 90, pitch: 0, zoom: 1 },
@@ -12,22 +12,22 @@ export const VIEWS = {
 
 export type ViewName = keyof typeof VIEWS
 
-/** Vertical field of view in degrees: a portrait lens, which does not enlarge the nose. */
+/** Vertical field of view in degrees: a portrait lens, so that the nose is not enlarged. */
 const FIELD_OF_VIEW = 22
 
-/** A face as a camera sees it. */
+/** Result of `frameView`. */
 export interface FramedFace {
-  /** The point that the camera looks at, for orbit controls. */
+  /** Point that the camera looks at; use it as the target of orbit controls. */
   target: Vector3
-  /** Where the face looks: radians round the upright axis from +Z. */
+  /** Facing direction: radians about +Y, from +Z. */
   front: number
 }
 
 /**
  * Positions the camera for a view of a face.
  *
- * @param face the object to frame, at its current world transform.
- * @param camera with its aspect set.
+ * @param face object to frame, with its current world transform.
+ * @param camera camera with its aspect set.
  */
 export function frameView(
   face: Object3D,
@@ -37,7 +37,7 @@ export function frameView(
   const angles = typeof view === 'string' ? VIEWS[view] : view
   camera.fov = FIELD_OF_VIEW
   const target = frameFace(camera, face, angles)
-  // Nothing but the face is on the stage: depth is as precise as it can be.
+  // Tight depth range for precision: the stage contains only the face.
   const distance = camera.position.distanceTo(target)
   camera.near = distance / 20
   camera.far = distance * 4
