@@ -13,19 +13,19 @@ export function meshOf(wrinkles: WrinklesBase): WrinkledMesh {
 }
 
 /** Returns the public object for the internals of a face. */
-export function wrinklesFor(own: WrinkledMesh): WrinklesBase {
-  return wrinklesByMesh.get(own) ?? new WrinklesBase(own)
+export function wrinklesFor(mesh: WrinkledMesh): WrinklesBase {
+  return wrinklesByMesh.get(mesh) ?? new WrinklesBase(mesh)
 }
 
 /**
- * Wrinkles on one mesh, on one instance, or on each thin instance. `registerWrinkleMaps` adds them to loaded files; base class of `Wrinkles`.
- * The material is patched, not replaced, and `dispose` restores it. Copies of the mesh by `clone`, `createInstance` or
+ * Wrinkles on one mesh, on one instance, or on each thin instance. `registerWrinkleMaps` adds them to loaded files. Base class of
+ * `Wrinkles`. The material is patched, not replaced, and `dispose` restores it. Copies of the mesh by `clone`, `createInstance` or
  * `instantiateModelsToScene` get their own wrinkles before they are first drawn.
  */
 export class WrinklesBase extends WrinkleFaces {
-  constructor(own: WrinkledMesh) {
-    super(own)
-    wrinklesByMesh.set(own, this)
+  constructor(mesh: WrinkledMesh) {
+    super(mesh)
+    wrinklesByMesh.set(mesh, this)
   }
 
   /** Mesh whose morph targets, skeleton and surface the drivers read. */

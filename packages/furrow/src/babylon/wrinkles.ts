@@ -19,7 +19,7 @@ export class Wrinkles extends WrinklesBase {
     source: WrinkleSet<ArraySlice> | WrinklesBase,
     options: WrinklesOptions = {},
   ) {
-    const own = source instanceof WrinklesBase ? meshOf(source) : checkSource(source)
-    super(new WrinkledMesh(mesh, own, options))
+    const checked = source instanceof WrinklesBase ? meshOf(source) : checkSource(source)
+    super(new WrinkledMesh(mesh, checked, options))
   }
 }

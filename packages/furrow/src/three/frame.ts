@@ -61,7 +61,7 @@ export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
    * On WebGL, drawing influence in the middle of a render pass makes tiled mobile GPUs store and reload the target (Arm GPU Best Practices,
    * "Efficient render passes"). WebGPU submits influence first anyway.
    */
-  noteScene(scene: Scene, { seen }: FrameEntry<AnyRenderer>, renderer: AnyRenderer): void {
+  trackScene(scene: Scene, { seen }: FrameEntry<AnyRenderer>, renderer: AnyRenderer): void {
     const known = this.#scenes.get(scene)
     if (known) {
       known.last = seen
@@ -75,28 +75,28 @@ export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
     }
   }
 
-  /** Separate method: its closures would allocate in every call of `noteScene`. */
+  /** Separate method: its closures would allocate in every call of `trackScene`. */
   #hookLater(scene: Scene, last: number, renderer: AnyRenderer): void {
     const hooks = (this.#scenes.get(scene)?.hooks ?? 0) + 1
-    const own: FaceScene = { hook: null, hooks, isDue: true, last, renderer, renders: 0 }
-    this.#scenes.set(scene, own)
-    queueMicrotask(() => this.#hook(scene, own))
+    const faceScene: FaceScene = { hook: null, hooks, isDue: true, last, renderer, renders: 0 }
+    this.#scenes.set(scene, faceScene)
+    queueMicrotask(() => this.#hook(scene, faceScene))
   }
 
-  #hook(scene: Scene, own: FaceScene): void {
-    own.isDue = false
+  #hook(scene: Scene, faceScene: FaceScene): void {
+    faceScene.isDue = false
     if (this.targets.length === 0) return
     const stop = callBeforeRender(scene, (by, _camera, { overrideMaterial }) => {
       // The page may have wrapped an earlier hook, which still runs.
-      if (this.#scenes.get(scene) !== own) return
+      if (this.#scenes.get(scene) !== faceScene) return
       if (this.targets.length === 0) {
         stop()
         this.#scenes.delete(scene)
-      } else if (by === own.renderer && !overrideMaterial && drawsImmediately(by)) {
-        if (++own.renders <= MAX_RENDERS) this.beginImage(by, own.last, 'calls' in by.info)
+      } else if (by === faceScene.renderer && !overrideMaterial && drawsImmediately(by)) {
+        if (++faceScene.renders <= MAX_RENDERS) this.beginImage(by, faceScene.last, 'calls' in by.info)
       }
     })
-    own.hook = scene.onBeforeRender
+    faceScene.hook = scene.onBeforeRender
   }
 
   /** Adds a released atlas again. */

@@ -122,7 +122,7 @@ export abstract class FramedMesh
   prepareIn(scene: Scene, renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
     this.#entry.isLate ||= isPrepared(mesh)
     if (!this.prepare(renderer, camera, mesh, Boolean(scene.overrideMaterial))) return
-    this.#frame.noteScene(scene, this.#entry, renderer)
+    this.#frame.trackScene(scene, this.#entry, renderer)
   }
 
   /**

@@ -47,8 +47,8 @@ export class WrinkledMesh extends FramedMesh {
     const areas = shared?.shaderInputs.areas ?? createAreaArray(given, layers, all.areaSize, 'Wrinkles')
     const textures =
       shared?.shaderInputs.textures ?? createTextures(layers, material.normalMap?.anisotropy ?? 1)
-    const own = shared ? given : copyAreas(given)
-    super({ renderer, mesh, material, options: all, areas: own, array: areas, textures })
+    const ownAreas = shared ? given : copyAreas(given)
+    super({ renderer, mesh, material, options: all, areas: ownAreas, array: areas, textures })
     this.addMesh(mesh)
     this.relief.mode = all.relief
     try {

@@ -26,8 +26,8 @@ export abstract class WrinklesBase extends WrinkleFaces {
     source: WrinkleSet<ArraySlice> | WrinklesBase,
     options?: WrinklesOptions,
   ) {
-    const own = source instanceof WrinklesBase ? meshOf(source) : checkSource(source)
-    super(new WrinkledMesh(renderer, mesh, own, options))
+    const checked = source instanceof WrinklesBase ? meshOf(source) : checkSource(source)
+    super(new WrinkledMesh(renderer, mesh, checked, options))
     this.onDispose(registerWrinkles(mesh, this))
   }
 

@@ -49,19 +49,19 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
   async #addAll(): Promise<void> {
     const faces = facesOf(this.#loader)
     if (faces.length === 0) return
-    const read = wrinkleReader(fileOf(this.#loader, this.#transcoderPath), (faults) =>
-      this.#warnings.addDrivers(faults),
+    const read = wrinkleReader(fileOf(this.#loader, this.#transcoderPath), (errors) =>
+      this.#warnings.addDrivers(errors),
     )
     const first = new Map<FileWrinkles['set'], WrinkledMesh>()
     for (const material of new Set(faces.map(({ material }) => material))) {
-      const own = faces.filter((face) => face.material === material)
+      const candidates = faces.filter((face) => face.material === material)
       const stayPlain = (error: unknown) => {
         const name = this.#loader.gltf.materials?.[material].name ?? material
         this.#warnings.add(error, `material ${JSON.stringify(name)} stays plain`)
       }
       try {
         const wrinkles = await read(material)
-        for (const { meshes } of drivenFaces(own, measureOf, wrinkles.drivers)) {
+        for (const { meshes } of drivenFaces(candidates, measureOf, wrinkles.drivers)) {
           try {
             this.#add(meshes, wrinkles, first)
           } catch (error) {
@@ -79,15 +79,15 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
     { set, drivers }: FileWrinkles,
     first: Map<FileWrinkles['set'], WrinkledMesh>,
   ): void {
-    const own = new WrinkledMesh(mesh, first.get(set) ?? set, this.#options)
+    const face = new WrinkledMesh(mesh, first.get(set) ?? set, this.#options)
     try {
-      for (const other of others) own.addMesh(other)
-      own.drive(drivers)
+      for (const other of others) face.addMesh(other)
+      face.drive(drivers)
     } catch (error) {
-      own.dispose()
+      face.dispose()
       throw error
     }
-    if (!first.has(set)) first.set(set, own)
+    if (!first.has(set)) first.set(set, face)
   }
 }
 

@@ -27,11 +27,11 @@ export function fragmentInjections(kind: ShaderKind, isWgsl: boolean, layers: Mi
   const d = isWgsl ? WGSL : GLSL
   const injections = kind === 'pbr' ? pbr(d, layers.values) : standard(d, layers.values)
   injections.CUSTOM_FRAGMENT_DEFINITIONS = mixing(d, layers)
-  for (const own of texels(d, 'bump', 'Bump')) {
+  for (const texel of texels(d, 'bump', 'Bump')) {
     // Includes the next character to make keys unique: Babylon.js 8 replaces only the first of several equal texts.
     for (const next of [',', '*']) {
-      injections[replacing(`${own}.xyz${next}`)] =
-        `furrowMixNormals(${own}.xyz,${d.passed('vBumpUV')}+uvOffset)${next}`
+      injections[replacing(`${texel}.xyz${next}`)] =
+        `furrowMixNormals(${texel}.xyz,${d.passed('vBumpUV')}+uvOffset)${next}`
     }
   }
   return injections
@@ -45,8 +45,8 @@ function pbr(d: Dialect, { baseColor, roughness, occlusion, blood }: Values): In
   const one = `${vec3}(1.0)`
   const injections: Injections = {}
   if (baseColor) {
-    for (const own of [`${toLinear}(albedoTexture.rgb)`, 'albedoTexture.rgb']) {
-      injections[replacing(`surfaceAlbedo*=${own};`)] = `surfaceAlbedo*=furrowMix_baseColor(${own});`
+    for (const texel of [`${toLinear}(albedoTexture.rgb)`, 'albedoTexture.rgb']) {
+      injections[replacing(`surfaceAlbedo*=${texel};`)] = `surfaceAlbedo*=furrowMix_baseColor(${texel});`
     }
   }
   injections.CUSTOM_FRAGMENT_UPDATE_ALBEDO = [
@@ -54,10 +54,10 @@ function pbr(d: Dialect, { baseColor, roughness, occlusion, blood }: Values): In
     blood ? 'surfaceAlbedo=furrowBloodColour(surfaceAlbedo);' : '',
   ].join('\n')
   if (roughness) {
-    const own = 'surfaceMetallicOrReflectivityColorMap'
+    const map = 'surfaceMetallicOrReflectivityColorMap'
     for (const channel of ['a', 'g']) {
-      injections[replacing(`metallicRoughness.g*=${own}.${channel};`)] =
-        `metallicRoughness.g*=furrowMix_roughness(${vec3}(${own}.${channel})).x;`
+      injections[replacing(`metallicRoughness.g*=${map}.${channel};`)] =
+        `metallicRoughness.g*=furrowMix_roughness(${vec3}(${map}.${channel})).x;`
     }
     injections.CUSTOM_FRAGMENT_UPDATE_METALLICROUGHNESS = `
 #if !defined(REFLECTIVITY) || !defined(ROUGHNESSSTOREINMETALMAPALPHA) && !defined(ROUGHNESSSTOREINMETALMAPGREEN)
@@ -66,8 +66,8 @@ metallicRoughness.g*=furrowMix_roughness(${one}).x;
   }
   if (occlusion) {
     injections.CUSTOM_FRAGMENT_BEFORE_LIGHTS = `furrowVisibility = furrowMix_occlusion(${one}).x;`
-    for (const own of texels(d, 'ambient', 'Ambient')) {
-      injections[replacing(`${own}.rgb;`)] = `furrowMix_occlusion(${own}.rgb);`
+    for (const texel of texels(d, 'ambient', 'Ambient')) {
+      injections[replacing(`${texel}.rgb;`)] = `furrowMix_occlusion(${texel}.rgb);`
     }
     const unoccluded = d.isWgsl
       ? 'var ambientOcclusionColor: vec3f= vec3f(1.,1.,1.);'
@@ -78,10 +78,10 @@ metallicRoughness.g*=furrowMix_roughness(${one}).x;
     const direct = d.isWgsl
       ? 'var ambientOcclusionForDirectDiffuse: vec3f='
       : 'vec3 ambientOcclusionForDirectDiffuse='
-    const own = `${direct}aoOut.ambientOcclusionColor;`
-    injections[replacing(own)] = `
+    const original = `${direct}aoOut.ambientOcclusionColor;`
+    injections[replacing(original)] = `
 #ifdef AOSTOREINMETALMAPRED
-${own}
+${original}
 #else
 ${direct}${one};
 #endif`
@@ -105,8 +105,8 @@ function standard(d: Dialect, { baseColor, occlusion, blood }: Values): Injectio
     `if (dot(furrowInfluence, ${vec4}(1.0)) > 0.0) { baseColor=${vec4}(${toGamma}(${change}(${toLinear}(baseColor.rgb))),baseColor.a); }`
   const injections: Injections = {}
   if (baseColor) {
-    for (const own of texels(d, 'diffuse', 'Diffuse')) {
-      injections[replacing(`baseColor=${own};`)] = `baseColor=${own};\n${inLinear('furrowMix_baseColor')}`
+    for (const texel of texels(d, 'diffuse', 'Diffuse')) {
+      injections[replacing(`baseColor=${texel};`)] = `baseColor=${texel};\n${inLinear('furrowMix_baseColor')}`
     }
   }
   injections.CUSTOM_FRAGMENT_UPDATE_DIFFUSE = [
@@ -116,8 +116,8 @@ function standard(d: Dialect, { baseColor, occlusion, blood }: Values): Injectio
     blood ? inLinear('furrowBloodColour') : '',
   ].join('\n')
   if (occlusion) {
-    for (const own of texels(d, 'ambient', 'Ambient')) {
-      injections[replacing(`${own}.rgb*`)] = `furrowMix_occlusion(${own}.rgb)*`
+    for (const texel of texels(d, 'ambient', 'Ambient')) {
+      injections[replacing(`${texel}.rgb*`)] = `furrowMix_occlusion(${texel}.rgb)*`
     }
     injections.CUSTOM_FRAGMENT_BEFORE_LIGHTS = `#ifndef AMBIENT\nbaseAmbientColor=furrowMix_occlusion(${one});\n#endif`
   }

@@ -209,5 +209,5 @@ function microShadow(d: Dialect): string {
 }
 
 function indicesOf(kinds: readonly LayerKind[], kind: LayerKind): number[] {
-  return kinds.flatMap((own, layer) => (own === kind ? [layer] : []))
+  return kinds.flatMap((each, layer) => (each === kind ? [layer] : []))
 }

@@ -49,11 +49,13 @@ export function bindJoints(mesh: AbstractMesh, inputs: readonly InputOf<'joint'>
 }
 
 function findJoint(mesh: AbstractMesh, name: string): Joint | undefined {
-  const bone = mesh.skeleton?.bones.find((own) => own.name === name || own.getTransformNode()?.name === name)
+  const bone = mesh.skeleton?.bones.find(
+    (candidate) => candidate.name === name || candidate.getTransformNode()?.name === name,
+  )
   if (bone) return { bone, node: bone.getTransformNode() ?? undefined }
   let root: AbstractMesh['parent'] = mesh
   while (root.parent) root = root.parent
-  const node = [root, ...root.getDescendants(false)].find((own) => own.name === name)
+  const node = [root, ...root.getDescendants(false)].find((candidate) => candidate.name === name)
   return node ? { bone: undefined, node: node as TransformNode } : undefined
 }
 

@@ -141,7 +141,7 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
       quads.end()
       if (areas && quads.mesh.visible) this.#compiled = renderer
     }
-    // Clears the whole target at once if possible: pages with one face then never compile the clear program.
+    // Clears the complete target at once if possible: pages with one face then never compile the clear program.
     renderPreservingState(renderer, this.target, this.#scene, this.#camera, 0, isWhole)
     this.cells.changes = 0
   }

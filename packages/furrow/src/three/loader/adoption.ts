@@ -92,7 +92,7 @@ export class Adoption {
 
   /** Returns the face if the mesh is part of it. */
   faceOf(mesh: Mesh): WrinklesBase | undefined {
-    return this.#face && this.#meshes.some((own) => movesAs(own, mesh)) ? this.#face : undefined
+    return this.#face && this.#meshes.some((part) => movesAs(part, mesh)) ? this.#face : undefined
   }
 
   #onDraw(mesh: Mesh, renderer: AnyRenderer, camera: Camera, scene: Scene): void {

@@ -32,8 +32,8 @@ export function extendWith<Loader extends ExtendableLoader>(
   // React hooks extend a shared loader repeatedly; registering each time would accumulate plugins.
   if (!isExtended) {
     loader.register((parser: GLTFParser) => {
-      const own = extensions.get(loader)!
-      return new own.Plugin(parser, own.options)
+      const extension = extensions.get(loader)!
+      return new extension.Plugin(parser, extension.options)
     })
   }
   return loader

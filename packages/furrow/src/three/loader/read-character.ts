@@ -48,7 +48,7 @@ export function readMeshes(
   const map = (surfaceOf(mesh) as { normalMap?: Texture | null }).normalMap
   return {
     label: `${mesh.name} ${surfaceOf(mesh).name}`,
-    parts: meshes.map((own) => ({ ...partOf(own.geometry, map), head: headOf(own as SkinnedMesh) })),
+    parts: meshes.map((part) => ({ ...partOf(part.geometry, map), head: headOf(part as SkinnedMesh) })),
     names: targetNames(mesh),
     expressions,
     placement: placementOf(mesh).toArray(),

@@ -82,7 +82,7 @@ export class WrinkleLoader {
     this.#parser = parser
     this.#parts = parts
     this.#declared = new DeclaredWrinkles(parser)
-    this.#read = materialReader(parser, (faults) => this.#warnings.addDrivers(faults))
+    this.#read = materialReader(parser, (errors) => this.#warnings.addDrivers(errors))
   }
 
   /** Starts reading wrinkles in parallel with the rest of the file. Called by the loader before it loads anything. */
@@ -112,15 +112,15 @@ export class WrinkleLoader {
         this.#warnings.add(error, 'the file stays plain')
       }
     }
-    for (const own of wrinkled) {
-      const { material } = own
+    for (const wrinkledMaterial of wrinkled) {
+      const { material } = wrinkledMaterial
       const stayPlain = (error: unknown) => {
         const { name } = this.#parser.json.materials[material]
         this.#warnings.add(error, `material ${JSON.stringify(name ?? material)} stays plain`)
       }
       try {
         const read = await this.#read(material)
-        for (const meshes of separatedFaces(own, read)) {
+        for (const meshes of separatedFaces(wrinkledMaterial, read)) {
           try {
             const added = await addFace(meshes, read)
             wrinkles.push(added)
@@ -153,17 +153,17 @@ export class WrinkleLoader {
     if (copy) for (const mesh of meshes) mesh.material = copy
     // Packing all maps takes long: do so in a task separate from the last image's.
     await nextTask()
-    const own = this.#addWrinkles(meshes, this.#bySet.get(set) ?? new ReadSet(set))
+    const wrinkles = this.#addWrinkles(meshes, this.#bySet.get(set) ?? new ReadSet(set))
     try {
       // three-vrm may create the expressions later.
-      meshOf(own).drive(drivers, this.#inputsOf(meshes[0], file), this.#isVrm)
+      meshOf(wrinkles).drive(drivers, this.#inputsOf(meshes[0], file), this.#isVrm)
     } catch (error) {
-      own.dispose()
+      wrinkles.dispose()
       throw error
     }
-    if (!this.#bySet.has(set)) this.#bySet.set(set, own)
-    if (!copy) this.#byMaterial.set(material, own)
-    return own
+    if (!this.#bySet.has(set)) this.#bySet.set(set, wrinkles)
+    if (!copy) this.#byMaterial.set(material, wrinkles)
+    return wrinkles
   }
 
   /** Input sources of a face's drivers. In a VRM, expressions and their binds drive too. */
@@ -189,18 +189,18 @@ export class WrinkleLoader {
     const [mesh, ...others] = meshes
     const parts = { watch, add: (adopted: Mesh, from: WrinklesBase) => this.#tryAdd(adopted, from) }
     const adoption = new Adoption(surfaceOf(mesh), meshes, parts, copyOf)
-    let own: WrinklesBase | undefined
+    let wrinkles: WrinklesBase | undefined
     try {
-      own = new Wrinkles(mesh, source, this.#options)
-      adoption.begin(own)
-      for (const other of others) own.addMesh(other)
+      wrinkles = new Wrinkles(mesh, source, this.#options)
+      adoption.begin(wrinkles)
+      for (const other of others) wrinkles.addMesh(other)
     } catch (error) {
       adoption.end()
-      own?.dispose()
+      wrinkles?.dispose()
       throw error
     }
-    for (const part of meshes) this.#followClones(part, own)
-    return own
+    for (const part of meshes) this.#followClones(part, wrinkles)
+    return wrinkles
   }
 
   /** Adds wrinkles to a mesh that the page created. */
@@ -213,14 +213,14 @@ export class WrinkleLoader {
     }
   }
 
-  #followClones(mesh: Mesh, own: WrinklesBase): void {
+  #followClones(mesh: Mesh, face: WrinklesBase): void {
     mesh.clone = (recursive) => {
       const copy: Mesh = Object.getPrototypeOf(mesh).clone.call(mesh, recursive)
-      copy.material = own.cloneMaterial()
-      this.#addWrinkles([copy], own, own)
+      copy.material = face.cloneMaterial()
+      this.#addWrinkles([copy], face, face)
       return copy as typeof mesh
     }
-    own.onDispose(() => {
+    face.onDispose(() => {
       delete (mesh as Partial<Mesh>).clone
     })
   }

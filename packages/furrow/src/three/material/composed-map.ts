@@ -61,9 +61,9 @@ export interface ComposedFormat extends Size {
  * @param drawsLevels whether to draw all mip levels, if both maps have them.
  */
 export function composedFormat(base: Texture, normals: Texture, drawsLevels: boolean): ComposedFormat {
-  const [own, layered] = sizesOf(base, normals)
+  const [baseSize, layerSize] = sizesOf(base, normals)
   const size = composedSize(base, normals)
-  if (own.width !== layered.width || own.height !== layered.height) return size
+  if (baseSize.width !== layerSize.width || baseSize.height !== layerSize.height) return size
   const levels = levelsOf(size)
   const isDrawn = drawsLevels && hasLevels(base, levels) && hasLevels(normals, levels)
   return { ...size, level: { value: 0 }, levels: isDrawn ? levels : 1 }
@@ -81,8 +81,11 @@ function hasLevels({ generateMipmaps, minFilter, mipmaps }: Texture, levels: num
 
 /** Larger size of the two maps, per axis. */
 export function composedSize(base: Texture, normals: Texture): Size {
-  const [own, layered] = sizesOf(base, normals)
-  return { width: Math.max(own.width, layered.width), height: Math.max(own.height, layered.height) }
+  const [baseSize, layerSize] = sizesOf(base, normals)
+  return {
+    width: Math.max(baseSize.width, layerSize.width),
+    height: Math.max(baseSize.height, layerSize.height),
+  }
 }
 
 function sizesOf(...maps: Texture[]): Size[] {

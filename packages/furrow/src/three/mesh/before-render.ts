@@ -23,11 +23,11 @@ export function isPrepared({ onBeforeRender }: Mesh): boolean {
 export function callBeforeRender(owner: Mesh | Scene | Material, prepare: Call): () => void {
   // Materials get the same arguments as meshes, except the drawn object in place of the material.
   const mesh = owner as Mesh
-  const own = Object.hasOwn(mesh, 'onBeforeRender') ? mesh.onBeforeRender : null
+  const existing = Object.hasOwn(mesh, 'onBeforeRender') ? mesh.onBeforeRender : null
   // No rest parameter: it would allocate in every frame.
   const both: Mesh['onBeforeRender'] = (renderer, scene, camera, geometry, drawn, group) => {
     // The page may change the prototype's callback at any time.
-    const before = own ?? (Object.getPrototypeOf(mesh) as Mesh).onBeforeRender
+    const before = existing ?? (Object.getPrototypeOf(mesh) as Mesh).onBeforeRender
     before.call(mesh, renderer, scene, camera, geometry, drawn, group)
     prepare(renderer as AnyRenderer, camera, scene as Scene, drawn)
   }
@@ -35,7 +35,7 @@ export function callBeforeRender(owner: Mesh | Scene | Material, prepare: Call):
   mesh.onBeforeRender = both
   return () => {
     if (mesh.onBeforeRender !== both) return
-    if (own) mesh.onBeforeRender = own
+    if (existing) mesh.onBeforeRender = existing
     else delete (mesh as Partial<Mesh>).onBeforeRender
   }
 }

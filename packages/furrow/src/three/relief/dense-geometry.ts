@@ -106,9 +106,9 @@ export function ringTexture(splits: readonly { next: Uint32Array; first: number 
 /** Triangles of a mesh that use a material. */
 function drawnTriangles(mesh: Mesh, material: Material): ArrayLike<number> {
   const all = trianglesOf(mesh.geometry)
-  const { material: own, geometry } = mesh
-  if (!Array.isArray(own)) return all
-  const groups = geometry.groups.filter(({ materialIndex = 0 }) => own[materialIndex] === material)
+  const { material: materials, geometry } = mesh
+  if (!Array.isArray(materials)) return all
+  const groups = geometry.groups.filter(({ materialIndex = 0 }) => materials[materialIndex] === material)
   return groups.flatMap(({ start, count }) =>
     Array.from({ length: Math.min(count, all.length - start) }, (_, i) => all[start + i]),
   )

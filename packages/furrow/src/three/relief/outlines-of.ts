@@ -7,11 +7,13 @@ import type { Material, Mesh } from 'three'
 export function outlinesOf(mesh: Mesh, surface: Material): Material[] {
   const materials = [mesh.material].flat()
   const drawn = rangesOf(mesh, materials.indexOf(surface))
-  return materials.filter((own, i) => 'isOutline' in own && own.isOutline && rangesOf(mesh, i) === drawn)
+  return materials.filter(
+    (material, i) => 'isOutline' in material && material.isOutline && rangesOf(mesh, i) === drawn,
+  )
 }
 
 /** Key of the triangle ranges that use a material. */
 function rangesOf({ geometry }: Mesh, index: number): string {
-  const own = geometry.groups.filter(({ materialIndex = 0 }) => materialIndex === index)
-  return own.map(({ start, count }) => `${start} ${count}`).join()
+  const groups = geometry.groups.filter(({ materialIndex = 0 }) => materialIndex === index)
+  return groups.map(({ start, count }) => `${start} ${count}`).join()
 }

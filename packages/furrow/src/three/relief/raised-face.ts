@@ -20,7 +20,7 @@ export interface RaisedFace {
     /** Wrinkled material. */
     readonly material: Material
     /** Sets the patch that draws relief; null for none. */
-    setRelief(patch: ((own: Material) => () => void) | null): void
+    setRelief(patch: ((material: Material) => () => void) | null): void
   }
   readonly shaderInputs: ShaderInputs
   /** @throws FurrowError if the wrinkles were disposed of. */

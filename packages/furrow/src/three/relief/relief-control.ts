@@ -207,7 +207,7 @@ export class ReliefControl {
     this.#relief = made
     this.#limitation = made.limitation
     this.#warnOfLimitation()
-    this.#face.material.setRelief((own) => made.patch(own))
+    this.#face.material.setRelief((material) => made.patch(material))
     previous?.dispose()
     this.#show(this.isShown)
   }

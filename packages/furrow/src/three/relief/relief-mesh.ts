@@ -33,20 +33,20 @@ export function followMesh(relief: ReliefMesh, mesh: Mesh): void {
 }
 
 function boundingSphereOf(mesh: Mesh) {
-  const own = mesh as Partial<InstancedMesh>
-  if (own.boundingSphere !== undefined) {
-    if (own.boundingSphere === null) own.computeBoundingSphere!()
-    return own.boundingSphere
+  const instanced = mesh as Partial<InstancedMesh>
+  if (instanced.boundingSphere !== undefined) {
+    if (instanced.boundingSphere === null) instanced.computeBoundingSphere!()
+    return instanced.boundingSphere
   }
   if (mesh.geometry.boundingSphere === null) mesh.geometry.computeBoundingSphere()
   return mesh.geometry.boundingSphere
 }
 
 function boundingBoxOf(mesh: Mesh) {
-  const own = mesh as Partial<InstancedMesh>
-  if (own.boundingBox !== undefined) {
-    if (own.boundingBox === null) own.computeBoundingBox!()
-    return own.boundingBox
+  const instanced = mesh as Partial<InstancedMesh>
+  if (instanced.boundingBox !== undefined) {
+    if (instanced.boundingBox === null) instanced.computeBoundingBox!()
+    return instanced.boundingBox
   }
   if (mesh.geometry.boundingBox === null) mesh.geometry.computeBoundingBox()
   return mesh.geometry.boundingBox

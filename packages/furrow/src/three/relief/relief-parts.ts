@@ -23,7 +23,7 @@ export interface ReliefParts extends CoarseParts {
    * colour. Returns null if unsupported.
    */
   outlineMaterial(
-    own: Material,
+    outline: Material,
     relief: ReliefInputs,
     inputs: ShaderInputs,
     instances: Instances,

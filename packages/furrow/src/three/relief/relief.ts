@@ -138,11 +138,11 @@ export class Relief {
     const { material } = this.#host.face.material
     const { mesh, geometry } = split
     this.#onDispose.push(() => geometry.dispose())
-    const outlines = outlinesOf(mesh, material).flatMap((own) => {
-      const copy = this.#parts.outlineMaterial(own, this.#inputs, shaderInputs, instancesOf(mesh))
+    const outlines = outlinesOf(mesh, material).flatMap((outline) => {
+      const copy = this.#parts.outlineMaterial(outline, this.#inputs, shaderInputs, instancesOf(mesh))
       if (!copy) return []
       this.#onDispose.push(() => copy.dispose())
-      return this.#standInOf(split, own, copy)
+      return this.#standInOf(split, outline, copy)
     })
     return [this.#standInOf(split, material, material), ...outlines]
   }
@@ -194,9 +194,9 @@ function raisedBy({ areas }: ShaderInputs, { array, layers }: HeightMaps): Raise
   const { data, depth } = texture.image as { data?: Uint8Array; depth: number }
   // Compressed areas have no texels in CPU memory.
   const weights = channels === 1 && data ? { data, width, height, depth, channels } : null
-  const raised = layers.map((own) => ({
-    ...own,
-    areas: slots.flatMap(({ layer, slice }) => (layer === own.layer ? slice : [])),
+  const raised = layers.map((raisedLayer) => ({
+    ...raisedLayer,
+    areas: slots.flatMap(({ layer, slice }) => (layer === raisedLayer.layer ? slice : [])),
   }))
   if (array) return raised.map((layer) => new HeightField(layer, array, weights))
   const slices = raised.flatMap((layer) => layer.areas)

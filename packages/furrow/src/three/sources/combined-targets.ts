@@ -16,10 +16,10 @@ export function combinableTargets(json: GLTFParser['json'], index: number): (mes
   const written = writtenNames(json.meshes[index])
   const binds = expressionBinds(json, index)
   /** Links from the current blendshapes of a mesh to `names`. */
-  const linksOf = (own: readonly string[], names: readonly string[]): Link[] => {
-    const isUnchanged = own.length === written.length && own.every((name, i) => name === written[i])
-    const isCombined = !isUnchanged && own.every((name) => binds.has(name))
-    return own.flatMap((name, from) => {
+  const linksOf = (current: readonly string[], names: readonly string[]): Link[] => {
+    const isUnchanged = current.length === written.length && current.every((name, i) => name === written[i])
+    const isCombined = !isUnchanged && current.every((name) => binds.has(name))
+    return current.flatMap((name, from) => {
       const to = names.indexOf(name)
       const moved = (isCombined && binds.get(name)) || []
       const links = moved.map(({ index, weight }) => ({ from, to: names.indexOf(written[index]), weight }))
@@ -33,18 +33,18 @@ export function combinableTargets(json: GLTFParser['json'], index: number): (mes
     let dictionary: Mesh['morphTargetDictionary']
     let links: Link[]
     let weights: Float64Array
-    let readOwn: ReadWeights
+    let readCurrent: ReadWeights
     const bind = () => {
-      const own = targetNames(mesh)
+      const current = targetNames(mesh)
       dictionary = mesh.morphTargetDictionary
-      links = linksOf(own, names)
-      weights = new Float64Array(own.length)
-      readOwn = weightReader(mesh, own)
+      links = linksOf(current, names)
+      weights = new Float64Array(current.length)
+      readCurrent = weightReader(mesh, current)
     }
     bind()
     const read: ReadWeights = (values, instance) => {
       if (mesh.morphTargetDictionary !== dictionary) bind()
-      readOwn(weights, instance)
+      readCurrent(weights, instance)
       values.fill(0, 0, names.length)
       for (let i = 0; i < links.length; i++) {
         const { from, to, weight } = links[i]

@@ -36,8 +36,8 @@ export function addMuscles(mesh: Mesh, muscles: readonly MuscleDriver[]): void {
     // Another mesh with this geometry already has the muscle.
     if (known >= 0) continue
     const offsets = muscleOffsets(muscle, position)
-    const own = geometry.morphTargetsRelative ? offsets : offsets.map((offset, i) => offset + position[i])
-    morphAttributes.position.push(named(new BufferAttribute(own, 3), muscle.name))
+    const stored = geometry.morphTargetsRelative ? offsets : offsets.map((offset, i) => offset + position[i])
+    morphAttributes.position.push(named(new BufferAttribute(stored, 3), muscle.name))
   }
   addMorphNormals(geometry)
 }
@@ -60,8 +60,8 @@ export function addMorphNormals(geometry: BufferGeometry): void {
   })
   for (const [i, offsets] of targetOffsets(geometry).entries()) {
     if (i < known.length) continue
-    const own = changes(offsets)
-    const stored = morphTargetsRelative ? own : own.map((change, k) => normals[k] + change)
+    const deltas = changes(offsets)
+    const stored = morphTargetsRelative ? deltas : deltas.map((change, k) => normals[k] + change)
     known.push(named(new BufferAttribute(stored, 3), targets[i].name))
   }
   morphAttributes.normal = known

@@ -63,5 +63,5 @@ vec3 furrowReorient(vec3 base, vec2 slope, float depth) {
 `
 
 function indicesOf(kinds: readonly LayerKind[], kind: LayerKind): number[] {
-  return kinds.flatMap((own, layer) => (own === kind ? [layer] : []))
+  return kinds.flatMap((each, layer) => (each === kind ? [layer] : []))
 }

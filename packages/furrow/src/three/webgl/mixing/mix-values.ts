@@ -8,8 +8,8 @@ import type { Values } from './value-layers.ts'
 
 /** Declares `vec3 furrowToonColour(vec3 colour, vec3 own, vec3 mixed)`, see `toonColour` in the reference. */
 export const TOON_COLOUR = /* glsl */ `
-vec3 furrowToonColour(vec3 colour, vec3 own, vec3 mixed) {
-  float slope = length(mixed.xy / mixed.z - own.xy / own.z);
+vec3 furrowToonColour(vec3 colour, vec3 base, vec3 mixed) {
+  float slope = length(mixed.xy / mixed.z - base.xy / base.z);
   return colour * mix(vec3(1.0), colour * ${TOON_LINE.shade}, smoothstep(${TOON_LINE.slopes.join(', ')}, slope));
 }
 `

@@ -9,7 +9,7 @@ import { layerUniforms, mapUniforms } from '../uniforms.ts'
 export const composeMaterial: ComposeMaterial = (base, inputs, level) => {
   const { kinds, normals } = inputs.textures
   const isTexelwise = level !== undefined
-  const own = isTexelwise
+  const baseTexel = isTexelwise
     ? 'texelFetch(furrowBase, ivec2(gl_FragCoord.xy), furrowLevel)'
     : 'texture(furrowBase, targetUv)'
   return new ShaderMaterial({
@@ -24,7 +24,7 @@ out vec4 composed;
 
 void main() {
   furrowSampleInfluence(targetUv);
-  vec3 base = ${own}.xyz * 2.0 - 1.0;
+  vec3 base = ${baseTexel}.xyz * 2.0 - 1.0;
   vec3 mixed = furrowMixNormals(base);
   ${kinds.includes('detail') ? 'mixed = any(greaterThan(furrowInfluence, vec4(0.0))) ? normalize(mixed) : base;' : ''}
   composed = vec4(mixed * 0.5 + 0.5, 1.0);

@@ -169,10 +169,10 @@ const addShadowMaterials: ReliefParts['addShadowMaterials'] = (dense, mesh, reli
 }
 
 /** Clones the outline material, because meshes (e.g. copies of an avatar) may share it. */
-const outlineMaterial: ReliefParts['outlineMaterial'] = (own, relief, inputs, instances) => {
-  const { uniforms } = own as Partial<ShaderMaterial>
+const outlineMaterial: ReliefParts['outlineMaterial'] = (outline, relief, inputs, instances) => {
+  const { uniforms } = outline as Partial<ShaderMaterial>
   if (!uniforms) return null
-  const copy = Object.assign(own.clone(), { uniforms })
+  const copy = Object.assign(outline.clone(), { uniforms })
   patch(copy, relief, inputs, instances)
   return copy
 }

@@ -95,8 +95,8 @@ export class ComputedNormals {
         })
       })
       for (const { from, to } of rotated) {
-        const own = from.element(i).toVar()
-        to.element(i).assign(vec4(rotate(own.xyz, axis, cosine), own.w))
+        const source = from.element(i).toVar()
+        to.element(i).assign(vec4(rotate(source.xyz, axis, cosine), source.w))
       }
     })
   }
@@ -188,8 +188,8 @@ function shareBuffers(geometry: BufferGeometry): BufferGeometry {
 /** Replaces shared buffers by empty ones, because disposing of a geometry frees all its buffers. */
 function detachBuffers(geometry: BufferGeometry, { attributes }: BufferGeometry): void {
   geometry.setIndex(null)
-  for (const [name, own] of Object.entries(geometry.attributes)) {
-    if (own === attributes[name])
-      geometry.setAttribute(name, new BufferAttribute(new Float32Array(), own.itemSize))
+  for (const [name, attribute] of Object.entries(geometry.attributes)) {
+    if (attribute === attributes[name])
+      geometry.setAttribute(name, new BufferAttribute(new Float32Array(), attribute.itemSize))
   }
 }

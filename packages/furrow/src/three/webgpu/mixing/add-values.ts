@@ -27,15 +27,17 @@ export function addValues(
   const { roughnessMap, aoMap } = material as Partial<MeshStandardMaterial>
   const { mixColour, mixValue } = valueMixer(inputs, layers)
   if (baseColor || blood || isToon(material)) {
-    const own = ownColourOf(material)
-    const mapped = baseColor ? mixColour(own.rgb) : own.rgb
+    const texel = ownColourOf(material)
+    const mapped = baseColor ? mixColour(texel.rgb) : texel.rgb
     const unflushed = materialProperty('color', 'color', material).mul(mapped)
     const colour = blood ? bloodColour(unflushed, mixValue('blood', float(0))) : unflushed
-    added.colorNode = vec4(isToon(material) ? toonColour(colour, ownNormal, mixed) : colour, own.a)
+    added.colorNode = vec4(isToon(material) ? toonColour(colour, ownNormal, mixed) : colour, texel.a)
   }
   if (roughness && 'roughness' in material) {
-    const own = roughnessMap ? materialProperty('roughnessMap', 'texture', material).g : float(1)
-    added.roughnessNode = materialProperty('roughness', 'float', material).mul(mixValue('roughness', own))
+    const ownRoughness = roughnessMap ? materialProperty('roughnessMap', 'texture', material).g : float(1)
+    added.roughnessNode = materialProperty('roughness', 'float', material).mul(
+      mixValue('roughness', ownRoughness),
+    )
   }
   if (occlusion && 'aoMap' in material) {
     const visibility = mixValue('occlusion', float(1))

@@ -22,13 +22,13 @@ import { type LayerInfluence, mixNormals, unpack } from './mix-normals.ts'
 export function layerNodes(material: Patched, inputs: ShaderInputs, mesh: Mesh, isTiled: boolean): Added {
   const { normalNode: node } = material
   // Materials with a `normalNode` have a flat normal map.
-  const own = node ? vec3(0, 0, 1) : unpack(materialProperty('normalMap', 'texture', material).xyz)
+  const base = node ? vec3(0, 0, 1) : unpack(materialProperty('normalMap', 'texture', material).xyz)
   const layers = layersOf(material, inputs, mesh, isTiled)
-  const mixed = mixNormals(own, inputs, layers)
+  const mixed = mixNormals(base, inputs, layers)
   const added: Added = {
     normalNode: node ? ontoNormal(typed(node), mixed, material) : inView(mixed, material),
   }
-  addValues(added, material, inputs, { layers, ownNormal: own, mixed })
+  addValues(added, material, inputs, { layers, ownNormal: base, mixed })
   return added
 }
 
@@ -63,8 +63,8 @@ function inView(normal: Node<'vec3'>, material: Patched): Node<'vec3'> {
 type FlatBuilder = NodeBuilder & { isFlatShading(): boolean }
 
 /** Applies tangent-space normals to the view-space normal of a material's `normalNode`. */
-function ontoNormal(own: Node<'vec3'>, normal: Node<'vec3'>, material: Patched): Node<'vec3'> {
-  return mat3(typed<'vec3'>(tangentView), typed<'vec3'>(bitangentView), own)
+function ontoNormal(viewNormal: Node<'vec3'>, normal: Node<'vec3'>, material: Patched): Node<'vec3'> {
+  return mat3(typed<'vec3'>(tangentView), typed<'vec3'>(bitangentView), viewNormal)
     .mul(scaled(normal, normalScale(material)))
     .normalize()
 }

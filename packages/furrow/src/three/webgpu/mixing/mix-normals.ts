@@ -54,7 +54,7 @@ export function mixNormals(
 ): Node<'vec3'> {
   const { kinds, normals } = inputs.textures
   const scales = inputUniform<'vec4'>(inputs.normalScale)
-  const own = base.toVar()
+  const baseNormal = base.toVar()
   const sample = sampler(uv)
   // Slightly below 0.5: a z of exactly 0 gives no normal, or 0 / 0 at an influence of 0.
   const flat = vec3(0, 0, 0.4999999)
@@ -67,7 +67,7 @@ export function mixNormals(
       normal: (kind === 'detail' ? stored.sub(flat) : unpack(stored)).toVar(),
     }
   })
-  const replaced = replaceNormal(own, ofKind('replace', layers))
+  const replaced = replaceNormal(baseNormal, ofKind('replace', layers))
   const details = ofKind('detail', layers)
   if (details.length === 0) return replaced
   const size = lengthOf(replaced).toVar()

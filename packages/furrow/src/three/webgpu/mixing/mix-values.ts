@@ -17,10 +17,10 @@ type SingleKind = Exclude<ValueKind, 'baseColor'>
 
 /** Mixes the layers' value maps into a material's own values, see `mixValues` in the reference. */
 export interface ValueMixer {
-  /** @param own base colour of the material's map, 1 without a map. */
-  mixColour(own: Node<'vec3'>): Node<'vec3'>
-  /** @param own value of the material's map, 1 without a map; 0 for blood. */
-  mixValue(kind: SingleKind, own: Node<'float'>): Node<'float'>
+  /** @param base base colour of the material's map, 1 without a map. */
+  mixColour(base: Node<'vec3'>): Node<'vec3'>
+  /** @param base value of the material's map, 1 without a map; 0 for blood. */
+  mixValue(kind: SingleKind, base: Node<'float'>): Node<'float'>
 }
 
 /** Creates a mixer that samples each slice once, even if its channels hold several kinds. */
@@ -56,15 +56,15 @@ export function valueMixer(
     return kind === 'blood' ? bloodOf(stored).mul(scale) : stored.sub(1).mul(scale).add(1)
   }
   return {
-    mixColour: (own) =>
+    mixColour: (base) =>
       layersOf('baseColor').reduce<Node<'vec3'>>(
-        (mixed, { texel, share }) => mixed.add(texel.rgb.sub(own).mul(share)),
-        own,
+        (mixed, { texel, share }) => mixed.add(texel.rgb.sub(base).mul(share)),
+        base,
       ),
-    mixValue: (kind, own) =>
+    mixValue: (kind, base) =>
       layersOf(kind).reduce<Node<'float'>>(
-        (mixed, { stored, layer, share }) => mixed.add(decode(kind, stored, layer).sub(own).mul(share)),
-        own,
+        (mixed, { stored, layer, share }) => mixed.add(decode(kind, stored, layer).sub(base).mul(share)),
+        base,
       ),
   }
 }
@@ -96,12 +96,12 @@ const MIN_CONE = 1e-20
 /**
  * Draws wrinkles as lines on toon materials, see `toonColour` in the reference.
  *
- * @param own unpacked normal of the material.
+ * @param base unpacked normal of the material.
  * @param mixed unpacked normal with wrinkles.
  */
-export function toonColour(colour: Node<'vec3'>, own: Node<'vec3'>, mixed: Node<'vec3'>): Node<'vec3'> {
+export function toonColour(colour: Node<'vec3'>, base: Node<'vec3'>, mixed: Node<'vec3'>): Node<'vec3'> {
   const [from, to] = TOON_LINE.slopes
   const slopeOf = (normal: Node<'vec3'>) => normal.xy.div(normal.z)
-  const line = slopeOf(mixed).sub(slopeOf(own)).length().smoothstep(from, to)
+  const line = slopeOf(mixed).sub(slopeOf(base)).length().smoothstep(from, to)
   return colour.mul(mix(vec3(1), colour.mul(TOON_LINE.shade), line))
 }

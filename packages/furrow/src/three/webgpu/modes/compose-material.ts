@@ -11,8 +11,8 @@ import { bySampler, type SliceSampler } from '../texture-sampling.ts'
 export const composeMaterial: ComposeMaterial = (base, inputs, level) => {
   const isTexelwise = level !== undefined
   const uv = varying(targetUv())
-  const own = texture(base, uv)
-  const normal = unpack((isTexelwise ? own.load(texelAt(own, uv)) : own).xyz)
+  const baseMap = texture(base, uv)
+  const normal = unpack((isTexelwise ? baseMap.load(texelAt(baseMap, uv)) : baseMap).xyz)
   const influence = influenceFromMap(inputs, uv, null)
   const layers = { influence, uv, sampler: isTexelwise ? byTexel : bySampler }
   const mixed = mixNormals(normal, inputs, layers).toVar()

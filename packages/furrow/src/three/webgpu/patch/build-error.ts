@@ -58,7 +58,8 @@ function inspect({ builder, isImmediate }: Build, watch: Watch): boolean {
     .map((pipeline) => backend.get(pipeline))
   if (pipelines.some(({ pipeline, error }) => !pipeline && !error)) return false
   const check = () => {
-    if (pipelines.some((own) => own.error || isUnlinked(own, backend))) watch.error = 'invalid pipeline'
+    if (pipelines.some((pipeline) => pipeline.error || isUnlinked(pipeline, backend)))
+      watch.error = 'invalid pipeline'
   }
   if (!backend.device) check()
   else {

@@ -39,16 +39,16 @@ const CHANNELS = ['x', 'y', 'z', 'w'] as const
  * Creates the `positionNode` of dense geometries, which shadows and other passes use too. Also sets normal and tangent. Other geometries are
  * unaffected.
  *
- * @param own the material's own `positionNode`, applied afterwards.
+ * @param ownPosition the material's own `positionNode`, applied afterwards.
  */
 export function reliefPosition(
   relief: ReliefInputs,
   inputs: ShaderInputs,
   instances: Instances,
-  own: Node<'vec3'> | null,
+  ownPosition: Node<'vec3'> | null,
 ): Node<'vec3'> {
   return Fn((_: [], { geometry, object }: NodeBuilder & { geometry: BufferGeometry }) => {
-    if (!geometry.hasAttribute('furrowWeights')) return own ?? positionLocal
+    if (!geometry.hasAttribute('furrowWeights')) return ownPosition ?? positionLocal
     const weights = attribute<'vec3'>('furrowWeights', 'vec3')
     const corners = { x: cornerOf('x'), y: cornerOf('y'), z: cornerOf('z') }
 
@@ -70,7 +70,7 @@ export function reliefPosition(
     positionLocal.assign(surface(relief, inputs, instances, corners))
     // three.js applied the instance matrix before the position was replaced; apply it again.
     if (instances) instancedMesh(object as never)
-    return own ?? positionLocal
+    return ownPosition ?? positionLocal
   })()
 }
 
@@ -131,7 +131,7 @@ function surface(
       const height = texture(heights.texture, uv).depth(int(slice)).level(level)[CHANNELS[heights.channel]]
       return influence[CHANNELS[layer]].mul(height.sub(0.5)).mul(amplitude)
     })
-    return moved.reduce((sum, own) => sum.add(own))
+    return moved.reduce((sum, value) => sum.add(value))
   }
 
   const flat = mixThree((axis) => corners[axis].position, weights).toVar()
