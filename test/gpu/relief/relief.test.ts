@@ -342,7 +342,11 @@ describe.each(RENDERERS)('relief on %s', (name) => {
       'too many triangles',
     ],
     ['batches', () => batch(), 'BatchedMesh'],
-    ['instances with their own blendshape weights', () => crowd(), 'instances with their own blendshape weights'],
+    [
+      'instances with their own blendshape weights',
+      () => crowd(),
+      'instances with their own blendshape weights',
+    ],
   ])('is missing for %s: silently by size, with one warning if requested', async (_, make, message) => {
     const { layers, areas } = heightSet()
     const readHeight = vi.fn()
