@@ -4,7 +4,7 @@
 import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import { gatherPrinted } from '../../packages/cli/dist/print.js'
+import { capturePrinted } from '../../packages/cli/dist/print.js'
 
 const [, , face, size = '1024', runs = '8'] = process.argv
 
@@ -15,7 +15,7 @@ const folder = mkdtempSync(join(tmpdir(), 'furrow-warm-'))
 const words = [face, '-o', join(folder, 'face.glb'), '--size', size, '--replace']
 for (let run = 1; run <= Number(runs); run++) {
   const [begin, before] = [performance.now(), process.cpuUsage()]
-  await gatherPrinted({ lines: [], warnings: [] }, () => autoCommand.parseAsync(words, { from: 'user' }))
+  await capturePrinted({ lines: [], warnings: [] }, () => autoCommand.parseAsync(words, { from: 'user' }))
   const { user, system } = process.cpuUsage(before)
   const seconds = (performance.now() - begin) / 1000
   const memory = `${Math.round(process.memoryUsage.rss() / 2 ** 20)} MB`

@@ -2,9 +2,8 @@ import { defineConfig } from 'vite'
 import { SOURCES } from '../../scripts/lib/sources.mjs'
 
 /**
- * Builds the commands into dist/, module by module as in src/, and with them the modules of `furrow` and `furrow-files`
- * that they use: the package then needs no copy of either beside it. All other packages stay dependencies. The processes of a batch have
- * an entry of their own.
+ * Builds src/ into dist/, one output per module, and includes the used modules of `furrow` and `furrow-files`. All other
+ * packages stay dependencies. The job process of a batch is a separate entry point.
  */
 export default defineConfig({
   logLevel: 'warn',

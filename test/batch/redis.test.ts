@@ -143,8 +143,7 @@ it.each([null, {}, 'text', { status: 'done', warnings: 5 }])(
     await worker.close()
     expect([code, stderr]).toEqual([1, ''])
     expect(JSON.parse(stdout)).toMatchObject({ inputs: COUNT, failed: COUNT })
-    for (const { reason } of results())
-      expect(reason).toMatch(/^its result in Redis cannot be used \(a worker: /)
+    for (const { reason } of results()) expect(reason).toMatch(/^its result in Redis is invalid \(a worker: /)
   },
 )
 

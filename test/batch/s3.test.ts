@@ -95,5 +95,5 @@ it('reports missing buckets and keys', async () => {
     /cannot read s3:\/\/avatars\/in\/none\.glb \(it does not exist\)/,
   )
   const empty = await batch('s3://avatars/nothing/', '-o', 's3://avatars/out')
-  expect(empty.stderr).toMatch(/no input at s3:\/\/avatars\/nothing\/ \(it has no \.glb and no \.vrm\)/)
+  expect(empty.stderr).toMatch(/no input at s3:\/\/avatars\/nothing\/ \(no \.glb or \.vrm files below it\)/)
 })

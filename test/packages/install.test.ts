@@ -100,7 +100,7 @@ describe('furrow-cli', () => {
       'furrow: --redis needs bullmq ioredis, which is not installed; run npm install bullmq ioredis beside',
     )
     expect(await failure('batch', 's3://faces/in/', '-o', 'out')).toContain(
-      'furrow: an s3 address needs @aws-sdk/client-s3, which is not installed',
+      'furrow: an s3:// URL needs @aws-sdk/client-s3, which is not installed',
     )
   })
 

@@ -156,7 +156,7 @@ describe('a batch', () => {
     expect(code).toBe(1)
     expect(outputs(folder)).toEqual(['a.glb', 'b.glb'])
     expect(linesOf(folder).find(({ status }) => status === 'failed')!.reason).toMatch(
-      /none\.glb \(the server answers 404\)/,
+      /none\.glb \(HTTP status 404\)/,
     )
     expect(asked).toEqual(expect.arrayContaining(['HEAD /face.glb', 'GET /face.glb', 'HEAD /none.glb']))
   })
@@ -298,9 +298,9 @@ it('without a browser the page says so', async () => {
   )
   expect(code).toBe(0)
   expect(stderr).toMatch(
-    /^furrow batch: not all faces are drawn \(furrow: FURROW_CHROMIUM is not a program.*\n$/,
+    /^furrow batch: some thumbnails are missing \(furrow: FURROW_CHROMIUM is not a program.*\n$/,
   )
-  expect(readFileSync(join(folder, 'out/report.html'), 'utf8')).toContain('Not all faces are drawn')
+  expect(readFileSync(join(folder, 'out/report.html'), 'utf8')).toContain('Some thumbnails are missing')
 })
 
 describe('the page', () => {

@@ -117,7 +117,7 @@ describe('pictures of furrow render', () => {
 
   test('draws a face without wrinkles as if they were off, and says so', () => {
     expect(drawn.get('webgl plain')!.warnings).toEqual([
-      expect.stringMatching(/plain\.vrm has no wrinkles; make some with furrow auto$/),
+      expect.stringMatching(/plain\.vrm has no wrinkles; add them with furrow auto$/),
     ])
     expect(largestDifference(opaque('webgl plain'), opaque('webgl off'), WHOLE)).toBeLessThanOrEqual(2)
   })

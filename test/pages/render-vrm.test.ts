@@ -77,7 +77,7 @@ test('furrow render draws a VRM that three-vrm refuses as a glTF file, with a wa
     await writeFile(input, broken)
     const [{ warnings }] = await renderPictures([{ input, ...SIZE }])
     expect(warnings).toEqual([
-      expect.stringMatching(/broken\.vrm is drawn without what makes it a VRM \(.+\)$/),
+      expect.stringMatching(/broken\.vrm is drawn as plain glTF, without VRM features \(.+\)$/),
     ])
   } finally {
     await rm(folder, { recursive: true, force: true })

@@ -69,7 +69,7 @@ describe('furrow render refuses', () => {
     const words = ['--wrinkles', join(out, 'wrinkles.json'), '-o', file, ...SMALL]
     await expectRefusal(
       await furrow('render', FACE, ...words),
-      /map\.png is the input; name another output$/m,
+      /map\.png is the input; choose another output$/m,
     )
     expect(await readFile(file)).toEqual(image)
   })

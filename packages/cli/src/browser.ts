@@ -7,13 +7,13 @@ import type { Browser, Page } from 'playwright-core'
 import { CHROMIUM_FLAGS } from './chromium-flags.ts'
 import { temporaryFolder } from './interruption.ts'
 
-/** Loaded where a browser is wanted: few commands need one, and loading it costs as much as all others together. */
+/** Loads Playwright on demand: few commands need it, and it takes as long to load as everything else together. */
 const playwright = async () => (await import('playwright-core')).chromium
 
-/** Milliseconds until the start of a browser is given up. */
+/** Timeout for starting a browser, milliseconds. */
 const START_TIMEOUT = 300_000
 
-/** Paths at which browsers are usually installed, the most common first. */
+/** Returns the usual paths of browsers, most common first. */
 function installPaths(): string[] {
   if (process.platform === 'darwin') {
     const apps = ['Google Chrome', 'Chromium', 'Microsoft Edge']
@@ -34,11 +34,11 @@ function installPaths(): string[] {
 }
 
 /**
- * Finds a Chromium-based browser: the one that `FURROW_CHROMIUM` names, otherwise an installed Chrome, Chromium or
- * Edge, otherwise Playwright's own.
+ * Finds a Chromium-based browser: `FURROW_CHROMIUM`, otherwise an installed Chrome, Chromium or Edge, otherwise
+ * Playwright's own.
  *
- * @returns its path.
- * @throws FurrowError when there is none, or `FURROW_CHROMIUM` is not a program.
+ * @returns path of the executable.
+ * @throws FurrowError if no browser is found, or `FURROW_CHROMIUM` is not a program.
  */
 export async function findBrowser(): Promise<string> {
   const named = process.env.FURROW_CHROMIUM
@@ -67,10 +67,10 @@ export async function findBrowser(): Promise<string> {
 }
 
 /**
- * Starts the browser that `findBrowser` finds, headless. The caller closes it; a signal ends it with the process, and
- * nothing of either stays in the system's temporary folder.
+ * Starts the browser that `findBrowser` finds, headless. The caller closes it. A signal also ends the browser and
+ * removes its temporary files.
  *
- * @param flags besides `CHROMIUM_FLAGS`.
+ * @param flags flags in addition to `CHROMIUM_FLAGS`.
  */
 export async function launchBrowser(flags: readonly string[] = []): Promise<Browser> {
   const executablePath = await findBrowser()
@@ -95,7 +95,7 @@ export async function launchBrowser(flags: readonly string[] = []): Promise<Brow
       {
         code: 'unsupported',
         who: 'furrow',
-        problem: `the browser does not start (${firstLine(error)})`,
+        problem: `cannot start the browser (${firstLine(error)})`,
         value: executablePath,
         remedy: 'set FURROW_CHROMIUM to the path of another Chrome, Chromium or Edge',
       },
@@ -104,7 +104,7 @@ export async function launchBrowser(flags: readonly string[] = []): Promise<Brow
   }
 }
 
-/** Playwright and the browser ask the environment for the folder of their temporary files. */
+/** Runs `work` with TMPDIR set to a folder: Playwright and the browser put their temporary files there. */
 async function inFolder<T>(folder: string, work: () => Promise<T>): Promise<T> {
   const { TMPDIR } = process.env
   process.env.TMPDIR = folder
@@ -116,7 +116,7 @@ async function inFolder<T>(folder: string, work: () => Promise<T>): Promise<T> {
   }
 }
 
-/** Opens an empty page without time limits, since software rasterisers can be slow. */
+/** Opens an empty page without timeouts, because software rasterisers can be slow. */
 export async function newPage(browser: Browser, options?: Parameters<Browser['newPage']>[0]): Promise<Page> {
   const page = await browser.newPage(options)
   page.setDefaultTimeout(0)

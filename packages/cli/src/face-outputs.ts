@@ -3,10 +3,10 @@ import { filesOfFace, wasRead } from 'furrow-files/node'
 import { checkOutputs, checkReplaced, type ReplaceRules } from './outputs.ts'
 
 /**
- * The files of a face that is written; see `filesOfFace`. With `force` the named output alone may replace an input: files
- * beside a `.gltf` get names of their own then.
+ * Returns the files to write for a face; see `filesOfFace`. With `force`, only the named output may overwrite an input:
+ * files beside a `.gltf` then get new names.
  *
- * @throws FurrowError where one of them would replace an input, or cannot be written.
+ * @throws FurrowError if a file would overwrite an input, or cannot be written.
  */
 export async function faceFiles(
   glb: Glb,

@@ -16,11 +16,11 @@ import { uninterrupted } from './interruption.ts'
 import { checkReplaced, isStdout, type ReplaceRules, targetOf } from './outputs.ts'
 
 /**
- * Writes all files or none: everything goes to temporary files beside their targets first, which are then renamed.
- * Creates missing folders. No signal interrupts it. What is for stdout follows when all else is written.
+ * Writes all files or none: writes temporary files beside the targets, then renames them. Creates missing folders.
+ * Signals do not interrupt it. Writes to stdout last.
  *
- * @param rules by default no output may replace a file that the command has read.
- * @throws FurrowError naming the file that cannot be written, or would replace an input.
+ * @param rules default: no output may overwrite a file that the command has read.
+ * @throws FurrowError if a file cannot be written or would overwrite an input.
  */
 export async function writeAll(
   outputs: readonly OutputFile[],
@@ -48,7 +48,7 @@ function writeFiles(files: readonly (OutputFile & { target: string })[], who: st
       current = path
       makeFolder(dirname(target), undo)
       const temporary = temporaryPath(target)
-      // Nothing that others have put there is followed or replaced.
+      // `wx` neither follows links nor replaces existing files.
       const file = openSync(temporary, 'wx')
       undo.push(() => rmSync(temporary, { force: true }))
       try {
@@ -68,7 +68,7 @@ function writeFiles(files: readonly (OutputFile & { target: string })[], who: st
   }
 }
 
-/** Writes a new folder whole or not at all: it is filled under a temporary name beside it, then renamed. */
+/** Writes a new folder atomically: fills a temporary folder beside the target, then renames it. */
 export async function writeFolder(
   folder: string,
   outputs: readonly OutputFile[],
@@ -87,7 +87,7 @@ export async function writeFolder(
         target: join(temporary, path),
       }))
       writeFiles(files, who)
-      // Only an empty folder is removed; otherwise the rename fails and nothing of the user's is lost.
+      // rmdir removes only empty folders. If the target has files, it throws and nothing is lost.
       if (existsSync(target)) rmdirSync(target)
       renameSync(temporary, target)
     } catch (error) {
@@ -97,7 +97,7 @@ export async function writeFolder(
   })
 }
 
-/** Makes a folder and those above it; what was made is removed by `undo`. */
+/** Creates a folder and its missing parents. `undo` removes the created folders. */
 function makeFolder(folder: string, undo: (() => void)[]): void {
   const first = mkdirSync(folder, { recursive: true })
   if (first === undefined) return
@@ -112,7 +112,7 @@ function writeStdout(bytes: Uint8Array, who: string): Promise<void> {
   })
 }
 
-/** Short, since the name of the file itself may be as long as names can be. */
+/** Returns a short temporary name, because the target's name may already have the maximum length. */
 function temporaryPath(target: string): string {
   return join(dirname(target), `.furrow-${randomUUID()}.tmp`)
 }

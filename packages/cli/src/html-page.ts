@@ -1,16 +1,16 @@
 import { html, type Markup } from './markup.ts'
 
-/** What the head of a page holds. */
+/** Title and style of a page. */
 export interface PageHead {
   title: string
   style: Markup
 }
 
 /**
- * The HTML of a page that is one file: dark or light like the reader's system.
+ * Returns a self-contained HTML page with the system's dark or light colour scheme.
  *
- * @param body what is in it; each part ends its line.
- * @param script of a module, run behind the body.
+ * @param body content; each part ends with a line break.
+ * @param script module script, placed after the body.
  */
 export function htmlPage({ title, style }: PageHead, body: Markup, script?: Markup): string {
   return html`<!doctype html>

@@ -9,11 +9,11 @@ const SIGNALS = ['SIGHUP', 'SIGINT', 'SIGTERM'] as const
 const cleanUps = new Set<() => void>()
 
 /**
- * Runs `cleanUp` if a signal ends the process. Signals are listened to only while there is something to clean up:
- * otherwise they end the process at once, even during a long computation, in which no listener would be called.
+ * Runs `cleanUp` if a signal ends the process. Signal listeners exist only while a clean-up is registered. Without
+ * listeners, a signal ends the process at once, even during a long computation.
  *
- * @param cleanUp synchronous.
- * @returns a function that takes it back.
+ * @param cleanUp synchronous function.
+ * @returns a function that unregisters `cleanUp`.
  */
 export function onInterruption(cleanUp: () => void): () => void {
   if (cleanUps.size === 0) for (const signal of SIGNALS) process.on(signal, interrupt)
@@ -24,21 +24,21 @@ export function onInterruption(cleanUp: () => void): () => void {
   }
 }
 
-/** Runs synchronous work that no signal interrupts: one that arrives meanwhile ends the process afterwards. */
+/** Runs synchronous work without interruption: a signal that arrives meanwhile ends the process afterwards. */
 export async function uninterrupted<T>(work: () => T): Promise<T> {
-  const takeBack = onInterruption(() => {})
+  const unregister = onInterruption(() => {})
   try {
     return work()
   } finally {
     await setImmediate()
-    takeBack()
+    unregister()
   }
 }
 
-/** A new folder for temporary files; it is gone once it is removed, or a signal has ended the process. */
+/** Creates a folder for temporary files. `remove`, or a signal that ends the process, deletes it. */
 export function temporaryFolder(): { path: string; remove: () => Promise<void> } {
   let path: string | undefined
-  const takeBack = onInterruption(() => {
+  const unregister = onInterruption(() => {
     if (path) rmSync(path, { recursive: true, force: true, maxRetries: 5 })
   })
   const made = mkdtempSync(join(tmpdir(), 'furrow-'))
@@ -46,16 +46,16 @@ export function temporaryFolder(): { path: string; remove: () => Promise<void> }
   return {
     path,
     async remove() {
-      // What a browser that has just been closed still writes must not become the user's problem.
+      // A browser that was just closed may still write files.
       await rm(made, { recursive: true, force: true, maxRetries: 5 }).catch(() => {})
-      takeBack()
+      unregister()
     },
   }
 }
 
-/** Ends as the signal would have: a shell sees 130 for SIGINT, 143 for SIGTERM, and stops its loop. */
+/** Exits like the signal's default action: a shell sees 130 for SIGINT, 143 for SIGTERM, and stops its loop. */
 function interrupt(signal: NodeJS.Signals): void {
-  // After the listeners of others: Playwright's kills the browser, whose profile is in a temporary folder.
+  // Runs after other listeners: Playwright kills the browser, which keeps its profile in a temporary folder.
   process.once('exit', () => {
     for (const cleanUp of cleanUps) cleanUp()
     stopListening()

@@ -1,4 +1,4 @@
-/** Markup, which is not escaped again. */
+/** Markup that is not escaped again. */
 export class Markup {
   readonly text: string
 
@@ -7,15 +7,15 @@ export class Markup {
   }
 }
 
-/** What can be put into markup: text is escaped, lists are joined, `undefined` is left out. */
+/** Value in a template: text is escaped, lists are joined, `undefined` is omitted. */
 export type Content = Markup | string | number | undefined | readonly Content[]
 
-/** HTML from a template; all values are escaped except markup. */
+/** Template tag for HTML: escapes all values except `Markup`. */
 export function html(parts: TemplateStringsArray, ...values: Content[]): Markup {
   return new Markup(String.raw({ raw: parts }, ...values.map(textOf)))
 }
 
-/** Escapes a text for content and quoted attributes of HTML, XML and SVG. */
+/** Escapes text for content and quoted attributes of HTML, XML and SVG. */
 export function escapeMarkup(text: string): string {
   return text
     .replaceAll('&', '&amp;')

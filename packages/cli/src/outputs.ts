@@ -5,42 +5,42 @@ import { FurrowError } from 'furrow'
 import { cannotWrite } from 'furrow-files'
 import { fileProblem, ignoreMissing, statOf, wasRead } from 'furrow-files/node'
 
-/** What the files that a command writes may be. */
+/** Rules for the output files of a command. */
 export interface OutputRules {
-  /** What their names may end with; `.png` by default. */
+  /** Allowed file extensions, default `.png`. */
   extensions?: readonly string[]
-  /** The files that the command reads. */
+  /** Files that the command reads. */
   inputs?: readonly string[]
-  /** Whether an output may replace an input; to be left out by commands without `--force`. */
+  /** Whether an output may overwrite an input. Undefined for commands without `--force`. */
   force?: boolean | undefined
 }
 
-/** Outputs that may replace a file that the command has read; none by default. */
+/** Outputs that may overwrite a file that the command has read, default none. */
 export interface ReplaceRules {
-  /** Outputs that the user named: they may with `force`. To be left out by commands without `--force`. */
+  /** Outputs named by the user, which may overwrite inputs with `force`. Undefined for commands without `--force`. */
   named?: readonly (string | undefined)[]
   force?: boolean | undefined
-  /** Outputs that are there to be updated: they may always. */
+  /** Outputs that may always overwrite inputs. */
   updated?: readonly string[]
 }
 
-/** Names of stdout. It is never opened by name: as root, renaming a file to it would replace the device. */
+/** Names of stdout. Never opened by name: as root, renaming a file to the name would replace the device. */
 const STDOUT = ['-', '/dev/stdout', '/dev/fd/1', '/proc/self/fd/1']
 
-/** More links than this in a row are a circle. */
-const MOST_LINKS = 40
+/** Maximum length of a chain of links; longer chains are cycles. */
+const MAX_LINKS = 40
 
-/** Whether an output is to be written to stdout. */
+/** Whether a path stands for stdout. */
 export function isStdout(path: string): boolean {
   return STDOUT.includes(path)
 }
 
 /**
- * Checks before any work is done that all files of a command can be written, that no two of them are the same, and
- * that none of them is an input. Symbolic and hard links are considered.
+ * Checks that all outputs can be written, differ from each other and are not inputs. Resolves symbolic and hard links.
+ * Call it before any work is done.
  *
- * @param paths those that are undefined were not asked for.
- * @throws FurrowError naming the file.
+ * @param paths output paths; undefined entries are skipped.
+ * @throws FurrowError for the first invalid output.
  */
 export async function checkOutputs(
   paths: readonly (string | undefined)[],
@@ -50,55 +50,56 @@ export async function checkOutputs(
   const outputs = paths.filter((path) => path !== undefined)
   for (const path of outputs) await checkWritable(path, who, extensions)
   const written = await Promise.all(outputs.map(identityOf))
-  const twice = outputs.find((_, i) => written.indexOf(written[i]) < i)
-  if (twice !== undefined) {
+  const duplicate = outputs.find((_, i) => written.indexOf(written[i]) < i)
+  if (duplicate !== undefined) {
     throw new FurrowError({
       code: 'usage',
       who,
-      problem: 'one file for two outputs',
-      value: twice,
-      remedy: 'give each a file of its own',
+      problem: 'two outputs are the same file',
+      value: duplicate,
+      remedy: 'choose different files',
     })
   }
   if (force) return
-  // An input that cannot be looked at is an error of reading it.
+  // Missing inputs are reported when they are read.
   const read = await Promise.all(inputs.map((path) => identityOf(path).catch(() => path)))
-  const over = outputs.find((_, i) => read.includes(written[i]))
-  if (over !== undefined) throw overInput(over, who, force)
+  const overwriting = outputs.find((_, i) => read.includes(written[i]))
+  if (overwriting !== undefined) throw overwritesInput(overwriting, who, force)
 }
 
 /**
- * Checks that no output replaces a file that the command has read, directly or by reference. All outputs pass this check just before they
- * are written.
+ * Checks that no output overwrites a file that the command has read, directly or by reference. Runs for all outputs
+ * just before they are written.
  *
- * @throws FurrowError naming the first output that would.
+ * @throws FurrowError for the first output that would overwrite an input.
  */
 export function checkReplaced(
   paths: readonly string[],
   who: string,
   { named = [], force, updated = [] }: ReplaceRules = {},
 ): void {
-  const over = paths.find((path) => {
+  const overwriting = paths.find((path) => {
     return !isStdout(path) && !updated.includes(path) && !(force && named.includes(path)) && wasRead(path)
   })
-  if (over !== undefined) throw overInput(over, who, named.includes(over) ? force : undefined)
+  if (overwriting === undefined) return
+  throw overwritesInput(overwriting, who, named.includes(overwriting) ? force : undefined)
 }
 
-/** The error for an output that would replace an input; `force` as in `OutputRules`. */
-function overInput(path: string, who: string, force: boolean | undefined): FurrowError {
+/** Creates the error for an output that would overwrite an input; `force` as in `OutputRules`. */
+function overwritesInput(path: string, who: string, force: boolean | undefined): FurrowError {
   return new FurrowError({
     code: 'unwritable',
     who,
     problem: `${path} is the input`,
-    remedy: `name another output${force === undefined ? '' : ', or replace it with --force'}`,
+    remedy: `choose another output${force === undefined ? '' : ', or overwrite it with --force'}`,
   })
 }
 
 /**
- * Checks that a file can be written. Leaves nothing behind.
+ * Checks that a file can be written, without writing anything.
  *
- * @param extensions what its name may end with, in any case.
- * @throws FurrowError when it cannot.
+ * @param extensions allowed file extensions, case-insensitive.
+ * @throws FurrowError if the file cannot be written.
  */
 async function checkWritable(path: string, who: string, extensions: readonly string[]): Promise<void> {
   if (isStdout(path)) {
@@ -106,14 +107,14 @@ async function checkWritable(path: string, who: string, extensions: readonly str
     throw cannotWrite(who, 'to stdout', new Error('it is the terminal'), 'write to a file or a pipe')
   }
   if (!extensions.some((extension) => path.toLowerCase().endsWith(extension))) {
-    const problem = `its name does not end in ${extensions.join(' or ')}`
-    throw cannotWrite(who, path, problem, `name it e.g. face${extensions[0]}`)
+    const problem = `the name does not end in ${extensions.join(' or ')}`
+    throw cannotWrite(who, path, problem, `choose a name such as face${extensions[0]}`)
   }
   try {
     const target = await targetOf(path)
     const found = await statOf(target)
     const problem = fileProblem(found)
-    if (problem) throw cannotWrite(who, path, problem, 'name a file; -o - writes to stdout')
+    if (problem) throw cannotWrite(who, path, problem, 'choose a file, or -o - for stdout')
     if (found) await access(target, constants.W_OK)
     await access(await nearestFolder(dirname(target)), constants.W_OK)
   } catch (error) {
@@ -122,17 +123,17 @@ async function checkWritable(path: string, who: string, extensions: readonly str
 }
 
 /**
- * Checks that files can be written into a folder, which need not exist yet. Leaves nothing behind.
+ * Checks that files can be written into a folder, which may not exist yet. Writes nothing.
  *
- * @throws FurrowError when they cannot.
+ * @throws FurrowError if files cannot be written.
  */
 export async function checkFolder(path: string, who: string): Promise<void> {
   const found = await folderAt(path, who)
   if (!found || found.isDirectory()) return
-  throw cannotWrite(who, path, new Error('it is not a folder'), 'name a folder')
+  throw cannotWrite(who, path, new Error('it is not a folder'), 'choose a folder')
 }
 
-/** The same for a folder that is made as a whole: there may be an empty one, which is replaced. */
+/** Checks that a folder can be created or is empty. */
 export async function checkNewFolder(path: string, who: string): Promise<void> {
   const found = await folderAt(path, who)
   if (!found) return
@@ -141,17 +142,17 @@ export async function checkNewFolder(path: string, who: string): Promise<void> {
       code: 'unwritable',
       who,
       problem: `${path} is ${found.isDirectory() ? 'not empty' : 'a file'}`,
-      limit: 'a new or an empty folder',
-      remedy: 'name another one; nothing is overwritten',
+      limit: 'a new or empty folder',
+      remedy: 'choose another folder',
     })
   }
   await checkFolder(dirname(await targetOf(path)), who)
 }
 
-/** What is at a path; throws FurrowError where it, or the folder that it would be in, cannot be written. */
+/** Returns the status of a path, if it exists. Throws if the path or its parent folder cannot be written. */
 async function folderAt(path: string, who: string): Promise<Stats | undefined> {
   if (isStdout(path)) {
-    throw cannotWrite(who, 'a folder to stdout', new Error('it takes one file'), 'name a folder')
+    throw cannotWrite(who, 'a folder to stdout', new Error('stdout takes one file'), 'choose a folder')
   }
   try {
     const target = await targetOf(path)
@@ -163,10 +164,10 @@ async function folderAt(path: string, who: string): Promise<Stats | undefined> {
   }
 }
 
-/** The file that is written for a path: links are followed, also those to files that do not exist yet. */
+/** Resolves links in a path, also links to files that do not exist yet. */
 export async function targetOf(path: string): Promise<string> {
   let target = resolve(path)
-  for (let links = 0; links < MOST_LINKS; links++) {
+  for (let links = 0; links < MAX_LINKS; links++) {
     const found = await lstat(target).catch(ignoreMissing)
     if (!found?.isSymbolicLink()) return target
     target = resolve(await realpath(dirname(target)), await readlink(target))
@@ -174,7 +175,7 @@ export async function targetOf(path: string): Promise<string> {
   return realpath(path)
 }
 
-/** The same text for the same file, by whatever path. */
+/** Returns a key of a file that is the same for all paths to the file. */
 async function identityOf(path: string): Promise<string> {
   if (isStdout(path)) return 'stdout'
   const target = await targetOf(path)
@@ -182,7 +183,7 @@ async function identityOf(path: string): Promise<string> {
   return found ? `${found.dev}:${found.ino}` : realPathOf(target)
 }
 
-/** The same path for the same file, of which neither it nor its folder need be there: links are followed. */
+/** Returns the real path of a file. Neither the file nor its folder has to exist. */
 export async function realTarget(path: string): Promise<string> {
   return realPathOf(await targetOf(path))
 }
@@ -192,18 +193,18 @@ async function realPathOf(target: string): Promise<string> {
   return join(await realpath(folder), relative(folder, target))
 }
 
-/** The folder itself, or its nearest ancestor that exists. */
+/** Returns the folder, or its nearest existing ancestor. */
 async function nearestFolder(path: string): Promise<string> {
   const found = await statOf(path)
   if (found?.isDirectory()) return path
-  if (found) throw new Error(`${shortest(path)} is not a folder`)
+  if (found) throw new Error(`${displayPath(path)} is not a folder`)
   const parent = dirname(path)
   if (parent === path) throw new Error(`${path} does not exist`)
   return nearestFolder(parent)
 }
 
-/** A path as the user would write it. */
-function shortest(path: string): string {
-  const way = relative(process.cwd(), path)
-  return way.length < path.length ? way : path
+/** Returns a path as the user would write it: relative if that is shorter. */
+function displayPath(path: string): string {
+  const relativePath = relative(process.cwd(), path)
+  return relativePath.length < path.length ? relativePath : path
 }

@@ -1,44 +1,44 @@
 import { isStdout } from './outputs.ts'
 
-/** Control characters, and those that change the direction of text: in names they could forge or hide output. */
+/** Control and bidirectional characters: names with them could forge or hide output. */
 const UNSAFE = /[\p{Cc}\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]/gu
 
-/** Makes what comes from a file safe to print; what is valid JSON remains the same JSON. */
+/** Escapes unsafe characters. JSON text keeps its value. */
 export function escaped(text: string): string {
   return text.replace(UNSAFE, (found) => `\\u${found.charCodeAt(0).toString(16).padStart(4, '0')}`)
 }
 
-/** What a command printed: lines of its result, and its warnings. */
+/** Output of a command: result lines and warnings. */
 export interface Printed {
   lines: string[]
   warnings: string[]
 }
 
-let gathered: Printed | undefined
+let captured: Printed | undefined
 
-/** Runs a command whose lines and warnings are put into `printed` instead of being printed. One at a time. */
-export async function gatherPrinted(printed: Printed, command: () => Promise<unknown>): Promise<void> {
-  gathered = printed
+/** Runs a command and collects its output in `printed` instead of printing it. One command at a time. */
+export async function capturePrinted(printed: Printed, command: () => Promise<unknown>): Promise<void> {
+  captured = printed
   try {
     await command()
   } finally {
-    gathered = undefined
+    captured = undefined
   }
 }
 
 /**
- * Prints the result of a command on stdout, or on stderr where one of its files is written to stdout.
+ * Prints the result of a command to stdout, or to stderr if one of its files is written to stdout.
  *
- * @param lines each becomes one line, whatever is in it.
+ * @param lines result lines; line breaks in them are escaped.
  */
 export function print(lines: string | readonly string[], ...files: readonly (string | undefined)[]): void {
-  if (gathered) return void gathered.lines.push(...[lines].flat())
+  if (captured) return void captured.lines.push(...[lines].flat())
   const stream = files.some((file) => file !== undefined && isStdout(file)) ? process.stderr : process.stdout
   for (const line of [lines].flat()) stream.write(`${escaped(line)}\n`)
 }
 
-/** Prints a warning or an error in one line on stderr. */
+/** Prints a warning or an error to stderr, as one line. */
 export function warn(text: string): void {
-  if (gathered) return void gathered.warnings.push(text)
+  if (captured) return void captured.warnings.push(text)
   console.error(escaped(text))
 }

@@ -2,13 +2,13 @@ import { SingleBar } from 'cli-progress'
 import type { Progress } from 'furrow-files'
 import { escaped } from './print.ts'
 
-/** Runs `work`, synchronous or not, with a progress bar on stderr; without a terminal there is none. */
+/** Runs `work`, synchronous or not, with a progress bar on stderr. Without a terminal, shows nothing. */
 export function withBar<T>(name: string, work: (progress: Progress) => T): T {
   const bar = new SingleBar({
     format: `${name} {bar} {step}`,
     stream: process.stderr,
     clearOnComplete: true,
-    // Otherwise the terminal is told not to wrap lines, and a signal would leave it so.
+    // The default turns off line wrapping, and a signal would leave the terminal in that state.
     linewrap: true,
   })
   let started = false
@@ -19,7 +19,7 @@ export function withBar<T>(name: string, work: (progress: Progress) => T): T {
       if (!started) bar.start(total, 0, payload)
       started = true
       bar.update(done, payload)
-      // A step may compute for long without a pause, in which the bar would show the step before.
+      // A long synchronous step would otherwise show the name of the previous step.
       if (step !== undefined && process.stderr.isTTY) bar.render()
     })
     if (!(result instanceof Promise)) return result

@@ -18,15 +18,15 @@ import { type Job, keyOf } from '../../../packages/cli/src/batch/jobs/job.ts'
 import { parseJobOptions, wordsOf } from '../../../packages/cli/src/batch/jobs/job-options.ts'
 import { parseJob } from '../../../packages/cli/src/batch/jobs/records.ts'
 import { runJob } from '../../../packages/cli/src/batch/jobs/run-job.ts'
-import { inLanes } from '../../../packages/cli/src/batch/lanes.ts'
-import { performTasks } from '../../../packages/cli/src/batch/perform.ts'
-import { files } from '../../../packages/cli/src/batch/places/files.ts'
-import { canPass, patiently } from '../../../packages/cli/src/batch/places/passing.ts'
 import { checkEntries, makePlan } from '../../../packages/cli/src/batch/plan.ts'
 import type { ProcessEnd } from '../../../packages/cli/src/batch/processes/process-pool.ts'
 import { batchPage } from '../../../packages/cli/src/batch/report/page.ts'
-import { MOST_ROWS } from '../../../packages/cli/src/batch/report/rows.ts'
+import { MAX_ROWS } from '../../../packages/cli/src/batch/report/rows.ts'
 import { openResults, type ResultLine, readResults } from '../../../packages/cli/src/batch/results.ts'
+import { runConcurrently } from '../../../packages/cli/src/batch/run-concurrently.ts'
+import { runTasks } from '../../../packages/cli/src/batch/run-tasks.ts'
+import { files } from '../../../packages/cli/src/batch/stores/local-files.ts'
+import { isTransient, withRetries } from '../../../packages/cli/src/batch/stores/retries.ts'
 import { countsOf, countsText, Rate } from '../../../packages/cli/src/batch/summary.ts'
 
 const root = mkdtempSync(join(tmpdir(), 'furrow-batch-'))
@@ -122,7 +122,7 @@ describe('what a path holds', () => {
     expect(await files.fetch(path, identity, 'file', root)).toBe(path)
     write('f.glb', 'two')
     await expect(files.fetch(path, identity, 'file', root)).rejects.toThrow(
-      /has changed since the batch began/,
+      /has changed since the batch started/,
     )
   })
 })
@@ -139,7 +139,7 @@ describe('inputs', () => {
 
   it.each([
     ['nothing.glb', 'it does not exist'],
-    ['none/*.glb', 'nothing matches it'],
+    ['none/*.glb', 'no match'],
     [tmpdir(), 'it is a folder'],
   ])('%s is none', async (pattern, problem) => {
     await expect(listInputs([pattern], 'file')).rejects.toThrow(problem)
@@ -148,7 +148,7 @@ describe('inputs', () => {
   it('may not share an output, nor be one', async () => {
     const entry = (input: string, output: string) => ({ input, output, options: {} })
     await expect(checkEntries([entry('a', 'x.glb'), entry('b', './x.glb')], 'auto')).rejects.toThrow(
-      'a and b have one output',
+      'a and b have the same output',
     )
     await expect(checkEntries([entry('a', './b'), entry('b', 'y')], 'auto')).rejects.toThrow(
       'an output is an input',
@@ -165,7 +165,7 @@ describe('inputs', () => {
     for (const output of [join(link, 'a.glb'), join(root, 'linked/a.glb')])
       await expect(checkEntries([entry(output)], 'auto')).rejects.toThrow('an output is an input')
     const twice = ['in/new/b.glb', 'link/new/b.glb'].map((path) => entry(join(root, 'linked', path)))
-    await expect(checkEntries(twice, 'auto')).rejects.toThrow('have one output')
+    await expect(checkEntries(twice, 'auto')).rejects.toThrow('have the same output')
   })
 
   it('may not have outputs over files that they refer to', async () => {
@@ -191,7 +191,7 @@ describe('inputs', () => {
 
   it('must be addresses where they look like some', async () => {
     for (const input of ['http://', 'https://[a/b.glb'])
-      await expect(listInputs([input], 'file')).rejects.toThrow(`no input at ${input} (it is no address)`)
+      await expect(listInputs([input], 'file')).rejects.toThrow(`no input at ${input} (invalid URL)`)
   })
 
   it('fall into shards without overlap', () => {
@@ -219,11 +219,11 @@ describe('a manifest', () => {
 
   it.each([
     ['{"input": "a"', 'line 2 is not JSON'],
-    ['["a"]', 'line 2 is no object'],
+    ['["a"]', 'line 2 is not an object'],
     ['{"output": "a"}', 'line 2 has no "input"'],
     ['{"input": "a", "age": 40}', 'line 2 has an unknown field "age"'],
-    ['{"input": "a", "options": {"age": {}}}', 'line 2: the option age has no such value'],
-    ['{"input": "a", "options": 40}', 'line 2: "options" is no object'],
+    ['{"input": "a", "options": {"age": {}}}', 'line 2: invalid value of the option age'],
+    ['{"input": "a", "options": 40}', 'line 2: "options" is not an object'],
     ['{"input": "a", "options": {"years": 40}}', "unknown option '--years'"],
   ])('with %s says so', async (text, problem) => {
     const path = write('wrong.jsonl', `{"input": "a"}\n${text}\n`)
@@ -263,7 +263,7 @@ describe('a job', () => {
   it('that takes too long is not', async () => {
     const { outcome } = await run({ end: 'time' })
     expect(outcome).toMatchObject({ status: 'failed', kind: 'time', attempts: 1 })
-    expect(outcome.reason).toMatch(/more than 60 s; give more with --timeout/)
+    expect(outcome.reason).toMatch(/limit of 60 s; raise --timeout/)
   })
 
   it('whose file is refused is not either, and its reason names the input', async () => {
@@ -298,22 +298,22 @@ describe('a job', () => {
 
 it('only what can pass is tried again', async () => {
   const reset = Object.assign(new Error('reset'), { code: 'ECONNRESET' })
-  expect(canPass(new Error('outer', { cause: reset }))).toBe(true)
-  for (const status of [429, 503]) expect(canPass({ status })).toBe(true)
+  expect(isTransient(new Error('outer', { cause: reset }))).toBe(true)
+  for (const status of [429, 503]) expect(isTransient({ status })).toBe(true)
   for (const error of [{ status: 404 }, { code: 'ENOENT' }, { code: 'ENOSPC' }, undefined, 'text']) {
-    expect(canPass(error)).toBe(false)
+    expect(isTransient(error)).toBe(false)
   }
   const work = vi.fn(async () => {
     throw reset
   })
-  await expect(patiently(work, [1, 1])).rejects.toBe(reset)
+  await expect(withRetries(work, [1, 1])).rejects.toBe(reset)
   expect(work).toHaveBeenCalledTimes(3)
 })
 
-it('lanes do everything once, so many at a time, and stop at an error', async () => {
+it('runConcurrently does everything once, limits its concurrency and stops at an error', async () => {
   let [now, most] = [0, 0]
   const seen: number[] = []
-  await inLanes([1, 2, 3, 4, 5], 2, async (item) => {
+  await runConcurrently([1, 2, 3, 4, 5], 2, async (item) => {
     most = Math.max(most, ++now)
     await new Promise((done) => setTimeout(done, 2))
     seen.push(item)
@@ -321,7 +321,7 @@ it('lanes do everything once, so many at a time, and stop at an error', async ()
   })
   expect([seen.sort(), most]).toEqual([[1, 2, 3, 4, 5], 2])
   const begun: number[] = []
-  const failing = inLanes([1, 2, 3, 4], 1, async (item) => {
+  const failing = runConcurrently([1, 2, 3, 4], 1, async (item) => {
     begun.push(item)
     if (item === 2) throw new Error('two')
   })
@@ -340,20 +340,20 @@ describe('a plan', () => {
       ...source,
       earlier: new Map(),
     })
-    expect(plan.tasks.map(({ places }) => places.length)).toEqual([2, 1])
+    expect(plan.tasks.map(({ entries }) => entries.length)).toEqual([2, 1])
     expect(plan.failed).toMatchObject([
       { input: join(root, 'p/gone.glb'), status: 'failed', kind: 'machine' },
     ])
     const lines: ResultLine[] = []
     const made: string[] = []
-    const engine: Parameters<typeof performTasks>[1] = async (jobs, onOutcome) => {
+    const engine: Parameters<typeof runTasks>[1] = async (jobs, onOutcome) => {
       for (const job of jobs) {
         made.push(job.output!)
         await files.put(job.output!, Buffer.from('result'))
         await onOutcome(job, { status: 'done', warnings: [], bytes: 6, seconds: 1, attempts: 1 })
       }
     }
-    await performTasks(plan.tasks, engine, (added) => void lines.push(...added))
+    await runTasks(plan.tasks, engine, (added) => void lines.push(...added))
     expect(made).toHaveLength(2)
     expect(readFileSync(join(root, 'out/p/b.glb'), 'utf8')).toBe('result')
     expect(lines.map(({ sameAs }) => sameAs)).toEqual([undefined, join(root, 'p/a.glb'), undefined])
@@ -425,7 +425,7 @@ describe('results that were read back', () => {
     expect([...readResults(path).values()]).toEqual([good, line('b.glb')])
     expect(warned.mock.calls).toHaveLength(1)
     expect(warned.mock.calls[0][0]).toContain(
-      `furrow batch: ${path} has 2 lines that cannot be used; the first is line 2`,
+      `furrow batch: ignored 2 invalid lines in ${path}, first in line 2`,
     )
     expect(warned.mock.calls[0][0]).toContain(problem)
     warned.mockRestore()
@@ -450,11 +450,11 @@ describe('a job in a queue', () => {
     [null, 'a job must be an object'],
     [{ ...job, command: 'worker' }, 'command is unknown'],
     [{ ...job, input: undefined }, 'input must be text'],
-    [{ ...job, output: '/home/me/.bashrc' }, 'output is not one of its command'],
-    [{ ...job, command: 'validate' }, 'output is not one of its command'],
+    [{ ...job, output: '/home/me/.bashrc' }, 'invalid output for the command'],
+    [{ ...job, command: 'validate' }, 'invalid output for the command'],
     [{ ...job, options: { report: '/home/me' } }, "unknown option '--report'"],
     [{ ...job, options: { strokes: 'x.json' } }, "unknown option '--strokes'"],
-    [{ ...job, options: 5 }, '"options" is no object'],
+    [{ ...job, options: 5 }, '"options" is not an object'],
   ])('that is %j is refused', (wrong, problem) => {
     expect(() => parseJob(wrong, 'test')).toThrow(problem)
   })
@@ -484,9 +484,9 @@ describe('the page', () => {
   })
 
   it('stays small', () => {
-    const text = page(Array.from({ length: MOST_ROWS + 5 }, (_, i) => line(`${i}.glb`)))
-    expect(text.match(/<tr class/g)).toHaveLength(MOST_ROWS)
-    expect(text).toContain('results.jsonl</a> has all')
+    const text = page(Array.from({ length: MAX_ROWS + 5 }, (_, i) => line(`${i}.glb`)))
+    expect(text.match(/<tr class/g)).toHaveLength(MAX_ROWS)
+    expect(text).toContain('results.jsonl</a>.')
   })
 })
 
@@ -498,7 +498,7 @@ it('counts what came of it', () => {
     line('d', { warnings: ['w'] }),
   ]
   expect(countsText(countsOf(lines, 1))).toBe(
-    '3 of 4 done, 1 failed, 1 with warnings, 1 the same as others, 1 known from before',
+    '3 of 4 done, 1 failed, 1 with warnings, 1 identical to others, 1 from an earlier run',
   )
   expect(new Rate(0).text(10, 110, 20_000)).toBe('30.0/min, 200 s left'.replace('200 s', '4 min'))
   expect(new Rate(0).text(100, 150, 20_000)).toBe('5.0/s, 10 s left')

@@ -90,7 +90,7 @@ describe('an option', () => {
       'bake --rays': 'an integer from 1 to 4096',
       'bake --reach': 'a number from 0.001 to 100000 mm',
       'batch --command': 'auto pack validate inspect',
-      'batch --shard': 'I/N, a part and the number of parts, from 1/N to N/N',
+      'batch --shard': 'I/N, part I of N parts, from 1/N to N/N',
       'batch --jobs': 'an integer from 1 to 1024',
       'batch --memory': 'an integer from 256 to 1048576 MB',
       'batch --timeout': 'a number from 1 to 86400 seconds',

@@ -43,7 +43,7 @@ describe.each(COMMANDS)('before any work, the folder to write', (command, args) 
 
   it.each(['-', '/dev/stdout'])('may not be stdout (%s)', async (path) => {
     expect(await refuse(path)).toMatch(
-      /cannot write a folder to stdout \(it takes one file\); name a folder$/,
+      /cannot write a folder to stdout \(stdout takes one file\); choose a folder$/,
     )
   })
 

@@ -102,7 +102,7 @@ describe.each(ROWS)('%s that a face refers to', (name, command, args) => {
     const after = shop.files('in')
     const changed = Object.keys(before).filter((path) => after[path] !== before[path])
     expect(changed).toEqual(isNamed ? [name] : [])
-    if (error) expect(error.message).toContain(' is the input; name another output')
+    if (error) expect(error.message).toContain(' is the input; choose another output')
   })
 })
 

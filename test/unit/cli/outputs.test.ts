@@ -51,10 +51,10 @@ beforeAll(async () => {
 
 describe.each(COMMANDS)('before any work furrow %s refuses', (name, extension, args) => {
   it.each([
-    ['a pipe', `pipe.${extension}`, 'it is a device, pipe or socket); name a file'],
+    ['a pipe', `pipe.${extension}`, 'it is a device, pipe or socket); choose a file'],
     ['a folder', `folder.${extension}`, 'it is a folder'],
     ['a file below a file', `tile.png/x.${extension}`, 'is not a folder'],
-    ['another ending', 'x.txt', `its name does not end in .${extension}`],
+    ['another ending', 'x.txt', `the name does not end in .${extension}`],
   ])('as output %s', async (_, path, problem) => {
     await shop.fails(`cannot write ${at(path)} (`, name, ...args([at(path)]))
     await shop.fails(problem, name, ...args([at(path)]))
@@ -104,7 +104,7 @@ describe('an output', () => {
       for (const name of ['same/a', 'same/../same/a', 'same/b', 'other/a', 'same/new', 'other/new']) {
         const first = name.endsWith('new') ? 'same/new' : 'same/a'
         const outputs = [first, name].map((output) => at(`${output}.png`))
-        await shop.fails('one file for two outputs', command, ...args(outputs))
+        await shop.fails('two outputs are the same file', command, ...args(outputs))
       }
       expect(readFileSync(at('same/a.png'), 'utf8')).toBe('precious')
     },
@@ -112,7 +112,7 @@ describe('an output', () => {
 
   it('of strokes is compared with the areas too', async () => {
     const args = [STROKES, '--face', FACE, '--areas', at('areas'), '-o', at('areas/nose.png')]
-    await shop.fails('one file for two outputs', 'strokes', ...args)
+    await shop.fails('two outputs are the same file', 'strokes', ...args)
   })
 })
 
@@ -130,7 +130,7 @@ describe('an input', () => {
   ])('is replaced by furrow %s with --force only', async (command, name, args) => {
     const path = await precious(name)
     const before = readFileSync(path)
-    const message = / is the input; name another output, or replace it with --force$/
+    const message = / is the input; choose another output, or overwrite it with --force$/
     await shop.fails(message, command, ...args(path))
     expect(readFileSync(path)).toEqual(before)
     const forced = await shop.failure(command, ...args(path), '--force')
@@ -153,7 +153,7 @@ describe('an input', () => {
     shop.write('split/b.gltf', json)
     const before = shop.files('split')
     const args = [at('face'), '--face', at('split/b.gltf'), '-o', at('split/a.gltf')]
-    await shop.fails(/a-1\.png is the input; name another output$/, 'pack', ...args)
+    await shop.fails(/a-1\.png is the input; choose another output$/, 'pack', ...args)
     expect(shop.files('split')).toEqual(before)
     await shop.run('pack', ...args, '--force')
     for (const name of ['split/a.gltf', 'split/b.gltf']) expect(await validatorErrors(name)).toEqual([])
@@ -214,7 +214,7 @@ describe('stdout', () => {
   })
 
   it('is one output', async () => {
-    await expect(checkOutputs(['-', '/dev/stdout'], WHO)).rejects.toThrow(/one file for two outputs/)
+    await expect(checkOutputs(['-', '/dev/stdout'], WHO)).rejects.toThrow(/two outputs are the same file/)
   })
 })
 

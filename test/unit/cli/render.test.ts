@@ -32,7 +32,7 @@ describe('furrow render refuses', () => {
     [
       'an area of a face without wrinkles',
       [file('bare.glb'), '--activation', 'nose=1'],
-      /the face has no areas, got "nose"; make wrinkles with furrow auto, or leave --activation out$/,
+      /the face has no areas, got "nose"; add wrinkles with furrow auto, or omit --activation$/,
     ],
     ['wrinkles in another folder', [FACE, '--wrinkles', file('up.json')], /outside its folder/],
     [

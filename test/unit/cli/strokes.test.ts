@@ -198,7 +198,7 @@ describe('furrow strokes', () => {
     it('says what is wrong and writes nothing', async () => {
       const odd = draw(DOCUMENT, '--size', '65')
       await expect(odd).rejects.toThrow(
-        'half the side of the normals, which is odd, got 65; choose --size 66',
+        'the size is odd, but heights, occlusion and blood need half of it, got 65, allowed: even sizes; choose --size 66',
       )
       await expect(draw(DOCUMENT, '--detail')).rejects.toThrow("'--into <folder>' cannot be used with")
       expect(existsSync(set)).toBe(false)

@@ -11,7 +11,7 @@ describe('furrow unpack with bad input', () => {
   })
 
   it.each([
-    ['a.glb', 'face', 'face is not empty, allowed: a new or an empty folder'],
+    ['a.glb', 'face', 'face is not empty, allowed: a new or empty folder'],
     ['face/face.glb', 'new', 'has no wrinkles'],
   ])('refuses %s to %s', async (from, to, message) => {
     await shop.fails(message, 'unpack', shop.path(from), '-o', shop.path(to))

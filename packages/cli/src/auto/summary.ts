@@ -9,7 +9,7 @@ interface Outputs {
   ktx2?: boolean
 }
 
-/** What `furrow auto` made, as JSON. */
+/** Returns the result of `furrow auto` as JSON. */
 export function summaryOf(
   { layers, areas, missing, landmarks, warnings }: AutoWrinkles,
   { meshName, materialName, reason }: FoundSkin,
@@ -40,11 +40,11 @@ export function summaryOf(
   }
 }
 
-/** glTF-Transform and the like drop extensions that they do not know. */
+/** Tools such as glTF-Transform drop extensions that they do not know. */
 const OTHER_TOOLS =
-  'compress or optimise the file before furrow auto, or register FurrowWrinkleMaps: other tools drop the wrinkles'
+  'other tools drop the wrinkles: optimise the file before furrow auto, or register FurrowWrinkleMaps'
 
-/** What `furrow auto` made, for people. */
+/** Returns the result of `furrow auto` as text. */
 export function summaryLines(
   { layers, areas, missing }: AutoWrinkles,
   { meshName, materialName, reason }: FoundSkin,
@@ -58,17 +58,17 @@ export function summaryLines(
     return `  ${name.padEnd(20)} layer ${layer + 1}  compression ${percent}  error ${error.toFixed(2)}  ${links}`
   })
   const page = report === undefined ? [] : [`${join(report, 'index.html')}: the report`]
-  const less = ktx2 ? 'a smaller --size or fewer --layers take less' : '--ktx2 or a smaller --size takes less'
+  const advice = ktx2 ? 'a smaller --size or fewer --layers use less' : '--ktx2 or a smaller --size uses less'
   const onPhone = ktx2 ? ` (${kilobytes(cost.phone)} on a phone, as ASTC)` : ''
-  const sizes = `wrinkles: ${kilobytes(cost.file)} in the file, ${kilobytes(cost.gpu)} on the GPU${onPhone}; ${less}`
+  const sizes = `wrinkles: ${kilobytes(cost.file)} in the file, ${kilobytes(cost.gpu)} on the GPU${onPhone}; ${advice}`
   return [head, ...rows, ...missingRows(missing), sizes, ...page, OTHER_TOOLS]
 }
 
-/** A line per reason. */
+/** Returns one line per reason. */
 function missingRows(missing: AutoWrinkles['missing']): string[] {
   const reasons = [...new Set(missing.map(({ reason }) => reason))]
   return reasons.map((reason) => {
     const names = missing.filter((region) => region.reason === reason).map(({ name }) => name)
-    return `  not made: ${names.join(', ')} (${reason})`
+    return `  skipped: ${names.join(', ')} (${reason})`
   })
 }

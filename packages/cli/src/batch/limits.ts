@@ -31,13 +31,16 @@ export const LIMIT_OPTIONS: readonly Option[] = [
 ]
 
 /** Returns the number of parallel jobs on this machine and the limits of each. */
-export function limitsOf({ jobs, memory, timeout }: LimitOptions): { lanes: number; limits: ProcessLimits } {
-  const lanes = jobs ?? availableParallelism()
+export function limitsOf({ jobs, memory, timeout }: LimitOptions): {
+  concurrency: number
+  limits: ProcessLimits
+} {
+  const concurrency = jobs ?? availableParallelism()
   // A container may have less than the machine. Without a limit, some systems report an enormous number.
   const machine = Math.min(totalmem(), process.constrainedMemory() || totalmem())
-  const share = Math.max(256 * MB, Math.floor(machine / lanes))
+  const share = Math.max(256 * MB, Math.floor(machine / concurrency))
   return {
-    lanes,
+    concurrency,
     limits: {
       memory: memory === undefined ? Math.min(DEFAULT_MEMORY, share) : memory * MB,
       seconds: timeout ?? DEFAULT_SECONDS,

@@ -1,8 +1,9 @@
-import { runJob, type Workshop } from './jobs/run-job.ts'
-import { inLanes } from './lanes.ts'
-import type { Engine } from './perform.ts'
+import { type JobEnvironment, runJob } from './jobs/run-job.ts'
+import { runConcurrently } from './run-concurrently.ts'
+import type { Engine } from './run-tasks.ts'
 
-/** Does jobs on this machine, `lanes` at a time. */
-export function localEngine(workshop: Workshop, lanes: number): Engine {
-  return (jobs, onOutcome) => inLanes(jobs, lanes, async (job) => onOutcome(job, await runJob(job, workshop)))
+/** Runs jobs on this machine, `concurrency` at a time. */
+export function localEngine(environment: JobEnvironment, concurrency: number): Engine {
+  return (jobs, onOutcome) =>
+    runConcurrently(jobs, concurrency, async (job) => onOutcome(job, await runJob(job, environment)))
 }

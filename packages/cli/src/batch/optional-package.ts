@@ -1,6 +1,6 @@
 import { FurrowError } from 'furrow'
 
-/** Loads a package that not every user of the command needs, and which npm does not install with it. */
+/** Loads an optional peer dependency. Throws with install instructions if it is missing. */
 export async function optionalPackage<T>(load: () => Promise<T>, names: string, use: string): Promise<T> {
   try {
     return await load()

@@ -6,70 +6,67 @@ import { type Job, keyOf } from './jobs/job.ts'
 import { JOB_COMMANDS, type JobCommandName } from './jobs/job-commands.ts'
 import type { JobOptions } from './jobs/job-options.ts'
 import { machineFailure } from './jobs/run-job.ts'
-import { inLanes } from './lanes.ts'
-import { filesRead } from './places/files.ts'
-import { patiently } from './places/passing.ts'
-import { isRemote, placeOf } from './places/places.ts'
 import { lineId, type ResultLine } from './results.ts'
+import { runConcurrently } from './run-concurrently.ts'
+import { filesRead } from './stores/local-files.ts'
+import { withRetries } from './stores/retries.ts'
+import { isRemote, storeOf } from './stores/store-of.ts'
 
 const WHO = 'furrow batch'
 
-/** Files that are read at the same time. */
+/** Number of files that are read in parallel. */
 const READ_AT_ONCE = 16
 
-/** A job, and all inputs that it is the job of: the first one's output is made, and copied for the others. */
+/** A job and its identical inputs. The output of the first is copied for the others. */
 export interface Task {
   job: Job
-  places: readonly Pick<Entry, 'input' | 'output'>[]
+  entries: readonly Pick<Entry, 'input' | 'output'>[]
 }
 
-/** What is to be done. */
+/** Work of a batch. */
 export interface Plan {
   tasks: Task[]
-  /** What is known without any work: inputs that cannot be read. */
+  /** Results of inputs that cannot be read. */
   failed: ResultLine[]
-  /** Lines of results before this one that still hold. */
+  /** Earlier results that are still valid. */
   kept: ResultLine[]
 }
 
-/** What a plan is made from besides the inputs. */
+/** Settings of a plan. */
 export interface PlanSource {
   command: JobCommandName
-  /** Of this package. */
+  /** Version of this package. */
   version: string
-  /** See `readResults`. */
+  /** Earlier results; see `readResults`. */
   earlier: ReadonlyMap<string, ResultLine>
   progress: (done: number) => void
 }
 
-/**
- * Throws FurrowError where two inputs have one output, or an output is a file that the command reads, by links too: the result would depend on
- * which is first, and inputs would be lost.
- */
+/** Throws if two inputs have the same output, or an output is a file that the command reads. Resolves links. */
 export async function checkEntries(entries: readonly Entry[], command: JobCommandName): Promise<void> {
   const written = entries.filter(({ output }) => output !== undefined)
   if (written.length === 0) return
-  const inputs = new Set(await placeKeys(await filesOfEntries(entries, command)))
-  const keys = await placeKeys(written.map(({ output }) => output!))
+  const inputs = new Set(await fileKeys(await filesOfEntries(entries, command)))
+  const keys = await fileKeys(written.map(({ output }) => output!))
   const outputs = new Map<string, string>()
   for (const [i, { input, output }] of written.entries()) {
     const key = keys[i]
-    const fault = (problem: string, remedy: string) => {
+    const outputError = (problem: string, remedy: string) => {
       return new FurrowError({ code: 'usage', who: WHO, problem, value: output, remedy })
     }
     const other = outputs.get(key)
     if (other !== undefined) {
-      throw fault(
-        `${other} and ${input} have one output`,
-        'name each in a manifest, or choose them by a pattern',
+      throw outputError(
+        `${other} and ${input} have the same output`,
+        'set the outputs in a manifest, or select the inputs with a pattern',
       )
     }
-    if (inputs.has(key)) throw fault('an output is an input', 'choose another folder of outputs')
+    if (inputs.has(key)) throw outputError('an output is an input', 'choose another output folder')
     outputs.set(key, input)
   }
 }
 
-/** All that a command reads: inputs and the faces that options name, with the files that they refer to. */
+/** Returns all files that a command reads: inputs, files in options, and the files they reference. */
 async function filesOfEntries(entries: readonly Entry[], command: JobCommandName): Promise<string[]> {
   const { reads, files } = JOB_COMMANDS[command]
   const faces = files.flatMap((name) => entries.map(({ options }) => String(options[name] ?? '')))
@@ -78,36 +75,36 @@ async function filesOfEntries(entries: readonly Entry[], command: JobCommandName
     ...[...new Set(faces)].filter(Boolean).map((path) => ({ path, reads: 'file' as const })),
   ]
   const found: string[][] = []
-  await inLanes(read, READ_AT_ONCE, async ({ path, reads }) => {
-    // Where an input cannot be looked at, its job tells.
+  await runConcurrently(read, READ_AT_ONCE, async ({ path, reads }) => {
+    // The job reports unreadable inputs.
     found.push(isRemote(path) ? [path] : await filesRead(path, reads).catch(() => [path]))
   })
   return [...new Set(found.flat())]
 }
 
-/** The same text for the same place. */
-async function placeKeys(addresses: readonly string[]): Promise<string[]> {
+/** Returns a key per address that is equal for paths to the same file. */
+async function fileKeys(addresses: readonly string[]): Promise<string[]> {
   const keys = [...addresses]
-  await inLanes(addresses, READ_AT_ONCE, async (address, i) => {
-    // What cannot be looked at cannot be written either, which its job tells.
+  await runConcurrently(addresses, READ_AT_ONCE, async (address, i) => {
+    // The job reports paths that cannot be resolved.
     if (!isRemote(address)) keys[i] = await realTarget(address).catch(() => resolve(address))
   })
   return keys
 }
 
-/** Reads what all inputs are, and finds what is left to do. */
+/** Identifies all inputs and plans the remaining work. */
 export async function makePlan(entries: readonly Entry[], source: PlanSource): Promise<Plan> {
   const { command, version, earlier, progress } = source
   const jobs = new Array<Job | undefined>(entries.length)
   const plan: Plan = { tasks: [], failed: [], kept: [] }
   const optionFiles = new Map<string, Promise<string>>()
   let done = 0
-  await inLanes(entries, READ_AT_ONCE, async (entry, i) => {
+  await runConcurrently(entries, READ_AT_ONCE, async (entry, i) => {
     const { input, output, options } = entry
     try {
-      const place = placeOf(input)
+      const store = storeOf(input)
       const { reads } = JOB_COMMANDS[command]
-      const identity = entry.identity ?? (await patiently(() => place.identify(input, reads)))
+      const identity = entry.identity ?? (await withRetries(() => store.identify(input, reads)))
       const withContent = await contentOptions(command, options, optionFiles)
       const key = keyOf(version, { command, identity, options: withContent })
       jobs[i] = { key, command, input, identity, ...(output !== undefined && { output }), options }
@@ -123,24 +120,24 @@ export async function makePlan(entries: readonly Entry[], source: PlanSource): P
     }
     progress(++done)
   })
-  const holding = new Array<ResultLine | undefined>(jobs.length)
-  await inLanes(jobs, READ_AT_ONCE, async (job, i) => {
+  const valid = new Array<ResultLine | undefined>(jobs.length)
+  await runConcurrently(jobs, READ_AT_ONCE, async (job, i) => {
     const line = job && earlier.get(lineId(job))
-    if (line && (await stillHolds(line, job))) holding[i] = line
+    if (line && (await isStillValid(line, job))) valid[i] = line
   })
-  plan.kept = holding.filter((line) => line !== undefined)
-  const groups = new Map<string, { job: Job; places: Task['places'][number][] }>()
+  plan.kept = valid.filter((line) => line !== undefined)
+  const groups = new Map<string, { job: Job; entries: Task['entries'][number][] }>()
   for (const [i, job] of jobs.entries()) {
-    if (!job || holding[i]) continue
-    const group = groups.get(job.key) ?? { job, places: [] }
-    group.places.push({ input: job.input, ...(job.output !== undefined && { output: job.output }) })
+    if (!job || valid[i]) continue
+    const group = groups.get(job.key) ?? { job, entries: [] }
+    group.entries.push({ input: job.input, ...(job.output !== undefined && { output: job.output }) })
     groups.set(job.key, group)
   }
   plan.tasks = [...groups.values()]
   return plan
 }
 
-/** Options with what is in their files: a face that `--face` names can change under its name. */
+/** Replaces paths in options by content identities, because e.g. the file of `--face` can change. */
 async function contentOptions(
   command: JobCommandName,
   options: JobOptions,
@@ -149,7 +146,7 @@ async function contentOptions(
   const names: readonly string[] = JOB_COMMANDS[command].files
   const pairs = Object.entries(options).map(async ([name, value]) => {
     if (!names.includes(name) || typeof value !== 'string') return [name, value] as const
-    const identity = known.get(value) ?? placeOf(value).identify(value, 'file')
+    const identity = known.get(value) ?? storeOf(value).identify(value, 'file')
     known.set(value, identity)
     return [name, await identity] as const
   })
@@ -157,11 +154,11 @@ async function contentOptions(
 }
 
 /**
- * Whether a job need not be done again: its output is there as it was put, or its input was refused, which it would be again. An
- * output is put whole or not at all, so its size tells whether it is that one.
+ * Returns whether an earlier result is still valid: the output exists, or the input was invalid. Outputs are written
+ * atomically, so comparing the size is enough.
  */
-async function stillHolds({ status, kind, bytes }: ResultLine, { output }: Job): Promise<boolean> {
+async function isStillValid({ status, kind, bytes }: ResultLine, { output }: Job): Promise<boolean> {
   if (status === 'failed') return kind === 'file'
   if (output === undefined) return true
-  return (await patiently(() => placeOf(output).sizeOf(output))) === bytes
+  return (await withRetries(() => storeOf(output).sizeOf(output))) === bytes
 }

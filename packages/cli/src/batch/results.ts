@@ -14,38 +14,38 @@ import { cannotRead, cannotWrite, firstLine, MAX_JSON_BYTES } from 'furrow-files
 import { fileProblem } from 'furrow-files/node'
 import { warn } from '../print.ts'
 import type { Outcome } from './jobs/job.ts'
-import { LONGEST, parseOutcome } from './jobs/records.ts'
+import { MAX_TEXT_LENGTH, parseOutcome } from './jobs/records.ts'
 
 const WHO = 'furrow batch'
 
-/** A result may hold all that `furrow validate` found. */
-const MOST_LINE_BYTES = MAX_JSON_BYTES
+/** Maximum length of a line. A line can contain all findings of `furrow validate`. */
+const MAX_LINE_BYTES = MAX_JSON_BYTES
 
-/** A line of the results: what came of an input. */
+/** Line of the results: the outcome of an input. */
 export interface ResultLine extends Outcome {
-  /** Of its job; absent where the input could not be read. */
+  /** Key of the job; absent if the input could not be read. */
   key?: string
   command: string
   input: string
   output?: string
-  /** The input whose job this one shares, being the same bytes with the same options. */
+  /** Identical input whose job produced this result. */
   sameAs?: string
 }
 
-/** The line of a job in a file of results: the last one counts. */
+/** Returns the id of a line. Of several lines with one id, the last is valid. */
 export function lineId({ key, input, output }: Pick<ResultLine, 'key' | 'input' | 'output'>): string {
   return JSON.stringify([key, output ?? input])
 }
 
 /**
- * Reads a file of results, as far as it is there: a batch that was ended in the middle of a line has left that line behind. Lines that are
- * no results are ignored, with one warning for all.
+ * Reads a results file, if it exists. Skips incomplete lines of an interrupted batch. Skips invalid lines with one
+ * warning.
  *
- * @throws FurrowError where it cannot be read.
+ * @throws FurrowError if the file cannot be read.
  */
 export function readResults(path: string): Map<string, ResultLine> {
   const results = new Map<string, ResultLine>()
-  const faults: string[] = []
+  const errors: string[] = []
   let number = 0
   for (const text of linesOf(path)) {
     number++
@@ -53,17 +53,17 @@ export function readResults(path: string): Map<string, ResultLine> {
       const line = parseLine(text)
       if (line) results.set(lineId(line), line)
     } catch (error) {
-      faults.push(`line ${number}: ${firstLine(error)}`)
+      errors.push(`line ${number}: ${firstLine(error)}`)
     }
   }
-  if (faults.length > 0) {
-    const count = faults.length === 1 ? 'a line' : `${faults.length} lines`
-    warn(`${WHO}: ${path} has ${count} that cannot be used; the first is ${faults[0]}`)
+  if (errors.length > 0) {
+    const count = errors.length === 1 ? '1 invalid line' : `${errors.length} invalid lines`
+    warn(`${WHO}: ignored ${count} in ${path}, first in ${errors[0]}`)
   }
   return results
 }
 
-/** The result in a line; undefined for one that was cut off. Throws FurrowError for what is no result. */
+/** Parses a line. Returns undefined for an incomplete line. Throws if the line is not a result. */
 function parseLine(text: string): ResultLine | undefined {
   let json: unknown
   try {
@@ -78,7 +78,7 @@ function parseLine(text: string): ResultLine | undefined {
 function parseResult(json: unknown): ResultLine {
   const reader = new JsonReader('a result')
   const { key, command, input, output, sameAs } = reader.object(json, 'a result')
-  const text = (value: unknown, path: string) => reader.text(value, path, LONGEST)
+  const text = (value: unknown, path: string) => reader.text(value, path, MAX_TEXT_LENGTH)
   return {
     ...(key !== undefined && { key: text(key, 'key') }),
     command: text(command, 'command'),
@@ -89,7 +89,7 @@ function parseResult(json: unknown): ResultLine {
   }
 }
 
-/** The lines of a file, without those that are too long; none where there is no file. */
+/** Yields the lines of a file, without lines that are too long. Yields nothing if the file does not exist. */
 function* linesOf(path: string): Generator<string> {
   const file = withReadErrors(path, () => openRegular(path))
   if (file === undefined) return
@@ -101,10 +101,10 @@ function* linesOf(path: string): Generator<string> {
       const pieces = chunk.toString('latin1', 0, count).split('\n')
       for (const [i, piece] of pieces.entries()) {
         length += piece.length
-        if (length <= MOST_LINE_BYTES) parts.push(Buffer.from(piece, 'latin1'))
-        // The last piece goes on in the next chunk.
+        if (length <= MAX_LINE_BYTES) parts.push(Buffer.from(piece, 'latin1'))
+        // The last piece continues in the next chunk.
         if (i === pieces.length - 1 && count > 0) break
-        if (length <= MOST_LINE_BYTES) yield Buffer.concat(parts).toString()
+        if (length <= MAX_LINE_BYTES) yield Buffer.concat(parts).toString()
         ;[parts, length] = [[], 0]
       }
       if (count === 0) return
@@ -114,7 +114,7 @@ function* linesOf(path: string): Generator<string> {
   }
 }
 
-/** A pipe would be waited for. */
+/** Opens a regular file, if it exists. Throws for other kinds, because opening a pipe would block. */
 function openRegular(path: string): number | undefined {
   const found = statSync(path, { throwIfNoEntry: false })
   if (!found) return undefined
@@ -131,7 +131,7 @@ function withReadErrors<T>(path: string, read: () => T): T {
   }
 }
 
-/** Opens a file of results to add lines. Each is written at once: what it says is done then stays done. */
+/** Opens a results file to append lines. Each line is written immediately, so that no result is lost. */
 export function openResults(path: string): { add(line: ResultLine): void; close(): void } {
   return withWriteErrors(path, () => {
     mkdirSync(dirname(path), { recursive: true })
@@ -139,7 +139,7 @@ export function openResults(path: string): { add(line: ResultLine): void; close(
     const { size } = fstatSync(file)
     const last = Buffer.alloc(1)
     if (size > 0) readSync(file, last, 0, 1, size - 1)
-    // The end of a line that was cut off.
+    // Ends an incomplete last line.
     if (size > 0 && last.toString() !== '\n') writeSync(file, '\n')
     const add = (line: ResultLine) => appendFileSync(file, `${JSON.stringify(line)}\n`)
     return {

@@ -6,32 +6,33 @@ import { withBar } from '../progress.ts'
 import { version } from '../version.ts'
 import type { Entry } from './inputs/entry.ts'
 import type { JobCommandName } from './jobs/job-commands.ts'
-import { type Engine, performTasks } from './perform.ts'
-import { isRemote } from './places/places.ts'
 import { makePlan, type Plan } from './plan.ts'
 import { batchPage } from './report/page.ts'
 import { rowsOf } from './report/rows.ts'
-import { drawThumbnails, THUMBNAIL_NAMES } from './report/thumbnails.ts'
+import { drawThumbnails, thumbnailNames } from './report/thumbnails.ts'
 import { openResults, type ResultLine, readResults } from './results.ts'
+import { type Engine, runTasks } from './run-tasks.ts'
+import { isRemote } from './stores/store-of.ts'
 import { type BatchCounts, countsOf, countsText, Rate } from './summary.ts'
 
 const WHO = 'furrow batch'
 
-/** A batch that was understood. */
+/** Parsed batch. */
 export interface Batch {
   command: JobCommandName
   entries: readonly Entry[]
-  /** The files that tell what came of it. */
+  /** Path of the results file. */
   results: string
+  /** Path of the HTML report. */
   page: string
-  /** Faces that are drawn for the page at most. */
+  /** Maximum number of thumbnails. */
   thumbnails: number
 }
 
-/** Does a batch: what is left of it, if it was begun before. */
+/** Runs a batch, or resumes it. */
 export async function runBatch(batch: Batch, engine: Engine): Promise<BatchCounts> {
   const plan = await planOf(batch)
-  const lines = await performPlan(plan, batch, engine)
+  const lines = await runPlan(plan, batch, engine)
   const counts = countsOf(lines, plan.kept.length)
   await writePage(batch, lines, countsText(counts))
   return counts
@@ -49,32 +50,28 @@ function planOf({ command, entries, results }: Batch): Promise<Plan> {
   })
 }
 
-async function performPlan(
-  { tasks, failed, kept }: Plan,
-  batch: Batch,
-  engine: Engine,
-): Promise<ResultLine[]> {
+async function runPlan({ tasks, failed, kept }: Plan, batch: Batch, engine: Engine): Promise<ResultLine[]> {
   const lines = [...kept]
   const results = openResults(batch.results)
   try {
     await withBar('batch', async (progress) => {
       const total = batch.entries.length - kept.length
       const rate = new Rate(performance.now())
-      let [ended, faults] = [0, 0]
+      let [ended, failures] = [0, 0]
       const add = (added: readonly ResultLine[]) => {
         for (const line of added) results.add(line)
         lines.push(...added)
         ended += added.length
-        faults += added.filter(({ status }) => status === 'failed').length
+        failures += added.filter(({ status }) => status === 'failed').length
         const parts = [
           `${ended}/${total}`,
-          faults > 0 && `${faults} failed`,
+          failures > 0 && `${failures} failed`,
           rate.text(ended, total, performance.now()),
         ]
         progress(ended, total, parts.filter(Boolean).join(', '))
       }
       add(failed)
-      await performTasks(tasks, engine, add)
+      await runTasks(tasks, engine, add)
     })
   } finally {
     results.close()
@@ -86,23 +83,23 @@ async function writePage(batch: Batch, lines: readonly ResultLine[], summary: st
   const folder = dirname(batch.page)
   const pictures = join(folder, 'thumbnails')
   const isDrawn = ({ key = '' }: ResultLine) =>
-    THUMBNAIL_NAMES(key).every((name) => existsSync(join(pictures, name)))
+    thumbnailNames(key).every((name) => existsSync(join(pictures, name)))
   const faces = rowsOf(lines).filter(({ status, output }) => status === 'done' && output !== undefined)
   const chosen = new Map(faces.slice(0, batch.thumbnails).map((line) => [line.key, line]))
   const notes = await withBar('thumbnails', (progress) =>
     drawThumbnails([...chosen.values()], pictures, (done) => progress(done, chosen.size)),
   )
-  for (const note of notes) warn(`${WHO}: not all faces are drawn (${note})`)
+  for (const note of notes) warn(`${WHO}: some thumbnails are missing (${note})`)
   const page = batchPage({
     command: batch.command,
     lines,
     summary,
     results: basename(batch.results),
-    notes: notes.map((note) => `Not all faces are drawn. ${note}`),
+    notes: notes.map((note) => `Some thumbnails are missing. ${note}`),
     linkTo: (output) => (isRemote(output) ? output : urlPath(relative(folder, output))),
     thumbnails: (line) => {
       if (line.status === 'failed' || !chosen.has(line.key) || !isDrawn(line)) return undefined
-      const [before, after] = THUMBNAIL_NAMES(line.key!)
+      const [before, after] = thumbnailNames(line.key!)
       return [`thumbnails/${before}`, `thumbnails/${after}`]
     },
   })

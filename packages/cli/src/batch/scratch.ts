@@ -5,15 +5,15 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { onInterruption } from '../interruption.ts'
 
-/** A private folder for the files of one run. */
+/** Private folder for the files of one run. */
 export interface Scratch {
   path: string
   remove(): void
 }
 
 /**
- * Removes a folder once the process at the other end of stdin is gone, even by SIGKILL. The second time is for a job whose
- * process ends up to 100 ms later.
+ * Source of the guard process: removes a folder when the process at the other end of stdin has ended, even by SIGKILL.
+ * Removes it twice, because a job's process may end up to 100 ms later.
  */
 const GUARD = `process.stdin.resume().on('close', () => {
   for (const pause of [300, 2000]) {
@@ -22,14 +22,14 @@ const GUARD = `process.stdin.resume().on('close', () => {
 })`
 
 /**
- * Makes a folder that only this user can open, under a name that nobody can guess. It is gone after `remove`, or when this process
- * ends in any way: a process of its own watches over it.
+ * Creates a folder with a random name that only this user can open. `remove` deletes the folder. If this process ends
+ * in any other way, a guard process deletes it.
  *
- * @param endsBySignal whether signals end this process; otherwise it has listeners of its own.
+ * @param endsBySignal whether signals end this process; false if the caller handles them.
  */
 export function openScratch({ endsBySignal }: { endsBySignal: boolean }): Scratch {
   let clear = () => {}
-  const takeBack = endsBySignal ? onInterruption(() => clear()) : () => {}
+  const unregister = endsBySignal ? onInterruption(() => clear()) : () => {}
   const path = mkdtempSync(join(tmpdir(), 'furrow-'))
   const release = guard(path)
   clear = () => {
@@ -40,19 +40,19 @@ export function openScratch({ endsBySignal }: { endsBySignal: boolean }): Scratc
     path,
     remove() {
       clear()
-      takeBack()
+      unregister()
     },
   }
 }
 
 function guard(path: string): () => void {
-  // Detached: signals of a terminal reach all processes of a group.
+  // Detached: terminal signals reach all processes of a group.
   const child = spawn(process.execPath, ['-e', GUARD, path], {
     detached: true,
     stdio: ['pipe', 'ignore', 'ignore'],
     windowsHide: true,
   })
-  // Where the system has no room for a process, the folder lacks its guard alone.
+  // If the process cannot be started, the folder has no guard.
   child.on('error', () => {})
   child.stdin.on('error', () => {})
   child.unref()

@@ -1,14 +1,16 @@
 import type { ResultLine } from './results.ts'
 
-/** How many of what, for people and programs. */
+/** Counts of a batch. */
 export interface BatchCounts {
   inputs: number
-  /** All that have a result now. */
+  /** Inputs that succeeded, including earlier runs. */
   done: number
   failed: number
+  /** Inputs that succeeded with warnings. */
   warned: number
-  /** Of those done: known from an earlier run, and sharing another one's job. */
+  /** Results from an earlier run. */
   kept: number
+  /** Inputs identical to another input. */
   shared: number
 }
 
@@ -29,13 +31,13 @@ export function countsText({ inputs, done, failed, warned, kept, shared }: Batch
     `${done} of ${inputs} done`,
     failed > 0 && `${failed} failed`,
     warned > 0 && `${warned} with warnings`,
-    shared > 0 && `${shared} the same as others`,
-    kept > 0 && `${kept} known from before`,
+    shared > 0 && `${shared} identical to others`,
+    kept > 0 && `${kept} from an earlier run`,
   ]
   return parts.filter((part) => part !== false).join(', ')
 }
 
-/** Measures how fast jobs end, for the bar. */
+/** Measures the rate of jobs, for the progress bar. */
 export class Rate {
   readonly #start: number
 
@@ -43,7 +45,7 @@ export class Rate {
     this.#start = now
   }
 
-  /** @param now in milliseconds. */
+  /** @param now time, milliseconds. */
   text(done: number, total: number, now: number): string {
     const seconds = (now - this.#start) / 1000
     if (done === 0 || seconds < 1) return ''

@@ -13,24 +13,24 @@ import sharp from 'sharp'
 import { escapeMarkup } from '../markup.ts'
 import { drawSkinLayout } from '../uv/draw-layout.ts'
 
-/** Side of one tile, height of its label, and the gap around both, in pixels. */
+/** Tile size, label height and gap, pixels. */
 const SIDE = 256
 const LABEL_HEIGHT = 26
 const GAP = 10
 
 const BACKGROUND = '#1b1c1f'
 
-/** Colour and opacity of an area over the skin. */
+/** Colour (sRGB) and opacity of areas over the skin. */
 const TINT = [255, 64, 48] as const
 const TINT_OPACITY = 0.75
 
 interface Tile {
   label: string
-  /** RGB, `SIDE` x `SIDE`. */
+  /** RGB, `SIDE` x `SIDE` pixels. */
   pixels: Uint8Array
 }
 
-/** Draws every map, and every area over the base colour of the skin, as one PNG file. */
+/** Draws a PNG of all maps, and of all areas over the base colour of the skin. */
 export async function drawSheet(file: WrinkledFile, who: string): Promise<Uint8Array> {
   const skin = await skinOf(file, who)
   const tiles: Tile[] = []
@@ -51,7 +51,7 @@ export async function drawSheet(file: WrinkledFile, who: string): Promise<Uint8A
   return arrange(tiles)
 }
 
-/** Draws the base colour of a face without wrinkles and the layout to paint over, as one PNG file. */
+/** Draws a PNG of the base colour and the UV layout of a face without wrinkles. */
 export async function drawPlainSheet(glb: Glb, skin: FoundSkin, who: string): Promise<Uint8Array> {
   const rgba = await drawSkinLayout(glb, skin, 2 * SIDE, who)
   const layout = sharp(rgba, { raw: { width: 2 * SIDE, height: 2 * SIDE, channels: 4 } })
@@ -84,7 +84,7 @@ async function arrange(tiles: readonly Tile[]): Promise<Uint8Array> {
     .toBuffer()
 }
 
-/** Text as a PNG file that fits below a tile. */
+/** Renders a label below a tile, as PNG. */
 function renderLabel(label: string): Promise<Buffer> {
   const plain = label.replaceAll(/\p{C}/gu, ' ').trim() || '?'
   const short = plain.length > 34 ? `${plain.slice(0, 33)}…` : plain
@@ -95,7 +95,7 @@ function renderLabel(label: string): Promise<Buffer> {
     .toBuffer()
 }
 
-/** The base colour of the skin as RGB, `side` x `side` pixels; gray where it has no texture. */
+/** Returns the base colour of the skin as RGB, `side` x `side` pixels; gray if there is no texture. */
 export async function skinOf(
   { glb, material }: Pick<WrinkledFile, 'glb' | 'material'>,
   who: string,
@@ -105,19 +105,19 @@ export async function skinOf(
   return colour ? scaled(await pixelsOf(glb, colour, who), side) : new Uint8Array(3 * side * side).fill(120)
 }
 
-/** An image scaled to RGB, `side` x `side` pixels. */
+/** Scales an image to RGB, `side` x `side` pixels. */
 export async function scaled({ width, height, channels, data }: Pixels, side = SIDE): Promise<Uint8Array> {
   const image = sharp(data, { raw: { width, height, channels } }).resize(side, side, { fit: 'fill' })
   return image.toColourspace('srgb').removeAlpha().raw().toBuffer()
 }
 
-/** The weights of an area scaled to `side` x `side` pixels. */
+/** Scales the weights of an area to `side` x `side` pixels. */
 export async function scaledWeights({ width, height, data }: GrayImage, side = SIDE): Promise<Uint8Array> {
   const image = sharp(data, { raw: { width, height, channels: 1 } }).resize(side, side, { fit: 'fill' })
   return image.toColourspace('b-w').raw().toBuffer()
 }
 
-/** Tints an RGB image by the weights of an area. */
+/** Tints an RGB image with the weights of an area. */
 export function tinted(skin: Uint8Array, weights: Uint8Array): Uint8Array {
   return skin.map((value, i) => {
     const opacity = (TINT_OPACITY * weights[Math.floor(i / 3)]) / 255

@@ -8,14 +8,13 @@ import { type Face, loadFace } from '../../../../stage/face.ts'
 import { isWebGL } from '../../../../stage/light.ts'
 import type { Renderer } from '../../../../stage/stage.ts'
 
-/** Extensions that three-vrm reads. */
+/** Extensions read by three-vrm. */
 const VRM = ['VRM', 'VRMC_vrm', 'VRMC_materials_mtoon']
 
 /**
- * Loads a face with meshes in Draco and textures in KTX 2, a VRM as three-vrm draws it. One that three-vrm refuses is drawn as the glTF
- * file that it is, with a warning.
+ * Loads a face, with support for Draco, KTX 2 and VRM. If three-vrm rejects a VRM, loads it as plain glTF with a warning.
  *
- * @throws Error as `loadFace` does.
+ * @throws Error like `loadFace`.
  */
 export async function loadAvatar(url: string, skin: string | undefined, renderer: Renderer): Promise<Face> {
   let isVrm = false
@@ -30,7 +29,9 @@ export async function loadAvatar(url: string, skin: string | undefined, renderer
   } catch (error) {
     if (!isVrm) throw error
     const face = await loadFace(url, skin, loaderFor(renderer))
-    console.warn(`furrow render: ${url} is drawn without what makes it a VRM (${(error as Error).message})`)
+    console.warn(
+      `furrow render: ${url} is drawn as plain glTF, without VRM features (${(error as Error).message})`,
+    )
     return face
   }
 }

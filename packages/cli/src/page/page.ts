@@ -1,4 +1,4 @@
-/** The page of `furrow render`: draws pictures of one face on the shared stage and posts their pixels to Node. */
+/** Page of `furrow render`: draws images of one face on the shared stage and posts the pixels to Node. */
 
 import { EXPRESSIONS, type Expression, findTargets } from 'furrow'
 import { ExpressionPlayer, type LoadedWrinkles, loadWrinkleSet } from 'furrow/three'
@@ -12,7 +12,7 @@ import type { PageJob, PageReport, VIEW_NAMES } from '../render/picture.ts'
 import { loadAvatar } from './load-avatar.ts'
 import { readPicture } from './read-canvas.ts'
 
-// Node cannot import the stage and has its own list of views: it must be the same.
+// Node cannot import the stage and has its own list of views. The lists must be equal.
 type Same<A, B> = [A, B] extends [B, A] ? true : never
 const sameViews: Same<ViewName, (typeof VIEW_NAMES)[number]> = true
 void sameViews
@@ -28,41 +28,41 @@ window.drawPicture = async (job) => {
   }
 }
 
-/** What all pictures of a page have in common. */
+/** State shared by all images of a page. */
 interface Scene {
   stage: Stage
   face: Face
-  /** Null where the face has no wrinkles. Without delays: a picture shows what they end in. */
+  /** Null if the face has no wrinkles. Without delays, because an image shows the final state. */
   loaded: Pick<LoadedWrinkles, 'set' | 'drivers'> | null
-  /** Blendshape weights of the file. */
+  /** Blendshape weights in the file. */
   initialWeights: Map<Mesh, readonly number[]>
 }
 
 let scene: Scene | undefined
-/** The wrinkles of the last picture. */
-let shown: Wrinkles | undefined
+/** Wrinkles of the last image. */
+let wrinkles: Wrinkles | undefined
 
 async function draw(job: PageJob): Promise<PageReport> {
   const { width, height } = job
   warnings.length = 0
-  // Lights, textures and shaders take most of the time, and are the same for all pictures of a face.
+  // Lights, textures and shaders take most of the time, so they are shared by all images of a face.
   scene ??= await open(job)
   const { stage, face, loaded, initialWeights } = scene
   for (const [mesh, weights] of initialWeights) mesh.morphTargetInfluences = [...weights]
-  shown?.dispose()
+  wrinkles?.dispose()
   const isNamed = ({ name }: Expression) => name === job.expression
   const preset = EXPRESSIONS.find(isNamed)
   if (loaded) {
-    shown = stage.addWrinkles(face, loaded, { mode: job.mode, relief: job.relief })
-    if (job.relief !== 'off') await shown.reliefReady()
-    express(face.root, shown, shown.expressions.find(isNamed) ?? preset, job)
+    wrinkles = stage.addWrinkles(face, loaded, { mode: job.mode, relief: job.relief })
+    if (job.relief !== 'off') await wrinkles.reliefReady()
+    applyExpression(face.root, wrinkles, wrinkles.expressions.find(isNamed) ?? preset, job)
   } else {
     setTargets(face.root, preset?.targets ?? {})
   }
   setTargets(face.root, job.targets)
   stage.camera.aspect = width / height
   stage.view(job.view)
-  // By size on screen, it is the first frame that tells whether the next ones have relief.
+  // The size on screen in the first frame decides whether the next frame has relief.
   if (job.relief === 'near') await readPicture(stage, width, height)
   const pixels = await readPicture(stage, width, height)
   const response = await fetch(job.uploadTo, { method: 'POST', body: pixels as BodyInit })
@@ -87,17 +87,14 @@ async function open(job: PageJob): Promise<Scene> {
   return { stage, face, loaded, initialWeights }
 }
 
-/** Reads a wrinkle set with its drivers apart, as `readWrinkleMaps` returns them: `Wrinkles` would add those in a set by itself. */
+/** Loads a wrinkle set and separates its drivers, like `readWrinkleMaps`, because `Wrinkles` adds the drivers of a set. */
 async function loadDocument(url: string): Promise<Pick<LoadedWrinkles, 'set' | 'drivers'>> {
   const { drivers, ...set } = await loadWrinkleSet(url)
   return { set, drivers: (drivers ?? []) as LoadedWrinkles['drivers'] }
 }
 
-/**
- * Shows an expression and activations on a face with wrinkles. The file's drivers run, as they do in a page and in the studio, unless
- * activations are given: these replace them.
- */
-function express(
+/** Applies an expression and activations. The drivers of the file run unless activations are given. */
+function applyExpression(
   root: Object3D,
   wrinkles: Wrinkles,
   named: Expression | undefined,
@@ -105,17 +102,17 @@ function express(
 ): void {
   wrinkles.driven = Object.keys(activations).length === 0
   if (named) {
-    // The player warns of areas that the face lacks. Drivers take their place: presets name the areas of the shipped faces.
-    const own = Object.entries(named.activations).filter(
+    // Presets name areas of the shipped faces, and the player warns about missing areas. Other faces use drivers.
+    const known = Object.entries(named.activations).filter(
       ([area]) => wrinkles.drivers.length === 0 || wrinkles.hasArea(area),
     )
-    const played = { ...named, activations: Object.fromEntries(own) }
-    new ExpressionPlayer(root, wrinkles, [played]).play(named.name, 0)
+    const expression = { ...named, activations: Object.fromEntries(known) }
+    new ExpressionPlayer(root, wrinkles, [expression]).play(named.name, 0)
   }
   for (const [area, activation] of Object.entries(activations)) wrinkles.setActivation(area, activation)
 }
 
-/** Sets blendshapes on every mesh that has them. */
+/** Sets blendshape weights on all meshes that have them. */
 function setTargets(root: Object3D, targets: Readonly<Record<string, number>>): void {
   root.traverse((object) => {
     const { morphTargetDictionary, morphTargetInfluences } = object as Mesh

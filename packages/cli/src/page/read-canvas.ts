@@ -3,14 +3,14 @@ import type { WebGPURenderer } from 'three/webgpu'
 import { isWebGL } from '../../../../stage/light.ts'
 import type { Stage } from '../../../../stage/stage.ts'
 
-/** Draws what the camera sees and returns its pixels: RGBA, row 0 at the top. */
+/** Draws a tile and returns its pixels: RGBA, row 0 at the top. */
 type DrawTile = () => Promise<Uint8Array>
 
-/** Side of a tile in pixels: the multisampled buffers of a whole large picture would not fit into memory. */
+/** Tile size, pixels. Multisampled buffers of a large image would not fit into memory. */
 const TILE = 2048
 
 /**
- * Draws the stage as a screen would show it (multisampled, tone mapped, sRGB) and reads the pixels.
+ * Draws the stage as on screen (multisampled, tone mapped, sRGB) and reads the pixels.
  *
  * @returns RGBA, row 0 at the top.
  */
@@ -23,7 +23,7 @@ export async function readPicture(stage: Stage, width: number, height: number): 
   const picture = new Uint8Array(width * height * 4)
   for (let y = 0; y < height; y += TILE) {
     for (let x = 0; x < width; x += TILE) {
-      aim(stage.camera, width, height, x, y, tileWidth, tileHeight)
+      setTile(stage.camera, width, height, x, y, tileWidth, tileHeight)
       const tile = await draw()
       const [columns, rows] = [Math.min(tileWidth, width - x), Math.min(tileHeight, height - y)]
       for (let row = 0; row < rows; row++) {
@@ -35,7 +35,7 @@ export async function readPicture(stage: Stage, width: number, height: number): 
   return picture
 }
 
-function aim(
+function setTile(
   camera: PerspectiveCamera,
   ...[width, height, x, y, tileWidth, tileHeight]: [number, number, number, number, number, number]
 ): void {
@@ -43,7 +43,7 @@ function aim(
   camera.updateProjectionMatrix()
 }
 
-/** WebGLRenderer maps tones only when it draws to the canvas, so that the canvas is read, right after drawing. */
+/** Reads tiles from the canvas right after drawing, because WebGLRenderer applies tone mapping only on the canvas. */
 function canvasTile(stage: Stage): DrawTile {
   const gl = stage.renderer.getContext() as WebGL2RenderingContext
   const { drawingBufferWidth: width, drawingBufferHeight: height } = gl
@@ -57,7 +57,10 @@ function canvasTile(stage: Stage): DrawTile {
   }
 }
 
-/** WebGPURenderer maps tones for its output target as for a canvas, whose presentation can lose the device. */
+/**
+ * Reads tiles from the output target. WebGPURenderer applies tone mapping to it as to a canvas, but presenting a canvas
+ * can lose the device.
+ */
 function targetTile(stage: Stage, width: number, height: number): DrawTile {
   const renderer = stage.renderer as WebGPURenderer
   const target = renderer.getOutputRenderTarget() ?? new RenderTarget(width, height, { depthBuffer: false })

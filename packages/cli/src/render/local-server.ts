@@ -16,16 +16,16 @@ const MIME_TYPES: Record<string, string> = {
   '.wasm': 'application/wasm',
 }
 
-/** Serves the page and the files that it needs, to this computer only, and receives its pictures. */
+/** Server on localhost for the page and its files. Receives the drawn images. */
 export interface LocalServer {
-  /** The beginning of every address, without a slash at its end. */
+  /** Prefix of all URLs, without a trailing slash. */
   origin: string
   page: string
-  /** The address of a file; relative addresses in the file resolve as on disk. */
+  /** Returns the URL of a file. Relative URLs in the file resolve as on disk. */
   addressOf(path: string): string
-  /** Makes a file readable: its content, or the path of the file to read. */
+  /** Makes a file readable; `content` is the bytes, or the path of the file to read. */
   offer(path: string, content: Uint8Array | string): void
-  /** Opens an address to which `length` bytes can be posted, once. */
+  /** Creates a URL to which `length` bytes can be posted once. */
   inbox(length: number): { address: string; received: () => Uint8Array | undefined }
   close(): Promise<void>
 }
@@ -35,17 +35,17 @@ interface Inbox {
   bytes?: Uint8Array
 }
 
-/** @param pageFolder the files of the page, `index.html` among them. */
+/** @param pageFolder folder of the page, with `index.html`. */
 export async function startLocalServer(pageFolder = PAGE_FOLDER): Promise<LocalServer> {
-  // Other programs on this computer can reach the port, but cannot guess the address.
+  // Other programs on this machine can reach the port, but cannot guess the URL.
   const secret = `/${randomUUID()}`
   const contents = pageFiles(pageFolder)
   const inboxes = new Map<string, Inbox>()
   let host: string
   const server = createServer((request, response) => {
-    // A request can end at any time.
+    // A client can disconnect at any time.
     for (const stream of [request, response]) stream.on('error', () => response.destroy())
-    // A page elsewhere can make its own host name resolve to this computer (DNS rebinding).
+    // Protects against DNS rebinding: a web page can make its host name resolve to this machine.
     if (request.headers.host !== host) return answer(response, 403)
     const path = request.url?.split('?', 1)[0] ?? ''
     if (!path.startsWith(`${secret}/`)) return answer(response, 404)
@@ -84,7 +84,7 @@ function routeOf(path: string): string {
   return `/file${pathToFileURL(path).pathname}`
 }
 
-/** The files of the page by their routes: nothing else in the file system has one. */
+/** Maps routes to the files of the page. No other file is served. */
 function pageFiles(folder: string): Map<string, Uint8Array | string> {
   const files = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((file) => file.isFile())
   return new Map(
@@ -96,14 +96,14 @@ function pageFiles(folder: string): Map<string, Uint8Array | string> {
 }
 
 function answer(response: ServerResponse, status: number): void {
-  // What is left of the request is not read.
+  // The rest of the request is not read.
   response.writeHead(status, { connection: 'close' }).end()
 }
 
-/** Takes exactly as many bytes as are expected, once. */
+/** Receives a body with exactly the expected length, once. */
 async function receive(request: IncomingMessage, response: ServerResponse, inbox: Inbox): Promise<void> {
   if (inbox.bytes) return answer(response, 409)
-  // Node reads no more of a body than its length says.
+  // Node never reads more than content-length.
   if (Number(request.headers['content-length']) !== inbox.length) return answer(response, 413)
   try {
     inbox.bytes = await buffer(request)

@@ -1,4 +1,4 @@
-/** What Node and the page tell each other about a picture: plain data, no imports. */
+/** Messages between Node and the page. Plain data without imports. */
 
 /** Camera views, as in `stage/views.ts`; `left` shows the person's own left side. */
 export const VIEW_NAMES = ['front', 'left', 'right', 'three-quarter', 'close'] as const
@@ -6,39 +6,40 @@ export const RENDERER_NAMES = ['webgl', 'webgpu'] as const
 export const MODE_NAMES = ['default', 'paper', 'composed', 'off'] as const
 export const RELIEF_NAMES = ['off', 'on', 'near'] as const
 
-/** Limits of the sides of a picture in pixels. */
+/** Limits of image width and height, pixels. */
 export const PICTURE_SIDE = { min: 16, max: 8192 } as const
 
-/** A camera view that has no name: degrees from where the face looks, and magnification; 1 shows the whole face. */
+/** Custom camera view: degrees from the view direction of the face, and zoom; at zoom 1, the face fills the image. */
 export interface CameraView {
   yaw: number
   pitch: number
   zoom: number
 }
 
-/** One picture to draw. */
+/** Image to draw. */
 export interface PictureRequest {
-  /** The face: a `.glb`, `.gltf` or `.vrm` file. */
+  /** Path of the face: `.glb`, `.gltf` or `.vrm`. */
   input: string
-  /** Whether the face and the wrinkle set may refer to files outside their folders; they may not by default. */
+  /** Whether the face and the wrinkle set may reference files outside their folders, default false. */
   allowOutside?: boolean | undefined
-  /** Path of a wrinkle set; by default the face's own, otherwise `NAME/wrinkles.json` beside `NAME.glb`. */
+  /** Path of a wrinkle set, default the set in the face, otherwise `NAME/wrinkles.json` beside `NAME.glb`. */
   wrinkles?: string
-  /** Name of the mesh with wrinkles; by default `skin`, otherwise the mesh with most vertices. */
+  /** Name of the mesh with wrinkles, default `skin`, otherwise the mesh with most vertices. */
   mesh?: string
-  /** Name of one of the library's expressions; by default the blendshapes are as in the file. */
+  /** Name of an expression of the library, default none: weights as in the file. */
   expression?: string
-  /** Blendshape weights 0..1, on top of the expression. */
+  /** Blendshape weights by name, 0..1. Override the expression. */
   targets?: Record<string, number>
-  /** Activations 0..1 by area, on top of the expression. */
+  /** Activations by area, 0..1. Override the expression. */
   activations?: Record<string, number>
-  /** In pixels. */
+  /** Pixels. */
   width?: number
+  /** Pixels. */
   height?: number
   view?: (typeof VIEW_NAMES)[number] | CameraView
   renderer?: (typeof RENDERER_NAMES)[number]
   mode?: (typeof MODE_NAMES)[number]
-  /** Whether heights move the surface; `auto`: where a millimetre is more than a pixel. */
+  /** Whether heights displace the surface; `near`: only where a millimetre is larger than a pixel. */
   relief?: (typeof RELIEF_NAMES)[number]
 }
 
@@ -51,31 +52,31 @@ export const PICTURE_DEFAULTS = {
   relief: 'near',
 } as const satisfies Partial<PictureRequest>
 
-/** What the page is to draw: the request with all defaults applied and files as addresses. */
+/** Request to the page, with defaults applied and files as URLs. */
 export interface PageJob
   extends Required<Omit<PictureRequest, 'input' | 'allowOutside' | 'mesh' | 'expression' | 'wrinkles'>> {
   face: string
-  /** Absent where the face has its own, or none. */
+  /** URL of the wrinkle set; absent if the face contains it, or has none. */
   wrinkles?: string
   mesh?: string
   expression?: string
-  /** Address to which the page posts the pixels: RGBA, row 0 at the top. */
+  /** URL to which the page posts the pixels: RGBA, row 0 at the top. */
   uploadTo: string
 }
 
-/** What the page reports about the picture that it has posted. */
+/** Report of the page about a posted image. */
 export interface PageReport {
-  /** The graphics API. */
+  /** Graphics API. */
   renderer: 'WebGL 2' | 'WebGPU'
-  /** The GPU or software rasteriser, as named by its driver. */
+  /** GPU or software rasteriser, as named by its driver. */
   adapter: string
-  /** Warnings of the library and three.js. */
+  /** Warnings from the library and three.js. */
   warnings: string[]
 }
 
 declare global {
   interface Window {
-    /** Defined by the page and called by Node, once per picture of one face, mesh, wrinkle set and renderer. */
+    /** Defined by the page and called by Node. All calls on a page have the same face, mesh, wrinkle set and renderer. */
     drawPicture(job: PageJob): Promise<PageReport | { error: string }>
   }
 }

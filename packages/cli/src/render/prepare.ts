@@ -9,27 +9,27 @@ import { type PageJob, PICTURE_DEFAULTS, PICTURE_SIDE, type PictureRequest } fro
 
 const WHO = 'furrow render'
 
-/** What the page may read: files by the paths that it knows, each with its content or its real path. */
+/** Files that the page may read: content or real path, by the path in the page's URL. */
 export type OfferedFiles = ReadonlyMap<string, Uint8Array | string>
 
-/** A request that was checked. */
+/** Validated request. */
 export interface PreparedPicture {
-  /** With all defaults applied; `face` and `wrinkles` are still paths. */
+  /** Job with defaults applied; `face` and `wrinkles` are still paths. */
   job: Omit<PageJob, 'uploadTo'>
   files: OfferedFiles
-  /** What the user should know. */
+  /** Warnings for the user. */
   notes: string[]
 }
 
-/** A file as one `.glb` that refers to no others. */
-interface WholeFace {
+/** Face as a self-contained `.glb`. */
+interface EncodedFace {
   json: GltfJson
   bytes: Uint8Array
 }
 
-/** Returns a function that reads the face of a request: once for all requests, such as a report's, that have the same. */
-export function faceReader(): (request: PictureRequest) => Promise<WholeFace> {
-  const faces = new Map<string, Promise<WholeFace>>()
+/** Returns a function that reads the face of a request, cached by path. */
+export function faceReader(): (request: PictureRequest) => Promise<EncodedFace> {
+  const faces = new Map<string, Promise<EncodedFace>>()
   return ({ input, allowOutside }) => {
     const face =
       faces.get(input) ??
@@ -40,9 +40,9 @@ export function faceReader(): (request: PictureRequest) => Promise<WholeFace> {
 }
 
 /**
- * Checks a request and the files that it needs.
+ * Validates a request and its files.
  *
- * @throws FurrowError at the first one that is missing, malformed, unknown or out of range.
+ * @throws FurrowError for the first value that is invalid, unknown, out of range or missing.
  */
 export async function preparePicture(
   { allowOutside, ...request }: PictureRequest,
@@ -70,22 +70,19 @@ export async function preparePicture(
   return {
     job: { ...job, wrinkles: wrinkles?.path },
     files: new Map([[face, bytes], ...(wrinkles?.files ?? [])]),
-    notes: wrinkles ? [] : [`${WHO}: ${request.input} has no wrinkles; make some with furrow auto`],
+    notes: wrinkles ? [] : [`${WHO}: ${request.input} has no wrinkles; add them with furrow auto`],
   }
 }
 
 interface FoundWrinkles {
-  /** Of a set beside the face. */
+  /** Path of a set outside the face. */
   path?: string
-  /** Names. */
+  /** Names of the areas. */
   areas: string[]
   files: OfferedFiles
 }
 
-/**
- * The wrinkle set of the request, otherwise that of the face's file, otherwise that in the folder beside it, if there
- * is one.
- */
+/** Finds the wrinkle set: from the request, in the face, or in the folder beside the face. */
 async function findWrinkles(
   request: PictureRequest,
   json: GltfJson,
@@ -109,9 +106,9 @@ async function findWrinkles(
   for (const uri of [...maps, ...areas.map(({ image }) => image)]) {
     const real = await resolveInside(path, uri, WHO, options)
     await checkReadable(real)
-    // The page reads it later.
+    // The page reads the file later.
     recordRead(await stat(real, { bigint: true }))
-    // The page finds it by its URI, as a browser resolves that.
+    // The key is the path to which the browser resolves the URI.
     files.set(fileURLToPath(new URL(uri, pathToFileURL(path))), real)
   }
   return { path, areas: areas.map(({ name }) => name), files }
@@ -134,25 +131,25 @@ function defined<T extends object>(options: T): T {
   return Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined)) as T
 }
 
-function checkName(what: string, value: string, allowed: readonly string[]): void {
+function checkName(kind: string, value: string, allowed: readonly string[]): void {
   if (allowed.includes(value)) return
   throw new FurrowError({
     code: 'unknown-name',
     who: WHO,
-    problem: `unknown ${what}`,
+    problem: `unknown ${kind}`,
     value,
     limit: allowed.join(', '),
-    remedy: didYouMean(value, allowed, 'use one of these'),
+    remedy: didYouMean(value, allowed, 'choose one of these'),
   })
 }
 
-function checkSide(what: 'width' | 'height', value: number): void {
+function checkSide(name: 'width' | 'height', value: number): void {
   const { min, max } = PICTURE_SIDE
   if (Number.isInteger(value) && value >= min && value <= max) return
   throw new FurrowError({
     code: 'out-of-range',
     who: WHO,
-    problem: `${what} out of range`,
+    problem: `${name} out of range`,
     value,
     limit: `integers from ${min} to ${max} pixels`,
     remedy: 'choose e.g. --size 800x600',
@@ -160,33 +157,33 @@ function checkSide(what: 'width' | 'height', value: number): void {
 }
 
 function checkWeights(
-  what: string,
+  kind: string,
   weights: Record<string, number>,
   names: string[],
   known: (name: string) => boolean,
 ): void {
   for (const [name, weight] of Object.entries(weights)) {
-    if (names.length === 0) throw hasNone(what, name)
-    if (!known(name)) checkName(what, name, names)
+    if (names.length === 0) throw noneError(kind, name)
+    if (!known(name)) checkName(kind, name, names)
     if (weight >= 0 && weight <= 1) continue
     throw new FurrowError({
       code: 'out-of-range',
       who: WHO,
-      problem: `${what} ${name} out of range`,
+      problem: `${kind} ${name} out of range`,
       value: weight,
       limit: '0..1',
-      remedy: `write e.g. ${name}=0.5`,
+      remedy: `use e.g. ${name}=0.5`,
     })
   }
 }
 
-function hasNone(what: string, value: string): FurrowError {
+function noneError(kind: string, value: string): FurrowError {
   return new FurrowError({
     code: 'unknown-name',
     who: WHO,
-    problem: `the face has no ${what}s`,
+    problem: `the face has no ${kind}s`,
     value,
-    remedy: what === 'area' ? 'make wrinkles with furrow auto, or leave --activation out' : 'leave --set out',
+    remedy: kind === 'area' ? 'add wrinkles with furrow auto, or omit --activation' : 'omit --set',
   })
 }
 
@@ -194,6 +191,6 @@ async function checkReadable(path: string): Promise<void> {
   try {
     await access(path)
   } catch (error) {
-    throw cannotRead(WHO, path, error, { remedy: 'check that the file exists and may be read' })
+    throw cannotRead(WHO, path, error, { remedy: 'check that the file exists and is readable' })
   }
 }

@@ -6,22 +6,22 @@ import { type LocalServer, startLocalServer } from './local-server.ts'
 import type { PageJob, PageReport, PictureRequest } from './picture.ts'
 import { faceReader, type PreparedPicture, preparePicture } from './prepare.ts'
 
-/** A picture that was drawn. */
+/** Drawn image. */
 export interface Picture extends PageReport {
   width: number
   height: number
   /** RGBA, sRGB, row 0 at the top. */
   pixels: Uint8Array
-  /** Time to draw it; for the first picture of a face including the loading of its page. */
+  /** Time to draw; for the first image of a face, includes loading the page. */
   milliseconds: number
 }
 
 /**
- * Draws pictures in a headless browser, one after the other. Consecutive pictures of one face are drawn in one page,
- * which takes a fraction of the time. All requests are checked before the browser starts. No files are written.
+ * Draws images in a headless browser, in order. Consecutive images of one face share a page, which is faster. Validates
+ * all requests before the browser starts. Writes no files.
  *
- * @param progress called before each picture and once after the last.
- * @throws FurrowError when a request is invalid, no browser is found, or a picture cannot be drawn.
+ * @param progress called before each image and after the last.
+ * @throws FurrowError if a request is invalid, no browser is found, or an image cannot be drawn.
  */
 export async function renderPictures(
   requests: readonly PictureRequest[],
@@ -36,7 +36,7 @@ export async function renderPictures(
   }
 }
 
-/** Draws pictures like `renderPictures`, in a browser that others are drawn in too. */
+/** Draws images like `renderPictures`, in a given browser. */
 export async function renderPicturesIn(
   browser: Browser,
   requests: readonly PictureRequest[],
@@ -75,7 +75,7 @@ async function drawWith(
   try {
     for (const [i, picture] of prepared.entries()) {
       progress(i, prepared.length)
-      // A page per face, so that a lost device or a leak does not affect the next.
+      // One page per face, so that a lost device or a leak does not affect the next face.
       if (i === 0 || !haveSameScene(picture, prepared[i - 1])) {
         await page?.close()
         page = await newPage(browser)
@@ -89,7 +89,7 @@ async function drawWith(
   return pictures
 }
 
-/** Whether one page can draw both. */
+/** Returns whether one page can draw both images. */
 function haveSameScene({ job: a }: PreparedPicture, { job: b }: PreparedPicture): boolean {
   return a.face === b.face && a.wrinkles === b.wrinkles && a.mesh === b.mesh && a.renderer === b.renderer
 }
@@ -108,10 +108,10 @@ async function drawOne(
     wrinkles: job.wrinkles && server.addressOf(job.wrinkles),
     uploadTo: inbox.address,
   }
-  // Users know files by their paths.
+  // Messages show paths instead of URLs.
   const withPaths = (text: string) => text.replaceAll(`${server.origin}/file`, '')
   const report = await askPage(page, server, pageJob).catch((error) => ({
-    // Playwright's messages begin with the name of its method.
+    // Removes the method name at the start of Playwright's messages.
     error: firstLine(error).replace(/^page\.\w+: /, ''),
   }))
   if ('error' in report) throw drawingFailed(job.face, withPaths(firstLine(report.error)))
@@ -141,7 +141,7 @@ async function askPage(
     if (page.url() !== server.page) await open(page, server)
     return await Promise.race([crashed, page.evaluate((job) => window.drawPicture(job), job)])
   } finally {
-    // One page draws many pictures.
+    // The page is reused; do not accumulate listeners.
     page.off('crash', onCrash)
   }
 }
@@ -158,7 +158,7 @@ function drawingFailed(face: string, problem: string): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who: 'furrow render',
-    problem: `${face} cannot be drawn (${problem})`,
-    remedy: 'correct the input, or try the other --renderer',
+    problem: `cannot draw ${face} (${problem})`,
+    remedy: 'correct the input, or try another --renderer',
   })
 }

@@ -32,10 +32,10 @@ import { withBar } from '../progress.ts'
 
 const WHO = 'furrow strokes'
 
-/** Side of the maps in texels where neither an option, nor the document, nor a base gives it. */
+/** Size of the maps if no option, document or base sets it, texels. */
 export const DEFAULT_SIZE = 1024
 
-/** Maps to draw, and how: options of `furrow strokes`. */
+/** Drawing options of `furrow strokes`. */
 export interface DrawOptions {
   base?: string
   detail?: boolean
@@ -46,15 +46,15 @@ export interface DrawOptions {
   allowOutside?: boolean
 }
 
-/** File of an area in a folder. */
+/** Returns the path of an area in a folder. */
 export const areaPath = (folder: string, name: string) => join(folder, `${name}.png`)
 
-/** A file to write, and what to print about it. */
+/** File to write, with a printed note. */
 export interface DrawnFile extends OutputFile {
   note: string
 }
 
-/** Draws the height map and the normal map, where they are asked for. */
+/** Draws the height map and the normal map, if requested. */
 export async function drawMaps(
   document: StrokesDocument,
   strokes: readonly Stroke[],
@@ -82,7 +82,7 @@ export async function drawMaps(
   if (normal) {
     const wrinkles = heightToNormal(heights, metric, frameOf(face))
     const bytes = await encodeRgbaNormalMap(base ? combineNormals(base, wrinkles) : wrinkles)
-    const over = `over ${base ? (options.base ?? "the skin's own normal map") : 'a flat skin'}`
+    const over = `over ${base ? (options.base ?? 'the normal map of the skin') : 'flat skin'}`
     const { length } = strokes
     const count = `${length} ${length === 1 ? 'stroke' : 'strokes'}`
     drawn.push({ path: normal, bytes, note: `${sizeText}, ${count} ${over}` })
@@ -90,7 +90,7 @@ export async function drawMaps(
   return drawn
 }
 
-/** Draws all maps of the layers, and in a new folder whatever else `furrow pack` needs. */
+/** Draws all maps of the layers; in a new folder, also the other files that `furrow pack` reads. */
 export async function drawInto(
   open: OpenSet,
   document: StrokesDocument,
@@ -98,14 +98,14 @@ export async function drawInto(
   face: FaceMesh,
   { size = document.size ?? DEFAULT_SIZE, allowOutside }: DrawOptions,
 ): Promise<DrawnFile[]> {
-  if (size % 2 !== 0) throw oddSize(size)
+  if (size % 2 !== 0) throw oddSizeError(size)
   const { folder, set, isNew } = open
   const canvas = skinCanvas(face.mesh, size, size, document.scale)
   const read = (uri: string) => readReferenced(folder, uri, WHO, { allowOutside })
   const on = { canvas, frame: frameOf(face) }
   const { layers, files } = await drawSet(set, open.layers, document, read, on, WHO)
   files.unshift({ path: WRINKLES_FILE, bytes: jsonFile({ ...open.json, layers }) })
-  // The document that was read may be there already.
+  // The strokes document that was read may be this file.
   if (isNew && !wasRead(join(folder, STROKES_FILE)))
     files.push({ path: STROKES_FILE, bytes: jsonFile(json as object) })
   const drawn = files.map(({ path, bytes }) => ({
@@ -118,16 +118,17 @@ export async function drawInto(
 
 const frameOf = ({ hasTangents }: FaceMesh): TangentFrame => (hasTangents ? 'orthonormal' : 'derivative')
 
-function oddSize(size: number): FurrowError {
+function oddSizeError(size: number): FurrowError {
   return new FurrowError({
     who: WHO,
-    problem: 'heights, occlusion and blood have half the side of the normals, which is odd',
+    problem: 'the size is odd, but heights, occlusion and blood need half of it',
     value: size,
+    limit: 'even sizes',
     remedy: `choose --size ${size + 1}`,
   })
 }
 
-/** Draws a gray image per area, where they are asked for. */
+/** Draws a gray image per area, if requested. */
 export function drawAreas(
   document: StrokesDocument,
   face: FaceMesh,
@@ -142,12 +143,12 @@ export function drawAreas(
     painted.map(async ({ name, weights }) => ({
       path: areaPath(areas, name),
       bytes: await encodeArea(weights),
-      note: `${weights.width} x ${weights.height}, white = no wrinkles`,
+      note: `${weights.width} x ${weights.height}, black = visible`,
     })),
   )
 }
 
-/** The lowest and highest value. */
+/** Formats the range of the heights. */
 function rangeOf({ data }: HeightMap): string {
   let [low, high] = [0, 0]
   for (const mm of data) {
@@ -157,7 +158,7 @@ function rangeOf({ data }: HeightMap): string {
   return `${low.toFixed(2)}..${high.toFixed(2)} mm`
 }
 
-/** The normal map under the wrinkles: `--base`, or the mesh's own; none with `--detail`. */
+/** Reads the normal map under the strokes: `--base`, or the mesh's normal map; undefined with `--detail`. */
 async function readBase(
   { base, detail }: DrawOptions,
   face: FaceMesh,

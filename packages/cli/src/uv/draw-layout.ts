@@ -3,9 +3,9 @@ import { type FoundSkin, type Glb, pixelsOf, withCommandErrors } from 'furrow-fi
 import sharp from 'sharp'
 
 /**
- * Draws the UV layout of a skin over its base colour, where that is in the same layout.
+ * Draws the UV layout of a skin over its base colour, if the base colour uses the same layout.
  *
- * @param size side in texels.
+ * @param size side, texels.
  * @returns RGBA, size x size texels.
  * @throws FurrowError if the base colour cannot be decoded, or hundreds of triangles overlap.
  */
@@ -39,7 +39,7 @@ async function baseColour(
   return image.toColourspace('srgb').ensureAlpha().raw().toBuffer()
 }
 
-/** The texture coordinates and transform of a texture info. */
+/** Returns the texture coordinate set and the transform of a texture info. */
 function layoutOf(info: { texCoord?: number; extensions?: Record<string, unknown> } = {}) {
   return [info.texCoord ?? 0, info.extensions?.KHR_texture_transform]
 }

@@ -1,4 +1,4 @@
-/** A rectangle of a picture, in pixels. */
+/** Rectangle in an image, pixels. */
 export interface Rect {
   left: number
   top: number
@@ -6,16 +6,16 @@ export interface Rect {
   height: number
 }
 
-/** Smallest difference of a channel, 0..255, that counts as a change. */
+/** Minimum difference of a channel that counts as a change, 0..255. */
 const THRESHOLD = 24
 /** Margin on each side, as a fraction of the longer side. */
 const MARGIN = 0.15
 
 /**
- * The rectangle in which pictures of one size differ, with a margin: of one head in several poses, its face. The whole
- * picture where they do not differ.
+ * Returns the rectangle in which images of one size differ, with a margin. For a head in several poses, this is the
+ * face. Returns the full image if there are no differences.
  *
- * @param pictures RGBA bytes.
+ * @param pictures RGBA bytes, 0..255.
  */
 export function changedRect(pictures: readonly Uint8Array[], width: number, height: number): Rect {
   const first = pictures[0]

@@ -8,18 +8,18 @@ import { drawAreas, drawFaces, drawLayers, drawStrain } from './pictures.ts'
 import { type Pose, posesOf } from './poses.ts'
 import type { ReportSource } from './report-source.ts'
 
-/** The files of a report. */
+/** Files of a report. */
 export interface ReportFiles {
   files: OutputFile[]
-  /** Why it has no pictures of the face; absent where it has them. */
+  /** Reason why the face was not drawn; absent if it was. */
   missing?: string
 }
 
 /**
- * Makes the report of `furrow auto`: a page and its pictures.
+ * Creates the report of `furrow auto`: a page and its images. Writes no files.
  *
- * @param folder for the paths of the files; nothing is written.
- * @param steps two of them begin here: `report` and `pictures`.
+ * @param folder folder for the paths of the files.
+ * @param steps begins the steps `report` and `pictures`.
  */
 export async function makeReport(
   source: ReportSource,
@@ -55,7 +55,7 @@ export async function makeReport(
   }
 }
 
-/** Draws a face that is not written yet; see `drawFaces`. */
+/** Draws a face from memory; see `drawFaces`. */
 async function drawFile(glb: Glb, poses: readonly Pose[], progress: Progress) {
   const folder = temporaryFolder()
   try {

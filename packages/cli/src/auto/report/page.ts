@@ -8,26 +8,26 @@ import type { ReportSource } from './report-source.ts'
 import { COLOUR_SCALE, MAX_COMPRESSION } from './strain-colours.ts'
 import { STYLE } from './style.ts'
 
-/** What the page shows. Images are in the order of the poses, areas and layers. */
+/** Content of the page. Images are in the order of the poses, areas and layers. */
 export interface PageSource extends Omit<ReportSource, 'path' | 'glb'> {
   title: string
   poses: readonly Pose[]
   strain: readonly ReportImage[]
   areas: readonly ReportImage[]
   layers: readonly (readonly ReportImage[])[]
-  /** The reason as text where the face could not be drawn. */
+  /** Images of each pose, or the reason why the face was not drawn. */
   faces: readonly BeforeAndAfter[] | string
   times: readonly { step: string; seconds: number }[]
 }
 
-/** The HTML of a report; its images are in the same folder. */
+/** Returns the HTML of a report. Its images are in the same folder. */
 export function reportPage(source: PageSource): string {
   const { title, wrinkles, poses } = source
   const { layers, areas, targets, landmarks } = wrinkles
   const body = html`<header>
 <h1>${title}</h1>
-<p>${count(areas.length, 'area')} on ${count(layers.length, 'layer')}, made from ${count(targets.length, 'blendshape')} by
-<b>furrow auto</b>. ${landmarks ? 'A face was recognised.' : 'No face was recognised: the lines follow strain alone.'}</p>
+<p>${count(areas.length, 'area')} on ${count(layers.length, 'layer')}, generated from ${count(targets.length, 'blendshape')} by
+<b>furrow auto</b>. ${landmarks ? 'A face was recognised.' : 'No face was recognised, so the lines follow strain only.'}</p>
 ${warnings(source.warnings)}
 </header>
 <main>
@@ -36,15 +36,15 @@ ${warnings(source.warnings)}
 ${beforeAndAfter(source.faces, poses)}
 </section>
 <section>
-<h2>Where the skin is pushed together</h2>
-<p>The fraction of its length that the skin loses, in the direction of greatest loss, over its texture.</p>
+<h2>Skin compression</h2>
+<p>Largest relative shortening of the skin at each texel, in UV space.</p>
 ${legend()}
 <div class="tiles">${poses.map((pose, i) => strainTile(pose, source.strain[i]))}</div>
 </section>
 <section>
 <h2>Areas</h2>
-<p>Compression is that of the skin across the lines in the area’s own expression. The error is the root mean square difference between
-the driver’s activation and the measured one over many poses, from 0 to 1.</p>
+<p>Compression: relative shortening of the skin across the lines, in the expression that drives the area. Error: root mean square
+difference between the driver’s activation and the measured activation over many poses, 0 to 1.</p>
 ${areaTable(areas, source.areas)}
 </section>
 <section>
@@ -52,7 +52,7 @@ ${areaTable(areas, source.areas)}
 <div class="tiles">${layers.map(({ name }, i) => layerTiles(name, source.layers[i]))}</div>
 </section>
 <section>
-<h2>What was found, and how long it took</h2>
+<h2>Details</h2>
 <div class="facts">
 ${facts('Skin', [
   ['Mesh', source.found.meshName],
@@ -85,7 +85,7 @@ function warnings(texts: readonly string[]): Markup | undefined {
 
 function beforeAndAfter(faces: PageSource['faces'], poses: readonly Pose[]): Markup {
   if (typeof faces === 'string') return html`<p class="missing">The face was not drawn. ${faces}.</p>`
-  return html`<p>The same pose without wrinkles, and with them.</p>
+  return html`<p>Each pose without and with wrinkles.</p>
 <div class="pairs">${poses.map(
     (pose, i) => html`<figure>
 <div class="pair">${image(faces[i][0], `${pose.name}, without wrinkles`)}${image(faces[i][1], `${pose.name}, with wrinkles`)}</div>
@@ -100,7 +100,7 @@ function caption({ name, targets }: Pose): Markup {
 }
 
 function strainTile(pose: Pose, map: ReportImage): Markup {
-  return html`<figure>${image(map, `${pose.name}: compression of the skin in its texture`)}<figcaption><b>${pose.name}</b></figcaption></figure>`
+  return html`<figure>${image(map, `${pose.name}: skin compression in UV space`)}<figcaption><b>${pose.name}</b></figcaption></figure>`
 }
 
 function legend(): Markup {
@@ -117,7 +117,7 @@ function areaTable(areas: readonly AutoArea[], images: readonly ReportImage[]): 
   const rows = areas.map(({ name, layer, lines, compression, error, driver }, i) => {
     const links = [...driver.targets].sort((a, b) => (b.weight ?? 1) - (a.weight ?? 1))
     return html`<tr>
-<td class="map">${image(images[i], `Area ${name} in the texture`)}</td>
+<td class="map">${image(images[i], `Area ${name} in UV space`)}</td>
 <th scope="row">${name}</th>
 <td data-label="Layer">${layer + 1}</td>
 <td data-label="Lines">${lines}</td>
@@ -143,13 +143,13 @@ function layerTiles(name: string, images: readonly ReportImage[]): Content {
   ]
 }
 
-/** A blendshape and its weight, coloured by sign. */
+/** Returns a blendshape and its weight, coloured by sign. */
 function chip(target: string, weight: number): Markup {
   const sign = weight < 0 ? 'less' : 'more'
   return html`<span class="chip ${sign}">${target} <b>${signed(Number(weight.toFixed(2)))}</b></span>`
 }
 
-/** An image that links to its file. */
+/** Returns an image that links to its file. */
 function image({ file, width, height }: ReportImage, alt: string): Markup {
   return html`<a href="${file}"><img src="${file}" width="${width}" height="${height}" alt="${alt}"></a>`
 }
@@ -170,7 +170,7 @@ function landmarkFacts(landmarks: Landmarks): Markup {
   return facts('Landmarks (mm left, up, forwards)', rows)
 }
 
-/** With a minus sign rather than a hyphen, and never -0. */
+/** Formats a number with a minus sign instead of a hyphen, and -0 as 0. */
 function signed(value: number): string {
   return String(value === 0 ? 0 : value).replace('-', '−')
 }

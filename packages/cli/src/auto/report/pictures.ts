@@ -9,7 +9,7 @@ import { changedRect, type Rect } from './changed-rect.ts'
 import type { Pose } from './poses.ts'
 import { colourStrain } from './strain-colours.ts'
 
-/** An image of the report. */
+/** Image of the report. */
 export interface ReportImage {
   /** File name in the report's folder. */
   file: string
@@ -18,19 +18,19 @@ export interface ReportImage {
   bytes: Uint8Array
 }
 
-// Sizes of the images in pixels.
+// Image sizes, pixels.
 const FACE = { width: 660, height: 880 }
 const STRAIN_SIDE = 512
 const AREA_SIDE = 256
 const MAX_MAP_SIDE = 1024
 
-/** A pose without and with wrinkles. */
+/** Images of a pose without and with wrinkles. */
 export type BeforeAndAfter = readonly [before: ReportImage, after: ReportImage]
 
 /**
- * Draws the face of a file in each pose, without and with its wrinkles.
+ * Draws a face in each pose, without and with wrinkles.
  *
- * @returns the reason as text where the face cannot be drawn, e.g. without a browser.
+ * @returns images, or the reason why the face cannot be drawn, e.g. no browser.
  */
 export async function drawFaces(
   path: string,
@@ -61,7 +61,7 @@ export async function drawFaces(
   return poses.map((_, i) => [images[2 * i], images[2 * i + 1]] as const)
 }
 
-/** Draws the compression of the skin in each pose, over its texture coordinates. */
+/** Draws the compression of the skin in each pose, in UV space. */
 export function drawStrain(skin: Skin, poses: readonly Pose[]): Promise<ReportImage[]> {
   const maps = strainMaps(
     skin,
@@ -71,7 +71,7 @@ export function drawStrain(skin: Skin, poses: readonly Pose[]): Promise<ReportIm
   return Promise.all(maps.map((map, i) => encode(`strain-${i + 1}`, colourStrain(map), STRAIN_SIDE)))
 }
 
-/** Draws each area over the base colour of the skin, or over gray where the file does not have it. */
+/** Draws each area over the base colour of the skin, or over gray if the file has none. */
 export async function drawAreas(file: WrinkledFile, who: string): Promise<ReportImage[]> {
   const skin = await skinOf(file, who, AREA_SIDE).catch(() =>
     new Uint8Array(3 * AREA_SIDE * AREA_SIDE).fill(120),

@@ -1,17 +1,14 @@
 import { findTargets } from 'furrow'
 import type { AutoWrinkles } from 'furrow/author'
 
-/** A pose that the report shows. */
+/** Pose in the report. */
 export interface Pose {
   name: string
-  /** Weights 0..1 by target, as the face names them. */
+  /** Blendshape weights by name in the face, 0..1. */
   targets: Record<string, number>
 }
 
-/**
- * Common expressions. A face must have all blendshapes of weight 1 to show an expression; the others are used where it
- * has them.
- */
+/** Common expressions. Blendshapes of weight 1 are required; the others are optional. */
 const EXPRESSIONS: readonly Pose[] = [
   {
     name: 'Surprise',
@@ -45,10 +42,10 @@ const EXPRESSIONS: readonly Pose[] = [
   { name: 'Right side of the smile alone', targets: { mouthSmileRight: 1, cheekSquintRight: 0.8 } },
 ]
 
-/** Largest number of poses of a skin without any of these expressions. */
+/** Maximum number of poses for a skin without any of these expressions. */
 const MAX_POSES = 8
 
-/** The expressions that a face can show; of a skin that can show none, the blendshapes that crease it most. */
+/** Returns the expressions that a face supports, or else the blendshapes with the strongest compression. */
 export function posesOf({ targets, areas }: Pick<AutoWrinkles, 'targets' | 'areas'>): Pose[] {
   const expressions = EXPRESSIONS.flatMap(({ name, targets: wanted }): Pose[] => {
     const found = Object.entries(wanted).map(([shape, weight]) => {

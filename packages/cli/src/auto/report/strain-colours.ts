@@ -1,9 +1,9 @@
 import type { StrainMap } from 'furrow/internal'
 
-/** The compression that gets the last colour; higher ones are clamped to it. */
+/** Compression of the last colour; higher values are clamped. */
 export const MAX_COMPRESSION = 0.2
 
-/** Equidistant sRGB colours from 0 to `MAX_COMPRESSION`: five of matplotlib's "inferno" (CC0), perceptually uniform. */
+/** Five equidistant sRGB colours of matplotlib's perceptually uniform "inferno" (CC0), from 0 to `MAX_COMPRESSION`. */
 export const COLOUR_SCALE = [
   [0, 0, 4],
   [87, 16, 110],
@@ -12,7 +12,7 @@ export const COLOUR_SCALE = [
   [252, 255, 164],
 ] as const
 
-/** A map of compression as RGBA bytes, transparent where there is no skin (NaN). */
+/** Converts a compression map to RGBA bytes, transparent where there is no skin (NaN). */
 export function colourStrain({ data }: StrainMap): Uint8Array {
   const pixels = new Uint8Array(4 * data.length)
   for (const [i, compression] of data.entries()) {

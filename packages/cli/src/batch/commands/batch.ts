@@ -15,12 +15,12 @@ import { JOB_COMMAND_NAMES, JOB_COMMANDS, type JobCommandName, passedOptions } f
 import { givenOptions, type JobOptions } from '../jobs/job-options.ts'
 import { LIMIT_OPTIONS, type LimitOptions, limitsOf } from '../limits.ts'
 import { localEngine } from '../local-engine.ts'
-import { isRemote } from '../places/places.ts'
 import { checkEntries } from '../plan.ts'
 import { ProcessPool } from '../processes/process-pool.ts'
 import { redisEngine } from '../queue/redis-engine.ts'
 import { type Batch, runBatch } from '../run-batch.ts'
 import { openScratch } from '../scratch.ts'
+import { isRemote } from '../stores/store-of.ts'
 import { countsText } from '../summary.ts'
 
 const WHO = 'furrow batch'
@@ -125,16 +125,16 @@ async function batch(
 
 /** Runs the batch on this machine, in child processes that end with this one. */
 async function runHere(todo: Batch, options: Options) {
-  const { lanes, limits } = limitsOf(options)
+  const { concurrency, limits } = limitsOf(options)
   const pool = new ProcessPool(limits)
-  const takeBack = onInterruption(() => pool.close())
+  const unregister = onInterruption(() => pool.close())
   const scratch = openScratch({ endsBySignal: true })
   try {
-    return await runBatch(todo, localEngine({ pool, limits, scratch: scratch.path }, lanes))
+    return await runBatch(todo, localEngine({ pool, limits, scratch: scratch.path }, concurrency))
   } finally {
     pool.close()
     scratch.remove()
-    takeBack()
+    unregister()
   }
 }
 

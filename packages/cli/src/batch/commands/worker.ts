@@ -3,7 +3,7 @@ import { print } from '../../print.ts'
 import { version } from '../../version.ts'
 import type { Job, Outcome } from '../jobs/job.ts'
 import { parseJob } from '../jobs/records.ts'
-import { machineFailure, runJob, type Workshop } from '../jobs/run-job.ts'
+import { type JobEnvironment, machineFailure, runJob } from '../jobs/run-job.ts'
 import { LIMIT_OPTIONS, type LimitOptions, limitsOf } from '../limits.ts'
 import { ProcessPool } from '../processes/process-pool.ts'
 import { bullmq, connectRedis, queueName } from '../queue/redis.ts'
@@ -40,7 +40,7 @@ for (const option of LIMIT_OPTIONS) workerCommand.addOption(option)
 
 async function work({ redis: url, ...options }: Options): Promise<void> {
   const { Worker } = await bullmq()
-  const { lanes, limits } = limitsOf(options)
+  const { concurrency, limits } = limitsOf(options)
   const connection = await connectRedis(url, WHO)
   const pool = new ProcessPool(limits)
   const scratch = openScratch({ endsBySignal: false })
@@ -51,10 +51,10 @@ async function work({ redis: url, ...options }: Options): Promise<void> {
   // Jobs run in child processes, so that this one can always renew their locks.
   const worker = new Worker<unknown, Outcome>(
     queueName(version),
-    ({ data }) => perform(data, { pool, limits, scratch: scratch.path }),
+    ({ data }) => runQueuedJob(data, { pool, limits, scratch: scratch.path }),
     {
       connection,
-      concurrency: lanes,
+      concurrency,
       maxStalledCount: MOST_STALLS,
     },
   )
@@ -63,7 +63,7 @@ async function work({ redis: url, ...options }: Options): Promise<void> {
     const { input = 'a job' } = Object(data)
     print(`${input}: ${status === 'done' ? `done, ${seconds} s` : reason}`)
   })
-  print(`${WHO}: ready for ${lanes} parallel jobs`)
+  print(`${WHO}: ready for ${concurrency} parallel jobs`)
   await firstSignal()
   print(`${WHO}: stopping after the running jobs`)
   await worker.close()
@@ -72,14 +72,14 @@ async function work({ redis: url, ...options }: Options): Promise<void> {
 }
 
 /** Runs a job from the queue. Validates the data, because anything may write to Redis. */
-async function perform(data: unknown, workshop: Workshop): Promise<Outcome> {
+async function runQueuedJob(data: unknown, environment: JobEnvironment): Promise<Outcome> {
   let job: Job
   try {
     job = parseJob(data, WHO)
   } catch (error) {
     return { ...machineFailure(error), kind: 'file', seconds: 0, attempts: 0 }
   }
-  return runJob(job, workshop)
+  return runJob(job, environment)
 }
 
 /** Waits for the first SIGINT or SIGTERM. The second one ends the process. */

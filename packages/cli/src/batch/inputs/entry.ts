@@ -1,12 +1,12 @@
 import type { JobOptions } from '../jobs/job-options.ts'
 
-/** One wish of the user: an input, and where its result goes. */
+/** An input and its output. */
 export interface Entry {
-  /** A path or an address. */
+  /** Path or URL. */
   input: string
-  /** Absent where the command makes no file. */
+  /** Absent for commands that write no file. */
   output?: string
   options: JobOptions
-  /** Where a list told it; see `Place.identify`. */
+  /** Content identity, if a listing already gave it; see `FileStore.identify`. */
   identity?: string
 }

@@ -6,7 +6,7 @@ import { type JobOptions, manifestWords, parseJobOptions } from '../jobs/job-opt
 
 const WHO = 'furrow batch'
 
-/** A line of a manifest. */
+/** Line of a manifest. */
 export interface ManifestLine {
   input: string
   output?: string
@@ -16,10 +16,10 @@ export interface ManifestLine {
 const FIELDS = ['input', 'output', 'options']
 
 /**
- * Reads a list of jobs, one JSON object per line: `{"input": "a.glb", "output": "out/a.glb", "options": {"age": 40}}`.
+ * Reads a manifest, one JSON object per line: `{"input": "a.glb", "output": "out/a.glb", "options": {"age": 40}}`.
  *
- * @param shared options of all lines, which a line's own replace.
- * @throws FurrowError with the number of the first line that is wrong.
+ * @param shared default options, overridden by the options of a line.
+ * @throws FurrowError with the number of the first invalid line.
  */
 export async function readManifest(
   path: string,
@@ -38,21 +38,23 @@ function parseLine(line: string, where: string, command: JobCommandName, shared:
   try {
     json = JSON.parse(line)
   } catch (error) {
-    throw wrongLine(where, `is not JSON (${firstLine(error)})`)
+    throw invalidLine(where, `is not JSON (${firstLine(error)})`)
   }
-  if (typeof json !== 'object' || json === null || Array.isArray(json)) throw wrongLine(where, 'is no object')
+  if (typeof json !== 'object' || json === null || Array.isArray(json)) {
+    throw invalidLine(where, 'is not an object')
+  }
   const unknown = Object.keys(json).find((name) => !FIELDS.includes(name))
-  if (unknown !== undefined) throw wrongLine(where, `has an unknown field "${unknown}"`)
+  if (unknown !== undefined) throw invalidLine(where, `has an unknown field "${unknown}"`)
   const { input, output, options = {} } = json as Record<string, unknown>
-  if (typeof input !== 'string' || input === '') throw wrongLine(where, 'has no "input"')
+  if (typeof input !== 'string' || input === '') throw invalidLine(where, 'has no "input"')
   if (output !== undefined && (typeof output !== 'string' || output === '')) {
-    throw wrongLine(where, 'has an "output" that is no text')
+    throw invalidLine(where, 'has an "output" that is not text')
   }
   const own = parseJobOptions(command, manifestWords(options, where))
   return { input, ...(output !== undefined && { output }), options: { ...shared, ...own } }
 }
 
-function wrongLine(where: string, problem: string): FurrowError {
+function invalidLine(where: string, problem: string): FurrowError {
   return new FurrowError({
     who: WHO,
     problem: `${where} ${problem}`,

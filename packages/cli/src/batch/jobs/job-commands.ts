@@ -4,39 +4,39 @@ import { inspectCommand } from '../../commands/inspect.ts'
 import { packCommand } from '../../commands/pack.ts'
 import { validateCommand } from '../../commands/validate.ts'
 
-/** A command that is run on every input. */
+/** Command that a batch can run. */
 export interface JobCommand {
   command: Command
-  /** What it reads: a file, or a folder with all that is in it. */
+  /** Kind of the input: a file, or a folder with all its contents. */
   reads: 'file' | 'folder'
-  /** Whether it makes a file; otherwise its result is what it prints. */
+  /** Whether the command writes a file; otherwise the result is its printed output. */
   writes: boolean
-  /** Its options whose values are files: what is in them is part of the job. */
+  /** Options whose values are files. The contents of these files are part of the job. */
   files: readonly string[]
-  /** What is kept of the JSON that it prints. */
+  /** Reduces the printed JSON to the fields in the results. */
   summary: (printed: Record<string, unknown>) => Record<string, unknown>
 }
 
-/** The options of commands that a batch sets itself, or that write further files; by attribute. */
-const OWN = ['output', 'force', 'json', 'report', 'strokes', 'sheet']
+/** Options that the batch sets itself, or that write more files; by attribute name. */
+const EXCLUDED_OPTIONS = ['output', 'force', 'json', 'report', 'strokes', 'sheet']
 
-const counted = (list: unknown) => (Array.isArray(list) ? list.length : list)
+const countOf = (list: unknown) => (Array.isArray(list) ? list.length : list)
 
-/** What is counted is enough of layers and areas: `furrow inspect` tells the rest from the file. */
-const facesOnly = ({ file, layers, areas, missing, warnings, ...rest }: Record<string, unknown>) => ({
+/** Replaces layers and areas by their counts; `furrow inspect` shows the rest. */
+const summarizeFace = ({ file, layers, areas, missing, warnings, ...rest }: Record<string, unknown>) => ({
   ...rest,
-  layers: counted(layers),
-  areas: counted(areas),
+  layers: countOf(layers),
+  areas: countOf(areas),
 })
 
-const whole = ({ file, ...rest }: Record<string, unknown>) => rest
+const withoutFile = ({ file, ...rest }: Record<string, unknown>) => rest
 
-/** The commands of a batch. */
+/** Commands that a batch can run. */
 export const JOB_COMMANDS = {
-  auto: { command: autoCommand, reads: 'file', writes: true, files: [], summary: facesOnly },
-  pack: { command: packCommand, reads: 'folder', writes: true, files: ['face'], summary: facesOnly },
-  validate: { command: validateCommand, reads: 'file', writes: false, files: [], summary: whole },
-  inspect: { command: inspectCommand, reads: 'file', writes: false, files: [], summary: whole },
+  auto: { command: autoCommand, reads: 'file', writes: true, files: [], summary: summarizeFace },
+  pack: { command: packCommand, reads: 'folder', writes: true, files: ['face'], summary: summarizeFace },
+  validate: { command: validateCommand, reads: 'file', writes: false, files: [], summary: withoutFile },
+  inspect: { command: inspectCommand, reads: 'file', writes: false, files: [], summary: withoutFile },
 } as const satisfies Record<string, JobCommand>
 
 export type JobCommandName = keyof typeof JOB_COMMANDS
@@ -47,7 +47,9 @@ export function isJobCommand(name: string): name is JobCommandName {
   return Object.hasOwn(JOB_COMMANDS, name)
 }
 
-/** The options of a command that a batch passes on. */
+/** Returns the options of a command that can be given to the batch. */
 export function passedOptions(name: JobCommandName) {
-  return JOB_COMMANDS[name].command.options.filter((option) => !OWN.includes(option.attributeName()))
+  return JOB_COMMANDS[name].command.options.filter((option) => {
+    return !EXCLUDED_OPTIONS.includes(option.attributeName())
+  })
 }

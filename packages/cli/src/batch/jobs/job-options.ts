@@ -2,10 +2,10 @@ import { FurrowError } from 'furrow'
 import { createCommand } from '../../command.ts'
 import { type JobCommandName, passedOptions } from './job-commands.ts'
 
-/** Options of a job by their names on the command line, without dashes: true for those without a value. */
+/** Options of a job by their command-line names, without dashes; true for options without a value. */
 export type JobOptions = Readonly<Record<string, true | string | readonly string[]>>
 
-/** Options as words of a command line. */
+/** Converts options to command-line arguments. */
 export function wordsOf(options: JobOptions): string[] {
   return Object.entries(options).flatMap(([name, value]) => [
     `--${name}`,
@@ -14,11 +14,11 @@ export function wordsOf(options: JobOptions): string[] {
 }
 
 /**
- * Checks the options of a job as its command would, and puts them in one order and form.
+ * Validates the options of a job like its command, and normalises their order and form.
  *
- * @param words as on the command line.
- * @returns only those that were given: others are what the version of the command says.
- * @throws FurrowError when one is unknown or its value is not allowed.
+ * @param words command-line arguments.
+ * @returns the given options, without defaults.
+ * @throws FurrowError if an option is unknown or its value is invalid.
  */
 export function parseJobOptions(command: JobCommandName, words: readonly string[]): JobOptions {
   const parser = createCommand('batch').allowExcessArguments(false)
@@ -29,7 +29,7 @@ export function parseJobOptions(command: JobCommandName, words: readonly string[
 
 type Parser = ReturnType<typeof createCommand>
 
-/** The options of a command that was parsed, without defaults; `only` some of them. */
+/** Returns the options given to a parsed command, without defaults; `only` limits the options. */
 export function givenOptions(parser: Parser, only = parser.options): JobOptions {
   const given = only.filter((option) => parser.getOptionValueSource(option.attributeName()) === 'cli')
   const pairs = given.map((option) => {
@@ -40,17 +40,17 @@ export function givenOptions(parser: Parser, only = parser.options): JobOptions 
   return Object.fromEntries(pairs.sort(([a], [b]) => (a < b ? -1 : 1)))
 }
 
-/** The words of the options in a line of a manifest: text, numbers, true, or lists of text by name. */
+/** Converts the options in a manifest line to command-line arguments. Values: text, number, boolean, or a list of text. */
 export function manifestWords(options: unknown, where: string): string[] {
   const isObject = typeof options === 'object' && options !== null && !Array.isArray(options)
   const entries = isObject ? Object.entries(options) : []
   const isWord = (value: unknown) => typeof value === 'string' || typeof value === 'number'
-  const wrong = entries.find(([, value]) => typeof value !== 'boolean' && ![value].flat().every(isWord))
-  if (!isObject || wrong) {
+  const invalid = entries.find(([, value]) => typeof value !== 'boolean' && ![value].flat().every(isWord))
+  if (!isObject || invalid) {
     throw new FurrowError({
       who: 'furrow batch',
-      problem: `${where}: ${wrong ? `the option ${wrong[0]} has no such value` : '"options" is no object'}`,
-      value: wrong ? wrong[1] : options,
+      problem: `${where}: ${invalid ? `invalid value of the option ${invalid[0]}` : '"options" is not an object'}`,
+      value: invalid ? invalid[1] : options,
       limit: '{ "age": 40, "furrows": true, "regions": ["neck", "chin"] }, names as on the command line',
       remedy: 'correct the line',
     })

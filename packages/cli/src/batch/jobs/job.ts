@@ -2,47 +2,47 @@ import { createHash } from 'node:crypto'
 import type { JobCommandName } from './job-commands.ts'
 import type { JobOptions } from './job-options.ts'
 
-/** One input, what to do with it, and where the result goes: plain data, which a queue can hold. */
+/** One command on one input, as plain data for a queue. */
 export interface Job {
-  /** The same for the same work, wherever the input lies and the output goes; see `keyOf`. */
+  /** Hash of the work, independent of the paths of input and output; see `keyOf`. */
   key: string
   command: JobCommandName
   input: string
-  /** What stands for the content of the input; see `Place.identify`. */
+  /** Content identity of the input; see `FileStore.identify`. */
   identity: string
-  /** Absent where the command makes no file. */
+  /** Absent for commands that write no file. */
   output?: string
   options: JobOptions
 }
 
 /**
- * What failed: the input or the options, for which the same job fails again; a limit of memory or time; the process; the
- * machine, its disk or its network.
+ * Cause of a failure. `file`: the input or the options, so the same job fails again. `memory`, `time`: a limit.
+ * `crash`: the process. `machine`: the disk or the network.
  */
 export type FailureKind = 'file' | 'memory' | 'time' | 'crash' | 'machine'
 
-/** What came of a job. */
+/** Outcome of a job. */
 export interface Outcome {
   status: 'done' | 'failed'
-  /** In one line; of those that failed alone, like `kind`. */
+  /** Reason of a failure, one line; absent unless failed, like `kind`. */
   reason?: string
   kind?: FailureKind
   warnings: string[]
-  /** What the command printed as JSON, in short. */
+  /** Summary of the JSON that the command printed. */
   result?: Record<string, unknown>
-  /** Of the output. */
+  /** Size of the output, bytes. */
   bytes?: number
   seconds: number
   attempts: number
-  /** Bytes of memory that its process held at the end. */
+  /** Memory of the process after the command, bytes. */
   memory?: number
 }
 
 /**
- * The key of a job: what its output follows from.
+ * Returns the key of a job: a hash of everything that determines its output.
  *
- * @param version of this package.
- * @param options with the content of files in place of their paths.
+ * @param version version of this package.
+ * @param options options, with content identities instead of file paths.
  */
 export function keyOf(
   version: string,

@@ -4,16 +4,16 @@ import type { FailureKind, Job, Outcome } from './job.ts'
 import { JOB_COMMAND_NAMES, JOB_COMMANDS } from './job-commands.ts'
 import { manifestWords, parseJobOptions } from './job-options.ts'
 
-/** Most characters of an address or a message. */
-export const LONGEST = 2 ** 16
-const MOST_WARNINGS = 10_000
+/** Maximum length of an address or a message, characters. */
+export const MAX_TEXT_LENGTH = 2 ** 16
+const MAX_WARNINGS = 10_000
 
 const KINDS: readonly FailureKind[] = ['file', 'memory', 'time', 'crash', 'machine']
 
 /**
- * Reads what came of a job, as a worker or a file of results tells it. Fields that are unknown are left out.
+ * Parses the outcome of a job from a worker or a results file. Ignores unknown fields.
  *
- * @throws FurrowError that names the first field which is missing or wrong.
+ * @throws FurrowError for the first missing or invalid field.
  */
 export function parseOutcome(json: unknown, who: string): Outcome {
   const reader = new JsonReader(who)
@@ -23,12 +23,12 @@ export function parseOutcome(json: unknown, who: string): Outcome {
   return {
     status: reader.choice(status, 'status', ['done', 'failed']),
     ...(status === 'failed' && {
-      reason: reader.text(reason, 'reason', LONGEST),
+      reason: reader.text(reason, 'reason', MAX_TEXT_LENGTH),
       kind: reader.choice(kind, 'kind', KINDS),
     }),
     warnings: reader
-      .array(warnings, 'warnings', 0, MOST_WARNINGS)
-      .map((warning, i) => reader.text(warning, `warnings[${i}]`, LONGEST)),
+      .array(warnings, 'warnings', 0, MAX_WARNINGS)
+      .map((warning, i) => reader.text(warning, `warnings[${i}]`, MAX_TEXT_LENGTH)),
     ...(result !== undefined && { result: reader.object(result, 'result') }),
     ...(bytes !== undefined && { bytes: count(bytes, 'bytes') }),
     seconds: reader.number(seconds, 'seconds', 0, Number.MAX_SAFE_INTEGER, 'seconds'),
@@ -38,18 +38,19 @@ export function parseOutcome(json: unknown, who: string): Outcome {
 }
 
 /**
- * Reads a job that a queue holds. Its options are those that a batch passes on, and no others.
+ * Parses a job from a queue. Accepts only the options that a batch passes to commands.
  *
- * @throws FurrowError that names the first field which is missing or wrong.
+ * @throws FurrowError for the first missing or invalid field.
  */
 export function parseJob(json: unknown, who: string): Job {
   const reader = new JsonReader(who)
   const fields = reader.object(json, 'a job', ['key', 'command', 'input', 'identity', 'output', 'options'])
-  const text = (name: 'key' | 'input' | 'identity' | 'output') => reader.text(fields[name], name, LONGEST)
+  const text = (name: 'key' | 'input' | 'identity' | 'output') =>
+    reader.text(fields[name], name, MAX_TEXT_LENGTH)
   const command = reader.choice(fields.command, 'command', JOB_COMMAND_NAMES)
   const { writes } = JOB_COMMANDS[command]
-  if (writes !== (fields.output !== undefined)) throw wrongOutput(fields.output, who)
-  if (writes && !/\.(glb|vrm)$/i.test(text('output'))) throw wrongOutput(fields.output, who)
+  if (writes !== (fields.output !== undefined)) throw invalidOutput(fields.output, who)
+  if (writes && !/\.(glb|vrm)$/i.test(text('output'))) throw invalidOutput(fields.output, who)
   return {
     key: text('key'),
     command,
@@ -60,12 +61,12 @@ export function parseJob(json: unknown, who: string): Job {
   }
 }
 
-function wrongOutput(value: unknown, who: string): FurrowError {
+function invalidOutput(value: unknown, who: string): FurrowError {
   return new FurrowError({
     who,
-    problem: 'output is not one of its command',
+    problem: 'invalid output for the command',
     value,
-    limit: 'a .glb or .vrm for auto and pack, nothing for others',
+    limit: '.glb or .vrm for auto and pack, none for other commands',
     remedy: 'correct the job',
   })
 }

@@ -1,9 +1,9 @@
-// The process of a job, started by `ProcessPool`: runs one command after the other, as it is told.
+// Child process of `ProcessPool`: runs one command at a time, as requested by messages.
 
 import { inspect } from 'node:util'
 import { FurrowError } from 'furrow'
 import { firstLine } from 'furrow-files'
-import { gatherPrinted, type Printed } from '../../print.ts'
+import { capturePrinted, type Printed } from '../../print.ts'
 import { isJobCommand, JOB_COMMANDS } from '../jobs/job-commands.ts'
 import type { CommandReport, CommandRequest } from './protocol.ts'
 import { startWatch } from './watch.ts'
@@ -18,7 +18,7 @@ process.on('disconnect', () => process.exit())
 
 async function run({ command, words }: CommandRequest): Promise<CommandReport> {
   const printed: Printed = { lines: [], warnings: [] }
-  const failure = await gatherPrinted(printed, async () => {
+  const failure = await capturePrinted(printed, async () => {
     if (!isJobCommand(command)) throw new Error(`unknown command ${command}`)
     await JOB_COMMANDS[command].command.parseAsync(words, { from: 'user' })
   }).then(

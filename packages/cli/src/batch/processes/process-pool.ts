@@ -4,37 +4,31 @@ import { type CommandReport, type CommandRequest, OVER_MEMORY } from './protocol
 
 const JOB_PROCESS = fileURLToPath(new URL('./job-process.js', import.meta.url))
 
-/** What one job may take. */
+/** Limits of one job. */
 export interface ProcessLimits {
-  /** Bytes of memory, of the whole process. */
+  /** Memory of the process (resident set), bytes. */
   memory: number
   seconds: number
 }
 
-/** How a process ended, or what its command reported. */
+/** End of a command: its report, an exceeded limit, or a crash. */
 export type ProcessEnd =
   | { end: 'report'; report: CommandReport }
   | { end: 'memory' | 'time' }
   | { end: 'crash'; reason: string }
 
-/** Processes keep compiled code from one job to the next, and are ended where they also keep more than this of their memory. */
-const MOST_KEPT = 0.5
+/** Maximum memory of a process that is reused, as a fraction of the limit. */
+const MAX_KEPT_MEMORY = 0.5
 
-/**
- * V8's own threads, which compile and collect garbage, get in each other's way where every core has a job: without them a face takes a tenth
- * less of the processor, and two at a time are 1.86 times as fast as one, in place of 1.4. One alone takes 16% longer.
- */
+/** Disables V8's compiler and garbage collector threads: with a job per core, they slow each other down. */
 const NO_THREADS = '--single-threaded'
 
-/** Characters of what a process wrote to stderr that are kept. */
-const LAST_WORDS = 4096
+/** Length of stderr that is kept, characters. */
+const MAX_STDERR_LENGTH = 4096
 
 /**
- * Runs commands in processes of their own: a job can then be ended at a limit, and one that crashes costs itself alone. A
- * process is used again, since a warm one takes 40% less time for a face (compiled code).
- *
- * Pools of others, as looked at: Piscina has threads, BullMQ's sandbox no limits, and Tinypool, which can abort a task in a
- * process, measures JavaScript's heap alone, between tasks, and tells every end of a process as the same error.
+ * Runs commands in child processes, so that a job can be killed at a limit and a crash affects only one job. Processes
+ * are reused, because compiled code makes later jobs faster.
  */
 export class ProcessPool {
   readonly #limits: ProcessLimits
@@ -47,18 +41,18 @@ export class ProcessPool {
     this.#program = program
   }
 
-  /** Runs a command in a process that does nothing else meanwhile. */
+  /** Runs a command in an idle or new process. */
   run(request: CommandRequest): Promise<ProcessEnd> {
     const child = this.#idle.pop() ?? this.#start()
     return new Promise((resolve) => {
-      let lastWords = ''
+      let stderr = ''
       let late = false
       const timer = setTimeout(() => {
         late = true
         child.kill('SIGKILL')
       }, this.#limits.seconds * 1000)
       const listen = (text: Buffer) => {
-        lastWords = `${lastWords}${text}`.slice(-LAST_WORDS)
+        stderr = `${stderr}${text}`.slice(-MAX_STDERR_LENGTH)
       }
       const finish = (end: ProcessEnd) => {
         clearTimeout(timer)
@@ -68,26 +62,26 @@ export class ProcessPool {
       }
       const onReport = (report: CommandReport) => {
         finish({ end: 'report', report })
-        const keep = !report.isBug && report.memory < MOST_KEPT * this.#limits.memory
+        const keep = !report.isBug && report.memory < MAX_KEPT_MEMORY * this.#limits.memory
         if (keep && child.connected) this.#idle.push(child)
         else child.kill('SIGKILL')
       }
       const onEnd = (code: number | null, signal: NodeJS.Signals | null) => {
         if (late) finish({ end: 'time' })
-        else if (lastWords.includes(OVER_MEMORY) || /heap (limit|out of memory)/i.test(lastWords)) {
+        else if (stderr.includes(OVER_MEMORY) || /heap (limit|out of memory)/i.test(stderr)) {
           finish({ end: 'memory' })
         } else finish({ end: 'crash', reason: signal ?? `exit code ${code}` })
       }
-      // The system may have no room for another process.
+      // The system may be unable to start another process.
       const onError = ({ message }: Error) => finish({ end: 'crash', reason: message })
       child.stderr!.on('data', listen)
       child.once('message', onReport).once('close', onEnd).once('error', onError)
-      // What cannot be sent has ended, and is told by `close`.
+      // If sending fails, the process has ended and `close` reports it.
       child.send(request, () => {})
     })
   }
 
-  /** Ends all processes, at once. */
+  /** Kills all processes. */
   close(): void {
     for (const child of this.#all) child.kill('SIGKILL')
   }
@@ -97,7 +91,7 @@ export class ProcessPool {
     const child = fork(this.#program, [String(memory)], {
       execArgv: [`--max-old-space-size=${Math.ceil(memory / 2 ** 20)}`, NO_THREADS],
       stdio: ['ignore', 'ignore', 'pipe', 'ipc'],
-      // Ctrl-C in a terminal reaches all processes of its group: jobs are ended by `close`, or finished first.
+      // A new process group: Ctrl-C in the terminal must not reach running jobs.
       detached: true,
     })
     this.#all.add(child)

@@ -1,32 +1,32 @@
 import type { Printed } from '../../print.ts'
 
-/** What Node's main process and the process of a job tell each other: plain data. */
+/** Message to a job process. */
 export interface CommandRequest {
   command: string
-  /** As on the command line, behind the command. */
+  /** Command-line arguments after the command. */
   words: string[]
 }
 
-/** How a command ended. */
+/** Message from a job process: the result of a command. */
 export interface CommandReport extends Printed {
   exitCode: number
-  /** Why it failed, in one line. */
+  /** Error, one line. */
   failure?: string
-  /** Whether the machine is to blame: a file cannot be written. */
+  /** Whether the machine caused the failure: a file cannot be written. */
   isMachine?: boolean
-  /** Whether that is a fault of this program rather than of the file: the process is not used again. */
+  /** Whether the failure is a bug of this program. The process is then not reused. */
   isBug?: boolean
-  /** Bytes of memory that the process holds after the command. */
+  /** Memory of the process after the command, bytes. */
   memory: number
 }
 
-/** What the watch of a process gets. */
+/** Task of the thread that watches a process. */
 export interface WatchTask {
-  /** Bytes of memory beyond which the process is ended. */
+  /** Memory limit of the process, bytes. */
   memory: number
-  /** The process that ended must not leave this one behind. */
+  /** Id of the parent. The process is killed if its parent has ended. */
   parent: number
 }
 
-/** What the watch writes to stderr before it ends a process for its memory. */
+/** Message on stderr before a process is killed at its memory limit. */
 export const OVER_MEMORY = 'furrow: over the memory limit'

@@ -1,12 +1,12 @@
 import { Worker } from 'node:worker_threads'
 import { OVER_MEMORY, type WatchTask } from './protocol.ts'
 
-/** Milliseconds between two looks: a job allocates some hundred megabytes in that time at most. */
+/** Check interval, milliseconds. A job allocates at most some hundred megabytes in that time. */
 const INTERVAL = 100
 
 /**
- * A thread, since a command that computes answers no timers. What `--max-old-space-size` limits is JavaScript's own heap; pixels
- * and meshes lie outside of it, and count for the operating system.
+ * Source of the watching thread; timers on the main thread do not fire during a computation. Checks the resident set,
+ * because `--max-old-space-size` does not limit typed arrays, such as pixels and meshes.
  */
 const THREAD = `
   const { writeSync } = require('node:fs')
@@ -19,7 +19,7 @@ const THREAD = `
     if (isOver || isOrphan) process.kill(process.pid, 'SIGKILL')
   }, interval)`
 
-/** Ends this process once it takes too much memory, or the one that started it is gone. */
+/** Kills this process when it exceeds its memory limit, or when its parent has ended. */
 export function startWatch(task: WatchTask): void {
   new Worker(THREAD, {
     eval: true,

@@ -4,30 +4,30 @@ import type { Queue, Job as QueuedJob } from 'bullmq'
 import { firstLine } from 'furrow-files'
 import type { Job, Outcome } from '../jobs/job.ts'
 import { parseOutcome } from '../jobs/records.ts'
-import type { Engine } from '../perform.ts'
-import { patiently } from '../places/passing.ts'
-import { placeOf } from '../places/places.ts'
+import type { Engine } from '../run-tasks.ts'
+import { withRetries } from '../stores/retries.ts'
+import { storeOf } from '../stores/store-of.ts'
 import { bullmq, connectRedis, queueName } from './redis.ts'
 
 const WHO = 'furrow batch'
 
-/** Jobs that are looked up, or added, at once. */
+/** Number of jobs that are looked up or added at once. */
 const CHUNK = 500
 
-/** Milliseconds without an outcome after which the queue is asked about every job. */
-const QUIET = 60_000
+/** Time without an outcome after which the queue is polled, milliseconds. */
+const POLL_AFTER = 60_000
 
-/** Seconds for which the queue keeps what has ended: the batch may be started again meanwhile, and still find it. */
-const KEPT = 7 * 24 * 3600
+/** Time for which the queue keeps ended jobs, seconds. A batch that is run again within this time finds them. */
+const RETENTION = 7 * 24 * 3600
 
-/** The id of a job in the queue: another batch may want the same with another output. */
+/** Returns the id of a job in the queue. Includes the output, because two batches may write the same work elsewhere. */
 function idOf({ key, output = '' }: Job): string {
   return `${key}-${createHash('sha256').update(output).digest('hex').slice(0, 8)}`
 }
 
 /**
- * Hands jobs to workers by way of Redis (BullMQ). Workers tell what came of a job through the queue, which outlives this process:
- * started again, it finds what was done without it. If Redis itself forgot jobs, they are added again.
+ * Sends jobs to workers through Redis (BullMQ). Workers report outcomes through the queue, which outlives this process,
+ * so a batch that is run again finds them. Jobs that Redis has lost are added again.
  */
 export function redisEngine(url: string, version: string): Engine {
   return async (jobs, onOutcome) => {
@@ -37,11 +37,11 @@ export function redisEngine(url: string, version: string): Engine {
       lost = true
     })
     const queue = new Queue(queueName(version), { connection })
-    // From the newest event on: by default those between connecting and the first read would be missed.
+    // Starts at the newest event. By default, events between connecting and the first read would be missed.
     const [newest] = await connection.xrevrange(queue.keys.events, '+', '-', 'COUNT', 1)
     const lastEventId = newest?.[0] ?? '0-0'
     const events = new QueueEvents(queueName(version), { connection, lastEventId })
-    // The connection's own listener has told it.
+    // The listener of the connection already reports errors.
     queue.on('error', () => {})
     events.on('error', () => {})
     const waiting = new Map(jobs.map((job) => [idOf(job), job]))
@@ -68,7 +68,7 @@ export function redisEngine(url: string, version: string): Engine {
       await enqueue(queue, [...waiting], settle, true)
       while (waiting.size > 0 && failures.length === 0) {
         await sleep(100)
-        if (!lost && Date.now() - heard < QUIET) continue
+        if (!lost && Date.now() - heard < POLL_AFTER) continue
         lost = false
         heard = Date.now()
         await enqueue(queue, [...waiting], settle, false)
@@ -82,9 +82,9 @@ export function redisEngine(url: string, version: string): Engine {
 }
 
 /**
- * Adds the jobs that the queue does not have, and settles those that have ended.
+ * Adds missing jobs to the queue and settles ended jobs.
  *
- * @param isFirst whether what has ended may be of an earlier batch: then it counts only where its output is still there.
+ * @param isFirst whether ended jobs may be from an earlier batch; they then count only if their output still exists.
  */
 async function enqueue(
   queue: Queue,
@@ -100,7 +100,7 @@ async function enqueue(
         if (!found) return true
         const outcome = await outcomeOf(found)
         if (!outcome) return false
-        if (isFirst && !(await stillCounts(job, outcome))) {
+        if (isFirst && !(await isStillValid(job, outcome))) {
           await found.remove()
           return true
         }
@@ -108,7 +108,7 @@ async function enqueue(
         return false
       }),
     )
-    const options = { removeOnComplete: { age: KEPT }, removeOnFail: { age: KEPT } }
+    const options = { removeOnComplete: { age: RETENTION }, removeOnFail: { age: RETENTION } }
     const added = chunk.filter((_, i) => missing[i])
     await queue.addBulk(
       added.map(([jobId, job]) => ({ name: job.command, data: job, opts: { jobId, ...options } })),
@@ -116,27 +116,27 @@ async function enqueue(
   }
 }
 
-/** What came of a job; undefined where it has not ended. */
+/** Returns the outcome of a job, or undefined if it has not ended. */
 async function outcomeOf(job: QueuedJob): Promise<Outcome | undefined> {
   const state = await job.getState()
-  if (state === 'completed') return reported(job)
+  if (state === 'completed') return reportedOutcome(job)
   if (state !== 'failed') return undefined
-  // Workers report failures as outcomes: this one was with several that ended.
-  const reason = `its workers ended before it (${job.failedReason})`
+  // Workers report failures as outcomes, so BullMQ itself gave up: too many workers disappeared.
+  const reason = `its workers stopped before it was done (${job.failedReason})`
   return { status: 'failed', kind: 'crash', reason, warnings: [], seconds: 0, attempts: job.attemptsStarted }
 }
 
-/** Outcome that a worker reported. Anyone who can write to Redis may have put anything there. */
-function reported({ returnvalue, attemptsStarted }: QueuedJob): Outcome {
+/** Returns the outcome that a worker reported. Validates it, because anything may write to Redis. */
+function reportedOutcome({ returnvalue, attemptsStarted }: QueuedJob): Outcome {
   try {
     return parseOutcome(returnvalue, 'a worker')
   } catch (error) {
-    const reason = `its result in Redis cannot be used (${firstLine(error)})`
+    const reason = `its result in Redis is invalid (${firstLine(error)})`
     return { status: 'failed', kind: 'crash', reason, warnings: [], seconds: 0, attempts: attemptsStarted }
   }
 }
 
-/** A job of the queue, if it is there. One whose data is no JSON is removed, to be added again. */
+/** Returns a job of the queue, if it exists. Removes a job with invalid JSON, so that it is added again. */
 async function jobAt(queue: Queue, id: string): Promise<QueuedJob | undefined> {
   try {
     return await queue.getJob(id)
@@ -147,7 +147,7 @@ async function jobAt(queue: Queue, id: string): Promise<QueuedJob | undefined> {
   }
 }
 
-async function stillCounts({ output }: Job, { status, kind, bytes }: Outcome): Promise<boolean> {
+async function isStillValid({ output }: Job, { status, kind, bytes }: Outcome): Promise<boolean> {
   if (status === 'failed') return kind === 'file'
-  return output === undefined || (await patiently(() => placeOf(output).sizeOf(output))) === bytes
+  return output === undefined || (await withRetries(() => storeOf(output).sizeOf(output))) === bytes
 }

@@ -5,22 +5,22 @@ import { optionalPackage } from '../optional-package.ts'
 
 const PACKAGES = 'bullmq ioredis'
 
-/** Loads BullMQ, which keeps the jobs in Redis. */
+/** Loads BullMQ, the job queue on Redis. */
 export const bullmq = () => optionalPackage(() => import('bullmq'), PACKAGES, '--redis')
 
-/** Longest pause between two attempts to connect, in milliseconds. */
-const LONGEST_PAUSE = 2000
+/** Maximum delay between attempts to connect, milliseconds. */
+const MAX_RETRY_DELAY = 2000
 
 /**
- * The queue of one version: what a job gives follows from the version, so that workers of another one must not take it. Redis'
- * databases, as in `redis://host/1`, keep batches apart that are not to share workers.
+ * Returns the queue name of a version. Results depend on the version, so workers of other versions must not take its
+ * jobs. To separate batches, use different Redis databases, e.g. `redis://host/1`.
  */
 export const queueName = (version: string) => `furrow-${version}`
 
 /**
- * Connects to Redis and stays so: a connection that is lost, or not there yet, is tried again until it is back, and commands wait.
+ * Connects to Redis, and reconnects whenever the connection is lost. Commands wait for the connection.
  *
- * @throws FurrowError where the address is none of Redis.
+ * @throws FurrowError if the URL is not a Redis URL.
  */
 export async function connectRedis(url: string, who: string, onBack: () => void = () => {}): Promise<Redis> {
   const { Redis } = await optionalPackage(() => import('ioredis'), PACKAGES, '--redis')
@@ -28,21 +28,21 @@ export async function connectRedis(url: string, who: string, onBack: () => void 
     throw new FurrowError({
       code: 'usage',
       who,
-      problem: 'not an address of Redis',
+      problem: 'invalid Redis URL',
       value: url,
       limit: 'redis://host:6379/0, rediss://user:password@host',
       remedy: 'correct --redis',
     })
   }
   const redis = new Redis(url, {
-    // As BullMQ asks: commands wait for the connection instead of failing.
+    // Required by BullMQ: commands wait for the connection instead of failing.
     maxRetriesPerRequest: null,
-    retryStrategy: (times) => Math.min(100 * times, LONGEST_PAUSE),
+    retryStrategy: (times) => Math.min(100 * times, MAX_RETRY_DELAY),
   })
   const { host } = new URL(url)
   let isLost = false
   redis.on('error', ({ message }) => {
-    if (!isLost) warn(`${who}: no connection to Redis at ${host} (${message}); trying until there is one`)
+    if (!isLost) warn(`${who}: no connection to Redis at ${host} (${message}); retrying`)
     isLost = true
   })
   redis.on('ready', () => {

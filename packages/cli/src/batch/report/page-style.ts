@@ -1,6 +1,6 @@
 import { Markup } from '../../markup.ts'
 
-/** The style sheet of a batch's page: dark or light like the reader's system, cards in place of rows on a phone. */
+/** Style sheet of the batch report, with the system's colour scheme, and cards instead of rows on phones. */
 export const PAGE_STYLE = new Markup(`
 :root {
   --paper: #ffffff; --card: #f4f4f2; --ink: #1d1e20; --soft: #5c5f66; --line: #dcdcd8;
@@ -55,10 +55,7 @@ td ul { margin: 0; padding-left: 18px; font-size: 14px; }
 @media (min-width: 761px) { .sort { display: none; } }
 `)
 
-/**
- * Sorts and filters the rows; without it they are there in their first order. Numbers in texts count as such: the tenth file comes behind the
- * second.
- */
+/** Script that sorts and filters the rows. Numbers in text sort by value: file 2 before file 10. */
 export const PAGE_SCRIPT = new Markup(`
 const body = document.querySelector('tbody')
 const rows = [...body.rows]
@@ -66,8 +63,8 @@ const { compare } = new Intl.Collator('en', { numeric: true })
 const heads = [...document.querySelectorAll('th[data-column]')]
 const order = document.querySelector('#order')
 const show = document.querySelector('#show')
-const told = document.querySelector('#shown')
-// Sizes and times are numbers with fractions.
+const counter = document.querySelector('#shown')
+// Sizes and times have fractions, which Intl.Collator does not compare.
 const difference = (x, y) => (isNaN(x) || isNaN(y) ? compare(x, y) : x - y)
 function sort(column, down) {
   const sorted = [...rows]
@@ -91,7 +88,7 @@ order.addEventListener('change', () => {
 })
 show.addEventListener('change', () => {
   for (const row of rows) row.hidden = show.value !== '' && !row.classList.contains(show.value)
-  told.textContent = rows.filter((row) => !row.hidden).length + ' shown'
+  counter.textContent = rows.filter((row) => !row.hidden).length + ' shown'
 })
 document.querySelector('.tools').hidden = false
 `)

@@ -2,44 +2,44 @@ import { htmlPage } from '../../html-page.ts'
 import { html, type Markup } from '../../markup.ts'
 import type { ResultLine } from '../results.ts'
 import { PAGE_SCRIPT, PAGE_STYLE } from './page-style.ts'
-import { type Cell, foundText, MOST_ROWS, rowsOf, sizeCell, timeCell } from './rows.ts'
+import { type Cell, foundText, MAX_ROWS, rowsOf, sizeCell, timeCell } from './rows.ts'
 import { THUMBNAIL } from './thumbnails.ts'
 
-/** What a page shows. */
+/** Content of the page. */
 export interface PageSource {
   command: string
   lines: readonly ResultLine[]
-  /** One line about all of them. */
+  /** Summary of all lines, one line. */
   summary: string
   /** File name of the results. */
   results: string
-  /** The pictures of a line without wrinkles and with them, by addresses relative to the page; undefined where it has none. */
+  /** Returns the URLs of a line's thumbnails, relative to the page, if it has any. */
   thumbnails: (line: ResultLine) => readonly [before: string, after: string] | undefined
-  /** Address of an output relative to the page. */
+  /** Returns the URL of an output, relative to the page. */
   linkTo: (output: string) => string
-  /** What should be known about the page itself, e.g. why it has no pictures. */
+  /** Notes about the page itself, e.g. why thumbnails are missing. */
   notes: readonly string[]
 }
 
 const COLUMNS = ['File', 'State', 'Found', 'Size', 'Time'] as const
 
-/** The first column of values; before it there is the picture. */
+/** Index of the first column after the thumbnails. */
 const FIRST = 1
 
-/** The HTML of a batch: itself one file, with thumbnails beside it. */
+/** Returns the HTML report of a batch. Its thumbnails are separate files. */
 export function batchPage(source: PageSource): string {
   const rows = rowsOf(source.lines)
-  const isCut = source.lines.length > MOST_ROWS
+  const isTruncated = source.lines.length > MAX_ROWS
   const body = html`<header>
 <h1>furrow batch, ${source.command}</h1>
 <p><b>${source.summary}</b></p>
-${isCut ? html`<p>The first ${MOST_ROWS} are here, failures and warnings before the others; <a href="${source.results}">${source.results}</a> has all.</p>` : undefined}
+${isTruncated ? html`<p>This page shows ${MAX_ROWS} files, failures and warnings first. All results: <a href="${source.results}">${source.results}</a>.</p>` : undefined}
 ${source.notes.map((note) => html`<p>${note}</p>`)}
 </header>
 <main>
 <div class="tools" hidden>
 <label>Show <select id="show"><option value="">all</option><option value="failed">failed</option>
-<option value="warned">with warnings</option><option value="done">without either</option></select></label>
+<option value="warned">with warnings</option><option value="done">without problems</option></select></label>
 <label class="sort">Order <select id="order"><option value="">failures first</option>
 ${COLUMNS.map((name, i) => html`<option value="${FIRST + i} up">${name}, up</option><option value="${FIRST + i} down">${name}, down</option>`)}</select></label>
 <span id="shown" role="status">${rows.length} shown</span>
@@ -67,7 +67,7 @@ function rowOf(line: ResultLine, { thumbnails, linkTo }: PageSource): Markup {
 <td data-value="${foundText(line)}">${foundText(line)}</td>
 ${cell('Size', sizeCell(line))}
 ${cell('Time', timeCell(line))}
-<td class="notes">${reason}${warnings.length > 0 ? html`<ul>${warnings.map((text) => html`<li>${text}</li>`)}</ul>` : undefined}${sameAs === undefined ? undefined : html`<small>the same as ${sameAs}</small>`}</td>
+<td class="notes">${reason}${warnings.length > 0 ? html`<ul>${warnings.map((text) => html`<li>${text}</li>`)}</ul>` : undefined}${sameAs === undefined ? undefined : html`<small>identical to ${sameAs}</small>`}</td>
 </tr>`
 }
 

@@ -1,19 +1,20 @@
 import { kilobytes } from 'furrow-files'
 import type { ResultLine } from '../results.ts'
 
-/** Rows that a page shows at most: a phone scrolls through these. Failures and warnings come first. */
-export const MOST_ROWS = 2000
+/** Maximum number of rows of a page; a phone can still scroll them. */
+export const MAX_ROWS = 2000
 
-/** A cell of a table: what it shows, and what it is sorted by. */
+/** Table cell. */
 export interface Cell {
   text: string
+  /** Sort key. */
   value: number | string
 }
 
-/** The lines that a page shows, those that need a look first. */
+/** Returns the lines to show: failures, then warnings, then the rest. */
 export function rowsOf(lines: readonly ResultLine[]): ResultLine[] {
   const order = (line: ResultLine) => (line.status === 'failed' ? 0 : line.warnings.length > 0 ? 1 : 2)
-  return [...lines].sort((a, b) => order(a) - order(b) || (a.input < b.input ? -1 : 1)).slice(0, MOST_ROWS)
+  return [...lines].sort((a, b) => order(a) - order(b) || (a.input < b.input ? -1 : 1)).slice(0, MAX_ROWS)
 }
 
 export function sizeCell({ bytes }: ResultLine): Cell {
@@ -26,7 +27,7 @@ export function timeCell({ seconds, sameAs }: ResultLine): Cell {
     : { text: 'shared', value: 0 }
 }
 
-/** What the command found, as far as it is numbers. */
+/** Returns the counts in a result, as text. */
 export function foundText({ result = {} }: ResultLine): string {
   const names = ['layers', 'areas', 'errors', 'warnings'] as const
   const known = names.filter((name) => typeof result[name] === 'number')

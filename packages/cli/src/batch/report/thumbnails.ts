@@ -10,27 +10,26 @@ import { launchBrowser } from '../../browser.ts'
 import { writeAll } from '../../files.ts'
 import type { PictureRequest } from '../../render/picture.ts'
 import { renderPicturesIn } from '../../render/render-pictures.ts'
-import { isRemote, placeOf } from '../places/places.ts'
 import type { ResultLine } from '../results.ts'
 import { openScratch } from '../scratch.ts'
+import { isRemote, storeOf } from '../stores/store-of.ts'
 
 const WHO = 'furrow batch'
 
-/** In pixels: sharp on a phone, where a page shows it a third as wide. */
+/** Size of a thumbnail, pixels. A phone shows it a third as wide. */
 export const THUMBNAIL = { width: 288, height: 384 }
 
-/** Nearer than a portrait: wrinkles show at the width of a thumb. */
+/** Camera view: a close-up, so that wrinkles are visible at thumbnail size. */
 const VIEW = { yaw: 0, pitch: 0, zoom: 1.7 }
 
-/** The pictures of a face without its wrinkles and with them. */
-export const THUMBNAIL_NAMES = (key: string) => [`${key}-before.webp`, `${key}-after.webp`] as const
+/** Returns the file names of a face without and with wrinkles. */
+export const thumbnailNames = (key: string) => [`${key}-before.webp`, `${key}-after.webp`] as const
 
 /**
- * Draws the faces of some lines, each without and with its wrinkles, into a folder, all in one browser. Those that are there
- * already are not drawn again.
+ * Draws the faces of some lines into a folder, without and with wrinkles. Skips existing thumbnails.
  *
- * @param progress is given the number of faces that are done.
- * @returns why faces were not drawn, once for each reason.
+ * @param progress called with the number of faces that are done.
+ * @returns distinct reasons why faces were not drawn.
  */
 export async function drawThumbnails(
   lines: readonly ResultLine[],
@@ -38,7 +37,7 @@ export async function drawThumbnails(
   progress: (done: number) => void,
 ): Promise<string[]> {
   const missing = lines.filter(
-    ({ key }) => !THUMBNAIL_NAMES(key!).every((name) => existsSync(join(folder, name))),
+    ({ key }) => !thumbnailNames(key!).every((name) => existsSync(join(folder, name))),
   )
   const reasons = new Set<string>()
   let browser: Browser | undefined
@@ -47,7 +46,7 @@ export async function drawThumbnails(
     for (const [done, line] of missing.entries()) {
       progress(done)
       try {
-        // One face can cost the browser its life, but not the pictures of the others.
+        // A face can crash the browser; restart it for the next one.
         if (!browser?.isConnected()) browser = await launchBrowser()
       } catch (error) {
         if (!(error instanceof FurrowError)) throw error
@@ -76,16 +75,16 @@ async function drawFace(
   let input = output!
   if (isRemote(input)) {
     input = join(scratch, 'face.glb')
-    writeFileSync(input, await placeOf(output!).read(output!))
+    writeFileSync(input, await storeOf(output!).read(output!))
   }
-  const shown = await poseOf(input)
+  const pose = await poseOf(input)
   const modes = ['off', 'default'] as const
   const requests = modes.map(
     (mode): PictureRequest => ({
       input,
       mode,
       view: VIEW,
-      ...shown,
+      ...pose,
       ...THUMBNAIL,
     }),
   )
@@ -98,12 +97,12 @@ async function drawFace(
         .toBuffer(),
     ),
   )
-  const names = THUMBNAIL_NAMES(key!)
+  const names = thumbnailNames(key!)
   const files = [before, after].map((bytes, i) => ({ path: join(folder, names[i]), bytes }))
   await writeAll(files, WHO)
 }
 
-/** The first expression of the report of `furrow auto` that a face can show; otherwise all of its wrinkles. */
+/** Returns the first expression of `posesOf` that the face supports, otherwise all areas at full activation. */
 async function poseOf(input: string): Promise<Pick<PictureRequest, 'targets' | 'activations'>> {
   const glb = await readGlbFile(input, WHO)
   const targets = [...new Set((glb.json.meshes ?? []).flatMap(targetNamesOf))]

@@ -4,16 +4,16 @@ import { FurrowError } from 'furrow'
 import { cannotRead, cannotWrite, firstLine } from 'furrow-files'
 import { optionalPackage } from '../optional-package.ts'
 import { bytesOf, download } from './download.ts'
-import { changed } from './files.ts'
-import type { Listed, Place } from './place.ts'
+import type { FileStore, ListedObject } from './file-store.ts'
+import { changedInput } from './local-files.ts'
 
 const WHO = 'furrow batch'
 
 /**
- * S3 and what speaks its protocol. Credentials, region and another endpoint come from where the AWS SDK looks for them
+ * S3 and compatible stores. The AWS SDK reads credentials, region and endpoint from the environment
  * (https://docs.aws.amazon.com/sdkref/latest/guide/environment-variables.html).
  */
-export const s3: Place = {
+export const s3: FileStore = {
   async identify(address) {
     const { HeadObjectCommand } = await sdk()
     return withErrors(cannotRead, address, async (client) => {
@@ -24,7 +24,7 @@ export const s3: Place = {
     const { GetObjectCommand } = await sdk()
     return withErrors(cannotRead, address, async (client) => {
       const { Body, ETag } = await client.send(new GetObjectCommand(objectOf(address)))
-      if (identityOf(ETag) !== identity) throw changed(address)
+      if (identityOf(ETag) !== identity) throw changedInput(address)
       return (await download(Body as Readable, address, scratch)).path
     })
   },
@@ -37,7 +37,7 @@ export const s3: Place = {
   },
   async put(address, bytes) {
     const { PutObjectCommand } = await sdk()
-    // One request: the object is there when it is complete, and as before otherwise.
+    // A single request is atomic: an incomplete upload changes nothing.
     const object = { ...objectOf(address), Body: bytes, ContentType: 'model/gltf-binary' }
     await withErrors(cannotWrite, address, (client) => client.send(new PutObjectCommand(object)))
   },
@@ -54,12 +54,12 @@ export const s3: Place = {
   },
 }
 
-/** All `.glb` and `.vrm` below an address that ends with a slash. */
-export async function listS3(address: string): Promise<Listed[]> {
+/** Lists all `.glb` and `.vrm` files below an address that ends with a slash. */
+export async function listS3(address: string): Promise<ListedObject[]> {
   const { paginateListObjectsV2 } = await sdk()
   const { Bucket, Key: Prefix } = objectOf(address)
   return withErrors(cannotRead, address, async (client) => {
-    const found: Listed[] = []
+    const found: ListedObject[] = []
     for await (const page of paginateListObjectsV2({ client }, { Bucket, Prefix })) {
       for (const { Key = '', ETag } of page.Contents ?? []) {
         if (/\.(glb|vrm)$/i.test(Key))
@@ -70,28 +70,28 @@ export async function listS3(address: string): Promise<Listed[]> {
   })
 }
 
-/** Bucket and key of `s3://bucket/key`, in which nothing is escaped. */
+/** Parses `s3://bucket/key`. The key is not URL-encoded. */
 function objectOf(address: string): { Bucket: string; Key: string } {
   const [, Bucket, Key] = /^s3:\/\/([^/]+)\/(.*)$/.exec(address) ?? []
   if (Bucket) return { Bucket, Key }
   throw new FurrowError({
     code: 'usage',
     who: WHO,
-    problem: 'not an address of S3',
+    problem: 'invalid S3 URL',
     value: address,
     limit: 's3://bucket/key',
-    remedy: 'correct the address',
+    remedy: 'correct the URL',
   })
 }
 
-/** The store's own hash: MD5 of what was put, or of the MD5s of its parts; with some encryptions a random number per put. */
+/** ETag: MD5 of the content or of the MD5s of its parts; with some encryptions a random number per upload. */
 const identityOf = (tag: string | undefined) => `s3:${tag}`
 
-const sdk = () => optionalPackage(() => import('@aws-sdk/client-s3'), '@aws-sdk/client-s3', 'an s3 address')
+const sdk = () => optionalPackage(() => import('@aws-sdk/client-s3'), '@aws-sdk/client-s3', 'an s3:// URL')
 
 let client: Promise<S3Client> | undefined
 
-/** Servers other than Amazon's have no host name per bucket. */
+/** Creates the client. Servers other than Amazon's have no host name per bucket, hence `forcePathStyle`. */
 function connect(): Promise<S3Client> {
   client ??= sdk().then(({ S3Client }) => {
     const { AWS_ENDPOINT_URL, AWS_ENDPOINT_URL_S3, AWS_REGION } = process.env
@@ -115,7 +115,7 @@ async function withErrors<T>(
     if (error instanceof FurrowError) throw error
     const status = statusOf(error)
     const known = { 403: 'access denied', 404: 'it does not exist' }[status ?? 0]
-    const told = known ?? (firstLine(error) || `the server answers ${status}`)
-    throw report(WHO, address, Object.assign(new Error(told, { cause: error }), status && { status }))
+    const message = known ?? (firstLine(error) || `HTTP status ${status}`)
+    throw report(WHO, address, Object.assign(new Error(message, { cause: error }), status && { status }))
   }
 }

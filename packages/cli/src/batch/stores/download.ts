@@ -6,11 +6,11 @@ import { pipeline } from 'node:stream/promises'
 import { checkFileBytes } from 'furrow-files'
 
 /**
- * Writes a stream to a new file of a folder.
+ * Writes a stream to a new file in a folder.
  *
- * @param folder of one job: it is removed with the file, also where this fails.
- * @returns its path, and the hash of its bytes.
- * @throws FurrowError where it is larger than a file that is read may be.
+ * @param folder folder of one job; the caller removes it, also after errors.
+ * @returns path of the file and hash of its bytes.
+ * @throws FurrowError if the stream exceeds the size limit of input files.
  */
 export async function download(
   stream: Readable,
@@ -30,21 +30,21 @@ export async function download(
   return { path, sha256: `sha256:${hash.digest('hex')}` }
 }
 
-/** The hash of the bytes of a stream, as `download` tells it. */
+/** Returns the hash of a stream's bytes, in the format of `download`. */
 export async function hashOf(stream: Readable, address: string): Promise<string> {
   const hash = createHash('sha256')
   for await (const chunk of limited(stream, address)) hash.update(chunk)
   return `sha256:${hash.digest('hex')}`
 }
 
-/** The bytes of a stream. */
+/** Reads a stream into memory. */
 export async function bytesOf(stream: Readable, address: string): Promise<Uint8Array> {
   const chunks: Buffer[] = []
   for await (const chunk of limited(stream, address)) chunks.push(chunk)
   return Buffer.concat(chunks)
 }
 
-/** The chunks of a stream. Throws FurrowError where it is larger than a file that is read may be, whatever it said before. */
+/** Yields the chunks of a stream. Throws if it exceeds the size limit, regardless of its declared length. */
 async function* limited(chunks: AsyncIterable<Buffer>, address: string): AsyncGenerator<Buffer> {
   let length = 0
   for await (const chunk of chunks) {

@@ -6,12 +6,12 @@ import { FurrowError } from 'furrow'
 import { cannotRead, dataOf, MAX_JSON_BYTES, parseJson, WRINKLES_FILE } from 'furrow-files'
 import { fileProblem, readBytes, resolveInside, statOf } from 'furrow-files/node'
 import { writeAll } from '../../files.ts'
-import type { Place } from './place.ts'
+import type { FileStore } from './file-store.ts'
 
 const WHO = 'furrow batch'
 
-/** Files and folders of this machine, or of a disk that machines share. */
-export const files: Place = {
+/** Local files and folders, or a disk that machines share. */
+export const files: FileStore = {
   async identify(path, reads) {
     try {
       const hash = createHash('sha256')
@@ -24,35 +24,35 @@ export const files: Place = {
   },
   async fetch(path, identity, reads) {
     if ((await this.identify(path, reads)) === identity) return path
-    throw changed(path)
+    throw changedInput(path)
   },
   read: (path) => readBytes(path, WHO),
-  // A batch checks all its outputs before it begins.
+  // The batch has already checked its outputs.
   put: (path, bytes) => writeAll([{ path, bytes }], WHO, { updated: [path] }),
   async sizeOf(path) {
     return (await statOf(path))?.size
   },
 }
 
-/** The error for an input that is not the one that the job was made for. */
-export function changed(address: string): FurrowError {
+/** Creates the error for an input whose content changed after the job was created. */
+export function changedInput(address: string): FurrowError {
   return new FurrowError({
     code: 'unreadable',
     who: WHO,
-    problem: `${address} has changed since the batch began`,
+    problem: `${address} has changed since the batch started`,
     remedy: 'run the batch again',
   })
 }
 
 async function addFile(hash: Hash, path: string): Promise<void> {
-  // Each pipeline would leave its listeners on the hash.
+  // A pipeline per file would leak listeners on the hash.
   for await (const chunk of createReadStream(path)) hash.update(chunk)
 }
 
-/** A `.gltf` with the files of its folder that it refers to. The command tells of those that are missing, or elsewhere. */
+/** Hashes a face. For a `.gltf`, includes referenced files in its folder; the command reports missing ones. */
 async function addFace(hash: Hash, path: string): Promise<void> {
   const problem = fileProblem(await statOf(path))
-  if (problem) throw cannotRead(WHO, path, problem, { remedy: "name files, e.g. 'avatars/**/*.glb'" })
+  if (problem) throw cannotRead(WHO, path, problem, { remedy: "give files, e.g. 'avatars/**/*.glb'" })
   await addFile(hash, path)
   if (!path.toLowerCase().endsWith('.gltf')) return
   for (const uri of await urisOf(path)) {
@@ -62,7 +62,7 @@ async function addFace(hash: Hash, path: string): Promise<void> {
   }
 }
 
-/** The addresses in a `.gltf` that are no data. What is not glTF has none: the command refuses it. */
+/** Returns the URIs in a `.gltf`, without data URIs. Returns none for invalid files, which the command reports. */
 async function urisOf(path: string): Promise<string[]> {
   const { buffers, images } = Object(await readAnyJson(path))
   const uris: unknown[] = [buffers, images].flat().map((one) => Object(one).uri)
@@ -77,22 +77,22 @@ async function readAnyJson(path: string): Promise<unknown> {
   }
 }
 
-/** All texts in a value. */
-function textsIn(value: unknown): string[] {
+/** Returns all strings in a value. */
+function stringsIn(value: unknown): string[] {
   if (typeof value === 'string') return [value]
-  return typeof value === 'object' && value !== null ? Object.values(value).flatMap(textsIn) : []
+  return typeof value === 'object' && value !== null ? Object.values(value).flatMap(stringsIn) : []
 }
 
 /**
- * Paths of all files that a command may read for an input of this machine: the input, or all files in it, and those that they
- * refer to, also elsewhere.
+ * Returns the paths of all files that a command may read for a local input. Includes referenced files, also outside
+ * the folder.
  */
 export async function filesRead(path: string, reads: 'file' | 'folder'): Promise<string[]> {
   const own = reads === 'file' ? [path] : (await entriesOf(path)).filter(isFileOrLink).map(pathIn)
   const lists = own.map(async (file) => {
     const isGltf = file.toLowerCase().endsWith('.gltf')
     if (!isGltf && basename(file) !== WRINKLES_FILE) return [file]
-    const uris = isGltf ? await urisOf(file) : textsIn(await readAnyJson(file))
+    const uris = isGltf ? await urisOf(file) : stringsIn(await readAnyJson(file))
     const found = uris.map((uri) => resolveInside(file, uri, WHO, { allowOutside: true }).catch(() => []))
     return [file, ...(await Promise.all(found)).flat()]
   })

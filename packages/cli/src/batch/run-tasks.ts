@@ -1,18 +1,18 @@
 import type { Job, Outcome } from './jobs/job.ts'
 import { machineFailure } from './jobs/run-job.ts'
-import { patiently } from './places/passing.ts'
-import { placeOf } from './places/places.ts'
 import type { Task } from './plan.ts'
 import type { ResultLine } from './results.ts'
+import { withRetries } from './stores/retries.ts'
+import { storeOf } from './stores/store-of.ts'
 
-/** Does jobs, in whatever order, and tells what came of each. */
+/** Runs jobs in any order and reports the outcome of each. */
 export type Engine = (
   jobs: readonly Job[],
   onOutcome: (job: Job, outcome: Outcome) => Promise<void>,
 ) => Promise<void>
 
-/** Does all tasks; `add` gets the lines of each as it ends. */
-export async function performTasks(
+/** Runs all tasks. Calls `add` with the result lines of each task when it ends. */
+export async function runTasks(
   tasks: readonly Task[],
   engine: Engine,
   add: (lines: ResultLine[]) => void,
@@ -21,24 +21,24 @@ export async function performTasks(
   await engine(
     tasks.map(({ job }) => job),
     async (job, outcome) => {
-      const { places } = byKey.get(job.key)!
+      const { entries } = byKey.get(job.key)!
       const { key, command } = job
       const lines: ResultLine[] = []
-      for (const [i, place] of places.entries()) {
-        const own = i === 0 ? outcome : { ...(await copyFor(job, place.output, outcome)), sameAs: job.input }
-        lines.push({ key, command, ...place, ...own })
+      for (const [i, entry] of entries.entries()) {
+        const own = i === 0 ? outcome : { ...(await copyFor(job, entry.output, outcome)), sameAs: job.input }
+        lines.push({ key, command, ...entry, ...own })
       }
       add(lines)
     },
   )
 }
 
-/** Copies the output of a job for another input that is the same. */
+/** Copies the output of a job for an identical input. */
 async function copyFor(job: Job, output: string | undefined, outcome: Outcome): Promise<Outcome> {
   if (output === undefined || job.output === undefined || outcome.status === 'failed') return outcome
   try {
-    const bytes = await patiently(() => placeOf(job.output!).read(job.output!))
-    await patiently(() => placeOf(output).put(output, bytes))
+    const bytes = await withRetries(() => storeOf(job.output!).read(job.output!))
+    await withRetries(() => storeOf(output).put(output, bytes))
     return outcome
   } catch (error) {
     return { ...outcome, ...machineFailure(error) }

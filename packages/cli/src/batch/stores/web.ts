@@ -3,20 +3,20 @@ import type { ReadableStream } from 'node:stream/web'
 import { FurrowError } from 'furrow'
 import { cannotRead, checkFileBytes } from 'furrow-files'
 import { bytesOf, download, hashOf } from './download.ts'
-import { changed } from './files.ts'
-import type { Place } from './place.ts'
+import type { FileStore } from './file-store.ts'
+import { changedInput } from './local-files.ts'
 
 const WHO = 'furrow batch'
 
-/** Milliseconds for one file. */
+/** Timeout per file, milliseconds. */
 const TIMEOUT = 300_000
 
-/** http and https: inputs alone. */
-export const web: Place = {
+/** HTTP and HTTPS, for inputs only. */
+export const web: FileStore = {
   async identify(address) {
     const { headers } = await request(address, 'HEAD')
     const tag = headers.get('etag')
-    // A weak tag may stay where bytes change. Tags of two servers can be the same text.
+    // Weak ETags may survive content changes. The address is included because ETags of two servers may be equal.
     if (tag && !tag.startsWith('W/')) return `etag:${address}:${tag}`
     return withErrors(address, async () => hashOf((await get(address)).body, address))
   },
@@ -24,7 +24,7 @@ export const web: Place = {
     const { body, tag } = await get(address)
     const { path, sha256 } = await withErrors(address, () => download(body, address, scratch))
     if (identity === sha256 || identity === `etag:${address}:${tag}`) return path
-    throw changed(address)
+    throw changedInput(address)
   },
   async read(address) {
     return withErrors(address, async () => bytesOf((await get(address)).body, address))
@@ -34,8 +34,8 @@ export const web: Place = {
       code: 'unwritable',
       who: WHO,
       problem: `cannot write to ${address}`,
-      limit: 'paths and s3 addresses',
-      remedy: 'name another output',
+      limit: 'paths and s3:// URLs',
+      remedy: 'choose another output',
     })
   },
   async sizeOf() {
@@ -45,19 +45,19 @@ export const web: Place = {
 
 async function request(address: string, method: 'GET' | 'HEAD'): Promise<Response> {
   const response = await fetch(address, { method, signal: AbortSignal.timeout(TIMEOUT) }).catch((error) => {
-    throw cannotRead(WHO, address, error.cause ?? error, { remedy: 'check the address and the network' })
+    throw cannotRead(WHO, address, error.cause ?? error, { remedy: 'check the URL and the network' })
   })
   if (response.ok) return response
-  const problem = Object.assign(new Error(`the server answers ${response.status}`), {
+  const problem = Object.assign(new Error(`HTTP status ${response.status}`), {
     status: response.status,
   })
-  throw cannotRead(WHO, address, problem, { remedy: 'check the address' })
+  throw cannotRead(WHO, address, problem, { remedy: 'check the URL' })
 }
 
 async function get(address: string) {
   const response = await request(address, 'GET')
   const { headers, body } = response
-  // A server that tells the size is spared the download.
+  // Avoids downloading a file that is too large.
   checkFileBytes(Number(headers.get('content-length') ?? 0), address, WHO)
   const stream = Readable.fromWeb((body ?? new Blob([]).stream()) as ReadableStream)
   return { body: stream, tag: headers.get('etag') }

@@ -1,7 +1,7 @@
-/** Does `work` for every item, up to `lanes` at a time, in their order. The first error is thrown once all that began has ended. */
-export async function inLanes<T>(
+/** Runs `work` for every item in order, at most `concurrency` at a time. Throws the first error after the running work ends. */
+export async function runConcurrently<T>(
   items: readonly T[],
-  lanes: number,
+  concurrency: number,
   work: (item: T, index: number) => Promise<void>,
 ): Promise<void> {
   let next = 0
@@ -12,6 +12,6 @@ export async function inLanes<T>(
       await work(items[index], index).catch((error) => errors.push(error))
     }
   }
-  await Promise.all(Array.from({ length: lanes }, lane))
+  await Promise.all(Array.from({ length: concurrency }, lane))
   if (errors.length > 0) throw errors[0]
 }
