@@ -1,6 +1,6 @@
 import { displayName } from './display-name.ts'
 
-/** Row of buttons, at most one of which is pressed. */
+/** Row of buttons with at most one pressed. */
 export class Buttons<T extends string> {
   readonly #buttons: Map<T, HTMLButtonElement>
 

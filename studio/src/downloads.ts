@@ -18,12 +18,12 @@ export class Downloads {
   }
 
   /** Saves the exported face. */
-  export(): void {
+  saveExport(): void {
     const state = this.#workspace.exporting.state.peek()
     if (state?.kind === 'done') saveFile(new Blob([state.face.bytes as BlobPart]), state.name)
   }
 
-  project(): Promise<unknown> {
+  saveProject(): Promise<unknown> {
     return this.#messages.attempt(async () => {
       const project = await this.#saving.zip()
       if (project) saveFile(project.file, project.name)
@@ -31,7 +31,7 @@ export class Downloads {
   }
 
   /** Saves the project to its folder on disk; see `Saving`. */
-  folder(isOtherFolder: boolean): Promise<unknown> {
+  saveToFolder(isOtherFolder: boolean): Promise<unknown> {
     return this.#messages.attempt(async () => {
       const name = await this.#saving.toFolder(isOtherFolder)
       if (name !== null) this.#messages.note(`Saved to the folder ${name}`)
@@ -40,7 +40,7 @@ export class Downloads {
 
   /** Saves the project to its folder, or else as a file. */
   save(): Promise<unknown> {
-    return this.#saving.folder.peek() ? this.folder(false) : this.project()
+    return this.#saving.folder.peek() ? this.saveToFolder(false) : this.saveProject()
   }
 
   /** Copies text to the clipboard. */
@@ -52,7 +52,7 @@ export class Downloads {
   }
 
   /** Saves a picture of the stage. */
-  picture(viewer: Viewer | null, expression: string | null): Promise<unknown> {
+  savePicture(viewer: Viewer | null, expression: string | null): Promise<unknown> {
     return this.#messages.attempt(async () => {
       if (!viewer) return
       viewer.draw()
@@ -63,7 +63,7 @@ export class Downloads {
   }
 
   /** Saves the skin's UV layout as a template for painting. */
-  uvLayout(viewer: Viewer | null): Promise<unknown> {
+  saveUvLayout(viewer: Viewer | null): Promise<unknown> {
     return this.#messages.attempt(async () => {
       if (!viewer) return
       const { drawUvPicture } = await import('./texture/uv-picture.ts')

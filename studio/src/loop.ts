@@ -4,11 +4,11 @@ export interface Animated {
   advance(delta: number): void
   draw(): void
   /** Whether the next frame changes without input. */
-  moving(): boolean
+  isMoving(): boolean
 }
 
 /** Maximum step in seconds, to avoid jumps after a stall. */
-const LONGEST_STEP = 0.1
+const MAX_STEP = 0.1
 
 /** Render loop that draws only changes and motion. */
 export class Loop {
@@ -45,11 +45,11 @@ export class Loop {
     this.#request = 0
     const interval = this.#last === null ? null : now - this.#last
     const before = performance.now()
-    this.#animated.advance(Math.min((interval ?? 0) / 1000, LONGEST_STEP))
+    this.#animated.advance(Math.min((interval ?? 0) / 1000, MAX_STEP))
     this.#animated.draw()
     this.#onFrame(performance.now() - before, interval)
-    const moving = this.#animated.moving()
-    this.#last = moving || this.#request !== 0 ? now : null
-    if (moving) this.wake()
+    const isMoving = this.#animated.isMoving()
+    this.#last = isMoving || this.#request !== 0 ? now : null
+    if (isMoving) this.wake()
   }
 }

@@ -33,10 +33,10 @@ export class Meter {
     this.#intervals.length = 0
   }
 
-  #show(moving: boolean): void {
+  #show(isMoving: boolean): void {
     if (this.#cpu.length === 0) return
     const rate = this.#intervals.length > 2 ? `${Math.round(1000 / median(this.#intervals))} fps` : ''
-    this.#text.textContent = `${median(this.#cpu).toFixed(1)} ms CPU · ${(moving && rate) || 'at rest'}`
+    this.#text.textContent = `${median(this.#cpu).toFixed(1)} ms CPU · ${(isMoving && rate) || 'at rest'}`
     this.#draw()
   }
 

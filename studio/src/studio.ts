@@ -70,7 +70,7 @@ export class Studio {
           this.#viewer?.draw()
           this.#lines.draw()
         },
-        moving: () => this.#moving,
+        isMoving: () => this.#isMoving,
       },
       this.#meter.add,
     )
@@ -203,10 +203,10 @@ export class Studio {
       },
     })
     page.screenshot.addEventListener('click', () =>
-      downloads.picture(this.#viewer, this.#face.expression.peek()),
+      downloads.savePicture(this.#viewer, this.#face.expression.peek()),
     )
-    page.uvLayout.addEventListener('click', () => downloads.uvLayout(this.#viewer))
-    acceptFiles(page.dropping, (files) => this.#opening.files(() => filesOfTransfer(files)))
+    page.uvLayout.addEventListener('click', () => downloads.saveUvLayout(this.#viewer))
+    acceptFiles(page.dropping, (files) => this.#opening.openFiles(() => filesOfTransfer(files)))
   }
 
   /** Lists the faces and opens the first, or the one in the URL: `?renderer=webgpu&face=human-2`. */
@@ -218,8 +218,8 @@ export class Studio {
       const name = this.#faces.value.find((known) => known === query.get('face')) ?? this.#faces.value[0]
       const kind = query.get('renderer') === 'webgpu' ? 'webgpu' : 'webgl'
       await this.#link.read()
-      await this.#host.open(kind, this.#link.load ?? this.#opening.fetch(name))
-      if (!this.#viewer && this.#link.load) await this.#host.open(kind, this.#opening.fetch(name))
+      await this.#host.open(kind, this.#link.load ?? this.#opening.faceLoader(name))
+      if (!this.#viewer && this.#link.load) await this.#host.open(kind, this.#opening.faceLoader(name))
     })
     if (!this.#viewer) this.#loading.done()
     else if (!this.#link.show()) this.#face.play('surprised')
@@ -262,8 +262,8 @@ export class Studio {
     this.#views.show(this.#host.orbit?.view ?? null)
   }
 
-  get #moving(): boolean {
-    return this.#face.moving || (this.#host.orbit?.moving ?? false)
+  get #isMoving(): boolean {
+    return this.#face.isMoving || (this.#host.orbit?.isMoving ?? false)
   }
 
   /** Whether the pointer paints or draws, which pauses the face. */

@@ -12,7 +12,7 @@ interface Step {
   after: StudioDocument
   /** Bytes that this step keeps in memory; see `lostBytes`. */
   bytes: number
-  /** Consecutive changes with the same key are one step, such as those of a dragged slider. */
+  /** Consecutive changes with the same key are one step, for example while a slider is dragged. */
   key?: string | undefined
 }
 

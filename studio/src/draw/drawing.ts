@@ -120,7 +120,7 @@ function workerError(reason: string | undefined): FurrowError {
   })
 }
 
-/** Makes maps without strokes: flat normals, or those of the base. */
+/** Makes maps without strokes: flat normals, or the normals of the base. */
 function flatMaps(size: number, base: RgbaImage | null): DrawnMaps {
   const data = base ? base.data.slice() : new Uint8Array(4 * size * size)
   if (!base) new Uint32Array(data.buffer).fill(FLAT)

@@ -7,7 +7,7 @@ const SLICE = 8
 export class Preparation {
   #steps: Iterator<unknown> | null = null
 
-  /** Runs steps and discards those of the previous call. Null only discards. */
+  /** Runs steps and discards the remaining steps of the previous call. Null only discards. */
   async run(steps: Iterator<unknown> | null): Promise<void> {
     this.#steps = steps
     while (steps && steps === this.#steps) {

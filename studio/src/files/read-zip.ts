@@ -98,7 +98,7 @@ function listOf(view: DataView): { at: number; count: number } {
   throw new Error('it is not a .zip, or cut off')
 }
 
-/** Replaces marked numbers by those of the zip64 field, which has them in this order. */
+/** Reads marked numbers from the zip64 field, where they have the same order. */
 function wideNumbers(view: DataView, numbers: readonly number[], from: number, to: number): number[] {
   for (let at = from; at + 4 <= to; at += 4 + view.getUint16(at + 2, true)) {
     if (view.getUint16(at, true) !== 1) continue

@@ -11,7 +11,7 @@ const NEW_AREA = 'lines'
 /** Minimum mean weight, 0..255, for a line to lie on an area. */
 const UNDER = 32
 
-/** New line. Its group and layer default to those of the area below it. */
+/** New line. Group and layer default to the values of the area below the line. */
 export type NewLine = Omit<LayerStroke, 'layer'> & { readonly layer?: string }
 
 /** Adds a line and extends or adds the area that shows it. */

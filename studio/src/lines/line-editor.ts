@@ -32,9 +32,9 @@ export class LineEditor {
   readonly mode = signal<LineMode>('off')
   /** Shape of new lines. */
   readonly shape = signal<LineShape>(SHAPE)
-  /** Group of new lines; if empty, that of the area below them. */
+  /** Group of new lines; if empty, the group of the area below them. */
   readonly group = signal('')
-  /** Layer of new lines; if empty, that of their area. */
+  /** Layer of new lines; if empty, the layer of their area. */
   readonly layer = signal('')
   /** Index of the chosen point, or -1. */
   readonly point = signal(-1)

@@ -18,7 +18,7 @@ export interface LineStage {
   /** Returns the preparation of the picker, or null once it is ready. */
   preparation(): Promise<unknown> | null
   /** Called when the hovered line or the path changes. */
-  changed(): void
+  onChange(): void
 }
 
 /** Chooses lines, moves their points, and draws new lines. */
@@ -83,7 +83,7 @@ export class LineTool implements StageTool {
     const found = pointer && isEditing ? this.#lineAt(pointer)?.stroke : undefined
     if ((found ?? null) === this.hovered) return
     this.hovered = found ?? null
-    this.#stage.changed()
+    this.#stage.onChange()
   }
 
   /** Adds a point to the chosen line at the pointer. */
@@ -127,13 +127,13 @@ export class LineTool implements StageTool {
       this.#drawn.push(hit)
       this.path.push({ x, y })
     }
-    this.#stage.changed()
+    this.#stage.onChange()
   }
 
   #forgetPath(): void {
     this.#drawn = []
     this.path = []
-    this.#stage.changed()
+    this.#stage.onChange()
   }
 
   #lineAt({ x, y }: Pick<StagePointer, 'x' | 'y'>) {

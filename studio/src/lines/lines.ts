@@ -51,7 +51,7 @@ export class Lines {
         return lines()
       },
       preparation: () => this.#reading,
-      changed: () => this.#redraw(),
+      onChange: () => this.#redraw(),
     })
     effect(() => this.#readSkin())
     effect(() => {

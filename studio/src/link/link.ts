@@ -52,7 +52,7 @@ export function formatLink({ model, pose, camera, light, auto }: Link, base: str
 }
 
 /**
- * Parses an untrusted link. Rejects numbers out of range, and addresses that are neither https nor of the page's origin.
+ * Parses an untrusted link. Rejects numbers out of range, and addresses that are not https or of the page's origin.
  *
  * @param hash with or without `#`.
  * @param base page URL.

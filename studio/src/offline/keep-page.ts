@@ -1,4 +1,4 @@
-/** Makes the built page work offline from the second visit on. Not in development, nor on insecure pages. */
+/** Makes the built page work offline from the second visit on. Does nothing in development and on insecure pages. */
 export function keepPage(): void {
   if (!import.meta.env.PROD || !('serviceWorker' in navigator)) return
   // Best effort: without a service worker, the page needs a network.

@@ -11,7 +11,7 @@ export interface DroppedAvatar {
   face: DroppedFile
   /** All files: the face can reference any of them. */
   files: readonly DroppedFile[]
-  /** Wrinkles that replace those in the face. */
+  /** Wrinkles that replace the wrinkles in the face. */
   wrinkles: WrinklesFolder | null
   /** Messages about choices among several files, one sentence each. */
   notes: readonly string[]

@@ -8,7 +8,7 @@ import type { Sight } from './seen-places.ts'
 import { skinPath } from './skin-path.ts'
 import { distanceBetween } from './vectors.ts'
 
-/** Distance of dabs as a fraction of the radius: their envelope deviates less than 0.5% from that of a continuous brush. */
+/** Distance of dabs as a fraction of the radius: their envelope deviates less than 0.5% from a continuous brush. */
 const SPACING = 0.08
 /** Maximum step in the texture, texels, and the ratio of skin distance to step length above which a step crosses a seam. */
 const TEXTURE_STEP = 0.5

@@ -25,7 +25,7 @@ import type { Viewer } from '../viewer/viewer.ts'
 export interface PanelModel {
   readonly session: Session
   readonly lines: LineEditor
-  /** Areas of the document. Without a document, panels show those of the viewer. */
+  /** Areas of the document. Without a document, panels show the viewer's areas. */
   readonly areas: AreaEditor
   readonly layers: LayerEditor
   readonly shapes: ShapeEditor

@@ -35,7 +35,7 @@ export class Opening {
   }
 
   /** Returns a loader for a face on the server. */
-  fetch(name: string): LoadAvatar {
+  faceLoader(name: string): LoadAvatar {
     const { loading } = this.#parts
     const title = `Loading ${displayName(name)}`
     return () => {
@@ -44,7 +44,7 @@ export class Opening {
     }
   }
 
-  project(id: string): Promise<unknown> {
+  openProject(id: string): Promise<unknown> {
     return this.open(() => this.#projectOf(id))
   }
 
@@ -61,7 +61,7 @@ export class Opening {
    *
    * @param list called synchronously, because dropped files are inaccessible after their event.
    */
-  async files(list: () => Promise<DroppedFile[]>): Promise<void> {
+  async openFiles(list: () => Promise<DroppedFile[]>): Promise<void> {
     const { messages, loading, addAreas } = this.#parts
     await messages.attempt(async () => {
       const dropped = await sortFiles(await list())

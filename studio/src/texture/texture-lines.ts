@@ -20,7 +20,7 @@ export class TextureLines {
     this.#size = size
   }
 
-  of(stroke: LayerStroke): TextureLine {
+  lineOf(stroke: LayerStroke): TextureLine {
     const line = this.#lines.get(stroke) ?? this.#trace(stroke)
     this.#lines.set(stroke, line)
     return line

@@ -38,7 +38,7 @@ export class TextureView {
   #size: readonly [width: number, height: number] = [0, 0]
   readonly #base = signal<HTMLCanvasElement | null>(null)
   readonly #area = document.createElement('canvas')
-  #lines: { skin: PaintSkin; size: number; of: TextureLines } | null = null
+  #lines: { skin: PaintSkin; size: number; lines: TextureLines } | null = null
   #request = 0
 
   constructor(parts: TextureViewParts) {
@@ -111,7 +111,7 @@ export class TextureView {
       area: areas.chosen.peek() ? this.#area : null,
       lines:
         skin && document
-          ? document.strokes.map((stroke) => this.#linesOn(skin, document.areaSize).of(stroke))
+          ? document.strokes.map((stroke) => this.#linesOn(skin, document.areaSize).lineOf(stroke))
           : [],
       outline: hit && skin ? brushOutline(skin, hit.triangle, hit.uv, painting.brush.peek().radius) : null,
     })
@@ -119,8 +119,8 @@ export class TextureView {
 
   #linesOn(skin: PaintSkin, size: number): TextureLines {
     if (this.#lines?.skin !== skin || this.#lines.size !== size) {
-      this.#lines = { skin, size, of: new TextureLines(skin, size) }
+      this.#lines = { skin, size, lines: new TextureLines(skin, size) }
     }
-    return this.#lines.of
+    return this.#lines.lines
   }
 }

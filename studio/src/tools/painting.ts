@@ -95,7 +95,7 @@ export class Painting {
       positionOf: ({ triangle, weights }) =>
         this.#face()?.picker.positionOf(triangle, weights, new Vector3()) ?? null,
     })
-    this.#bindTool(host, onFace, 'polygon')
+    this.#bind(host, onFace, 'polygon')
     effect(() => {
       if (this.area.value === null || this.shape.value !== 'polygon') this.polygon.clear()
     })
@@ -154,11 +154,7 @@ export class Painting {
     const target = () => this.#targetOnTexture()
     this.#addTool(host, target, 'brush')
     const positionOf = ({ uv: [u, v] }: SkinHit) => new Vector3(u, -v, 0)
-    this.#bindTool(
-      host,
-      this.polygon.addView({ element, camera: () => camera, target, positionOf }),
-      'polygon',
-    )
+    this.#bind(host, this.polygon.addView({ element, camera: () => camera, target, positionOf }), 'polygon')
   }
 
   /** Mirrors weights on the open face. */
@@ -217,11 +213,11 @@ export class Painting {
       },
     })
     this.#tools.push({ tool, host })
-    this.#bindTool(host, tool, shape)
+    this.#bind(host, tool, shape)
   }
 
   /** Activates a tool while its shape is chosen. */
-  #bindTool(host: ToolHost, tool: StageTool, shape: PaintShape): void {
+  #bind(host: ToolHost, tool: StageTool, shape: PaintShape): void {
     effect(() => {
       this.#parts.viewer.value
       if (this.area.value === null || this.shape.value !== shape) host.leave(tool)

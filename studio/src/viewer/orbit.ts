@@ -58,7 +58,7 @@ export class Orbit {
   }
 
   /** Whether the camera is still moving. */
-  get moving(): boolean {
+  get isMoving(): boolean {
     return this.#transition !== null || !this.#atRest || this.#controls.autoRotate
   }
 

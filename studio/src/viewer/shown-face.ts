@@ -69,8 +69,8 @@ export class ShownFace {
     return this.#expression
   }
 
-  get moving(): boolean {
-    return (this.#live?.moving || this.#performer.moving || this.player.isPlaying.peek()) ?? false
+  get isMoving(): boolean {
+    return (this.#live?.isMoving || this.#performer.isMoving || this.player.isPlaying.peek()) ?? false
   }
 
   show(viewer: Viewer): void {
@@ -85,7 +85,7 @@ export class ShownFace {
   /** @param delta seconds since the last frame. */
   advance(delta: number): void {
     const viewer = this.#live
-    const wasMoving = viewer?.moving
+    const wasMoving = viewer?.isMoving
     viewer?.advance(delta)
     this.#performer.advance(delta)
     this.player.advance(delta)

@@ -169,8 +169,8 @@ export class Viewer {
   }
 
   /** Whether a transition to an expression is running. */
-  get moving(): boolean {
-    return this.#expressions.moving
+  get isMoving(): boolean {
+    return this.#expressions.isMoving
   }
 
   /** Starts a transition to an expression from the current state. */
@@ -180,7 +180,7 @@ export class Viewer {
 
   /** @param delta seconds since the last frame; infinity ends the transition. */
   advance(delta: number): void {
-    if (this.moving) this.#moveFace(() => this.#expressions.advance(delta))
+    if (this.isMoving) this.#moveFace(() => this.#expressions.advance(delta))
   }
 
   /** Moves joints and blendshapes without the dials, and updates the driven areas. */
@@ -213,7 +213,7 @@ export class Viewer {
   }
 
   draw(): void {
-    if (!this.moving) this.#looks.follow()
+    if (!this.isMoving) this.#looks.follow()
     const hidden = this.areas.filter(({ name }) => this.hidden.includes(name))
     const activations = hidden.map(({ read }) => read())
     for (const { write } of hidden) write(0)

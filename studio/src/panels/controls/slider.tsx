@@ -57,7 +57,7 @@ export function Slider({
       <label
         for={id}
         title={dial.name}
-        // Only mouse movement hovers: neither scrolling below a still mouse, nor touches.
+        // Only mouse movement hovers. Touches and scrolling below a still mouse do not.
         onPointerMove={({ pointerType, movementX, movementY }) => {
           if (pointerType === 'mouse' && (movementX !== 0 || movementY !== 0)) hover(true)
         }}

@@ -22,8 +22,8 @@ export function AddDriver({ document, context, onAdd }: AddDriverProps) {
   const { area } = context
   const viewer = context.model.viewer.value
   if (!viewer) return null
-  const make = (of: AreaDriverType) => createDriver(of, area, document, drivable(context, document))
-  const isPossible = (of: AreaDriverType) => of === 'muscle' || make(of) !== null
+  const make = (kind: AreaDriverType) => createDriver(kind, area, document, drivable(context, document))
+  const isPossible = (kind: AreaDriverType) => kind === 'muscle' || make(kind) !== null
   return (
     <div class="add-driver">
       <label for={id} class="hidden">

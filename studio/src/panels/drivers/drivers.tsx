@@ -9,7 +9,7 @@ import { AddDriver } from './add-driver.tsx'
 import { Conflicts } from './conflicts.tsx'
 import type { DriverContext } from './context.ts'
 import { DriverCard } from './driver-card.tsx'
-import { useThrottled } from './live.ts'
+import { useThrottled } from './throttled.ts'
 
 /** Weights up to this value count as unset. */
 const UNSET = 0.01

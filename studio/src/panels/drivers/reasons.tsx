@@ -1,5 +1,5 @@
 import type { PanelModel } from '../model.ts'
-import { useThrottled } from './live.ts'
+import { useThrottled } from './throttled.ts'
 
 /** Contributions of drivers and inputs to an area, updated as the face moves. */
 export function Reasons({ area, model: { viewer, frame } }: { area: string; model: PanelModel }) {

@@ -28,7 +28,7 @@ export function ShapeRow({ row, isHidden, model }: ShapeRowProps) {
     <li
       hidden={isHidden}
       class={`shape${isUnknown(row) ? ' unknown' : ''}${correction === undefined ? '' : ' corrected'}`}
-      // Only mouse movement hovers: neither scrolling below a still mouse, nor touches.
+      // Only mouse movement hovers. Touches and scrolling below a still mouse do not.
       onPointerMove={({ pointerType, movementX, movementY }) => {
         if (pointerType === 'mouse' && (movementX !== 0 || movementY !== 0)) show()
       }}

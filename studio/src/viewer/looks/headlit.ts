@@ -14,7 +14,7 @@ export class Headlit {
   #matcap: DataTexture | null = null
 
   /** @param own the mesh's own material, the source of its colours. */
-  of(mesh: Mesh, own: Material): Material {
+  materialOf(mesh: Mesh, own: Material): Material {
     const known = this.#materials.get(mesh)
     if (known) return known
     this.#matcap ??= createMatcap()

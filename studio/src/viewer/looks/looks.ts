@@ -51,7 +51,7 @@ interface SideLook {
   /** Material of each mesh; null hides it. */
   materials: Map<Mesh, Materials | null>
   /** Whether the materials are lit, and so tone-mapped. */
-  lit: boolean
+  isLit: boolean
   /** Mesh drawn in place of the skin or over it. */
   extra: 'wireframe' | 'strain' | 'marked' | null
 }
@@ -107,9 +107,9 @@ export class Looks {
     else this.#sides = { without, with: this.#shaded(this.#originals.get(this.#face.skin)!) }
   }
 
-  /** Whether a side is lit; an unlit side has the technical background. */
-  lit(side: Side): boolean {
-    return this.#sides[side].lit
+  /** Whether a side is lit. An unlit side has the technical background. */
+  isLit(side: Side): boolean {
+    return this.#sides[side].isLit
   }
 
   get technicalBackground(): Color {
@@ -157,7 +157,7 @@ export class Looks {
   #shaded(skin: Materials): SideLook {
     const materials = new Map<Mesh, Materials | null>(this.#originals)
     for (const mesh of this.#skin) materials.set(mesh, skin)
-    return { materials, lit: true, extra: null }
+    return { materials, isLit: true, extra: null }
   }
 
   get #skin(): Mesh[] {
@@ -179,7 +179,7 @@ export class Looks {
   #clay(): Record<Side, SideLook> {
     const clay = new MeshStandardMaterial(CLAY)
     const sides = this.#wrinkled((maps) => new MeshStandardMaterial({ ...CLAY, ...maps }), clay)
-    return { without: { ...sides.without, lit: true }, with: { ...sides.with, lit: true } }
+    return { without: { ...sides.without, isLit: true }, with: { ...sides.with, isLit: true } }
   }
 
   /** Shows the skin in a material without and with wrinkles. A second `Wrinkles` patches the material. */
@@ -213,9 +213,9 @@ export class Looks {
     for (const [mesh, original] of this.#originals) {
       const [material] = [original].flat()
       const isHidden = isCutOut(material) && !this.#skin.includes(mesh)
-      materials.set(mesh, isHidden ? null : this.#headlit.of(mesh, material))
+      materials.set(mesh, isHidden ? null : this.#headlit.materialOf(mesh, material))
     }
-    return { materials, lit: true, extra: 'marked' }
+    return { materials, isLit: true, extra: 'marked' }
   }
 
   #wireframe(): SideLook {
@@ -236,7 +236,7 @@ export class Looks {
       const hidden = isCutOut([original].flat()[0])
       materials.set(mesh, this.#skin.includes(mesh) ? skin : hidden ? null : rest)
     }
-    return { materials, lit: false, extra: null }
+    return { materials, isLit: false, extra: null }
   }
 
   #copyActivations(): void {

@@ -49,11 +49,11 @@ export class Sides {
 
   #drawSide(looks: Looks, side: Side): void {
     const { renderer, scene } = this.#stage
-    const lit = looks.lit(side)
+    const isLit = looks.isLit(side)
     looks.apply(side)
-    ;(scene.background as Color).copy(lit ? this.#background : looks.technicalBackground)
-    // WebGPURenderer tone-maps the whole frame and ignores `toneMapped` of materials.
-    if (!isWebGL(renderer)) renderer.toneMapping = lit ? this.#toneMapping : NoToneMapping
+    ;(scene.background as Color).copy(isLit ? this.#background : looks.technicalBackground)
+    // WebGPURenderer tone-maps the complete frame and ignores `toneMapped` of materials.
+    if (!isWebGL(renderer)) renderer.toneMapping = isLit ? this.#toneMapping : NoToneMapping
     this.#stage.render()
   }
 }

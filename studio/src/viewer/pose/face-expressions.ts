@@ -39,7 +39,7 @@ export class FaceExpressions {
   }
 
   /** Whether a transition is running. */
-  get moving(): boolean {
+  get isMoving(): boolean {
     return this.#remaining > 0
   }
 

@@ -1,7 +1,7 @@
 import type { GrayImage } from 'furrow'
 import type { Mesh } from 'three'
 
-/** Length of a muscle, metres: close to that of the forehead's. */
+/** Length of a muscle, metres: close to the forehead muscle. */
 const LENGTH = 0.03
 
 type Vector = [number, number, number]

@@ -37,7 +37,7 @@ export class Performer {
     this.#parts = parts
   }
 
-  get moving(): boolean {
+  get isMoving(): boolean {
     return this.#transition !== null
   }
 

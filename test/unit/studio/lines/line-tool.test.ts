@@ -33,7 +33,7 @@ beforeEach(() => {
       return session.document.value!.strokes.map(seen)
     },
     preparation: () => null,
-    changed() {},
+    onChange() {},
   })
 })
 

@@ -92,7 +92,7 @@ it('a line across a seam is drawn in two pieces, each in its island', () => {
   ]
   const stroke = { points, curve: 'spline', width: 2, depth: 0.5 }
   const [line] = parseStrokes({ version: 1, strokes: [stroke] }).strokes as Stroke[]
-  const pieces = new TextureLines(skin, SIZE).of({ ...line, layer: 'up' } as LayerStroke)
+  const pieces = new TextureLines(skin, SIZE).lineOf({ ...line, layer: 'up' } as LayerStroke)
   expect(pieces.length).toBe(2)
   expect(pieces[0].every(([u]) => u < 0.48)).toBe(true)
   expect(pieces[1].every(([u]) => u > 0.57)).toBe(true)

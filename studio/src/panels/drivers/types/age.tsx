@@ -2,7 +2,7 @@ import { AGES, type AgeDriver } from 'furrow/internal'
 import { axisOf } from '../axes.ts'
 import type { FormProps } from '../context.ts'
 import { DriverCurve } from '../fields.tsx'
-import { NowSlider } from '../now-slider.tsx'
+import { InputSlider } from '../input-slider.tsx'
 import type { DriverType } from './driver-type.ts'
 
 export const age: DriverType<AgeDriver> = {
@@ -23,7 +23,7 @@ function AgeForm({ driver: { curve }, index, context }: FormProps<AgeDriver>) {
   return (
     <>
       <DriverCurve {...{ index, context, curve, axis }} />
-      <NowSlider name="age" label="Age now" axis={axis} context={context} />
+      <InputSlider name="age" label="Age now" axis={axis} context={context} />
     </>
   )
 }

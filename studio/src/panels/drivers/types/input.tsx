@@ -2,7 +2,7 @@ import type { InputDriver } from 'furrow'
 import { axisOf } from '../axes.ts'
 import type { FormProps } from '../context.ts'
 import { DriverCurve, NameField } from '../fields.tsx'
-import { NowSlider } from '../now-slider.tsx'
+import { InputSlider } from '../input-slider.tsx'
 import { type DriverType, freeDriverName } from './driver-type.ts'
 
 export const input: DriverType<InputDriver> = {
@@ -34,7 +34,7 @@ function InputForm({ driver: { name, curve }, index, context }: FormProps<InputD
       />
       <p class="hint">The application sets this number while it runs.</p>
       <DriverCurve {...{ index, context, curve, axis }} />
-      <NowSlider name={name} label="Try" axis={axis} context={context} />
+      <InputSlider name={name} label="Try" axis={axis} context={context} />
     </>
   )
 }

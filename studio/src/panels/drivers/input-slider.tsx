@@ -2,7 +2,7 @@ import { NumberSlider } from '../controls/number-slider.tsx'
 import type { Axis } from './axes.ts'
 import type { DriverContext } from './context.ts'
 
-interface NowSliderProps {
+interface InputSliderProps {
   /** Input name. */
   name: string
   label: string
@@ -11,7 +11,7 @@ interface NowSliderProps {
 }
 
 /** Slider that sets a custom input, on the stage only. */
-export function NowSlider({ name, label, axis: { range }, context: { model } }: NowSliderProps) {
+export function InputSlider({ name, label, axis: { range }, context: { model } }: InputSliderProps) {
   const { viewer, frame, actions } = model
   frame.value
   const dial = viewer.value?.driven.inputDial(name)

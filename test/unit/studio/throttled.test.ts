@@ -1,6 +1,6 @@
 import { signal } from '@preact/signals'
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
-import { throttled } from '../../../studio/src/panels/drivers/live.ts'
+import { throttled } from '../../../studio/src/panels/drivers/throttled.ts'
 
 beforeEach(() => {
   vi.useFakeTimers()
