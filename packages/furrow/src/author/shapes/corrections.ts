@@ -8,22 +8,22 @@ import { labelOf, SHAPE_NAMES } from './families.ts'
 import { hintOf } from './names/hint.ts'
 import type { NameHint } from './names/name-hint.ts'
 
-/** A correction of what a blendshape was recognised as, in a file. */
+/** Manual correction of a blendshape's recognised shape, in a file. */
 export interface ShapeCorrection {
-  /** Name of the mesh or of its node; by default every mesh with the material. */
+  /** Name of the mesh or its node; default: every mesh with the material. */
   mesh?: string
-  /** Name of the blendshape, in any spelling that `findTargets` knows. */
+  /** Name of the blendshape, in any spelling that `findTargets` accepts. */
   target: string
-  /** ARKit's name, without its side where the blendshape moves both sides; absent where it is none of ARKit's shapes. */
+  /** ARKit name, without its side if the blendshape moves both; undefined if it matches no ARKit shape. */
   shape?: string
 }
 
 /**
- * Reads the corrections of a file. Unknown fields are left out.
+ * Reads the corrections of a file. Unknown fields are ignored.
  *
- * @param json `shapes` of the glTF extension or of `wrinkles.json`, of any type; undefined for none.
- * @param who names the file in errors.
- * @param onFault receives the error of each malformed correction, which is left out; by default the first one is thrown.
+ * @param json `shapes` of the glTF extension or of `wrinkles.json`, of any type; undefined if missing.
+ * @param who file name for errors.
+ * @param onFault called with the error of each malformed correction, which is skipped. Default: throw the first one.
  */
 export function parseCorrections(
   json: unknown,
@@ -63,9 +63,9 @@ function readShape(reader: JsonReader, value: unknown, at: string): string {
 }
 
 /**
- * Applies the corrections of a material to its skin. The first that names a blendshape counts.
+ * Applies a material's corrections to its skin. If several name a blendshape, the first one wins.
  *
- * @param meshes names of the mesh: its own and those of its nodes, or its index where it has none.
+ * @param meshes names of the mesh and its nodes, or its index if unnamed.
  */
 export function correctSkin(
   skin: Skin,
@@ -86,24 +86,24 @@ export function correctSkin(
 
 type NamedTarget = Omit<SkinTarget, 'offsets'>
 
-/** Kind of a target by its correction, or by its name, or by that of the expression that moves it. */
+/** Derives a target's kind from its correction, its name, or the name of the expression that moves it. */
 export function hintOfTarget({ name, expression, correction }: NamedTarget): NameHint | undefined {
   if (typeof correction === 'string') return hintOf(correction)
   const hint = hintOf(name) ?? (expression === undefined ? undefined : hintOf(expression))
-  // A body slider stays one.
+  // A body slider keeps its kind.
   return correction === null && hint && hint.shapes.length > 0 ? undefined : hint
 }
 
-/** Names by which shapes are found: a correction counts as the name. Another target of that name has none. */
+/** Returns the names used to find shapes. Corrections replace names; another target with a corrected name gets a placeholder. */
 export function correctedNames(targets: readonly NamedTarget[]): string[] {
   const corrected = new Set(targets.map(({ correction }) => correction))
   return targets.map(({ name, correction }, i) => {
     if (typeof correction === 'string') return correction
-    return correction === null || corrected.has(canonicalTargetName(name)) ? nameless(i) : name
+    return correction === null || corrected.has(canonicalTargetName(name)) ? placeholderName(i) : name
   })
 }
 
-/** A name of a target that means nothing. */
-export function nameless(target: number): string {
+/** Placeholder name of a target, unlike any shape's. */
+export function placeholderName(target: number): string {
   return `#${target}`
 }

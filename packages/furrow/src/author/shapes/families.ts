@@ -1,13 +1,13 @@
-/** Side that a shape moves, as the person has it. */
+/** Side that a shape moves, from the person's view. */
 export type Side = 'left' | 'right' | 'both'
 
-/** An ARKit shape without its side. */
+/** ARKit shape without its side. */
 export interface ShapeLabel {
   family: string
   side: Side
 }
 
-/** Shapes that ARKit has for either side. */
+/** ARKit shapes that exist per side. */
 export const SIDED = [
   'browDown',
   'browOuterUp',
@@ -29,7 +29,7 @@ export const SIDED = [
   'mouthLowerDown',
 ] as const
 
-/** Shapes that ARKit has for both sides at once; some rigs split them. */
+/** ARKit shapes that move both sides at once; some rigs split them. */
 export const CENTRAL = [
   'browInnerUp',
   'cheekPuff',
@@ -47,10 +47,10 @@ export const CENTRAL = [
 /** Central shapes that rigs split. */
 export const SPLIT: readonly string[] = ['browInnerUp', 'cheekPuff', 'mouthPucker', 'mouthFunnel']
 
-/** Shapes that move the mouth to a side: the direction is part of their name. */
+/** Shapes that move the mouth sideways; the direction is part of their name. */
 export const SHIFTED = ['jawLeft', 'mouthLeft'] as const
 
-/** All names of shapes: ARKit's, those of sided shapes without their side, and halves of central ones. */
+/** All shape names: ARKit's, sided shapes without their side, and halves of central shapes. */
 export const SHAPE_NAMES: readonly string[] = [
   ...SIDED.flatMap((name) => [name, ...halvesOf(name)]),
   ...CENTRAL.flatMap((name) => (SPLIT.includes(name) ? [name, ...halvesOf(name)] : [name])),
@@ -62,14 +62,14 @@ function halvesOf(name: string): [left: string, right: string] {
   return [`${name}Left`, `${name}Right`]
 }
 
-/** ARKit's name: a shape of both sides has its family's. */
+/** Returns the ARKit name; a shape of both sides is named after its family. */
 export function arkitName({ family, side }: ShapeLabel): string {
   return side === 'both' ? family : family + (side === 'left' ? 'Left' : 'Right')
 }
 
-/** Parses ARKit's name; undefined for any other. */
+/** Parses an ARKit name; undefined if it is not one. */
 export function labelOf(name: string): ShapeLabel | undefined {
-  // A tongue is mostly a mesh of its own: its motion tells nothing.
+  // Tongues are mostly separate meshes, so motion cannot identify them; their name can.
   if (isOneOf(CENTRAL, name) || isOneOf(SIDED, name) || name === 'tongueOut')
     return { family: name, side: 'both' }
   const [, stem, end] = /^(.*?)(Left|Right)$/.exec(name) ?? []
@@ -79,24 +79,24 @@ export function labelOf(name: string): ShapeLabel | undefined {
   return isKnown ? { family: stem, side: end === 'Left' ? 'left' : 'right' } : undefined
 }
 
-/** The same on the other side of the face. */
+/** Returns the label on the other side of the face. */
 export function mirroredLabel({ family, side }: ShapeLabel): ShapeLabel {
   if (isShifted(family))
     return { family: family.replace(/Left|Right/, (end) => (end === 'Left' ? 'Right' : 'Left')), side }
   return { family, side: side === 'both' ? side : side === 'left' ? 'right' : 'left' }
 }
 
-/** Whether ARKit has the shape for both sides at once. */
+/** Returns whether the ARKit shape moves both sides at once. */
 export function isCentral(family: string): boolean {
   return isOneOf(CENTRAL, family)
 }
 
-/** Whether ARKit has the shape for either side alone. */
+/** Returns whether the ARKit shape exists per side. */
 export function isSided(family: string): boolean {
   return isOneOf(SIDED, family)
 }
 
-/** Whether the shape moves the mouth to a side. */
+/** Returns whether the shape moves the mouth sideways. */
 export function isShifted(family: string): boolean {
   return /^(jaw|mouth)(Left|Right)$/.test(family)
 }

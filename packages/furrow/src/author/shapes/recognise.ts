@@ -13,74 +13,74 @@ import { templateHeads } from './templates/template-table.ts'
 import type { TemplateHead } from './templates/templates.ts'
 import type { Vector } from './vectors.ts'
 
-/** A recognised blendshape. */
+/** Recognised blendshape. */
 export interface RecognisedShape {
   /** Name of the target. */
   name: string
-  /** ARKit's name; without a side where it moves both. Undefined where it is unknown or no single one of ARKit's shapes. */
+  /** ARKit name, without its side if the shape moves both; undefined if unknown or not a single ARKit shape. */
   shape: string | undefined
-  /** 0..1 */
+  /** Confidence, 0..1. */
   confidence: number
-  /** Evidence that decided: motion, name, or both alike; or a person's correction, with confidence 1. */
+  /** Deciding evidence: motion, name, both in agreement, or a manual correction (confidence 1). */
   by: 'geometry' | 'name' | 'both' | 'correction' | 'none'
-  /** Kind by name and motion, for finding shapes by name. */
+  /** Kind by name and motion, used to find shapes by name. */
   hint: NameHint | undefined
-  /** Whether its motion contradicts its name. */
+  /** Whether the motion contradicts the name. */
   isMisnamed: boolean
 }
 
 /** Label of a target by its motion. */
-interface Seen {
+interface MotionMatch {
   label: ShapeLabel
   confidence: number
   score: number
-  /** Score of any label, by ARKit's name. */
+  /** Returns the score of any label, given by its ARKit name. */
   scoreOf(name: string): number
   /** Fraction of the motion on the left. */
   left: number
 }
 
-/** Likeness by which another label has to be better than that of the name, to overrule it. */
-const OVERRULED = 0.2
+/** Score by which another label must exceed the name's label to overrule it. */
+const OVERRULE_LEAD = 0.2
 /** Fraction of the motion on one side that overrules a side in the name. */
 const ONE_SIDE = 0.85
-/** Confidence of a shape that has only a name. */
+/** Confidence of a shape recognised only by name. */
 const BY_NAME = 0.6
 
-/** The blendshapes of a face, and where its eyes are. */
+/** Blendshapes and eye positions of a face. */
 export interface RecognisedFace {
   /** One entry per target. */
   shapes: RecognisedShape[]
-  /** Middle of the left and right eye; undefined where no lids close. */
+  /** Centres of the left and right eye; undefined if no lids close. */
   eyes: readonly [left: Vector, right: Vector] | undefined
 }
 
 /**
- * Recognises the blendshapes of a face: by what they move, with their names as a hint. Corrections overrule both. Deterministic.
+ * Recognises the blendshapes of a face by their motion, with names as a hint. Corrections overrule both. Deterministic.
  *
- * @param heads templates; those that ship by default.
+ * @param heads templates; default: the built-in heads.
  */
 export function recogniseShapes(
   skin: Skin,
   heads: readonly TemplateHead[] = templateHeads(),
 ): RecognisedFace {
-  const { seen, eyes } = seeShapes(skin, heads)
+  const { byMotion, eyes } = matchByMotion(skin, heads)
   const shapes = skin.targets.map((target, i) => {
     const hint = hintOfTarget(target)
-    return { name: target.name, ...(correctedTo(target, hint) ?? decide(hint, seen.get(i))) }
+    return { name: target.name, ...(correctedTo(target, hint) ?? decide(hint, byMotion.get(i))) }
   })
   return { shapes, eyes }
 }
 
 /** Labels each target by its motion. */
-function seeShapes(
+function matchByMotion(
   skin: Skin,
   heads: readonly TemplateHead[],
-): { seen: Map<number, Seen>; eyes: RecognisedFace['eyes'] } {
-  const seen = new Map<number, Seen>()
+): { byMotion: Map<number, MotionMatch>; eyes: RecognisedFace['eyes'] } {
+  const byMotion = new Map<number, MotionMatch>()
   const surface = movingSurface(skin)
   const frame = surface && faceFrame(surface)
-  if (!frame) return { seen, eyes: undefined }
+  if (!frame) return { byMotion, eyes: undefined }
   const fields = withoutRejected(shapeFields(surface, frame), skin)
   const scores = correctScores(scoresOf(fields, heads), fields, skin.targets)
   const composites = compositesOf(fields, matchShapes(fields, scores))
@@ -91,7 +91,7 @@ function seeShapes(
   const confidences = confidencesOf(fields, matches, frame)
   for (const [i, { shape, label, score }] of matches.entries()) {
     const { target, field } = fields.shapes[shape]
-    seen.set(target, {
+    byMotion.set(target, {
       label,
       score,
       confidence: confidences[i],
@@ -99,10 +99,10 @@ function seeShapes(
       left: leftFraction(field, fields.weights),
     })
   }
-  return { seen, eyes: frame.hasLids ? frame.eyes : undefined }
+  return { byMotion, eyes: frame.hasLids ? frame.eyes : undefined }
 }
 
-/** The shapes without those that are none of ARKit's by correction: these compete for no label. */
+/** Drops shapes corrected to none of ARKit's, so that they compete for no label. */
 function withoutRejected({ weights, shapes }: ShapeFields, { targets }: Skin): ShapeFields {
   return { weights, shapes: shapes.filter(({ target }) => targets[target].correction !== null) }
 }
@@ -114,20 +114,27 @@ function correctedTo({ correction }: SkinTarget, hint: NameHint | undefined): De
   return { shape: correction ?? undefined, confidence: 1, by: 'correction', hint, isMisnamed: false }
 }
 
-function decide(hint: NameHint | undefined, seen: Seen | undefined): Decision {
-  if (!hint) return seen && seen.confidence >= UNSURE ? byGeometry(seen, false) : unknown(undefined)
+function decide(hint: NameHint | undefined, byMotion: MotionMatch | undefined): Decision {
+  if (!hint)
+    return byMotion && byMotion.confidence >= UNSURE ? byGeometry(byMotion, false) : unknown(undefined)
   const named = namedLabel(hint)
-  // Several shapes, or none: visemes, emotions, proportions, corrections.
+  // Several shapes or none: visemes, emotions, proportions, correctives.
   if (!named) return { ...unknown(hint), by: 'name' }
   const name = arkitName(named)
-  if (!seen) return { shape: name, confidence: BY_NAME, by: 'name', hint, isMisnamed: false }
-  if (arkitName(seen.label) === name)
-    return { shape: name, confidence: Math.max(seen.confidence, 0.9), by: 'both', hint, isMisnamed: false }
-  const isOther = seen.confidence >= SURE && seen.score > seen.scoreOf(name) + OVERRULED
-  if (isOther) return byGeometry(seen, true)
-  const side = seen.left > ONE_SIDE ? 'left' : seen.left < 1 - ONE_SIDE ? 'right' : undefined
+  if (!byMotion) return { shape: name, confidence: BY_NAME, by: 'name', hint, isMisnamed: false }
+  if (arkitName(byMotion.label) === name)
+    return {
+      shape: name,
+      confidence: Math.max(byMotion.confidence, 0.9),
+      by: 'both',
+      hint,
+      isMisnamed: false,
+    }
+  const isOverruled = byMotion.confidence >= SURE && byMotion.score > byMotion.scoreOf(name) + OVERRULE_LEAD
+  if (isOverruled) return byGeometry(byMotion, true)
+  const side = byMotion.left > ONE_SIDE ? 'left' : byMotion.left < 1 - ONE_SIDE ? 'right' : undefined
   if (side && named.side !== 'both' && named.side !== side)
-    return byGeometry({ ...seen, label: mirroredLabel(named), confidence: BY_NAME }, true)
+    return byGeometry({ ...byMotion, label: mirroredLabel(named), confidence: BY_NAME }, true)
   return { shape: name, confidence: BY_NAME, by: 'name', hint, isMisnamed: false }
 }
 
@@ -135,7 +142,7 @@ function unknown(hint: NameHint | undefined): Decision {
   return { shape: undefined, confidence: 0, by: 'none', hint, isMisnamed: false }
 }
 
-/** The one shape that a name means; undefined where it is none or several. */
+/** Returns the single shape that a name means; undefined for none or several. */
 function namedLabel({ match, shapes, side }: NameHint): ShapeLabel | undefined {
   if (match === 'like') return undefined
   if (match === 'part') {
@@ -149,7 +156,7 @@ function namedLabel({ match, shapes, side }: NameHint): ShapeLabel | undefined {
   return isPair ? { family: first.family, side: 'both' } : undefined
 }
 
-function byGeometry({ label, confidence }: Seen, isMisnamed: boolean): Decision {
+function byGeometry({ label, confidence }: MotionMatch, isMisnamed: boolean): Decision {
   return {
     shape: arkitName(label),
     confidence,
@@ -159,7 +166,7 @@ function byGeometry({ label, confidence }: Seen, isMisnamed: boolean): Decision 
   }
 }
 
-/** The same as a name would tell it. */
+/** Returns the hint that a name of the label would give. */
 function hintOfLabel(label: ShapeLabel, confidence: number): NameHint {
   const hint = {
     kind: 'expression',

@@ -21,7 +21,7 @@ export const lengthOf = (a: Vector): number => Math.sqrt(dotOf(a, a))
 
 export const unit = (a: Vector): Vector => plus([0, 0, 0], a, 1 / (lengthOf(a) || 1))
 
-/** The part of a vector across a unit axis. */
+/** Removes the component of a vector along a unit axis. */
 export const across = (a: Vector, axis: Vector): Vector => plus(a, axis, -dotOf(a, axis))
 
 export const vectorAt = (values: ArrayLike<number>, i: number): Vector => [
@@ -34,7 +34,7 @@ export function median(values: readonly number[]): number {
   return quantile(values, 0.5)
 }
 
-/** The value below which a fraction of the values lies. */
+/** Returns the quantile of values at a fraction, 0..1, with linear interpolation. */
 export function quantile(values: readonly number[], fraction: number): number {
   const sorted = [...values].sort((a, b) => a - b)
   const at = fraction * (sorted.length - 1)
@@ -43,7 +43,7 @@ export function quantile(values: readonly number[], fraction: number): number {
   return sorted[low] + (at - low) * (sorted[high] - sorted[low])
 }
 
-/** Piecewise linear interpolation, constant beyond the ends. */
+/** Interpolates piecewise linearly, constant beyond the ends. */
 export function interpolated(x: number, xs: ArrayLike<number>, ys: ArrayLike<number>): number {
   const last = xs.length - 1
   if (!(x > xs[0])) return ys[0]

@@ -1,4 +1,4 @@
-import { correctedNames, nameless } from '../../shapes/corrections.ts'
+import { correctedNames, placeholderName } from '../../shapes/corrections.ts'
 import { recogniseShapes } from '../../shapes/recognise.ts'
 import type { Skin, SkinTarget } from '../../skin/surface.ts'
 import type { TargetHints } from './stand-ins.ts'
@@ -27,7 +27,7 @@ export function knownTargets(skin: Skin): KnownTargets {
   const { shapes, eyes } = recogniseShapes(skin)
   const names = correctedNames(skin.targets)
   const targets: KnownTargets = {
-    known: shapes.map(({ isMisnamed }, i) => (isMisnamed ? nameless(i) : names[i])),
+    known: shapes.map(({ isMisnamed }, i) => (isMisnamed ? placeholderName(i) : names[i])),
     hints: shapes.map(({ hint }) => hint),
     eyes,
   }

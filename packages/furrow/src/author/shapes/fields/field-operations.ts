@@ -1,7 +1,7 @@
 import { clamp } from '../../../math/scalar.ts'
 import { MIRRORED, SAMPLE_U, SAMPLES } from './sample-points.ts'
 
-/** The field of the mirror image of a shape. */
+/** Returns the field of a shape's mirror image. */
 export function mirroredField(field: Float64Array): Float64Array {
   const out = new Float64Array(field.length)
   for (let i = 0; i < SAMPLES; i++) {
@@ -13,7 +13,7 @@ export function mirroredField(field: Float64Array): Float64Array {
   return out
 }
 
-/** One half of a field; the other fades out across the middle. */
+/** Returns one half of a field; the other half fades out across the middle. */
 export function halfField(field: Float64Array, side: 'left' | 'right'): Float64Array {
   const sign = side === 'left' ? 1 : -1
   return field.map((value, k) => value * clamp(0.5 + (sign * SAMPLE_U[Math.floor(k / 3)]) / 0.5, 0, 1))
@@ -23,7 +23,7 @@ export function sumOf(a: Float64Array, b: Float64Array, scale = 1): Float64Array
   return a.map((value, k) => value + scale * b[k])
 }
 
-/** Weighted samples of a field as one unit vector, and of the field with the square roots of its lengths: small motions count more there. */
+/** Weighted samples of a field as unit vectors: plain, and with square roots of the lengths, which gives small motions more weight. */
 export interface Descriptor {
   plain: Float64Array
   compressed: Float64Array
@@ -46,7 +46,7 @@ export function descriptorOf(field: Float64Array, weights: Float64Array): Descri
   return { plain, compressed }
 }
 
-/** Mean of the cosines of both forms. */
+/** Returns the mean cosine of both forms. */
 export function likeness(a: Descriptor, b: Descriptor): number {
   return (dotAll(a.plain, b.plain) + dotAll(a.compressed, b.compressed)) / 2
 }
@@ -62,7 +62,7 @@ function normalizeAll(values: Float64Array): void {
   for (let i = 0; i < values.length; i++) values[i] /= length
 }
 
-/** Fraction of a field's energy on the left. */
+/** Returns the fraction of a field's energy on the left. */
 export function leftFraction(field: Float64Array, weights: Float64Array): number {
   let [left, right] = [0, 0]
   for (let i = 0; i < SAMPLES; i++) {

@@ -7,9 +7,9 @@ import { ALONG, closedEyes, type EyeOpening, eyeOpening, lipLine } from '../land
 import { interpolated } from '../vectors.ts'
 import { GRID, LID_REACH, LID_ROWS, LID_SAMPLES, LIP_ROWS, SAMPLES } from './sample-points.ts'
 
-/** Displacements of all targets, sampled where every face has the same features. */
+/** Displacements of all targets, sampled at the same facial features on every face. */
 export interface ShapeFields {
-  /** Weight of each sample; 0 where the surface has no skin. */
+  /** Weight of each sample; 0 outside the skin. */
   weights: Float64Array
   shapes: ShapeField[]
 }
@@ -19,25 +19,25 @@ export interface ShapeField {
   target: number
   /** u, v and depth of the displacement at each sample. */
   field: Float64Array
-  /** Largest displacement, in half distances of the eyes. */
+  /** Maximum displacement, in half eye distances. */
   strength: number
   /** Whether the lids of the left and right eye meet. */
   closes: readonly [left: boolean, right: boolean]
-  /** Fraction of its motion beyond the face: skull, ears, body. */
+  /** Fraction of the motion outside the face: skull, ears, body. */
   outside: number
 }
 
-/** A sample from points with weights. */
+/** Weighted blend of points at a sample. */
 interface Blend {
   indices: number[]
   weights: number[]
   weight: number
 }
 
-/** Height of a typical opening; displacements of lids are scaled to it. */
+/** Bottom and top of a typical eye opening; lid displacements are scaled to its height. */
 const OPENING = [-0.14, 0.2] as const
 
-/** Samples the displacements of all targets in the frame of a face. */
+/** Samples the displacements of all targets in the face frame. */
 export function shapeFields(surface: MovingSurface, frame: FaceFrame): ShapeFields {
   const [at, normals] = [inFrame(frame, surface.points), directionsOf(surface, frame)]
   const visible = visiblePoints(surface, frame, at, normals)
@@ -69,7 +69,7 @@ function directionsOf({ normals }: MovingSurface, frame: FaceFrame): Float64Arra
   return directionsInFrame({ ...frame, scales: [1, 1, 1] }, normals)
 }
 
-/** Skin that faces forwards: without eyeballs and lashes, which are pieces that lie at an eye. */
+/** Selects skin that faces forwards. Eyeballs and lashes are excluded: they are pieces that lie entirely at an eye. */
 function visiblePoints(
   { pieces }: MovingSurface,
   { region }: FaceFrame,
@@ -90,7 +90,7 @@ function heightsOf({ upper, lower }: EyeOpening): [bottom: number, top: number] 
   return [Math.min(...lower), Math.max(...upper)]
 }
 
-/** The face, with its eye openings moved to where those of a typical face are. */
+/** Blends points at the grid over the face, with eye openings warped to those of a typical face. */
 function gridBlends(at: Float64Array, visible: readonly number[], opening: EyeOpening): Blend[] {
   const [bottom, top] = heightsOf(opening)
   const from = [-5, -2, bottom, top, top + 4]
@@ -104,7 +104,7 @@ function gridBlends(at: Float64Array, visible: readonly number[], opening: EyeOp
   return blendsOf(warped, visible, queries, 0.1, 1)
 }
 
-/** Rows along the lids, each from the skin on its side of the opening. */
+/** Blends points at the rows along the lids, each only from skin on its side of the opening. */
 function lidBlends(at: Float64Array, visible: readonly number[], opening: EyeOpening): Blend[] {
   const along = ALONG.map((a) => LID_REACH * a)
   const middles = opening.upper.map((height, k) => (height + opening.lower[k]) / 2)
@@ -123,7 +123,7 @@ function lidBlends(at: Float64Array, visible: readonly number[], opening: EyeOpe
   })
 }
 
-/** Rows along the lips, each from the skin on its side of the lip line. */
+/** Blends points at the rows along the lips, each only from skin on its side of the lip line. */
 function lipBlends(at: Float64Array, visible: readonly number[], frame: FaceFrame): Blend[] {
   const { halfWidth, heights } = lipLine(frame)
   const us = ALONG.map((a) => halfWidth * a)
@@ -141,12 +141,12 @@ function coordinates(at: Float64Array, chosen: readonly number[]): number[] {
   return chosen.flatMap((i) => [at[3 * i], at[3 * i + 1], at[3 * i + 2]])
 }
 
-/** Points that a sample is blended from at most. */
+/** Maximum number of points blended per sample. */
 const NEIGHBOURS = 10
-/** Distance from the nearest point from which on a sample does not count. */
-const FAR = 0.35
+/** Distance to the nearest point beyond which a sample has no weight. */
+const MAX_REACH = 0.35
 
-/** Blends the points nearest to each query, the front layer preferred (Nadaraya and Watson's kernel regression). */
+/** Blends the points nearest to each query, preferring the front layer (Nadaraya-Watson kernel regression). */
 function blendsOf(
   at: readonly number[],
   points: readonly number[],
@@ -172,12 +172,12 @@ function blendsOf(
     return {
       indices: indices.map((i) => points[i]),
       weights: weights.map((w) => w / total),
-      weight: distances[0] < FAR ? weight : 0,
+      weight: distances[0] < MAX_REACH ? weight : 0,
     }
   })
 }
 
-/** The strongest displacement of the head, and the fraction of the motion beyond its face. */
+/** Measures the strongest displacement of the head, and the fraction of the motion outside its face. */
 function extremes(
   moved: Float64Array,
   at: Float64Array,

@@ -3,7 +3,7 @@ import type { MirrorFit } from './mirror-plane.ts'
 import type { MovingRegion } from './moving-region.ts'
 import { distanceBetween, type MovingSurface, pickPoints, treeOf } from './moving-surface.ts'
 
-/** Two points of skin that lie apart at rest, and that a target brings together. */
+/** Two points of skin that are apart at rest and that a target brings together. */
 export interface ClosingPair {
   first: Vector
   second: Vector
@@ -16,23 +16,23 @@ export interface ClosingPair {
 
 /** Distances in radii of the moving region. */
 const TOGETHER = 0.04
-const APART = 0.1
+const MIN_GAP = 0.1
 const WEAK = 0.03
 const OFF_MIDDLE = 0.2
 const FROM_MOUTH = 0.65
 const ONE_EYE = 0.3
-/** Distance at rest, in distances when closed. */
+/** Minimum ratio of the distance at rest to the distance when closed. */
 const RATIO = 4
-/** Fraction of the largest displacement from which on a point counts as moved, and of the points that a lid moves at most. */
+/** Fraction of the largest displacement above which a point counts as moved, and maximum fraction of points that a lid moves. */
 const MOVED = 0.25
-const MOST_MOVED = 0.5
-/** Extent of what a target moves, in extents at rest, below which it hides a piece. */
+const MAX_MOVED = 0.5
+/** Extent of moved points, as a fraction of their extent at rest, below which a target hides a piece. */
 const SHRUNK = 0.5
 const NEIGHBOURS = 8
-/** Pairs of an eye at least. */
-const LEAST_PAIRS = 8
+/** Minimum number of pairs per eye. */
+const MIN_PAIRS = 8
 
-/** Finds skin that targets close. */
+/** Finds pairs of skin points that targets close. */
 export function closingPairs(
   { points, pieces, motions }: MovingSurface,
   { radius, near }: MovingRegion,
@@ -44,7 +44,7 @@ export function closingPairs(
   for (const [motion, { offsets, distances, largest }] of motions.entries()) {
     if (largest < WEAK * radius) continue
     const movers = near.filter((i) => distances[i] > MOVED * largest)
-    if (movers.length < 6 || movers.length > MOST_MOVED * near.length) continue
+    if (movers.length < 6 || movers.length > MAX_MOVED * near.length) continue
     for (let i = 0; i < moved.length; i++) moved[i] = points[i] + offsets[i]
     const halves = [0, 1].map((half) =>
       near.filter((i, k) => side[k] === half && distances[i] > MOVED * largest),
@@ -58,7 +58,7 @@ export function closingPairs(
         const j = nearby[indices[k]]
         if (j === i || pieces[i] !== pieces[j]) continue
         const gap = distanceBetween(points, i, j)
-        if (!(gap > APART * radius && gap > RATIO * Math.sqrt(squares[k]))) continue
+        if (!(gap > MIN_GAP * radius && gap > RATIO * Math.sqrt(squares[k]))) continue
         const [first, second] = [vectorAt(points, i), vectorAt(points, j)]
         pairs.push({ first, second, middle: plus(plus([0, 0, 0], first, 0.5), second, 0.5), gap, motion })
       }
@@ -67,7 +67,7 @@ export function closingPairs(
   return pairs
 }
 
-/** Points of a list within the box of others, enlarged. */
+/** Selects the points of a list within the expanded bounding box of others. */
 function inBox(list: Uint32Array, points: Float64Array, others: Uint32Array, margin: number): Uint32Array {
   const low = [Infinity, Infinity, Infinity]
   const high = [-Infinity, -Infinity, -Infinity]
@@ -100,10 +100,10 @@ function extent(points: Float64Array): number {
 }
 
 /**
- * Finds the eyes: where a target closes lids, away from the middle and the mouth. The right side is folded onto the left.
+ * Finds the eyes: where a target closes lids, away from the middle and the mouth. The right side is mirrored onto the left.
  *
- * @param isAbove tells whether a position may be an eye of the mouth.
- * @returns the middle of both openings, that on the side of the plane's normal first.
+ * @param isAbove whether a position may be an eye relative to the mouth.
+ * @returns the centres of both openings, first the one on the side of the plane's normal.
  */
 export function eyesOf(
   pairs: readonly ClosingPair[],
@@ -120,10 +120,10 @@ export function eyesOf(
     list.push(plus(middle, x, -2 * Math.min(0, offset(middle))))
     byMotion.set(motion, list)
   }
-  // Lids close beside the middle only: chins and cheeks fold across it.
+  // Lids close only beside the middle; chins and cheeks fold across it.
   const groups = [...byMotion.values()]
     .map((list) => ({ all: list.length, list: list.filter((point) => offset(point) > OFF_MIDDLE * radius) }))
-    .filter(({ all, list }) => list.length >= LEAST_PAIRS && list.length > 0.9 * all)
+    .filter(({ all, list }) => list.length >= MIN_PAIRS && list.length > 0.9 * all)
     .map(({ list }) => list)
     .filter((list) => isAbove(meanOf(list)))
     .sort((a, b) => b.length - a.length)
@@ -133,7 +133,7 @@ export function eyesOf(
     .filter((list) => list.length > 0.3 * groups[0].length)
     .filter((list) => lengthOf(minus(meanOf(list), first)) < ONE_EYE * radius)
     .flat()
-  // Lids meet all along the opening: its middle lies between its corners.
+  // Lids meet along the complete opening: its centre is midway between its corners.
   const offsets = lids.map(offset)
   const middle = (quantile(offsets, 0.03) + quantile(offsets, 0.97)) / 2
   const mean = meanOf(lids)

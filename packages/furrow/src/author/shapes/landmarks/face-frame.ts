@@ -16,30 +16,30 @@ import { type MirrorFit, mirrorPlane } from './mirror-plane.ts'
 import { type MovingRegion, movingRegion } from './moving-region.ts'
 import type { MovingSurface } from './moving-surface.ts'
 
-/** The face in its own coordinates: eyes at u = -1 and 1, v = 0; the mouth at v = -2. u grows to the person's left. */
+/** Face coordinates: eyes at u = -1 and 1, v = 0; mouth at v = -2. u grows to the person's left. */
 export interface FaceFrame {
   region: MovingRegion
-  /** Middle of the eyes. */
+  /** Midpoint of the eyes. */
   origin: Vector
-  /** To the left, up and forwards. */
+  /** Unit axes: left, up and forwards. */
   axes: readonly [Vector, Vector, Vector]
-  /** Coordinates per unit along each axis. */
+  /** Face coordinates per unit along each axis. */
   scales: Vector
   eyes: readonly [left: Vector, right: Vector]
-  /** Whether lids close at the eyes; otherwise they are placed by the mouth. */
+  /** Whether lids close at the eyes; otherwise the eyes are placed relative to the mouth. */
   hasLids: boolean
   mouth: Vector
   seam: LipSeam | undefined
   closing: readonly ClosingPair[]
 }
 
-/** Half the width of the mouth, and the height of the eyes above it, in half distances of the eyes, where no lids close or no lips part. */
+/** Half width of the mouth, and height of the eyes above it, in half eye distances: used if no lids close or no lips part. */
 const MOUTH_WIDTH = 0.73
 const EYE_HEIGHT = 2.1
-/** The height of the eyes at least. */
-const LEAST_HEIGHT = 0.3
+/** Minimum height of the eyes, in half eye distances. */
+const MIN_EYE_HEIGHT = 0.3
 
-/** Finds the frame of a face by what its targets move, without names or an up axis; undefined where no lids close and no lips part. */
+/** Finds the face frame from the motion of targets, without names or an up axis; undefined if no lids close and no lips part. */
 export function faceFrame(surface: MovingSurface): FaceFrame | undefined {
   const region = movingRegion(surface)
   if (!region || region.near.length < 50) return undefined
@@ -65,7 +65,7 @@ export function faceFrame(surface: MovingSurface): FaceFrame | undefined {
   const y = unit(across(minus(origin, mouth), plane.normal))
   const z = unit(across(forward, y))
   const x = crossed(y, z)
-  const height = Math.max(dotOf(minus(origin, mouth), y), LEAST_HEIGHT * half)
+  const height = Math.max(dotOf(minus(origin, mouth), y), MIN_EYE_HEIGHT * half)
   const isFirstLeft = dotOf(minus(eyes[0], eyes[1]), x) > 0
   return {
     region,
@@ -80,7 +80,7 @@ export function faceFrame(surface: MovingSurface): FaceFrame | undefined {
   }
 }
 
-/** The mean normal of skin that moves: without the cavities, which face inwards. */
+/** Returns the mean normal of moving skin, ignoring inward-facing cavities. */
 function facing({ points, normals }: MovingSurface, { centre, heat, near }: MovingRegion): Vector {
   return near.reduce<Vector>(
     (sum, i) => {
@@ -92,16 +92,16 @@ function facing({ points, normals }: MovingSurface, { centre, heat, near }: Movi
   )
 }
 
-/** Most of a face's motion lies below the eyes. */
+/** Places the mouth below the eyes, where most of a face's motion is. */
 function belowEyes({ centre }: MovingRegion, eyes: Vector, up: Vector, half: number): Vector {
   const sign = dotOf(minus(eyes, centre), up) < 0 ? -1 : 1
   return plus(eyes, up, -sign * EYE_HEIGHT * half)
 }
 
-/** How many times as much as the upper lip the lower lip moves at least. */
+/** Minimum ratio of the lower lip's motion to the upper lip's. */
 const LOWER_LIP = 1.1
 
-/** The direction from the lower lip to the upper lip: targets move the lower one more. Undefined where they move both alike. */
+/** Finds the direction from the lower to the upper lip, as targets move the lower one more; undefined if both move alike. */
 function upFromLips(
   { points, areas, motions }: MovingSurface,
   { radius, near }: MovingRegion,
@@ -126,7 +126,7 @@ function upFromLips(
   return above > LOWER_LIP * below ? plus([0, 0, 0], up, -1) : undefined
 }
 
-/** Places eyes by the width of the mouth, above it. */
+/** Places eyes above the mouth by its width. */
 function eyesAbove(
   { radius }: MovingRegion,
   { origin, normal }: MirrorFit,
@@ -145,17 +145,17 @@ function eyesAbove(
   return [plus(middle, normal, half), plus(middle, normal, -half)]
 }
 
-/** Coordinates of points in a frame. */
+/** Transforms points into face coordinates. */
 export function inFrame({ origin, axes, scales }: FaceFrame, points: Float64Array): Float64Array {
   return transformed(points, origin, axes, scales)
 }
 
-/** Displacements in a frame. */
+/** Transforms displacements into face coordinates. */
 export function directionsInFrame({ axes, scales }: FaceFrame, offsets: Float64Array): Float64Array {
   return transformed(offsets, [0, 0, 0], axes, scales)
 }
 
-/** A position in a frame. */
+/** Transforms a position into face coordinates. */
 export function positionInFrame({ origin, axes, scales }: FaceFrame, point: Vector): Vector {
   const from = minus(point, origin)
   return [

@@ -3,11 +3,11 @@ import type { MirrorFit } from './mirror-plane.ts'
 import type { MovingRegion } from './moving-region.ts'
 import { distanceBetween, type MovingSurface, treeOf } from './moving-surface.ts'
 
-/** Where lips part. */
+/** Seam between the lips. */
 export interface LipSeam {
-  /** Middle of the mouth. */
+  /** Centre of the mouth. */
   centre: Vector
-  /** Points between pairs of skin that some target pulls apart. */
+  /** Midpoints of skin points that some target pulls apart. */
   points: readonly Vector[]
 }
 
@@ -16,12 +16,12 @@ const PAIR = 0.12
 const PARTED = 0.1
 const MIDDLE = 0.25
 const BEHIND = 0.6
-/** Cosine between normals up to which skin faces other skin. */
+/** Maximum cosine between normals of skin that faces other skin. */
 const FACING = 0.2
-/** Distance that a target adds, in distances at rest, for a pair to count as parted. */
+/** Minimum distance added by a target, in distances at rest, for a pair to count as parted. */
 const STRETCH = 1.5
 
-/** Finds the lip seam: skin of one piece that faces other skin closely, and that some target pulls apart. */
+/** Finds the lip seam: nearby skin of one piece that faces other skin, and that some target pulls apart. */
 export function lipSeam(
   { points, normals, pieces, motions }: MovingSurface,
   { centre, radius, near }: MovingRegion,
@@ -29,7 +29,7 @@ export function lipSeam(
   forward: Vector,
 ): LipSeam | undefined {
   const front = near.filter((i) => dotOf(minus(vectorAt(points, i), centre), forward) > -BEHIND * radius)
-  // When two points part, one of them moves at least half the distance.
+  // If two points part, at least one moves half the distance.
   const isMoving = Uint8Array.from(front, (i) =>
     motions.some(({ distances }) => distances[i] > (PARTED / 2) * radius) ? 1 : 0,
   )
@@ -52,7 +52,7 @@ export function lipSeam(
   }
   const middle = found.filter((point) => Math.abs(dotOf(minus(point, origin), x)) < MIDDLE * radius)
   if (middle.length < 3) return undefined
-  // The outermost part, without the cavity behind it.
+  // Keep the outermost part, without the cavity behind it.
   const depths = middle.map((point) => dotOf(minus(point, centre), forward))
   const cut = quantile(depths, 0.97) - PAIR * radius
   const outer = middle.filter((_, k) => depths[k] > cut)

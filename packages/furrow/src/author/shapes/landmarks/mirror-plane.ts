@@ -4,7 +4,7 @@ import { dotOf, lengthOf, plus, unit, type Vector, vectorAt } from '../vectors.t
 import type { MovingRegion } from './moving-region.ts'
 import { type MovingSurface, treeOf } from './moving-surface.ts'
 
-/** The plane between the halves of a head. */
+/** Plane between the halves of a head. */
 export interface MirrorFit {
   origin: Vector
   normal: Vector
@@ -12,18 +12,18 @@ export interface MirrorFit {
   error: number
 }
 
-/** Points that are mirrored, and points of the surface at most. */
+/** Maximum numbers of mirrored points and of surface points. */
 const SAMPLES = 400
 const COARSE_SAMPLES = 120
 const SURFACE = 16_000
-/** Directions that are tried, and how many of the best are refined. */
+/** Number of initial directions, and of the best ones to refine. */
 const DIRECTIONS = 150
 const REFINED = 3
 const ITERATIONS = 20
-/** Cosine between directions that count as different. */
-const APART = 0.97
-/** Distance, in radii, that counts at most: one half may have what the other lacks. */
-const MOST = 0.15
+/** Maximum cosine between distinct directions. */
+const MAX_COSINE = 0.97
+/** Maximum distance counted, in radii: one half may have parts that the other lacks. */
+const MAX_DISTANCE = 0.15
 
 /** Finds the plane in which a head mirrors itself best, by iterated closest points (Besl and McKay 1992). */
 export function mirrorPlane({ points }: MovingSurface, { centre, radius, near }: MovingRegion): MirrorFit {
@@ -36,9 +36,9 @@ export function mirrorPlane({ points }: MovingSurface, { centre, radius, near }:
   const ranked = directions(DIRECTIONS)
     .map(start)
     .sort((a, b) => a.error - b.error)
-  // Neighbouring directions lead to the same plane.
+  // Neighbouring directions converge to the same plane.
   const distinct = ranked.filter((plane, i) =>
-    ranked.slice(0, i).every((better) => Math.abs(dotOf(plane.normal, better.normal)) < APART),
+    ranked.slice(0, i).every((better) => Math.abs(dotOf(plane.normal, better.normal)) < MAX_COSINE),
   )
   const refined = distinct
     .slice(0, REFINED)
@@ -54,7 +54,7 @@ function everyNth(values: Uint32Array, most: number): Uint32Array {
   )
 }
 
-/** Directions spread over half a sphere (Fibonacci lattice). */
+/** Spreads directions over a hemisphere (Fibonacci lattice). */
 function directions(count: number): Vector[] {
   return Array.from({ length: count }, (_, i): Vector => {
     const z = 1 - (i + 0.5) / count
@@ -71,8 +71,8 @@ function reflect(p: Vector, { origin, normal }: MirrorFit): Vector {
 function measure(points: Float64Array, samples: Uint32Array, tree: KdTree, radius: number, plane: MirrorFit) {
   let sum = 0
   for (const i of samples) {
-    const { count, squares } = tree.nearest(reflect(vectorAt(points, i), plane), 0, MOST * radius)
-    sum += count > 0 ? Math.sqrt(squares[0]) / radius : MOST
+    const { count, squares } = tree.nearest(reflect(vectorAt(points, i), plane), 0, MAX_DISTANCE * radius)
+    sum += count > 0 ? Math.sqrt(squares[0]) / radius : MAX_DISTANCE
   }
   return { ...plane, error: sum / samples.length }
 }
@@ -90,7 +90,7 @@ function refine(
     const pairs: [Vector, Vector][] = []
     for (const i of samples) {
       const p = vectorAt(points, i)
-      const { count, indices } = tree.nearest(reflect(p, plane), 0, MOST * radius)
+      const { count, indices } = tree.nearest(reflect(p, plane), 0, MAX_DISTANCE * radius)
       if (count > 0) pairs.push([p, vectorAt(points, surface[indices[0]])])
     }
     if (pairs.length < 8) break
@@ -103,8 +103,8 @@ function refine(
 }
 
 /**
- * The plane that mirrors the first point of each pair nearest to the second: its normal n minimises the sum of (n p)(n q), with p and q from
- * their means.
+ * Fits the plane that mirrors the first point of each pair nearest to the second. Its normal n minimises the sum of (n p)(n q), with p
+ * and q relative to their means.
  */
 function bestPlane(pairs: readonly [Vector, Vector][], before: Vector): MirrorFit {
   const mean = (side: 0 | 1) =>
@@ -118,7 +118,7 @@ function bestPlane(pairs: readonly [Vector, Vector][], before: Vector): MirrorFi
       for (let j = 0; j < 3; j++)
         m[3 * i + j] += ((p[i] - p0[i]) * (q[j] - q0[j]) + (p[j] - p0[j]) * (q[i] - q0[i])) / 2
   }
-  // Inverse iteration would need a solver: power iteration on a shifted matrix finds the lowest eigenvector as well.
+  // Power iteration on a shifted matrix finds the lowest eigenvector without a linear solver.
   const shift = m.reduce((sum, x) => sum + Math.abs(x), 0)
   let normal = before
   for (let n = 0; n < 60; n++) {

@@ -1,18 +1,18 @@
 import { median, type Vector, vectorAt } from '../vectors.ts'
 import type { MovingSurface } from './moving-surface.ts'
 
-/** Where the targets move a surface. */
+/** Part of a surface that targets move. */
 export interface MovingRegion {
   centre: Vector
   /** Typical distance of moved points from the centre. */
   radius: number
-  /** How much each point takes part, all targets alike. */
+  /** Share of each point in the motion, equal for all targets. */
   heat: Float64Array
   /** Points within two radii. */
   near: Uint32Array
 }
 
-/** Finds the region that most targets move: the head, whatever else the mesh has. */
+/** Finds the region that most targets move: the head, even if the mesh has other parts. */
 export function movingRegion({ points, areas, motions }: MovingSurface): MovingRegion | undefined {
   const heat = new Float64Array(areas.length)
   const regions = motions.map(({ distances, largest }) => {

@@ -1,19 +1,19 @@
 import { KdTree } from '../../../math/kd-tree.ts'
 import { pointOffsets, type Skin, weldSurface } from '../../skin/surface.ts'
 
-/** Points that are looked at; of denser surfaces every n-th. */
-const MOST_POINTS = 16_000
-/** Largest offset of a usable target, in sizes of the surface. */
+/** Maximum number of points used; denser surfaces are subsampled. */
+const MAX_POINTS = 16_000
+/** Maximum offset of a usable target, in sizes of the surface. */
 const MAX_OFFSET = 2
 
-/** A surface at rest, and how targets move it. */
+/** Surface at rest, with the motions of its targets. */
 export interface MovingSurface {
-  /** x, y and z of each point. */
+  /** Packed xyz. */
   points: Float64Array
   /** Unit normals, outwards. */
   normals: Float64Array
   areas: Float64Array
-  /** Connected piece of each point. */
+  /** Connected component of each point. */
   pieces: Uint32Array
   motions: Motion[]
 }
@@ -22,13 +22,13 @@ export interface MovingSurface {
 export interface Motion {
   /** Index of the target. */
   target: number
-  /** x, y and z by point. */
+  /** Packed xyz per point. */
   offsets: Float64Array
   distances: Float64Array
   largest: number
 }
 
-/** Welds a skin, and leaves out targets that are broken or move nothing. */
+/** Welds a skin, and drops targets that are broken or move nothing. Returns undefined if the skin is empty or not finite. */
 export function movingSurface(skin: Skin): MovingSurface | undefined {
   const welded = weldSurface(skin)
   const size = extentOf(welded.points)
@@ -51,12 +51,12 @@ export function movingSurface(skin: Skin): MovingSurface | undefined {
   return { points, normals, areas, pieces: kept.map((point) => allPieces[point]), motions }
 }
 
-/** Tree over some points. */
+/** Builds a tree over selected points. */
 export function treeOf(points: Float64Array, indices: ArrayLike<number>, most = 1): KdTree {
   return new KdTree(pickPoints(points, indices), 3, most)
 }
 
-/** x, y and z of some points. */
+/** Selects packed xyz by index. */
 export function pickPoints(values: Float64Array, indices: ArrayLike<number>): Float64Array {
   const out = new Float64Array(3 * indices.length)
   for (let i = 0; i < indices.length; i++)
@@ -64,7 +64,7 @@ export function pickPoints(values: Float64Array, indices: ArrayLike<number>): Fl
   return out
 }
 
-/** Distance between two points. */
+/** Returns the distance between two points. */
 export function distanceBetween(points: Float64Array, i: number, j: number): number {
   const x = points[3 * i] - points[3 * j]
   const y = points[3 * i + 1] - points[3 * j + 1]
@@ -75,7 +75,7 @@ export function distanceBetween(points: Float64Array, i: number, j: number): num
 function usedPoints(areas: Float64Array): Uint32Array {
   const used: number[] = []
   for (let i = 0; i < areas.length; i++) if (areas[i] > 0) used.push(i)
-  const step = Math.ceil(used.length / MOST_POINTS)
+  const step = Math.ceil(used.length / MAX_POINTS)
   return Uint32Array.from(used.filter((_, i) => i % step === 0))
 }
 
@@ -102,7 +102,7 @@ function lengthsOf(vectors: Float64Array): Float64Array {
   return out
 }
 
-/** A file may mirror its mesh, which turns the triangles inside out: normals point away from the middle. */
+/** Flips normals that point inwards: a file may mirror its mesh, which turns triangles inside out. */
 function orient(points: Float64Array, normals: Float64Array, areas: Float64Array): void {
   const middle = [0, 0, 0]
   let total = 0
@@ -118,7 +118,7 @@ function orient(points: Float64Array, normals: Float64Array, areas: Float64Array
   if (flux < 0) for (let i = 0; i < normals.length; i++) normals[i] = -normals[i]
 }
 
-/** Connected piece of each point, numbered by its first point. */
+/** Returns the connected component of each point, numbered by its first point. */
 function piecesOf(starts: Uint32Array, neighbours: Uint32Array): Uint32Array {
   const count = starts.length - 1
   const pieces = new Uint32Array(count).fill(count)

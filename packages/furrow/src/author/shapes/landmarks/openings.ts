@@ -1,19 +1,19 @@
 import { interpolated, quantile, type Vector } from '../vectors.ts'
 import { type FaceFrame, positionInFrame } from './face-frame.ts'
 
-/** Samples along lids and lips. */
+/** Sample positions along lids and lips, -1..1. */
 export const ALONG = Array.from({ length: 17 }, (_, i) => -1 + i / 8)
 
-/** The line between the lips. */
+/** Line between the lips. */
 export interface LipLine {
   halfWidth: number
-  /** Height at `ALONG` times the half width. */
+  /** Heights at `ALONG` times the half width. */
   heights: number[]
 }
 
-/** The opening of the left eye; the right one mirrors it. */
+/** Opening of the left eye; the right one mirrors it. */
 export interface EyeOpening {
-  /** u of its middle. */
+  /** u of the centre. */
   middle: number
   halfWidth: number
   /** Heights of the lids at `ALONG` times the half width. */
@@ -25,7 +25,7 @@ const COLUMNS = 16
 const REACH = 1.6
 const COLUMN = REACH / COLUMNS
 
-/** Traces the lip line: the foremost parting points of each column from the middle to the corner. */
+/** Traces the lip line from the middle to the corner by the foremost parting points of each column. */
 export function lipLine(frame: FaceFrame): LipLine {
   const standard: LipLine = { halfWidth: 0.8, heights: ALONG.map(() => -2) }
   if (!frame.seam) return standard
@@ -41,7 +41,7 @@ export function lipLine(frame: FaceFrame): LipLine {
       continue
     }
     const front = column.reduce((most, [, , z]) => Math.max(most, z), -Infinity)
-    // Behind the corner lies the cavity of the mouth.
+    // Behind the corner of the mouth is its cavity.
     if (found.length > 0 && front < found[found.length - 1].front - 0.35) break
     const outer = column.filter(([, , z]) => z > front - 0.12).map(([, v]) => v)
     found.push({ middle: start + COLUMN / 2, end, front, height: quantile(outer, 0.5) })
@@ -52,7 +52,7 @@ export function lipLine(frame: FaceFrame): LipLine {
   return { halfWidth, heights: ALONG.map((a) => interpolated(Math.abs(a) * halfWidth, xs, ys)) }
 }
 
-/** Half of an opening: round, as wide as the lids meet. */
+/** Models an eye opening as an ellipse, as wide as the lids meet. */
 export function eyeOpening(frame: FaceFrame): EyeOpening {
   const lids = frame.closing
     .map(({ first, second }) => [first, second].map((end) => positionInFrame(frame, end)))
@@ -79,11 +79,11 @@ export function eyeOpening(frame: FaceFrame): EyeOpening {
   }
 }
 
-/** Pairs of one eye that a lid brings together at least, and of the most of any target. */
+/** Minimum number of pairs that close an eye, absolute and as a fraction of the maximum over targets. */
 const CLOSED = 9
 const CLOSED_FRACTION = 0.08
 
-/** Tells of each motion whether the lids of the left and right eye meet. */
+/** Returns per motion whether the lids of the left and right eye meet. */
 export function closedEyes(frame: FaceFrame, motions: number): readonly (readonly [boolean, boolean])[] {
   const counts = Array.from({ length: motions }, () => [0, 0])
   for (const { first, second, motion } of frame.closing) {

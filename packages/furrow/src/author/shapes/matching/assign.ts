@@ -1,6 +1,5 @@
 /**
- * Assigns each row a column of its own so that the sum of the costs is least (Kuhn 1955, by shortest augmenting paths, Jonker and
- * Volgenant 1987).
+ * Assigns each row a distinct column with minimum total cost (Kuhn 1955; shortest augmenting paths: Jonker and Volgenant 1987).
  *
  * @param cost of each row by column; at least as many columns as rows.
  * @returns the column of each row.
@@ -9,7 +8,7 @@ export function assign(cost: readonly Float64Array[]): number[] {
   const [rows, columns] = [cost.length, cost[0]?.length ?? 0]
   const rowPrice = new Float64Array(rows + 1)
   const columnPrice = new Float64Array(columns + 1)
-  /** Row of each column, from 1. */
+  /** Row of each column, counted from 1. */
   const rowOf = new Int32Array(columns + 1)
   const before = new Int32Array(columns + 1)
   for (let row = 1; row <= rows; row++) {

@@ -2,16 +2,16 @@ import { descriptorOf, dotAll } from '../fields/field-operations.ts'
 import type { ShapeFields } from '../fields/shape-fields.ts'
 import type { Match } from './match.ts'
 
-/** Sweeps of the solver. */
+/** Number of solver sweeps. */
 const SWEEPS = 200
-/** Fraction of the energy of a composite that its parts leave over at most. */
+/** Maximum fraction of a composite's energy not explained by its parts. */
 const EXPLAINED = 0.006
-/** Fraction of the energy of a composite that one family of shapes leaves over at least. */
+/** Minimum fraction of a composite's energy not explained by a single family. */
 const MIXED = 0.0003
-/** Ratio of both at least. */
+/** Minimum ratio of both. */
 const GAIN = 4
 
-/** Finds shapes that are sums of shapes of several families, such as visemes and emotions. Returns indices into the shapes. */
+/** Finds sums of shapes of several families, such as visemes and emotions. Returns indices into the shapes. */
 export function compositesOf({ shapes, weights }: ShapeFields, matches: readonly Match[]): Set<number> {
   const units = matches.map(({ shape }) => descriptorOf(shapes[shape].field, weights).plain)
   const gram = units.map((a) => Float64Array.from(units, (b) => dotAll(a, b)))
@@ -27,15 +27,16 @@ export function compositesOf({ shapes, weights }: ShapeFields, matches: readonly
 }
 
 /**
- * Fraction of the energy of a unit vector that no sum of others with weights from 0 explains, by projected Gauss-Seidel (Murty: Linear
- * Complementarity, 9.3).
+ * Returns the fraction of a unit vector's energy that no nonnegative combination of others explains, by projected Gauss-Seidel (Murty:
+ * Linear Complementarity, 9.3).
  *
- * @param gram products of the others.
- * @param right their products with the vector.
+ * @param gram dot products between the others.
+ * @param right dot products of the others with the vector.
+ * @param used indices of the others to combine.
  */
 function residualOf(gram: readonly Float64Array[], right: Float64Array, used: readonly number[]): number {
   const weights = new Float64Array(right.length)
-  /** Products of the others with the rest of the vector. */
+  /** Dot products of the others with the residual. */
   const rest = right.slice()
   for (let sweep = 0; sweep < SWEEPS; sweep++) {
     for (const i of used) {

@@ -6,19 +6,20 @@ import { FOUND, type Match, SAME, UNLIKE } from './match.ts'
 
 /** Confidence below which a shape is unknown. */
 export const UNSURE = 0.45
-/** Confidence from which on a shape overrules its name. */
+/** Minimum confidence to overrule a name. */
 export const SURE = 0.7
 
-/** Labels of a full set of ARKit's. */
+/** Number of labels in a complete ARKit set. */
 const FULL_SET = 51
 
-/** Height of the eyes above the mouth, in half distances of the eyes: beyond these, lids or lips are likely mistaken for others. */
+/** Plausible height of the eyes above the mouth, in half eye distances. Outside this range, lids or lips are probably misidentified. */
 const HEIGHTS = [1.5, 3] as const
 
 /**
- * The confidence of each match, 0..1: a logistic function of its score, its margin to other labels, the motion beyond the face and doubt about the
- * landmarks. The share of ARKit's set that is there counts too, since shapes of a full set decide each other's labels. The weights are fitted to
- * heads of several families, to parts of their sets, and to proportions, compositions and corrections of them.
+ * Computes the confidence of each match, 0..1.
+ * A logistic function of its score, its margin to other labels, the motion outside the face and doubt about the landmarks.
+ * A nearly complete ARKit set raises the confidence, because its shapes determine each other's labels.
+ * The weights are fitted to heads of several families, subsets of their shapes, and proportions, compositions and corrections of them.
  */
 export function confidencesOf(
   { shapes }: ShapeFields,
@@ -36,7 +37,7 @@ export function confidencesOf(
   })
 }
 
-/** Doubt about landmarks: without lids that close or lips that part, eyes and mouth are guessed. */
+/** Returns the doubt about landmarks: eyes and mouth are guessed if no lids close or no lips part. */
 function doubtOf({ hasLids, seam, scales }: FaceFrame): number {
   if (!seam) return 5
   if (!hasLids) return 3

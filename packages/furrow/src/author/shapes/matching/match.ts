@@ -15,43 +15,43 @@ import { type TemplateHead, templatesOf } from '../templates/templates.ts'
 import { assign } from './assign.ts'
 import { physicalScore } from './physical-tests.ts'
 
-/** The label that a shape is most like. */
+/** Best label of a shape. */
 export interface Match {
   /** Index into the shapes. */
   shape: number
   label: ShapeLabel
-  /** Likeness to the templates, at most 1 and the bonus of lids that meet. */
+  /** Likeness to the templates, at most 1 plus the bonus for lids that meet. */
   score: number
   /**
-   * How much worse the second best labels are, for this shape and the one it would swap its label with. Less for a label that no shape has, if
-   * its templates resemble those of this label.
+   * Lead over the second-best labels, for this shape and the one it would swap labels with. Reduced for unclaimed labels with similar
+   * templates.
    */
   margin: number
-  /** Cosine between its motion and the motion that other shapes tell for its label; 1 where they tell none. */
+  /** Cosine between its motion and the motion that other shapes imply for its label; 1 if they imply none. */
   kinship: number
 }
 
-/** Motion and score of the shape that has a label. */
-interface Owned {
+/** Motion and score of the shape that holds a label. */
+interface LabelOwner {
   field: Float64Array
   score: number
 }
 
-/** Displacement below which a shape is no expression. */
+/** Displacement below which a shape is not an expression. */
 const WEAK = 0.01
-/** Cosine from which on two shapes are the same at another strength. */
+/** Minimum cosine between shapes that differ only in strength. */
 export const SAME = 0.975
-/** Cosine up to which two shapes have different motions. */
+/** Maximum cosine between shapes with different motions. */
 export const UNLIKE = 0.9
-/** Difference of scores within which two shapes are rivals for a label. */
+/** Maximum score difference between rivals for a label. */
 const RIVAL = 0.11
-/** Score that a shape needs for a label of its own. */
-const LEAST_SCORE = 0.3
-/** Score from which on a label counts as found. */
+/** Minimum score for a label of its own. */
+const MIN_SCORE = 0.3
+/** Minimum score of a label that counts as found. */
 export const FOUND = 0.45
-/** Penalty for another strength, per factor of e. */
+/** Penalty for a different strength, per factor of e. */
 const STRENGTH = 0.04
-/** Likeness of two labels' templates up to which the difference of their scores counts fully. */
+/** Likeness of two labels' templates up to which their score difference counts fully. */
 const DISTINCT = 0.5
 
 /** Scores of each shape by label. */
@@ -62,11 +62,11 @@ export interface Scores {
   templates: readonly (readonly Descriptor[])[]
 }
 
-/** Compares shapes with the templates of some heads. */
+/** Compares shapes with the templates of several heads. */
 export function scoresOf(fields: ShapeFields, heads: readonly TemplateHead[]): Scores {
   const labels: ShapeLabel[] = []
   const indexOf = new Map<string, number>()
-  /** By label, then by shape: the likeness to each head. */
+  /** Likeness to each head, by label, then by shape. */
   const found: number[][][] = []
   const templates: Descriptor[][] = []
   for (const head of heads) {
@@ -100,7 +100,7 @@ export function scoresOf(fields: ShapeFields, heads: readonly TemplateHead[]): S
   return { labels, scores, templates }
 }
 
-/** Gives corrected shapes their labels before all others. */
+/** Gives manually corrected shapes their labels before all others. */
 export function correctScores(
   { labels, scores, templates }: Scores,
   { shapes }: ShapeFields,
@@ -119,7 +119,7 @@ function bestTwo(values: readonly number[]): number {
   return 0.6 * first + 0.4 * second
 }
 
-/** Penalty for motion on the wrong side. */
+/** Penalises motion on the wrong side. */
 function sideScore({ family, side }: ShapeLabel, left: number): number {
   if (side === 'left') return -0.5 * Math.max(0.7 - left, 0)
   if (side === 'right') return -0.5 * Math.max(left - 0.3, 0)
@@ -127,7 +127,7 @@ function sideScore({ family, side }: ShapeLabel, left: number): number {
 }
 
 /**
- * Labels shapes: one shape per label first, then shapes that are left over and fit a label well.
+ * Labels shapes: first one shape per label, then remaining shapes that fit a label well.
  *
  * @param composites indices of shapes that get no label.
  */
@@ -144,14 +144,14 @@ export function matchShapes(
   )
   if (live.length === 0) return []
   const cost = live.map((i) => {
-    const row = new Float64Array(labels.length + live.length).fill(1 - LEAST_SCORE)
+    const row = new Float64Array(labels.length + live.length).fill(1 - MIN_SCORE)
     for (let j = 0; j < labels.length; j++) row[j] = 1 - scores[i][j]
     return row
   })
   const columns = assign(cost)
-  /** Shape that has each label. */
+  /** Shape assigned to each label. */
   const owners = new Map(live.map((shape, n) => [columns[n], shape]))
-  /** How much the difference between two labels counts where no shape has the second. */
+  /** Weight of the score difference between two labels if no shape holds the second. */
   const unlikeness = (j: number, k: number) =>
     labels[j].family === labels[k].family || isOpposite(labels[j], labels[k])
       ? 1
@@ -167,7 +167,7 @@ export function matchShapes(
       const gap = scores[shape][label] - scores[shape][k]
       const isTaken = owner !== undefined && scores[owner][k] > FOUND
       const loss =
-        isFirst && owner !== undefined ? scores[owner][k] - Math.max(scores[owner][label], LEAST_SCORE) : 0
+        isFirst && owner !== undefined ? scores[owner][k] - Math.max(scores[owner][label], MIN_SCORE) : 0
       margin = Math.min(margin, (isTaken || gap < 0 ? gap : gap * unlikeness(label, k)) + loss)
     }
     chosen.set(shape, { label, margin })
@@ -188,7 +188,7 @@ export function matchShapes(
     return known ? dotAll(descriptors[shape].plain, descriptorOf(known, weights).plain) : 0
   })
   const spare = live.filter((shape) => kinships[shape] < UNLIKE)
-  /** Least cosine between the motions of a shape and of its rivals: shapes that fit its label best, and have no label of their own. */
+  /** Minimum cosine between the motions of a shape and its rivals: shapes that fit its label best and have no label of their own. */
   const agreement = (shape: number, label: number) => {
     const least = Math.max(FOUND, scores[shape][label] - RIVAL)
     const rivals = spare.filter((other) => bestOf(scores[other]) === label && scores[other][label] > least)
@@ -212,10 +212,10 @@ export function matchShapes(
   })
 }
 
-/** Motion that other shapes tell for a label: the sum of left and right, or half of a shape for both sides that fits better. */
+/** Returns the motion that other shapes imply for a label: the sum of left and right, or half of a better matching shape for both sides. */
 function otherSides(
   { family, side }: ShapeLabel,
-  owned: ReadonlyMap<string, Owned>,
+  owned: ReadonlyMap<string, LabelOwner>,
 ): Float64Array | undefined {
   const owner = (other: Side, least: number) => {
     const found = owned.get(arkitName({ family, side: other }))
@@ -234,7 +234,7 @@ function isOpposite({ side }: ShapeLabel, other: ShapeLabel): boolean {
   return side !== other.side && side !== 'both' && other.side !== 'both'
 }
 
-/** Likeness of the most alike templates of two labels. */
+/** Returns the maximum likeness between templates of two labels. */
 function mostAlike(a: readonly Descriptor[], b: readonly Descriptor[]): number {
   return Math.max(...a.flatMap((one) => b.map((other) => likeness(one, other))))
 }
@@ -243,7 +243,7 @@ function bestOf(scores: Float64Array): number {
   return scores.reduce((best, score, j) => (score > scores[best] ? j : best), 0)
 }
 
-/** For each shape the strongest one with the same displacements. */
+/** Returns per shape the strongest shape with the same motion. */
 function leadersOf(
   { shapes }: ShapeFields,
   descriptors: readonly Descriptor[],

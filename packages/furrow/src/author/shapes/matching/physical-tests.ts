@@ -3,15 +3,15 @@ import type { ShapeLabel } from '../families.ts'
 import { GRID, LID_ROWS, LID_SAMPLES, LIP_SAMPLES } from '../fields/sample-points.ts'
 import type { ShapeField } from '../fields/shape-fields.ts'
 
-/** Scores that outweigh templates: what a shape does is seen, whatever else moves. */
+/** Scores that outweigh templates, because they are direct evidence of the motion. */
 const CLOSED_LIDS = 0.5
 const RISING_CORNER = 0.12
 
-/** First sample of the row along the upper lip, and the first sample of a row that is near the left corner. */
+/** First sample of the upper lip's row, and first sample of a row near the left corner. */
 const UPPER_LIP = GRID.length + LID_ROWS.length * LID_SAMPLES.length
 const CORNER = 14
 
-/** Adds to a shape's score for a label by tests of its motion. */
+/** Tests a shape's motion for a label and returns the change of its score. */
 export function physicalScore(label: ShapeLabel, shape: ShapeField): number {
   return lidScore(label, shape) + cornerScore(label, shape)
 }
@@ -23,7 +23,7 @@ function lidScore({ family, side }: ShapeLabel, { closes: [left, right] }: Shape
   return isClosed ? CLOSED_LIDS : 0
 }
 
-/** A smile raises the corner of the mouth more than it draws it out; a dimple does the opposite. */
+/** A smile raises the corner of the mouth more than it draws it outwards; a dimple does the opposite. */
 function cornerScore({ family, side }: ShapeLabel, { field, strength }: ShapeField): number {
   if (family !== 'mouthSmile' && family !== 'mouthDimple') return 0
   const sign = side === 'right' ? -1 : 1

@@ -5,17 +5,17 @@ import { kindByWords } from './other-kinds.ts'
 
 /** Prefixes that no separator ends. */
 const GLUED = /^e?CTRL(?=[A-Z])/
-/** Ends that exporters add: Blender's `.001`, Daz' `_div2`, Maya's `Shape`. */
+/** Suffixes that exporters add: Blender's `.001`, Daz' `_div2`, Maya's `Shape`. */
 const ENDS = /([._](\d{3,}|div2|bs|shape|morph|blendshape))+$|(?<=\p{Ll})Shape$/iu
-/** Words that are no prefix: without them a name means another shape. */
+/** Words that are not prefixes: without them, a name means another shape. */
 const PARTS_OF_FACES =
   /^(brows?|brw|eyes?|eyelids?|lids?|lash(es)?|cheeks?|nose|mouth|mth|ha|hair|lips?|jaw|chin|tongue|teeth|ears?|neck|no|not|non|un)\d*$/i
 
 /**
- * Tells what a blendshape is by its name: by the names of known rigs, with whatever prefixes and suffixes exporters added. It is a hint only,
- * since files name shapes wrongly.
+ * Guesses a blendshape's kind from its name, using the names of known rigs with any exporter prefixes and suffixes. Only a hint, because
+ * files may name shapes wrongly.
  *
- * @returns undefined where the name tells nothing.
+ * @returns undefined if the name is unknown.
  */
 export function hintOf(name: string): NameHint | undefined {
   const plain = name
@@ -30,8 +30,8 @@ export function hintOf(name: string): NameHint | undefined {
 }
 
 /**
- * ARKit's name of a blendshape where it is one of ARKit's shapes or a part of one; of another one its own name, as `canonicalTargetName`
- * spells it.
+ * Returns the ARKit name of a blendshape if it is an ARKit shape or a part of one; otherwise its own name, spelled by
+ * `canonicalTargetName`.
  */
 export function shapeNameOf(name: string, hint: NameHint | undefined): string {
   if (!hint || hint.match === 'like' || hint.shapes.length !== 1) return canonicalTargetName(name)
@@ -51,7 +51,7 @@ function withoutPrefixes(words: readonly string[]): NameHint | undefined {
   for (let first = 0; first < words.length; first++) {
     const rest = words.slice(first).join('_')
     const known = lookUp(rest) ?? lookUp(rest.replace(GLUED, ''))
-    // A name of two shapes is of what their combination needs.
+    // A name that combines two shapes is a corrective.
     if (known) return withoutPrefixes(words.slice(0, first)) ? hintOfKind('corrective') : known
     if (PARTS_OF_FACES.test(words[first])) return undefined
   }

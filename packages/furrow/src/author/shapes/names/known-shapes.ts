@@ -5,29 +5,29 @@ import { RIGS } from './rigs/index.ts'
 
 type Side = 'Left' | 'Right'
 
-/** How names spell a side. */
+/** Spellings of sides. */
 const SPELLINGS: readonly (readonly [Side, readonly string[]])[] = [
   ['Left', ['Left', 'L', '左']],
   ['Right', ['Right', 'R', '右']],
 ]
 
-/** Boundaries of words without a separator. A capital L or R at an end is a word, except in names of capitals alone. */
+/** Word boundaries without a separator. A capital L or R at either end is a word, except in all-capital names. */
 const BOUNDARIES = [
   /(?<=[\p{Ll}\d])(?=\p{Lu})/gu,
   /(?<=\p{Ll}.*\p{Lu})(?=[LR]$)/u,
   /(?<=^[LR])(?=\p{Lu}\p{Ll})/u,
 ]
 
-/** Filled at the first look-up. */
+/** Filled at the first lookup. */
 let known: Map<string, NameHint> | undefined
 
-/** Tells what a name means in any rig, whatever its capitals and separators; undefined where no rig has it. */
+/** Looks up a name in all rigs, ignoring case and separators; undefined if unknown. */
 export function knownShape(name: string): NameHint | undefined {
   known ??= allNames()
   return known.get(keyOf(name))
 }
 
-/** A name without capitals and separators. A side of one letter has to be a word: `browRaiser` is on no side. */
+/** Removes case and separators. A one-letter side must be a separate word: `browRaiser` has no side. */
 function keyOf(name: string): string {
   const words = BOUNDARIES.reduce((rest, boundary) => rest.replace(boundary, ' '), name)
     .toLowerCase()
@@ -38,7 +38,7 @@ function keyOf(name: string): string {
 function allNames(): Map<string, NameHint> {
   const found = new Map<string, NameHint>()
   const rows = [arkit(), ...RIGS].flatMap(rowsOf)
-  // A rig's own name takes precedence over another one to which a side is added.
+  // A rig's own name takes precedence over a name with an added side.
   for (const withSide of [false, true]) {
     for (const [rank, row] of rows.entries()) {
       for (const [name, side] of withSide ? sidedNames(row.name) : [[row.name, undefined] as const]) {
@@ -55,12 +55,12 @@ function arkit(): RigNames {
   return { source, same: Object.fromEntries([...BOTH_SIDES, ...CENTRAL].map((name) => [name, name])) }
 }
 
-/** A name of a rig. */
+/** Name of a rig's shape. */
 interface Row {
   name: string
   kind: ShapeKind
   match: NameHint['match']
-  /** As in `RigNames`. */
+  /** See `RigNames`. */
   shapes: string
 }
 
@@ -78,7 +78,7 @@ function rowsOf({ same, parts, like, visemes, emotions, other = [] }: RigNames):
 }
 
 function sidedNames(name: string): [name: string, side: Side][] {
-  // A symbol alone has no sides.
+  // A symbol has no sides.
   if (!/\p{L}/u.test(name)) return []
   return SPELLINGS.flatMap(([side, words]) =>
     words
@@ -97,7 +97,7 @@ function hintOfRow({ kind, match, shapes }: Row, side: Side | undefined, rank: n
     const [left, right] = [sides[0], sides[1] ?? sides[0]]
     return [...(side === 'Right' ? [] : [`${left}Left`]), ...(side === 'Left' ? [] : [`${right}Right`])]
   })
-  // One side of a shape that ARKit has for both sides together.
+  // One side of a shape that ARKit has only for both sides.
   const isHalf = match === 'same' && side !== undefined && found.length === 1 && CENTRAL.includes(found[0])
   return { kind, shapes: found, match: isHalf ? 'part' : match, side, rank }
 }

@@ -1,29 +1,29 @@
-/** How a blendshape is used, as far as its name tells. */
+/** Use of a blendshape, guessed from its name. */
 export type ShapeKind =
-  /** A movement of one part of the face. */
+  /** Movement of one part of the face. */
   | 'expression'
-  /** The mouth in one sound. */
+  /** Mouth shape of a sound. */
   | 'viseme'
-  /** A movement of the whole face. */
+  /** Movement of the complete face. */
   | 'emotion'
-  /** A correction of other shapes in combination, or of a joint's pose. */
+  /** Correction for a combination of shapes or a joint's pose. */
   | 'corrective'
-  /** A proportion of the character, such as `male` or `fat`. */
+  /** Proportion of the character, such as `male` or `fat`. */
   | 'body'
-  /** Geometry that is hidden by compressing it. */
+  /** Geometry hidden by compressing it. */
   | 'hidden'
-  /** A known shape that wrinkles no skin: tongues, pupils, lashes. */
+  /** Known shape that wrinkles no skin: tongues, pupils, lashes. */
   | 'other'
 
-/** Kind, shape and side of a blendshape, by its name. */
+/** Kind, shapes and side of a blendshape, from its name. */
 export interface NameHint {
   kind: ShapeKind
-  /** ARKit's names of the shapes that it is, is a part of, or resembles; empty where it moves no skin as any of them does. */
+  /** ARKit names of the shapes that it is, is a part of, or resembles; empty if it moves skin unlike any of them. */
   shapes: readonly string[]
-  /** Whether it is all of these at once, a part of each, or another shape that moves the same skin. */
+  /** Whether it equals all these shapes at once, is a part of each, or moves the same skin. */
   match: 'same' | 'part' | 'like'
-  /** The side in its name. */
+  /** Side in the name. */
   side: 'Left' | 'Right' | undefined
-  /** Order among shapes that resemble one; 0 is the closest. */
+  /** Rank among shapes that resemble the same one; 0 is the closest. */
   rank: number
 }

@@ -1,17 +1,17 @@
 /**
- * The names of a rig. Values are ARKit's names without a side, separated by spaces. A name without a side means both sides. A `*` in a name
- * marks a side in its midst; others have their side at the end or the beginning. `a|b` is a on the left and b on the right.
+ * Names of a rig. Values are ARKit names without a side, separated by spaces. Names without a side mean both sides.
+ * A `*` in a name marks the position of the side; otherwise the side is at either end. `a|b` is a on the left and b on the right.
  */
 export interface RigNames {
   /** Page that lists the names. */
   source: string
-  /** Names of these same shapes; several are moved at once. */
+  /** Names of the same shapes; several values are moved at once. */
   same?: Readonly<Record<string, string>>
-  /** Names of parts of a shape, such as its upper half: together they are the whole. */
+  /** Names of parts of a shape, such as its upper half, that add up to the shape. */
   parts?: Readonly<Record<string, string>>
-  /** Names of other shapes that move the same skin in the same way, the closest first. */
+  /** Names of other shapes that move the same skin in the same way, closest first. */
   like?: Readonly<Record<string, string>>
-  /** `like` for shapes that are no expressions. */
+  /** Visemes and emotions, matched like `like`. */
   visemes?: Readonly<Record<string, string>>
   emotions?: Readonly<Record<string, string>>
   /** Names of shapes that wrinkle no skin. */

@@ -2,18 +2,18 @@ import { CENTRAL, isCentral, SHIFTED, SIDED } from '../families.ts'
 import { MIRRORED, SAMPLES } from '../fields/sample-points.ts'
 import type { TemplateHead, TemplateShape } from './templates.ts'
 
-/** Families by their number in the table. */
+/** Families by their index in the encoding. */
 const FAMILIES: readonly string[] = [...SIDED, ...CENTRAL, ...SHIFTED]
-/** Steps of a strength, and of a largest coordinate, per unit. */
+/** Steps per unit of a strength or maximum coordinate. */
 const STEPS = 10_000
 
-/** Samples that are written: of a symmetric field those of one half. */
+/** Encoded samples: symmetric fields store only one half. */
 const ALL = Array.from({ length: SAMPLES }, (_, i) => i)
 const HALF = ALL.filter((i) => i <= MIRRORED[i])
 
 /**
- * Encodes a head as bytes: its weights, then of each shape its family, strength and largest coordinate, and its field in 8 bits with the square
- * root's finer steps near 0. Runs of zeros are a zero and their length.
+ * Encodes a head as bytes: its weights, then per shape its family, strength, maximum coordinate and field.
+ * Fields use 8 bits on a square-root scale, which is finer near 0. Runs of zeros are a zero and their length.
  */
 export function encodeHead({ weights, shapes }: TemplateHead): Uint8Array {
   const bytes: number[] = Array.from(weights, (weight) => Math.round(255 * weight))
@@ -41,7 +41,7 @@ export function encodeHead({ weights, shapes }: TemplateHead): Uint8Array {
   return Uint8Array.from(bytes)
 }
 
-/** Decodes what `encodeHead` wrote. */
+/** Decodes the output of `encodeHead`. */
 export function decodeHead(bytes: Uint8Array): TemplateHead {
   const weights = Float64Array.from(bytes.subarray(0, SAMPLES), (byte) => byte / 255)
   const shapes: TemplateShape[] = []

@@ -13,7 +13,7 @@ import { halfField, mirroredField, sumOf } from '../fields/field-operations.ts'
 import { MIRRORED } from '../fields/sample-points.ts'
 import type { ShapeFields } from '../fields/shape-fields.ts'
 
-/** The shapes of one typical head: sided ones of the left, central ones symmetric. */
+/** Shapes of a typical head: sided shapes on the left, central ones symmetric. */
 export interface TemplateHead {
   weights: Float64Array
   shapes: readonly TemplateShape[]
@@ -25,13 +25,13 @@ export interface TemplateShape {
   strength: number
 }
 
-/** A shape to compare with. */
+/** Template shape to compare with. */
 export interface Template extends ShapeLabel {
   field: Float64Array
   strength: number
 }
 
-/** Makes templates of a head whose shapes have ARKit's names: both halves are averaged. */
+/** Creates templates from a head whose shapes have ARKit names. Both halves are averaged. */
 export function templateHead({ weights, shapes }: ShapeFields, names: readonly string[]): TemplateHead {
   const known = new Map<string, { field: Float64Array; strength: number }[]>()
   const add = (family: string, field: Float64Array, strength: number) =>
@@ -52,7 +52,7 @@ export function templateHead({ weights, shapes }: ShapeFields, names: readonly s
         sumOf(field, mirrored).map((x) => x / 2),
         strength,
       )
-    // Two halves of a split shape add up to both.
+    // The halves of a split shape add up to both sides.
     else add(family, sumOf(field, mirrored), strength)
   }
   const symmetric = weights.map((weight, i) => (weight + weights[MIRRORED[i]]) / 2)
@@ -66,7 +66,7 @@ export function templateHead({ weights, shapes }: ShapeFields, names: readonly s
   )
 }
 
-/** All shapes and sides that a head's templates stand for. */
+/** Expands a head's templates to all shapes and sides. */
 export function templatesOf({ shapes }: TemplateHead): Template[] {
   return shapes.flatMap(({ family, field, strength }): Template[] => {
     const mirrored = mirroredField(field)
@@ -91,7 +91,7 @@ export function templatesOf({ shapes }: TemplateHead): Template[] {
   })
 }
 
-/** The mean of some heads. */
+/** Averages several heads. */
 export function meanHead(heads: readonly TemplateHead[]): TemplateHead {
   const families = [...new Set(heads.flatMap(({ shapes }) => shapes.map(({ family }) => family)))]
   return {

@@ -1,8 +1,8 @@
 import type { RigNames } from '../rig-names.ts'
 
 /**
- * Reallusion's facial profiles: iClone's ARKit profile numbers ARKit's names (`A01_Brow_Inner_Up`), Character Creator 3 and 4 have names of
- * their own.
+ * Reallusion's facial profiles. iClone's ARKit profile numbers the ARKit names (`A01_Brow_Inner_Up`); Character Creator 3 and 4 use their
+ * own names.
  */
 export const CHARACTER_CREATOR: RigNames = {
   source:

@@ -1,6 +1,6 @@
 import type { RigNames } from '../rig-names.ts'
 
-/** Oculus' visemes and VRChat's, and VRM's emotions, by the loader's names of them. Other words for emotions follow. */
+/** Visemes of Oculus and VRChat, and VRM's emotions, as the loader names them, then other words for emotions. */
 export const GENERAL: RigNames = {
   source: 'https://developers.meta.com/horizon/documentation/unity/audio-ovrlipsync-viseme-reference',
   same: { blink: 'eyeBlink' },

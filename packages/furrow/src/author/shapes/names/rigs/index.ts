@@ -10,7 +10,7 @@ import { SRANIPAL } from './sranipal.ts'
 import { UNIFIED } from './unified.ts'
 import { VROID } from './vroid.ts'
 
-/** Names of all rigs besides ARKit's own; where two rigs share a name, the first one decides. */
+/** Names of all rigs except ARKit's. If two rigs share a name, the first one wins. */
 export const RIGS: readonly RigNames[] = [
   METAHUMAN,
   CHARACTER_CREATOR,

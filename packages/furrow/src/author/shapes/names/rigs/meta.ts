@@ -1,6 +1,6 @@
 import type { RigNames } from '../rig-names.ts'
 
-/** Meta's Movement SDK: `BROW_LOWERER_L`, and the same names in capitals and small letters of `OVRFaceExpressions`. */
+/** Meta's Movement SDK: `BROW_LOWERER_L`, and the mixed-case names of `OVRFaceExpressions`. */
 export const META: RigNames = {
   source: 'https://docs.vrcft.io/docs/tutorial-avatars/tutorial-avatars-extras/compatibility/meta-movement',
   same: {

@@ -1,6 +1,6 @@
 import type { RigNames } from '../rig-names.ts'
 
-/** VRoid Studio: `Fcl_BRW_...` for brows, `Fcl_EYE_...` and `Fcl_MTH_...`, most of them for both sides at once. */
+/** VRoid Studio: `Fcl_BRW_...` for brows, `Fcl_EYE_...` and `Fcl_MTH_...`, mostly for both sides at once. */
 export const VROID: RigNames = {
   source: 'https://vroid.pixiv.help/hc/en-us/articles/41131955805977',
   like: {
