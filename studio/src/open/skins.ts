@@ -1,4 +1,10 @@
-import { chooseSkin, describeDriverFaults, type FileWrinkles, MOST_TRIANGLES, skinOf } from 'furrow/internal'
+import {
+  chooseSkin,
+  describeDriverFaults,
+  type FileWrinkles,
+  MAX_SKIN_TRIANGLES,
+  skinOf,
+} from 'furrow/internal'
 import {
   canCrease,
   chooseFaces,
@@ -69,7 +75,7 @@ export function indexOfSkin(skins: readonly SkinCandidate[]): number {
   const wrinkled = skins.findIndex(({ wrinkles }) => wrinkles)
   if (wrinkled >= 0) return wrinkled
   const movable = skins.filter(
-    ({ meshes, triangles }) => meshes.every(canCrease) && triangles <= MOST_TRIANGLES,
+    ({ meshes, triangles }) => meshes.every(canCrease) && triangles <= MAX_SKIN_TRIANGLES,
   )
   if (movable.length > 1) {
     const candidates = movable.map(({ meshes, expressions }) => {
@@ -131,8 +137,8 @@ function problemOf(meshes: readonly Mesh[], triangles: number): string | null {
     return 'it has no normals: export it again with normals'
   }
   if (!readsNormalMap(surface)) return `its material is unlit: give it a lit one, and export it again`
-  if (triangles > MOST_TRIANGLES) {
-    return `it has ${triangles.toLocaleString('en')} triangles, more than ${MOST_TRIANGLES.toLocaleString('en')}: decimate it`
+  if (triangles > MAX_SKIN_TRIANGLES) {
+    return `it has ${triangles.toLocaleString('en')} triangles, more than ${MAX_SKIN_TRIANGLES.toLocaleString('en')}: decimate it`
   }
   return null
 }

@@ -35,7 +35,7 @@ describe('a body without a face', () => {
 
   test('has no regions to choose from', async () => {
     const body = await write('body.glb')
-    await fails('regions cannot be chosen', body, '-o', file('x.glb'), '--regions', 'neck', 'chin')
+    await fails('regions require a face', body, '-o', file('x.glb'), '--regions', 'neck', 'chin')
   })
 
   test('is told as JSON', async () => {

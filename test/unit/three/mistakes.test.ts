@@ -54,7 +54,7 @@ describe('mistakes', () => {
       () => new WrinkleLoaderPlugin(any(parser), { auto: any({ Age: 45 }) }),
     ],
     [
-      /^WrinkleLoaderPlugin auto: age, got 450, allowed: a number, 20 to 80; /,
+      /^WrinkleLoaderPlugin auto: invalid age, got 450, allowed: a number, 20 to 80; /,
       () => new WrinkleLoaderPlugin(any(parser), { auto: { age: 450 } }),
     ],
     [
@@ -62,7 +62,7 @@ describe('mistakes', () => {
       () => autoWrinkles(any({}), { regions: [any('crowfeet')] }),
     ],
     [
-      /^autoWrinkles: seed, got 0.5, allowed: a whole number, 0 to /,
+      /^autoWrinkles: invalid seed, got 0.5, allowed: a whole number, 0 to /,
       () => autoWrinkles(any({}), { seed: 0.5 }),
     ],
     [

@@ -1,5 +1,5 @@
 import { FurrowError } from 'furrow'
-import { MOST_TRIANGLES } from 'furrow/internal'
+import { MAX_SKIN_TRIANGLES } from 'furrow/internal'
 import type { Glb } from '../gltf/glb.ts'
 import type { GltfMesh } from '../json/gltf-json.ts'
 
@@ -37,8 +37,8 @@ export function checkTriangles({ json, fileBytes }: Glb, who: string, meshName?:
         limit,
         remedy: 'decimate it (the maps keep the detail), or name another mesh with --mesh',
       })
-    if (largest > MOST_TRIANGLES) {
-      const limit = `${MOST_TRIANGLES.toLocaleString('en')} triangles of one material`
+    if (largest > MAX_SKIN_TRIANGLES) {
+      const limit = `${MAX_SKIN_TRIANGLES.toLocaleString('en')} triangles of one material`
       throw fault('triangles', largest, limit)
     }
     if (largest * targets > mostMoved) {

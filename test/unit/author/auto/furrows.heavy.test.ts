@@ -129,7 +129,7 @@ describe('fine furrows', () => {
     expect(furrows).toBeUndefined()
     expect(layers.map(({ name }) => name)).not.toContain('furrows')
     const { reason } = missing.find(({ name }) => name === 'furrowsForehead')!
-    expect(reason).toBe('fine furrows are less than two texels wide there, and more with a size of 2048')
+    expect(reason).toBe('fine furrows are narrower than two texels there; use a size of 2048')
   })
 
   test('follow the regions, the strength and the seed, and are the same on every run', () => {
@@ -147,7 +147,7 @@ describe('fine furrows', () => {
   })
 
   test('need a layer besides those of lines', () => {
-    expect(() => make({ layers: 1 })).toThrow('fine furrows need a layer besides those of lines')
+    expect(() => make({ layers: 1 })).toThrow('fine furrows need a separate layer')
   })
 
   test('are left out unless they are asked for', () => {

@@ -27,7 +27,7 @@ test('strokes are not drawn on such triangles', () => {
   )
 })
 
-test('a skin is refused whose size no document of strokes can tell', () => {
+test('a skin beyond the scale range of strokes documents is refused', () => {
   const { positions, uvs, indices } = sheet(8, 0)
   const targets = [{ name: 'press', offsets: positions.map((x) => -0.1 * x) }]
   const skin = { positions: positions.map((x) => 1e14 * x), uvs, indices, targets }

@@ -25,7 +25,7 @@ describe.each([
   const lines = layFreeLines(surface, tensors, {
     spacing,
     minCompression: 0.05,
-    mostMillimetres: Infinity,
+    maxTotalLength: Infinity,
     style,
   })
 
@@ -100,8 +100,8 @@ test('lines end at the length that they may have together', () => {
   const { surface, offsets } = sheet(20, 0)
   const tensors = compressionTensors(surface, offsets)
   const style = { width: 3, depth: 1, taper: [0, 0], shoulder: [0.9, 0.9], softness: 0.5 } as const
-  const lengthOf = (mostMillimetres: number) =>
-    layFreeLines(surface, tensors, { spacing: 6, minCompression: 0.05, mostMillimetres, style }).reduce(
+  const lengthOf = (maxTotalLength: number) =>
+    layFreeLines(surface, tensors, { spacing: 6, minCompression: 0.05, maxTotalLength, style }).reduce(
       (sum, { triangles }) => sum + STEP * triangles.length,
       0,
     )

@@ -1,6 +1,6 @@
 import { autoWrinkles, type Skin } from 'furrow/author'
 import { beforeAll, expect, test } from 'vitest'
-import { oddMeasures } from '../../../../packages/furrow/src/author/auto/anatomy/proportions.ts'
+import { unusualMeasures } from '../../../../packages/furrow/src/author/auto/anatomy/proportions.ts'
 import { FACES, prepareFace, skinAt } from './faces.ts'
 
 const SETTINGS = { size: 64, areaSize: 32 }
@@ -35,7 +35,7 @@ test('a head without a nose gets no lines on it, and one line says why', () => {
   expect(missing).toEqual(expect.arrayContaining(['nose', 'noseRoot', 'nasolabial']))
   const said = warnings.filter((warning) => warning.includes('stylised'))
   expect(said).toHaveLength(1)
-  expect(said[0]).toMatch(/the nose stands out by \d+ mm, not 12 to 70/)
+  expect(said[0]).toMatch(/the nose protrudes by \d+ mm, not 12 to 70/)
 })
 
 test('regions that are asked for are made nevertheless', () => {
@@ -76,13 +76,13 @@ test('a muzzle gets no folds of a human mouth, and one line says why', () => {
   )
   expect(areas.some((name) => /^forehead/.test(name))).toBe(true)
   expect(missing).toContain('nasolabial')
-  expect(warnings.join()).toMatch(/the mouth stands out by \d+ mm, not -40 to 15/)
+  expect(warnings.join()).toMatch(/the mouth protrudes by \d+ mm, not -40 to 15/)
 })
 
 test('eyes that reach from nose to temple get no lines round them', () => {
   const { landmarks, surface } = prepareFace(human).face
   const huge = { ...landmarks, outerCorner: [62, -1, 0], innerCorner: [4, -2, 0] } as const
-  expect(oddMeasures({ landmarks: huge, surface }).flatMap(({ regions }) => regions)).toEqual([
+  expect(unusualMeasures({ landmarks: huge, surface }).flatMap(({ regions }) => regions)).toEqual([
     'crowsFeet',
     'underEye',
   ])
@@ -90,5 +90,5 @@ test('eyes that reach from nose to temple get no lines round them', () => {
 
 test.each(FACES)('%s is like people', async (_, path) => {
   const skin = await skinAt(path)
-  expect(oddMeasures(prepareFace(skin).face)).toEqual([])
+  expect(unusualMeasures(prepareFace(skin).face)).toEqual([])
 })

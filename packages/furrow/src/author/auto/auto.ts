@@ -8,8 +8,8 @@ import type { MorphDriver } from '../../drivers/morph/definition.ts'
 import { targetFinder } from '../../drivers/morph/target-names.ts'
 import type { Skin } from '../skin/surface.ts'
 import type { StrokesDocument } from '../strokes/document.ts'
-import { type OddMeasure, oddMeasures } from './anatomy/proportions.ts'
-import { type AutoBlood, drawBlood, withoutBlood } from './blood/draw-blood.ts'
+import { type UnusualMeasure, unusualMeasures } from './anatomy/proportions.ts'
+import { type AutoBlood, drawBlood, neutralBlood } from './blood/draw-blood.ts'
 import { ageDriver } from './fit/age-driver.ts'
 import type { MissingRegion } from './fit/fit-driver.ts'
 import { fitDrivers } from './fit/fit-drivers.ts'
@@ -24,63 +24,64 @@ import type { DetectedFace } from './surface/detect-face.ts'
 import type { Landmarks } from './surface/landmarks.ts'
 import { prepareSkin } from './surface/prepare-skin.ts'
 
-/** An area and its driver. */
+/** Area with its driver. */
 export interface AutoArea {
   name: string
   /** Index of its layer. */
   layer: number
   weights: GrayImage
   driver: MorphDriver
-  /** Keeps its lines at rest by the input `age`; of a face alone. */
+  /** Age driver that keeps the lines at rest by the input `age`; faces only. */
   ageing?: AgeDriver | undefined
-  /** Fraction by which its expression shortens the skin across its lines. */
+  /** Fraction by which its expression shortens the skin across the lines. */
   compression: number
-  /** Root mean square of the driver's activation less the measured one, over single targets and combinations, 0..1. */
+  /** Root mean square error of the driver's activation against the measured one, over single targets and combinations, 0..1. */
   error: number
   lines: number
 }
 
 /** Wrinkles made from blendshapes. */
 export interface AutoWrinkles {
-  /** Positions of the features, if a face was detected; otherwise the lines are placed by strain alone. */
+  /** Positions of facial features; undefined if no face was detected and strain alone places the lines. */
   landmarks: Landmarks | undefined
-  /** Names of the targets that were used: all but broken ones. */
+  /** Names of the targets used: all except broken ones. */
   targets: string[]
-  /** That of fine furrows, which has no strokes, is the last one. */
+  /** Layers of lines, then the layer of fine furrows, which has no strokes. */
   layers: AutoLayer[]
-  /** The net of fine furrows, where one was asked for and texels are small enough. */
+  /** Net of fine furrows; undefined if disabled or texels are too large. */
   furrows: AutoFurrows | undefined
-  /** Maps of the layers, and areas that show nothing else. */
+  /** Blood maps of the layers, and areas that show only blood. */
   blood: AutoBlood
   areas: AutoArea[]
-  /** Millimetres per unit of the skin's positions: a face is measured by the distance of its eyes. */
+  /** Millimetres per unit of the skin's positions; faces are scaled by the distance of their eyes. */
   scale: number
-  /** Parts of a face that get no area, and why. */
+  /** Parts of a face without an area, with reasons. */
   missing: MissingRegion[]
-  /** Presets of the blendshapes that the face has; the drivers of its areas add the wrinkles. */
+  /** Presets for the face's blendshapes; the drivers of the areas add the wrinkles. */
   expressions: ExpressionDriver[]
-  /** One sentence each. */
+  /** Complete sentences without a full stop. */
   warnings: string[]
-  /** Why there are no areas, as part of a sentence; undefined where there are some. */
+  /** Reason for missing areas, as part of a sentence; undefined if there are areas. */
   emptyReason: string | undefined
 }
 
 /**
- * Called before each step, as parts of it are done, and at the end. An error that it throws ends the work and is passed on.
+ * Reports progress: called before each step, during it, and at the end. Errors it throws abort the work and are passed on.
  *
- * @param done steps that are done, with the fraction of the current one.
+ * @param done finished steps, plus the fraction of the current one.
  */
 export type AutoProgress = (done: number, total: number, step: string) => void
 
-/** Steps of `autoWrinkles`, in order. */
+/** Steps of `autoWrinkles` in order. */
 export const AUTO_STEPS = ['face', 'lines', 'drivers', 'layers', 'maps'] as const
 
 /**
- * Makes wrinkles from a character's own blendshapes: skin creases where they compress it, and on a face as its anatomy has it. The same
- * input and seed give the same maps, bit for bit.
+ * Makes wrinkles from a character's blendshapes: skin creases where they compress it, on faces along anatomical lines. The same input and
+ * seed give bit-identical maps.
  *
- * @throws FurrowError when the skin has no targets, no UV area, or values that are NaN or infinite; when regions are chosen and no face is
- *   detected; when furrows are wanted and there is one layer; when an option is unknown or out of range.
+ * @throws FurrowError if the skin has no targets, no UV area, or NaN or infinite values.
+ * @throws FurrowError if regions are chosen without a face, or furrows with only one layer.
+ * @throws FurrowError if an option is unknown or out of range.
  */
 export function autoWrinkles(
   skin: Skin,
@@ -97,18 +98,18 @@ export function autoWrinkles(
     return report
   }
 
-  if (settings.furrows && settings.layers < 2) throw withoutLayer()
+  if (settings.furrows && settings.layers < 2) throw missingLayerError()
 
-  // One room per stage, each using those before it: surface -> strain -> lines -> fit -> raster -> blood, furrows.
+  // One folder per stage, each using the previous ones: surface -> strain -> lines -> fit -> raster -> blood, furrows.
   begin('face')
   const prepared = prepareSkin(skin)
-  if (!prepared.face && options.regions) throw regionsWithoutFace(options.regions)
-  const odd = prepared.face && !options.regions ? oddMeasures(prepared.face) : []
-  const doubtful = new Set(odd.flatMap(({ regions }) => regions))
+  if (!prepared.face && options.regions) throw missingFaceError(options.regions)
+  const unusual = prepared.face && !options.regions ? unusualMeasures(prepared.face) : []
+  const doubtful = new Set(unusual.flatMap(({ regions }) => regions))
   const regions = settings.regions.filter((region) => !doubtful.has(region))
   const lineSettings = { ...settings, regions, ageFraction: (age - 20) / 60, maxAreas }
   const lineProgress = begin('lines')
-  // The strain is the largest of the data: it is freed once the lines are laid.
+  // Strain is the largest data, so it is not kept in a variable: it can be freed once the lines are laid.
   const creased = layLines(prepared, measureStrain(prepared, lineSettings, lineProgress), lineSettings)
   const fitted = fitDrivers(prepared, creased, maxAreas, begin('drivers'))
   begin('layers')
@@ -123,7 +124,7 @@ export function autoWrinkles(
     : { amplitude: 0, maps: [], areas: [] }
   const furrows =
     drawn && face && planned?.net ? drawNet({ ...prepared, face }, planned.net, drawn, settings) : undefined
-  if (furrows) blood.maps.push(withoutBlood(settings.size))
+  if (furrows) blood.maps.push(neutralBlood(settings.size))
   progress(AUTO_STEPS.length, AUTO_STEPS.length, 'done')
 
   const { names, scale } = prepared
@@ -152,15 +153,15 @@ export function autoWrinkles(
     expressions: face ? presetsOf(face) : [],
     warnings: [
       ...prepared.warnings,
-      ...stylised(odd),
+      ...stylisedWarnings(unusual),
       ...fitted.warnings,
-      ...(settings.furrows && !face ? ['fine furrows are of faces alone, and none is drawn'] : []),
+      ...(settings.furrows && !face ? ['fine furrows require a face; none are drawn'] : []),
     ],
     emptyReason: fitted.regions.length > 0 ? undefined : emptyReasonOf(prepared.isUnknownHead),
   }
 }
 
-/** The lines of all layers, and the net of fine furrows, as a document that `parseStrokes` reads. */
+/** Returns the lines of all layers and the net of fine furrows as a document for `parseStrokes`. */
 export function strokesOf({
   layers,
   scale,
@@ -172,39 +173,39 @@ export function strokesOf({
 
 function emptyReasonOf(isUnknownHead: boolean): string {
   return isUnknownHead
-    ? 'no blendshapes show where its eyes and mouth are, as blinks and smiles do, though some have names of a face or part it as lips do, so nothing tells where it folds'
+    ? 'the mesh looks like a head, but no blendshapes show where its eyes and mouth are, as blinks and smiles do'
     : 'no blendshape compresses the skin enough to crease it'
 }
 
-/** One line about a head on which landmarks fail. */
-function stylised(odd: readonly OddMeasure[]): string[] {
-  if (odd.length === 0) return []
-  const measures = odd.map(({ what }) => what).join('; ')
+/** Returns a warning about a head whose landmarks are unreliable. */
+function stylisedWarnings(unusual: readonly UnusualMeasure[]): string[] {
+  if (unusual.length === 0) return []
+  const measures = unusual.map(({ description }) => description).join('; ')
   return [
-    `the head is stylised (${measures}, where the eyes are 63 mm apart): regions that rely on this are left out unless they are asked for`,
+    `the head is stylised (${measures}; scaled to eyes 63 mm apart): affected regions are skipped unless requested`,
   ]
 }
 
-function withoutLayer(): FurrowError {
+function missingLayerError(): FurrowError {
   return new FurrowError({
     who: 'autoWrinkles',
-    problem: 'fine furrows need a layer besides those of lines',
+    problem: 'fine furrows need a separate layer',
     value: '1 layer',
     limit: '2 to 4',
-    remedy: 'allow one more layer, or leave the furrows out',
+    remedy: 'allow one more layer, or disable the furrows',
   })
 }
 
-function regionsWithoutFace(regions: readonly string[]): FurrowError {
+function missingFaceError(regions: readonly string[]): FurrowError {
   return new FurrowError({
     who: 'autoWrinkles',
-    problem: 'regions cannot be chosen, since no face was found by what the blendshapes move',
+    problem: 'regions require a face, and none was detected from the blendshapes',
     value: regions.join(', '),
-    remedy: 'leave the regions out, or name the mesh of the face',
+    remedy: 'omit the regions, or name the mesh of the face',
   })
 }
 
-/** The presets that a face can show, with its targets, without activations of areas that it lacks. */
+/** Returns the presets that a face can show, without activations. */
 function presetsOf({ names, hints, find }: DetectedFace): ExpressionDriver[] {
   const loaderFinds = targetFinder(names)
   const ownNames = (shape: string) => {
@@ -212,7 +213,7 @@ function presetsOf({ names, hints, find }: DetectedFace): ExpressionDriver[] {
     const loaded = loaderFinds(shape)
     const isSame = loaded.length > 0 && loaded.every((target) => found.includes(target))
     if (found.length === 0 || isSame) return found.slice(0, 1).map(() => shape)
-    // The loader knows this rig's names as they are and no others.
+    // The loader knows this rig only by its own names.
     const own = found.filter((target) => hints[target]?.match !== 'like')
     return own.length > 0 ? own.map((target) => names[target]) : [shape]
   }

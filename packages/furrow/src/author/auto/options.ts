@@ -6,27 +6,27 @@ import { AUTO_REGIONS, type AutoRegion } from './anatomy/region-names.ts'
 
 /** Options of `autoWrinkles`; `AUTO_DEFAULTS` has the defaults. */
 export interface AutoOptions {
-  /** Years, 20..80: lines grow in number, length and depth. Where given, a face is so old at rest too, until its input `age` is set. */
+  /** Age in years, 20..80: lines grow in number, length and depth. If given, also ages the neutral face until the input `age` is set. */
   age?: number
-  /** Multiplies the depth, 0..2. */
+  /** Factor on the depth, 0..2. */
   strength?: number
   /** Side of the maps in texels. */
   size?: number
   /** Side of the areas in texels. */
   areaSize?: number
-  /** Any whole number; the same one gives the same wrinkles. */
+  /** Random seed, an integer: same seed, same wrinkles. */
   seed?: number
-  /** Seeds of single regions, in place of `seed`. The forehead has one, `foreheadInner`: its lines run through both of its regions. */
+  /** Seeds of individual regions, overriding `seed`. The forehead uses `foreheadInner`, because its lines cross both of its regions. */
   seeds?: Readonly<Partial<Record<AutoRegion, number>>>
-  /** Layers at most, 1..4; with fine furrows 2 or more. */
+  /** Maximum number of layers, 1..4; at least 2 with fine furrows. */
   layers?: number
-  /** Areas with lines at most, 1..64; those with the least compression are left out. */
+  /** Maximum number of areas with lines, 1..64; the least compressed ones are dropped. */
   areas?: number
-  /** Parts of a face that may crease, all by default. Only a face has any. */
+  /** Parts of a face that may crease; default: all. Requires a face. */
   regions?: readonly AutoRegion[]
-  /** Whether a face gets a net of fine furrows too, on a layer of its own. Where a furrow is less than two texels wide there are none. */
+  /** Adds a net of fine furrows to a face, on its own layer. Furrows narrower than two texels are skipped. */
   furrows?: boolean
-  /** The frame in which renderers read the normal maps, see `heightToNormal`. */
+  /** Tangent frame of the normal maps, see `heightToNormal`. */
   frame?: TangentFrame
 }
 
@@ -45,7 +45,7 @@ export const AUTO_DEFAULTS = {
   frame: 'orthonormal',
 } as const satisfies AutoOptions
 
-/** Smallest and largest value of each number. */
+/** Minimum and maximum of each number. */
 const RANGES = {
   age: [20, 80],
   strength: [0, 2],
@@ -56,13 +56,13 @@ const RANGES = {
   areas: [1, 64],
 } as const satisfies Partial<Record<keyof AutoOptions, readonly [number, number]>>
 
-/** Numbers that may have a fraction. */
+/** Options that may be fractional. */
 const FRACTIONS: readonly string[] = ['age', 'strength']
 
 /**
- * Checks options of `autoWrinkles`.
+ * Checks the options of `autoWrinkles`.
  *
- * @param who the caller, in errors.
+ * @param who caller, for errors.
  * @throws FurrowError at the first option that is unknown or out of range.
  */
 export function checkAutoOptions(options: AutoOptions, who: string): void {
@@ -86,13 +86,13 @@ function checkNumber(
 ): void {
   const isWhole = Number.isInteger(value) || FRACTIONS.includes(name)
   if (typeof value === 'number' && isWhole && value >= low && value <= high) return
-  const what = FRACTIONS.includes(name) ? 'a number' : 'a whole number'
+  const kind = FRACTIONS.includes(name) ? 'a number' : 'a whole number'
   throw new FurrowError({
     code: 'out-of-range',
     who,
-    problem: name,
+    problem: `invalid ${name}`,
     value: value ?? String(value),
-    limit: `${what}, ${low} to ${high}`,
+    limit: `${kind}, ${low} to ${high}`,
     remedy: 'correct the option',
   })
 }

@@ -7,20 +7,20 @@ import { principalAt } from './strain/principal.ts'
 import { poseOf } from './surface/pose.ts'
 import { prepareSkin } from './surface/prepare-skin.ts'
 
-/** How far skin is compressed, in its texture. */
+/** Compression of the skin, in UV space. */
 export interface StrainMap {
   width: number
   height: number
-  /** Row 0 at the top: the largest fraction of its length that skin loses in any direction, 0..1; NaN where there is no skin. */
+  /** Maximum fraction of length that skin loses in any direction, 0..1; NaN outside the skin. Row 0 at the top. */
   data: Float32Array
 }
 
 /**
- * Maps the principal compression of poses at each texel, as `autoWrinkles` measures it.
+ * Maps the principal compression of poses per texel, as `autoWrinkles` measures it.
  *
- * @param poses weights by target, in any rig's spelling; targets that the skin lacks are ignored.
+ * @param poses weights by target, in any rig's spelling; unknown targets are ignored.
  * @param size side of the maps in texels.
- * @throws FurrowError as `autoWrinkles` does.
+ * @throws FurrowError like `autoWrinkles`.
  */
 export function strainMaps(
   skin: Skin,

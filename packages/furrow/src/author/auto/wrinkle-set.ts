@@ -8,12 +8,14 @@ import type { HeightMap } from '../strokes/height.ts'
 import type { AutoWrinkles } from './auto.ts'
 import { halfSide, heightLevels } from './raster/half-side.ts'
 
-/** A driver of automatic wrinkles. */
+/** Driver of automatic wrinkles. */
 export type AutoDriver = MorphDriver | AgeDriver | TimeDriver | ExpressionDriver
 
 type Heights = Required<Pick<Layer, 'height' | 'heightAmplitude'>>
 
-/** Automatic wrinkles as a wrinkle set, heights, drivers and expressions included: `new Wrinkles(mesh, autoWrinkleSet(wrinkles))` shows them. */
+/**
+ * Converts automatic wrinkles to a wrinkle set with heights, drivers and expressions, for `new Wrinkles(mesh, autoWrinkleSet(wrinkles))`.
+ */
 export function autoWrinkleSet({
   layers,
   areas,
@@ -43,16 +45,16 @@ export function autoWrinkleSet({
   }
 }
 
-/** Heights with half the side of the normals: only these show how steep a crease is. */
+/** Halves the heights' side, because only normals show how steep a crease is. */
 function heightOf(heights: HeightMap): Heights {
   const { levels, amplitude } = heightLevels(heights.data)
   return { height: halfSide({ ...heights, data: levels }), heightAmplitude: amplitude }
 }
 
 /**
- * All drivers of automatic wrinkles: of blendshapes, of age, of blood, of fine furrows, and expressions.
+ * Returns all drivers of automatic wrinkles: blendshapes, age, blood, fine furrows and expressions.
  *
- * @param wrinkles without blood or furrows where their areas are not used.
+ * @param wrinkles omit `blood` or `furrows` if their areas are not used.
  */
 export function autoDrivers({
   areas,

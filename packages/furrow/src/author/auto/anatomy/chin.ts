@@ -1,7 +1,7 @@
 import { cos, sin } from '../../../math/elementary.ts'
 import { bezierPath, chartPointOf, type FaceContext, type FaceRegion, type Guide } from './region.ts'
 
-/** The chin's dimples and the crease above it (mentalis), and the rings of the neck. */
+/** Chin dimples, the crease above the chin (mentalis), and neck rings. */
 export function chinAndNeck(context: FaceContext): FaceRegion[] {
   return [chin(context), neck(context)]
 }

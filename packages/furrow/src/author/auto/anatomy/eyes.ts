@@ -12,20 +12,20 @@ import {
   sampleCurve,
 } from './region.ts'
 
-/** Around the eyes: crow's feet and the fine lines below the lower lid (orbicularis oculi). */
+/** Crow's feet and fine lines below the lower lid (orbicularis oculi). */
 export function eyes(context: FaceContext): FaceRegion[] {
   return SIDES.flatMap(([side, name]) => [crowsFeet(context, side, name), underEye(context, side, name)])
 }
 
-/** A fan from the outer corner: long lines, finer ones between them that begin farther out, and a fork. */
+/** Fan from the outer corner: long lines, finer ones that start between them farther out, and a fork. */
 function crowsFeet({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: string): FaceRegion {
   const rng = rngOf(`crowsFeet${name}`)
   const [corner, up] = chartPointOf(landmarks.outerCorner)
   const lines = Math.round(byAge(3, 5))
-  /** Line t of the fan, 0 the uppermost and 1 the lowest, that begins `start` millimetres away from the corner. */
+  /** Line of the fan: t = 0 uppermost, 1 lowest; `start` is its distance from the corner in millimetres. */
   const ray = (t: number, start: number, length: number): ChartPoint[] => {
     const rise = 27 - 75 * t
-    // The outer ends bend further, up above and down below, as the ring of the muscle does.
+    // The outer ends bend up above and down below, like the ring muscle.
     const bend = 0.35 * rise + rng.jitter(6)
     const [wave, phase] = [rng.jitter(9), rng.uniform(0, 2 * Math.PI)]
     return walk(side, [corner + start * cosOf(rise), up + start * sinOf(rise)], length, (s) => {
@@ -75,7 +75,7 @@ function crowsFeet({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: s
   }
 }
 
-/** Arcs that follow the lower lid, finer than the others. */
+/** Arcs along the lower lid, finer than crow's feet. */
 function underEye({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: string): FaceRegion {
   const rng = rngOf(`underEye${name}`)
   const [inner] = chartPointOf(landmarks.innerCorner)
@@ -118,9 +118,9 @@ function underEye({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: st
 const BRANCH = { width: 1.3, taper: [0.3, 0.6], shoulder: [0.8, 0.8], softness: 0.5 } as const
 
 /**
- * A curve that runs outwards.
+ * Traces a curve outwards.
  *
- * @param rise its direction in degrees above the horizontal, at t of its length.
+ * @param rise direction in degrees above the horizontal at t of its length, 0..1.
  */
 function walk(side: Side, [x, y]: ChartPoint, length: number, rise: (t: number) => number): ChartPoint[] {
   let [across, up] = [x, y]
@@ -134,7 +134,7 @@ function walk(side: Side, [x, y]: ChartPoint, length: number, rise: (t: number) 
 }
 
 const STEPS = 20
-/** Degrees by which crow's feet turn to and fro within some millimetres. */
+/** Amplitude in degrees of short-range turns in crow's feet. */
 const RIPPLE = 5
 
 const degreesOf = (across: number, up: number) => (atan2(up, across) * 180) / Math.PI

@@ -12,13 +12,13 @@ import {
   sampleCurve,
 } from './region.ts'
 
-/** Half the width in millimetres of the transition between left and right, and between the inner and outer half. */
+/** Half widths in millimetres of the transitions between left and right, and between inner and outer half. */
 const MIDDLE = 4
 const HALVES = 9
 
 /**
- * The forehead: long horizontal lines, one above the other, that dip between the brows and arch over them (frontalis). Four areas share
- * them, since the inner and outer brows rise independently.
+ * Forehead: stacked horizontal lines that dip between the brows and arch over them (frontalis). Four areas share these lines, because the
+ * inner and outer brows rise independently.
  */
 export function forehead({ landmarks, byAge, rngOf }: FaceContext): FaceRegion[] {
   const rng = rngOf('forehead')
@@ -42,7 +42,7 @@ export function forehead({ landmarks, byAge, rngOf }: FaceContext): FaceRegion[]
       return [across, level - dip - fall + wave]
     }
     const start = -(reach + rng.jitter(4))
-    // Most lines are broken once, and the two pieces overlap.
+    // Most lines are broken once, and both pieces overlap.
     const isBroken = rng.next() < 0.65
     const gap = rng.jitter(0.75 * reach)
     const pieces = isBroken
@@ -92,7 +92,7 @@ export function forehead({ landmarks, byAge, rngOf }: FaceContext): FaceRegion[]
   return SIDES.flatMap(([side, name]) => [region(side, name, 'Inner'), region(side, name, 'Outer')])
 }
 
-/** A short, faint line between two long ones, `pointAt` and the one below it. */
+/** Creates a short, faint line between the line `pointAt` and the one below. */
 function shortLine(
   pointAt: (across: number) => ChartPoint,
   spacing: number,

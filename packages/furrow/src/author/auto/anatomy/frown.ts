@@ -9,10 +9,10 @@ import {
   type Side,
 } from './region.ts'
 
-/** Half the width in millimetres of the transition between left and right. */
+/** Half width in millimetres of the transition between left and right. */
 const MIDDLE = 2
 
-/** Between the brows: a vertical line on each side, more with age (corrugator), and horizontal ones on the root of the nose (procerus). */
+/** Frown lines: vertical ones beside the middle, more with age (corrugator), and horizontal ones on the root of the nose (procerus). */
 export function frown(context: FaceContext): FaceRegion[] {
   return [...SIDES.map(([side, name]) => glabella(context, side, name)), noseRoot(context)]
 }

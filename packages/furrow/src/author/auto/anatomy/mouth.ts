@@ -8,7 +8,7 @@ import {
   type Side,
 } from './region.ts'
 
-/** Around the mouth: the nasolabial fold, lines beside the corners, and vertical ones on the lips. */
+/** Nasolabial folds, lines beside the corners of the mouth, and vertical lines on the lips. */
 export function mouth(context: FaceContext): FaceRegion[] {
   return [
     ...SIDES.flatMap(([side, name]) => [nasolabial(context, side, name), mouthCorner(context, side, name)]),
@@ -17,10 +17,10 @@ export function mouth(context: FaceContext): FaceRegion[] {
   ]
 }
 
-/** The cheek slides over the lip, which hardly moves: the fold takes up its skin, so many millimetres of it. */
+/** Width in millimetres of the cheek skin that the nasolabial fold takes up: the cheek slides over the lip, which hardly moves. */
 const CHEEK = 10
 
-/** One deep line from the wing of the nose to beside the corner of the mouth, which bulges on the side of the cheek. */
+/** One deep line from the wing of the nose to beside the corner of the mouth, bulging on the cheek side. */
 function nasolabial(
   { landmarks, ageFraction, byAge, rngOf }: FaceContext,
   side: Side,
@@ -79,7 +79,7 @@ function nasolabial(
   }
 }
 
-/** A short arc beside the corner, and with age a line that runs down from it (depressor anguli oris). */
+/** Short arc beside the corner, and with age a line running down from it (depressor anguli oris). */
 function mouthCorner(
   { landmarks, ageFraction, byAge, rngOf }: FaceContext,
   side: Side,
@@ -133,7 +133,7 @@ function mouthCorner(
 }
 
 /**
- * Fine lines that run away from the edge of the lip (orbicularis oris).
+ * Fine lines that run away from the edge of a lip (orbicularis oris).
  *
  * @param away 1 upwards, -1 downwards.
  */

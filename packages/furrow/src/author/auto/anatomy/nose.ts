@@ -8,7 +8,7 @@ import {
   type Side,
 } from './region.ts'
 
-/** The sides of the nose: short lines that run outwards from its ridge (nasalis). */
+/** Sides of the nose: short lines that run outwards from the ridge (nasalis). */
 export function nose(context: FaceContext): FaceRegion[] {
   return SIDES.map(([side, name]) => bunnyLines(context, side, name))
 }

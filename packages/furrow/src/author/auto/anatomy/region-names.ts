@@ -15,5 +15,5 @@ export const AUTO_REGIONS = [
   'neck',
 ] as const
 
-/** A part of the face whose wrinkles {@link autoWrinkles} makes. */
+/** Part of the face that {@link autoWrinkles} wrinkles. */
 export type AutoRegion = (typeof AUTO_REGIONS)[number]

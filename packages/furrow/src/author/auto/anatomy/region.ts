@@ -3,94 +3,96 @@ import type { Rng } from '../../../math/rng.ts'
 import { type ChartPoint, unroll } from '../surface/head-chart.ts'
 import type { LandmarkPosition, Landmarks } from '../surface/landmarks.ts'
 
-/** How a line looks. */
+/** Cross-section of a line and its fading. */
 export interface LineStyle {
   /** Full width of the valley in millimetres. */
   width: number
-  /** Depth as a fraction of that of the region's deepest line, 0..1. */
+  /** Depth as a fraction of the region's deepest line, 0..1. */
   depth: number
-  /** Fractions of the length over which it fades in and out. */
+  /** Fractions of the length over which the line fades in and out. */
   taper: readonly [start: number, end: number]
-  /** Height of the raised banks, left and right of its direction, 0..1. */
+  /** Height of the raised banks, left and right along the line, 0..1. */
   shoulder: readonly [left: number, right: number]
-  /** Steeper on the left of its direction than on the right, -0.9..0.9. */
+  /** Asymmetry, -0.9..0.9: positive is steeper on the left of the line. */
   lean?: number
   /** Roundness of the valley's bottom, 0..1. */
   softness: number
-  /** Whether its direction is random, so that no compression is measured across it. */
+  /** Whether the direction is random, so that compression across the line is not measured. */
   isDimple?: boolean
 }
 
-/** A part of the skin and how it creases. */
+/** Part of the skin that creases as one area. */
 export interface SkinRegion {
   /** Name of its area. */
   name: string
-  /** Weights of the blendshapes that crease it most, by ARKit's names or those of the skin. */
+  /** Weights of the blendshapes that crease it most, by ARKit names or the skin's own. */
   cause: Readonly<Record<string, number>>
-  /** ARKit's names of its cause, where others stand in for them. */
+  /** ARKit names of the cause, if other shapes stand in for them. */
   shapes?: readonly string[]
-  /** Millimetres of skin whose shortening one line takes up. */
+  /** Width of skin in millimetres whose shortening one line takes up. */
   spacing: number
   /** Fraction of the compression that shows as creases; soft tissue takes the rest. */
   creasedFraction: number
-  /** In millimetres. */
+  /** Maximum depth in millimetres. */
   maxDepth: number
-  /** Fraction of the depth that a face of 70 years has at rest, 0..1; lines of other skin go with what folds it. */
+  /** Fraction of the depth that remains at rest on a face of 70 years, 0..1. Lines of other skin vanish at rest. */
   atRest?: number
-  /** Compression by muscles that pucker skin within itself, which no target shows: the area is driven by its cause alone. */
+  /** Compression by muscles that pucker the skin, which targets do not show. If set, the cause alone drives the area. */
   assumedCompression?: number
-  /** How far its area reaches beyond its lines, and over what distance it fades out from there, in millimetres. */
+  /** Distance by which its area extends beyond its lines, and distance over which the area then fades out, in millimetres. */
   reach: number
   feather: number
   /** Weight of the area at a point, 0..1, where neighbours share its lines. */
   influence?: (point: ChartPoint) => number
 }
 
-/** Where a crease would run by anatomy alone. */
+/** Anatomical path of a crease. */
 export interface Guide extends LineStyle {
   path: readonly ChartPoint[]
-  /** How far the skin reaches that it takes up, in millimetres to the left (+) or right (-) of its direction; by default it is that along the line. */
+  /**
+   * Width of the skin that the line takes up, in millimetres to the left (+) or right (-) of its direction. Default: skin along the line.
+   */
   gathers?: number
 }
 
-/** A part of a face. */
+/** Part of a face. */
 export interface FaceRegion extends SkinRegion {
   guides: readonly Guide[]
-  /** Blendshapes that the lines are drawn for, where regions share them; its cause by default. */
+  /** Blendshapes that the lines are drawn for, if regions share lines; default: `cause`. */
   expression?: SkinRegion['cause']
 }
 
-/** What regions are made from. */
+/** Input for making regions. */
 export interface FaceContext {
   landmarks: Landmarks
   /** 0 at 20 years, 1 at 80. */
   ageFraction: number
   /** Interpolates between age 20 and age 80. */
   byAge(at20: number, at80: number): number
-  /** Random numbers for one part of the face. */
+  /** Returns random numbers for one part of the face. */
   rngOf(name: string): Rng
 }
 
 /** 1 for the person's left, -1 for the right. */
 export type Side = 1 | -1
 
-/** Both sides, with the endings of ARKit's names. */
+/** Both sides, with the suffixes of ARKit names. */
 export const SIDES = [
   [1, 'Left'],
   [-1, 'Right'],
 ] as const
 
-/** A landmark on the chart of the head. */
+/** Projects a landmark onto the head's chart. */
 export function chartPointOf([x, y, z]: LandmarkPosition): ChartPoint {
   return unroll(x, y, z)
 }
 
-/** Points of a curve, evenly spaced in its parameter 0..1. */
+/** Samples a curve at even steps of its parameter, 0..1. */
 export function sampleCurve(count: number, at: (t: number) => ChartPoint): ChartPoint[] {
   return Array.from({ length: count }, (_, i) => at(i / (count - 1)))
 }
 
-/** A cubic Bezier curve, mirrored to the side. */
+/** Samples a cubic Bezier curve, mirrored to a side. */
 export function bezierPath(
   side: Side,
   a: ChartPoint,

@@ -16,7 +16,7 @@ import { poseOf } from '../surface/pose.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { type Flush, fadeOf, flushesOf } from './flushes.ts'
 
-/** An area that shows blood and no lines, with its delay. */
+/** Area that shows only blood, with its delay. */
 export interface BloodArea {
   name: string
   /** Index of its layer. */
@@ -27,19 +27,19 @@ export interface BloodArea {
 
 /** Blood of automatic wrinkles. */
 export interface AutoBlood {
-  /** That of all layers, see `Layer`. */
+  /** Amplitude of all layers, see `Layer`. */
   amplitude: number
-  /** One for each layer. */
+  /** One map per layer. */
   maps: GrayImage[]
   areas: BloodArea[]
 }
 
-/** Millimetres over which a flush fades in from the areas of lines on the same layer, which would show it. */
+/** Distance in millimetres over which a flush fades in from the areas of lines on the same layer, which would show the flush. */
 const LINE_FADE = 4
 
-/** What blood is drawn from. */
+/** Input for drawing blood. */
 export interface BloodSource {
-  /** Texels of the layers' maps, and of areas. */
+  /** Texels of the layers' maps and of the areas. */
   texels: SkinTexels
   areaTexels: SkinTexels
   layers: readonly { heights: HeightMap }[]
@@ -49,10 +49,10 @@ export interface BloodSource {
 }
 
 /**
- * Draws the blood of each layer: valleys are a little deeper in tone, and flushes of a face are on areas of their own, since blood is slower
- * than lines. Each of these is on the layer with the fewest lines where it is, and gives way to them.
+ * Draws the blood of each layer: valleys are slightly darker. Flushes of a face get their own areas, because blood is slower than lines.
+ * Each flush is on the layer with the fewest lines at its place, and fades out near those lines.
  *
- * @param strength multiplies the amplitude.
+ * @param strength factor on the amplitude.
  */
 export function drawBlood(
   { face, names, isMirrored }: Pick<PreparedSkin, 'face' | 'names' | 'isMirrored'>,
@@ -61,7 +61,7 @@ export function drawBlood(
 ): AutoBlood {
   const maps = source.layers.map(({ heights }) => valleyBlood(heights))
   const flushes = face ? flushesOf(face.landmarks, isMirrored) : []
-  // Blood without lines is a blot.
+  // A flush without lines looks like a blot.
   const creased = new Set(source.regions.map(({ region }) => region.name))
   const shown = flushes.filter((flush) => flush.areas.some((area) => creased.has(area)))
   const areas = face ? drawFlushes(face, shown, names, source, maps) : []
@@ -69,12 +69,12 @@ export function drawBlood(
   return { amplitude, maps, areas }
 }
 
-/** The map of a layer that shows no blood. */
-export function withoutBlood(size: number): GrayImage {
+/** Returns a layer map without blood. */
+export function neutralBlood(size: number): GrayImage {
   return { width: size, height: size, data: new Uint8Array(size * size).fill(BLOOD_AT_REST) }
 }
 
-/** Adds the flushes that the targets of a face cause to the layers' maps, and draws their areas. */
+/** Adds flushes caused by the face's targets to the layers' maps, and draws their areas. */
 function drawFlushes(
   face: DetectedFace,
   flushes: readonly Flush[],
@@ -118,10 +118,10 @@ function drawFlushes(
   return areas
 }
 
-/** Lines of a layer, found as far as flushes give way to their areas. */
+/** Lines of a layer, with the distance at which flushes fade out. */
 interface LineAreas {
   grid: LineGrid
-  /** Millimetres that the area around each line reaches. */
+  /** Distance in millimetres that the area around each line extends. */
   extents: number[]
 }
 
@@ -135,7 +135,7 @@ function linesOf({ regions, layerOf }: BloodSource, layer: number): LineAreas {
   return { grid: new LineGrid([...extentOf.keys()], reaches), extents }
 }
 
-/** Weights of a flush, 255 in its middle: none where skin is hidden. */
+/** Draws the weights of a flush, 255 at its centre, 0 on hidden skin. */
 function drawArea({ chart }: DetectedFace, texels: SkinTexels, flush: Flush, lines: LineAreas): GrayImage {
   const { width, height } = texels
   const data = new Uint8Array(width * height)
@@ -155,8 +155,8 @@ function addFlush(texels: SkinTexels, flush: Flush, lines: LineAreas, { data }: 
 /**
  * Visits the texels of a flush.
  *
- * @param lines those of its layer: neither the flush shows them, nor do their areas show the flush.
- * @param visit gets half of the fading, 0..1: the map and the weights multiply.
+ * @param lines lines of its layer, where the flush fades out: neither shows in the other's area.
+ * @param visit receives the square root of the fade, 0..1, because map and weights multiply.
  */
 function visitFlush(
   texels: SkinTexels,
@@ -176,7 +176,7 @@ function visitFlush(
   })
 }
 
-/** Whether a flush may reach into a box. Heights of the chart are those of space. */
+/** Returns a test whether a flush may reach into a box. Chart heights equal space heights. */
 function isNear({ centre, radii }: Flush): (low: Float64Array, high: Float64Array) => boolean {
   return (low, high) => {
     const isBeside = high[1] < centre[1] - radii[1] || low[1] > centre[1] + radii[1] || high[2] <= -60

@@ -2,22 +2,23 @@ import { SIDES, type SkinRegion } from '../anatomy/region.ts'
 import { type ChartPoint, unroll } from '../surface/head-chart.ts'
 import type { Landmarks } from '../surface/landmarks.ts'
 
-/** A part of a face whose blood an expression changes. */
+/** Part of a face whose blood an expression changes. */
 export interface Flush {
   /** Name of its area. */
   name: string
-  /** It is drawn where one of these areas has lines. */
+  /** Areas of which at least one must have lines. */
   areas: readonly string[]
-  /** An ellipse on the chart of the head, in millimetres: full in the middle, fading out to its edge. */
+  /** Ellipse on the head's chart in millimetres, fading from its centre to its edge. */
   centre: ChartPoint
   radii: ChartPoint
-  /** How much redder it turns, as a fraction of the amplitude; below 0 paler. */
+  /** Increase of redness as a fraction of the amplitude; negative is paler. */
   amount: number
-  /** Weights of the blendshapes that cause it, by ARKit's names. */
+  /** Weights of the blendshapes that cause it, by ARKit names. */
   cause: SkinRegion['cause']
   /**
-   * Seconds, see `TimeDriver`. Skin reddens over seconds and stays red for longer; pressed, it turns pale at once, and takes about a second
-   * to refill: 1.0 s in men and 1.2 s in women, 4.5 s in the elderly, are upper limits of the normal (Schriger, Baraff 1988).
+   * Time constants in seconds, see `TimeDriver`. Skin reddens over seconds and stays red for longer.
+   * Pressed skin turns pale at once and refills within about a second. Upper limits of normal are 1.0 s in men, 1.2 s in women and 4.5 s
+   * in the elderly (Schriger, Baraff 1988).
    */
   attack: number
   release: number
@@ -25,7 +26,7 @@ export interface Flush {
 
 const ENDS = SIDES.map(([, name]) => name)
 
-/** Blendshapes of one side, or half of each. */
+/** Expands weights to one side's blendshapes, or to both sides at half the weight. */
 function causeOf(weights: Readonly<Record<string, number>>, ends: readonly string[]): SkinRegion['cause'] {
   return Object.fromEntries(
     Object.entries(weights).flatMap(([shape, weight]) =>
@@ -34,14 +35,14 @@ function causeOf(weights: Readonly<Record<string, number>>, ends: readonly strin
   )
 }
 
-/** A muscle that works reddens the skin over it within seconds. */
+/** Working muscles redden the skin over them within seconds. */
 const REDDENING = { attack: 1.2, release: 4 }
 const PRESSING = { attack: 0.08, release: 0.9 }
 
 /**
- * The flushes of a face: between the brows, beside the nose, on the cheeks, and the pale lips of a pressed mouth.
+ * Returns the flushes of a face: between the brows, beside the nose, on the cheeks, and the pale lips of a pressed mouth.
  *
- * @param isMirrored whether left and right use the same texels: both sides then redden together, driven half by each.
+ * @param isMirrored whether left and right share texels: both sides then redden together, each driving half.
  */
 export function flushesOf(landmarks: Landmarks, isMirrored: boolean): Flush[] {
   const at = ([x, y, z]: Landmarks['eye']) => unroll(x, y, z)
@@ -95,7 +96,7 @@ export function flushesOf(landmarks: Landmarks, isMirrored: boolean): Flush[] {
   ]
 }
 
-/** How far a flush has faded at a point of the chart: 1 in its middle, 0 from its edge on. */
+/** Returns the fade of a flush at a chart point: 1 at its centre, 0 from its edge. */
 export function fadeOf({ centre, radii }: Flush, [across, up]: ChartPoint): number {
   const square = ((across - centre[0]) / radii[0]) ** 2 + ((up - centre[1]) / radii[1]) ** 2
   return square >= 1 ? 0 : (1 - square) ** 2

@@ -2,8 +2,8 @@ import type { AgeDriver } from '../../../drivers/age/definition.ts'
 import type { SkinRegion } from '../anatomy/region.ts'
 
 /**
- * Years, and how much of its depth at 70 a line has at rest then. In the corners of the eyes lines are formed by 35 (Corcuff et al. 1987), deepen
- * fast from 40 on and little after 60 (Akazaki et al. 2002).
+ * Age in years, and depth at rest as a fraction of that at 70. Lines at the corners of the eyes form by 35 (Corcuff et al. 1987), deepen
+ * fast from 40 and little after 60 (Akazaki et al. 2002).
  */
 const AT_REST: readonly (readonly [years: number, fraction: number])[] = [
   [32, 0],
@@ -14,9 +14,9 @@ const AT_REST: readonly (readonly [years: number, fraction: number])[] = [
 ]
 
 /**
- * Keeps a region's lines when the face is at rest, by the input `age`: what has been folded for long stays so.
+ * Creates the driver that keeps a region's lines at rest by the input `age`: skin folded for long stays creased.
  *
- * @param years of the face until the application sets the input; by default its lines do not show at rest.
+ * @param years initial age until the application sets the input; undefined hides the lines at rest.
  */
 export function ageDriver({ name, atRest }: SkinRegion, years: number | undefined): AgeDriver | undefined {
   if (atRest === undefined) return undefined

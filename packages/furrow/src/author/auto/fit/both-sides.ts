@@ -4,10 +4,10 @@ import type { SkinRegion } from '../anatomy/region.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { type FittedRegion, type MissingRegion, roundWeight } from './fit-driver.ts'
 
-/** Millimetres from the middle beyond which each side has areas of its own. */
+/** Distance from the middle in millimetres beyond which each side has its own areas. */
 const MIDDLE = 5
 
-/** For a texture that both sides share: the areas of the left side, which show on both, each driven by the targets of both. */
+/** Merges sides that share texels: the left areas show on both sides, driven by the targets of both. */
 export function mergeSides(
   fitted: readonly FittedRegion[],
   prepared: Pick<PreparedSkin, 'names' | 'known' | 'hints' | 'find'>,
@@ -17,21 +17,21 @@ export function mergeSides(
     .map(({ region, driver, ...rest }): FittedRegion => {
       const name = region.name.replace(/Left$/, '')
       const { influence } = region
-      const whole: SkinRegion = { ...region, name }
-      if (influence) whole.influence = ([across, up]) => influence([Math.max(MIDDLE, across), up])
+      const merged: SkinRegion = { ...region, name }
+      if (influence) merged.influence = ([across, up]) => influence([Math.max(MIDDLE, across), up])
       const targets = targetsOfBothSides(driver, prepared)
-      return { ...rest, driver: { ...driver, area: name, targets }, region: whole }
+      return { ...rest, driver: { ...driver, area: name, targets }, region: merged }
     })
 }
 
-/** The same for regions that get no area. */
-export function withoutSides(missing: readonly MissingRegion[]): MissingRegion[] {
+/** Merges sides of regions without areas. */
+export function mergeMissingSides(missing: readonly MissingRegion[]): MissingRegion[] {
   return missing
     .filter(({ name }) => !name.endsWith('Right'))
     .map(({ name, reason }) => ({ name: name.replace(/Left$/, ''), reason }))
 }
 
-/** Each target and its counterpart on the other side, at half the weight. */
+/** Splits the weight of each target between the target and its counterpart on the other side. */
 function targetsOfBothSides(
   { targets }: MorphDriver,
   { names, known, hints, find }: Pick<PreparedSkin, 'names' | 'known' | 'hints' | 'find'>,

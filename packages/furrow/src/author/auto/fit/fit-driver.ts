@@ -9,44 +9,44 @@ import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { makeGauge, measureCompression, vectorsAcross } from './gauge.ts'
 import { type Bounds, boundedLeastSquares } from './least-squares.ts'
 
-/** A region with its driver. */
+/** Region with its driver. */
 export interface FittedRegion extends CreasedRegion {
   driver: MorphDriver
-  /** Root mean square of its activation less the measured one, over the poses it was fitted to, 0..1; 0 where nothing is measured. */
+  /** Root mean square error of the activation over the fitted poses, 0..1; 0 if nothing is measured. */
   error: number
 }
 
-/** A region that gets no area, and why. */
+/** Region without an area, with the reason. */
 export interface MissingRegion {
-  /** The name that its area would have. */
+  /** Name that its area would have. */
   name: string
   /** Part of a sentence. */
   reason: string
 }
 
-/** Compression that skin takes up without a line, as a fraction of that of its cause. */
+/** Compression that skin takes up without a line, as a fraction of its cause's compression. */
 const ONSET = 0.12
 /** Compression below which a region does not crease. */
 const MIN_COMPRESSION = 0.012
-/** Fraction of the compression by the strongest single target that counts as fully creased. */
+/** Fraction of the strongest single target's compression that counts as fully creased. */
 const SINGLE_TARGET = 0.7
-/** Targets of a driver at most, and the fraction of the strongest one's compression below which a target is left out. */
+/** Maximum number of targets per driver, and minimum compression of a target as a fraction of the strongest one's. */
 const MAX_TARGETS = 12
 const NEGLIGIBLE = 0.08
-/** Poses that a driver is fitted to, most of them of several targets at once. */
+/** Number of poses to fit a driver to, mostly combinations of targets. */
 const POSES = 120
-/** Bounds of a target's weight: highest of a cause, as a multiple of its weight in it, and of any other target; lowest of any. */
+/** Bounds of a target's weight: maximum of a cause as a multiple of its weight, maximum of other targets, minimum of any. */
 const MAX_CAUSE = 1.2
 const MAX_OTHER = 0.5
 const MIN_WEIGHT = -1
-/** Shapes that stretch skin or roll it over bone; what they push together slides and does not fold. */
+/** Shapes that stretch skin or roll it over bone: skin that they push together slides instead of folding. */
 const TAUT = /^(jaw|tongue|eyeLook|eyeWide|cheekPuff|mouth(Left|Right|Close|Roll))/
 
 /**
- * Fits a driver to what the targets do to the skin of a region. The activation of a pose is its compression across the lines, relative to
- * that of the region's cause.
+ * Fits a driver to the targets' effect on the skin of a region. A pose's activation is its compression across the lines, relative to the
+ * region's cause.
  *
- * @returns a string where no target compresses the skin: the reason.
+ * @returns the reason as a string if no target compresses the skin.
  */
 export function fitDriver(
   {
@@ -71,12 +71,12 @@ export function fitDriver(
   if (!gauge) return 'the mesh has no skin beside its lines'
   const rest = vectorsAcross(gauge, surface.points)
   const bounds = known.map((name, i) => boundsOf(name, shapeNameOf(name, hints[i]), region))
-  const one = { vectors: new Float64Array(rest.length), weight: 1 }
+  const probe = { vectors: new Float64Array(rest.length), weight: 1 }
   const compressions = offsets.map((offset) => {
-    vectorsAcross(gauge, offset, one.vectors)
-    return measureCompression(gauge, rest, [one])
+    vectorsAcross(gauge, offset, probe.vectors)
+    return measureCompression(gauge, rest, [probe])
   })
-  /** Of the few targets that poses have. */
+  /** Vectors of the targets used in poses, computed on demand. */
   const measured = new Map<number, Float64Array>()
   const vectorsOf = (target: number) => {
     const vectors = measured.get(target) ?? vectorsAcross(gauge, offsets[target])
@@ -87,14 +87,14 @@ export function fitDriver(
     const moved = [...pose].map(([target, weight]) => ({ vectors: vectorsOf(target), weight }))
     return measureCompression(gauge, rest, moved)
   }
-  // Full is what the cause does, or nearly what a single plausible target does where that is more.
+  // Full activation: the compression of the cause, or nearly that of the strongest plausible single target if larger.
   const full = compressions.reduce(
     (largest, value, target) => Math.max(largest, bounds[target][1] > 0 ? SINGLE_TARGET * value : 0),
     measure(cause),
   )
   if (Math.min(full, creased.compression) < MIN_COMPRESSION) {
     const most = percent(Math.max(0, Math.min(full, creased.compression)))
-    return `${shapes} shortens the skin across its lines by ${most}, and creases begin at ${percent(MIN_COMPRESSION)}`
+    return `${shapes} shortens the skin across its lines by ${most}; creases begin at ${percent(MIN_COMPRESSION)}`
   }
   const relative = compressions.map((value) => value / full)
   const chosen = strongestTargets(relative)
@@ -132,12 +132,12 @@ function driverOf({ name }: SkinRegion, targets: MorphDriver['targets']): MorphD
   }
 }
 
-/** The driver's curve. */
+/** Evaluates the driver's curve. */
 export function activationOf(relativeCompression: number): number {
   return clamp((relativeCompression - ONSET) / (1 - ONSET), 0, 1)
 }
 
-/** Indices of the targets that change the compression most, by either sign. */
+/** Returns the indices of the targets that change the compression most, by either sign. */
 function strongestTargets(relative: readonly number[]): number[] {
   const largest = relative.reduce((a, b) => Math.max(a, b), 0)
   return relative
@@ -148,7 +148,7 @@ function strongestTargets(relative: readonly number[]): number[] {
     .map(({ target }) => target)
 }
 
-/** The cause, each target alone at full and half weight, and a few targets at once as faces move them. */
+/** Draws poses: the cause, each target alone at full and half weight, and combinations of a few targets as on real faces. */
 function drawPoses(targets: readonly number[], cause: Pose): Pose[] {
   const rng = new Rng(1, 'poses')
   const poses: Pose[] = [cause]
@@ -161,7 +161,7 @@ function drawPoses(targets: readonly number[], cause: Pose): Pose[] {
   return poses
 }
 
-/** Bounds of a target's weight. Targets of the other side, and those that pull the skin taut, only take away. */
+/** Returns the bounds of a target's weight. Targets of the other side, and targets that pull the skin taut, can only reduce it. */
 function boundsOf(name: string, shape: string, { cause, name: area }: SkinRegion): Bounds {
   const own = Object.keys(cause).find((known) => [known, `${known}Left`, `${known}Right`].includes(shape))
   // Targets of the cause do not work against it.
@@ -174,7 +174,7 @@ function percent(fraction: number): string {
   return `${(100 * fraction).toFixed(1)}%`
 }
 
-/** A weight as it is written: more decimals only lengthen the file. */
+/** Rounds a weight for writing: more decimals only lengthen the file. */
 export function roundWeight(weight: number): number {
   return Math.round(1000 * weight) / 1000
 }

@@ -5,23 +5,23 @@ import { LineGrid } from '../../strokes/line-grid.ts'
 import type { SkinRegion } from '../anatomy/region.ts'
 import { unroll } from '../surface/head-chart.ts'
 
-/** Triangles that a region is measured by at most: more of them say no more about the mean of all. */
-const MOST_TRIANGLES = 10_000
+/** Maximum number of triangles per region: more of them hardly change the mean. */
+const MAX_TRIANGLES = 10_000
 
-/** Measures how far poses compress the skin of a region across its lines. */
+/** Measures how far poses compress a region's skin across its lines. */
 export interface Gauge {
   /** Three points per triangle of the region. */
   corners: Uint32Array
-  /** Per triangle the unit vector across the nearest line, as multiples of the triangle's two edges from its first corner. */
+  /** Unit vector across the nearest line per triangle, in multiples of its two edges from the first corner. */
   across: Float64Array
-  /** Per triangle. */
+  /** Weight of each triangle. */
   weights: Float64Array
 }
 
 /**
- * Makes a gauge of the triangles within reach of a region's lines.
+ * Creates a gauge from the triangles within reach of a region's lines.
  *
- * @returns undefined where there are none.
+ * @returns undefined if there are none.
  */
 export function makeGauge(
   surface: SkinSurface,
@@ -34,7 +34,7 @@ export function makeGauge(
   )
   const { points, normals } = surface
   const near = trianglesNear(surface, grid)
-  const every = Math.ceil(near.length / MOST_TRIANGLES)
+  const every = Math.ceil(near.length / MAX_TRIANGLES)
   const [chosen, across, weights]: number[][] = [[], [], []]
   const [normal, perpendicular, centroid] = [new Float64Array(3), new Float64Array(3), new Float64Array(3)]
   for (let i = 0; i < near.length; i += every) {
@@ -66,7 +66,7 @@ export function makeGauge(
   }
 }
 
-/** The triangles whose centroids may be within reach of lines. */
+/** Returns the triangles whose centroids may be within reach of lines. */
 function trianglesNear(surface: SkinSurface, grid: LineGrid): number[] {
   const centroid = new Float64Array(3)
   const near: number[] = []
@@ -84,7 +84,7 @@ function centroidOf({ points, corners }: SkinSurface, triangle: number, out: Flo
   for (let k = 0; k < 3; k++) out[k] = (points[a + k] + points[b + k] + points[c + k]) / 3
 }
 
-/** The unit vector along v, in a triangle's plane, as multiples of the triangle's edges from a to b and from a to c. */
+/** Expresses the unit vector along v, in a triangle's plane, in multiples of its edges from a to b and from a to c. */
 function inEdges(points: ArrayLike<number>, a: number, b: number, c: number, v: ArrayLike<number>) {
   let [uu, uw, ww, uv, wv, vv] = [0, 0, 0, 0, 0, 0]
   for (let k = 0; k < 3; k++) {
@@ -104,10 +104,10 @@ function inEdges(points: ArrayLike<number>, a: number, b: number, c: number, v: 
 }
 
 /**
- * Measures the vectors across the lines in some positions, or how far they move by some offsets.
+ * Computes the vectors across the lines for positions, or their change for offsets.
  *
- * @param values x, y and z by point.
- * @param out takes x, y and z per triangle of the gauge.
+ * @param values packed xyz per point.
+ * @param out receives x, y and z per triangle of the gauge.
  */
 export function vectorsAcross(
   { corners, across }: Gauge,
@@ -127,10 +127,10 @@ export function vectorsAcross(
 }
 
 /**
- * Fraction of its length that the skin loses across the lines in a pose, averaged over the region; below 0 where it is stretched.
+ * Returns the mean fraction of length that the skin loses across the lines in a pose; negative if stretched.
  *
  * @param rest `vectorsAcross` at rest.
- * @param moved those by which each target of the pose moves them, with its weight.
+ * @param moved change of these vectors by each target of the pose, with its weight.
  */
 export function measureCompression(
   { weights }: Gauge,

@@ -4,20 +4,20 @@ import type { SkinLine } from '../../strokes/curve.ts'
 import { LineGrid } from '../../strokes/line-grid.ts'
 import type { CreasedRegion } from '../lines/crease.ts'
 
-/** Cosine of the angle from which on lines of two regions cross. */
+/** Maximum cosine between crossing lines of two regions. */
 const CROSSING = cos((35 * Math.PI) / 180)
 
 /**
- * Distributes regions over layers so that those whose lines cross can crease independently. Left and right, and regions that share their
+ * Distributes regions over layers so that regions with crossing lines can crease independently. Left and right, and regions that share
  * lines, stay together.
  *
- * @param maxLayers 1 to 4; regions that cross all the same share a layer.
+ * @param maxLayers 1..4; if they do not suffice, crossing regions share a layer.
  * @returns the layer of each region, from 0.
  */
 export function assignLayers(regions: readonly CreasedRegion[], maxLayers: number): number[] {
   const groups: CreasedRegion[][] = []
   for (const region of regions) {
-    const group = groups.find(([first]) => belongTogether(first, region))
+    const group = groups.find(([first]) => shareLayer(first, region))
     if (group) group.push(region)
     else groups.push([region])
   }
@@ -37,7 +37,7 @@ export function assignLayers(regions: readonly CreasedRegion[], maxLayers: numbe
   return regions.map((region) => layers[groups.findIndex((group) => group.includes(region))])
 }
 
-function belongTogether(a: CreasedRegion, b: CreasedRegion): boolean {
+function shareLayer(a: CreasedRegion, b: CreasedRegion): boolean {
   const withoutSide = ({ region }: CreasedRegion) => region.name.replace(/(Left|Right)$/, '')
   return a.creases === b.creases || withoutSide(a) === withoutSide(b)
 }
@@ -50,7 +50,7 @@ function gridOf({ region, creases }: CreasedRegion): LineGrid {
   )
 }
 
-/** Points of a region's lines within reach of another's at which these run in another direction. */
+/** Counts the points of a region's lines that are within reach of another region's lines in a different direction. */
 function countCrossings({ creases }: CreasedRegion, other: CreasedRegion, grid: LineGrid): number {
   let count = 0
   for (const crease of creases) {
@@ -66,7 +66,7 @@ function countCrossings({ creases }: CreasedRegion, other: CreasedRegion, grid: 
   return count
 }
 
-/** Of the angle between segments of two lines, whichever way they run. */
+/** Returns the absolute cosine of the angle between segments of two lines. */
 function cosineBetween(one: SkinLine, i: number, other: SkinLine, k: number): number {
   readSegment(a, one, i)
   readSegment(b, other, k)

@@ -1,18 +1,19 @@
 import { clamp } from '../../../math/scalar.ts'
 
-/** Iterations of the solver. */
+/** Number of solver iterations. */
 const ITERATIONS = 60
-/** Weight of the prior, per row (Tikhonov regularisation). */
+/** Weight of the prior per row (Tikhonov regularisation). */
 const RIDGE = 0.02
 
 export type Bounds = readonly [low: number, high: number]
 
 /**
- * Weights w within bounds that minimise |A w - b|^2, drawn to a prior where A leaves them undetermined: the normal equations, by
+ * Finds weights w within bounds that minimise |A w - b|^2, pulled to a prior if A does not determine them. Solves the normal equations by
  * projected Gauss-Seidel (Murty: Linear Complementarity, 9.3).
  *
  * @param rows of A.
- * @param prior one per weight, as are the bounds.
+ * @param prior one value per weight.
+ * @param bounds one pair per weight.
  */
 export function boundedLeastSquares(
   rows: readonly number[][],

@@ -14,19 +14,19 @@ import { netDrivers } from './net-drivers.ts'
 import { netWeights } from './net-weights.ts'
 import { FURROW_LAYER, type PlannedNet } from './plan-net.ts'
 
-/** An area of fine furrows. */
+/** Area of fine furrows. */
 export interface FurrowArea {
   name: string
   /** Index of its layer. */
   layer: number
   weights: GrayImage
-  /** Deepens the furrows where skin is squeezed, and smooths them where it is pulled. */
+  /** Deepens the furrows where skin is squeezed, and smooths them where it is stretched. */
   driver: MorphDriver
 }
 
-/** The net of fine furrows of automatic wrinkles, whose layer is the last one. */
+/** Net of fine furrows, on the last layer. */
 export interface AutoFurrows {
-  /** As a strokes document has it: with the strokes of all layers, `addFurrows` draws it as the layer's `heights`. */
+  /** Net as in a strokes document: with the strokes of all layers, `addFurrows` draws the layer's `heights`. */
   furrows: Furrows
   areas: FurrowArea[]
 }
@@ -34,7 +34,7 @@ export interface AutoFurrows {
 /**
  * Draws the net of a face and its areas.
  *
- * @param drawn the layers of lines, which the net follows; its own comes behind them.
+ * @param drawn layers of lines that the net follows; its own layer comes last.
  */
 export function drawNet(
   prepared: PreparedSkin & { face: DetectedFace },
@@ -42,7 +42,7 @@ export function drawNet(
   { layers, areaTexels }: Pick<AutoMaps, 'layers' | 'areaTexels'>,
   { size, frame }: MapSettings,
 ): { layer: AutoLayer; net: AutoFurrows } {
-  // In the frame of the mesh, as a document is drawn: the net depends on it.
+  // Use mesh coordinates, like a document is drawn, because the net depends on them.
   const canvas = skinCanvas(prepared.skin, size, size, prepared.scale)
   const { heights, occlusion } = flatSkin(size, size)
   addFurrows(
@@ -62,7 +62,7 @@ export function drawNet(
   return { layer: { name: FURROW_LAYER, strokes: [], normal, heights, occlusion }, net: { furrows, areas } }
 }
 
-/** Weights of the areas; none where skin is not visible from outside. */
+/** Draws the weights of the areas, 0 on hidden skin. */
 function drawWeights(
   { chart }: DetectedFace,
   regions: PlannedNet['regions'],

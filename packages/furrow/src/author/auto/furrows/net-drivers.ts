@@ -7,19 +7,20 @@ import type { DetectedFace } from '../surface/detect-face.ts'
 import { netWeights } from './net-weights.ts'
 import { AT_REST, type PlannedRegion } from './plan-net.ts'
 
-/** Fraction of its area that the skin of a region loses where its furrows are deepest, and gains where they have gone furthest. */
+/** Fractions of area that skin loses where its furrows are deepest, and gains where they are smoothest. */
 const SQUEEZED = 0.12
 const PULLED = 0.2
-/** Activation of skin that is pulled so far. */
+/** Activation of skin stretched by that fraction. */
 const SMOOTH = 0.1
-/** Fractions of the area below which a target is left out, and targets at most. */
+/** Minimum effect of a target as a fraction of the area, and maximum number of targets. */
 const NEGLIGIBLE = 0.004
-const MOST_TARGETS = 24
+const MAX_TARGETS = 24
 
 /**
- * Finds how far each target squeezes the skin of each region. Skin becomes rougher where it is compressed, and smoother where it is stretched
- * (Nagano et al. 2015, Skin microstructure deformation with displacement map convolution). The fraction of its area that skin loses is
- * nearly linear in the weights of targets, so that their sum drives the area.
+ * Measures how far each target squeezes the skin of each region.
+ * Compressed skin gets rougher, stretched skin smoother (Nagano et al. 2015, Skin microstructure deformation with displacement map
+ * convolution).
+ * The lost fraction of area is nearly linear in the target weights, so their sum drives the area.
  */
 export function netDrivers(
   { chart, surface, offsets, names }: DetectedFace,
@@ -64,11 +65,11 @@ export function netDrivers(
   }))
 }
 
-/** Those that count, the strongest first. */
+/** Returns the relevant links, strongest first. */
 function strongest(links: readonly { name: string; weight: number }[]): MorphDriver['targets'] {
   return links
     .filter(({ weight }) => Math.abs(weight) >= NEGLIGIBLE)
     .sort((a, b) => Math.abs(b.weight) - Math.abs(a.weight))
-    .slice(0, MOST_TARGETS)
+    .slice(0, MAX_TARGETS)
     .map(({ name, weight }) => ({ name, weight: roundWeight(weight) }))
 }

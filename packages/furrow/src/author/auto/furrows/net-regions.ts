@@ -3,20 +3,20 @@ import type { AutoRegion } from '../anatomy/region-names.ts'
 import { type ChartPoint, unroll } from '../surface/head-chart.ts'
 import type { Landmarks } from '../surface/landmarks.ts'
 
-/** A part of a face whose net of furrows deepens and smooths out as one. */
+/** Part of a face whose furrows deepen and smooth out together. */
 export interface NetRegion {
   /** Name of its area. */
   name: string
-  /** It is drawn where one of these is wanted. */
+  /** Regions of which at least one must be requested. */
   regions: readonly AutoRegion[]
-  /** Spheres round points of the chart; radii in millimetres. */
+  /** Spheres around chart points; radii in millimetres. */
   spheres: readonly { centre: ChartPoint; radius: number }[]
-  /** Millimetres across a cell, and of depth at rest. */
+  /** Size and depth of its cells at rest, in millimetres. */
   size: number
   depth: number
 }
 
-/** Cells of a net at 30 years: millimetres across, and of depth. */
+/** Cells of a net at 30 years: size and depth in millimetres. */
 const AT_30 = {
   forehead: { size: 1.3, depth: 0.04 },
   brows: { size: 1.3, depth: 0.04 },
@@ -28,9 +28,9 @@ const AT_30 = {
 } as const
 
 /**
- * Years, and what the net then is of that at 30. Its depth does not change until forty, grows from fifty on, and has doubled after eighty;
- * meanwhile it has fewer furrows (Corcuff et al. 1983, Skin relief and aging), which have one direction more and more (Lagarde et al. 2005,
- * Topography and anisotropy of the skin surface with ageing).
+ * Factors on the net at 30 years by age. Depth is constant until 40, grows from 50, and has doubled after 80; meanwhile furrows get fewer
+ * (Corcuff et al. 1983, Skin relief and aging).
+ * They align increasingly in one direction (Lagarde et al. 2005, Topography and anisotropy of the skin surface with ageing).
  */
 const BY_AGE = [
   { years: 20, size: 1, depth: 1, stretch: 1.25 },
@@ -39,7 +39,7 @@ const BY_AGE = [
   { years: 80, size: 1.3, depth: 2.1, stretch: 2 },
 ] as const
 
-/** How a net has aged: factors on what it is at 30, and how many times as long cells are as wide. */
+/** Interpolates the net's factors and the stretch of its cells at an age. */
 export function ageOfNet(years: number): { size: number; depth: number; stretch: number } {
   const next = Math.max(
     1,
@@ -54,7 +54,7 @@ export function ageOfNet(years: number): { size: number; depth: number; stretch:
   }
 }
 
-/** The parts of a face that have a net. */
+/** Returns the parts of a face with a net. */
 export function netRegionsOf(landmarks: Landmarks, age: number): NetRegion[] {
   const at = ([x, y, z]: Landmarks['eye']) => unroll(x, y, z)
   const [, brow] = at(landmarks.innerBrow)

@@ -1,9 +1,9 @@
 import type { PlannedRegion } from './plan-net.ts'
 
 /**
- * Weights of the regions of a net at a position: they sum to 1 where there is a net, so that it runs through all regions.
+ * Computes the weights of a net's regions at a position. They sum to 1 wherever there is a net, so the net is continuous across regions.
  *
- * @param out takes one weight per region.
+ * @param out receives one weight per region.
  */
 export function netWeights(
   regions: readonly PlannedRegion[],

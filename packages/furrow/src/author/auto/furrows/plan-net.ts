@@ -13,22 +13,22 @@ import { ageOfNet, netRegionsOf } from './net-regions.ts'
 /** Name of the layer. */
 export const FURROW_LAYER = 'furrows'
 
-/** Activation at rest, between that of skin that is pulled and of skin that is squeezed. */
+/** Activation at rest, between stretched and squeezed skin. */
 export const AT_REST = 0.5
 
-/** Fraction of its regions that a net must be in: it costs a layer. */
-const LEAST_PART = 0.5
+/** Minimum fraction of the regions that a net must cover, because it costs a layer. */
+const MIN_COVERAGE = 0.5
 
-/** A part of a net, and where its spheres are in the frame of the face. */
+/** Part of a net, with the positions of its spheres in face coordinates. */
 export interface PlannedRegion {
   name: string
   spheres: readonly { position: readonly [number, number, number]; radius: number }[]
 }
 
-/** The net of a face before it is drawn. */
+/** Net of a face before it is drawn. */
 export interface PlannedNet {
   regions: readonly PlannedRegion[]
-  /** As a strokes document has it. */
+  /** Net as in a strokes document. */
   furrows: Furrows
 }
 
@@ -42,9 +42,9 @@ export interface NetSettings {
 }
 
 /**
- * Chooses where the net of a face is, and how large its cells are.
+ * Chooses the regions of a face's net and the size of its cells.
  *
- * @returns no net where texels are too large for most of it; with the regions that are left out for that.
+ * @returns no net if texels are too large in most regions; also the regions left out.
  */
 export function planNet(
   prepared: PreparedSkin & { face: DetectedFace },
@@ -82,8 +82,8 @@ export function planNet(
       })
     }
   }
-  if (planned.length < LEAST_PART * (planned.length + missing.length)) {
-    const reason = 'the net of fine furrows would be in few regions alone'
+  if (planned.length < MIN_COVERAGE * (planned.length + missing.length)) {
+    const reason = 'too few regions can have fine furrows'
     return { net: undefined, missing: [...missing, ...planned.map(({ name }) => ({ name, reason }))] }
   }
   if (documented.length === 0) return { net: undefined, missing }
@@ -99,7 +99,7 @@ export function planNet(
   return { net: { regions: planned, furrows }, missing }
 }
 
-/** Millimetres across a texel: the root of its area on a triangle. */
+/** Returns the texel size in millimetres on a triangle: the square root of a texel's area. */
 function texelSize({ skin, surface }: PreparedSkin, triangle: number, size: number): number {
   const [a, b, c] = skinVertices(skin, surface, triangle)
   const uv = (vertex: number) => [skin.uvs[2 * vertex], skin.uvs[2 * vertex + 1]] as const
@@ -108,11 +108,11 @@ function texelSize({ skin, surface }: PreparedSkin, triangle: number, size: numb
   return Math.sqrt(crossOf(surface.points, ...cornersOf(surface, triangle), new Float64Array(3)) / texels)
 }
 
-/** @param texel millimetres across one of a map of this size. */
+/** @param texel size of a texel in millimetres, in a map of this size. */
 function tooFine(width: number, texel: number, size: number): string {
   let enough = size
   while (width * enough < MIN_TEXELS * texel * size) enough *= 2
-  return `fine furrows are less than two texels wide there, and more with a size of ${enough}`
+  return `fine furrows are narrower than two texels there; use a size of ${enough}`
 }
 
 function uvOf({ surface, locator }: PreparedSkin, triangle: number, position: ArrayLike<number>): Uv {

@@ -2,36 +2,36 @@ import { cross, dot, length } from '../../../math/vector.ts'
 import type { SkinLine } from '../../strokes/curve.ts'
 import { PointGrid } from './point-grid.ts'
 
-/** Points of a line from one sample to the next. */
-const EVERY = 5
-/** Distances to a neighbouring line in spacings: nearer ones are pieces of the same line, those farther away have skin of their own. */
-const NEAREST = 0.35
-const FARTHEST = 1.6
-/** Fraction of a line along which it must have a neighbour for its bank to reach there. */
-const ALONG = 0.4
-/** How far a bank reaches where there is none, in spacings. */
-const ALONE = 0.8
-/** Neighbours less deep than this, as a fraction of the line's depth, lie on its bank and do not end it. */
-const SHALLOW = 0.5
+/** Step between samples of a line, in points. */
+const SAMPLE_STEP = 5
+/** Range of distances to a neighbouring line, in spacings. Nearer points are pieces of the same line; farther lines share no skin. */
+const MIN_DISTANCE = 0.35
+const MAX_DISTANCE = 1.6
+/** Minimum fraction of a line along which it must have a neighbour for its bank to end there. */
+const MIN_COVERAGE = 0.4
+/** Reach of a bank without a neighbour, in spacings. */
+const DEFAULT_REACH = 0.8
+/** Neighbours shallower than this fraction of the line's depth lie on its bank and do not end it. */
+const MIN_DEPTH = 0.5
 
 /**
- * How far the banks of lines reach, left and right of each in millimetres: to the neighbouring line, so that both have one bulge of skin in
- * common.
+ * Computes the reach of banks, left and right of each line in millimetres: up to the neighbouring line, so that both share one bulge of
+ * skin.
  *
- * @param depths of the lines, to compare them by.
- * @param spacing from line to line, about.
+ * @param depths relative depths of the lines.
+ * @param spacing approximate distance between lines in millimetres.
  */
 export function bankReaches(
   lines: readonly SkinLine[],
   depths: readonly number[],
   spacing: number,
 ): [left: number, right: number][] {
-  const neighbours = new LinePoints(lines, FARTHEST * spacing)
+  const neighbours = new LinePoints(lines, MAX_DISTANCE * spacing)
   return lines.map((line, index) => {
-    const isDeep = (other: number) => other !== index && depths[other] >= SHALLOW * depths[index]
+    const isDeep = (other: number) => other !== index && depths[other] >= MIN_DEPTH * depths[index]
     const distances: [number[], number[]] = [[], []]
     let samples = 0
-    for (let i = 0; i + 5 < line.points.length; i += 3 * EVERY) {
+    for (let i = 0; i + 5 < line.points.length; i += 3 * SAMPLE_STEP) {
       samples++
       const nearest = nearestBeside(
         line,
@@ -40,23 +40,24 @@ export function bankReaches(
         spacing,
       )
       for (const [side, distance] of nearest.entries()) {
-        if (distance <= FARTHEST * spacing) distances[side].push(distance)
+        if (distance <= MAX_DISTANCE * spacing) distances[side].push(distance)
       }
     }
-    const reachOf = (found: number[]) => (found.length > ALONG * samples ? median(found) : ALONE * spacing)
+    const reachOf = (found: number[]) =>
+      found.length > MIN_COVERAGE * samples ? median(found) : DEFAULT_REACH * spacing
     return [reachOf(distances[0]), reachOf(distances[1])]
   })
 }
 
-/** The points of lines, searched by position: the cost does not grow with lines that are far away. */
+/** Points of lines, indexed by position: distant lines cost nothing. */
 class LinePoints {
   readonly #lines: readonly SkinLine[]
   readonly #grid: PointGrid
-  /** Line and offset of the coordinates of each point of the grid. */
+  /** Line of each grid point, and offset of its coordinates. */
   readonly #lineOf: number[] = []
   readonly #offsetOf: number[] = []
 
-  /** @param reach distance up to which points are found. */
+  /** @param reach search radius. */
   constructor(lines: readonly SkinLine[], reach: number) {
     this.#lines = lines
     this.#grid = new PointGrid(reach)
@@ -69,7 +70,7 @@ class LinePoints {
     }
   }
 
-  /** Coordinates of the nearest point of each line that is within reach, and of some that are farther away. */
+  /** Returns the nearest point of each line within reach; may include more distant lines. */
   nearest(position: Float64Array, isSearched: (line: number) => boolean): Float64Array[] {
     const found = new Map<number, { point: number; square: number }>()
     this.#grid.visitNear(position, (point, square) => {
@@ -79,7 +80,7 @@ class LinePoints {
         if (isSearched(line)) found.set(line, { point, square })
         return
       }
-      // The first of points at the same distance.
+      // On a tie, the first point wins.
       if (square > before.square || (square === before.square && point > before.point)) return
       before.point = point
       before.square = square
@@ -91,7 +92,7 @@ class LinePoints {
   }
 }
 
-/** From a point of a line to the nearest of other lines' points on its left and on its right. */
+/** Returns the distances from a point of a line to the nearest of the other points on its left and right. */
 function nearestBeside(
   { points, normals }: SkinLine,
   i: number,
@@ -105,8 +106,8 @@ function nearestBeside(
   for (const other of others) {
     const offset = [0, 1, 2].map((k) => other[k] - points[i + k])
     const distance = length(offset)
-    if (distance < NEAREST * spacing) continue
-    // Beside the line, and not ahead of it.
+    if (distance < MIN_DISTANCE * spacing) continue
+    // Only points beside the line, not ahead of it.
     const across = dot(offset, right) / (length(right) * distance)
     if (Math.abs(across) < Math.SQRT1_2) continue
     const side = across < 0 ? 0 : 1

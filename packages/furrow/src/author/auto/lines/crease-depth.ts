@@ -2,17 +2,19 @@ import { clamp } from '../../../math/scalar.ts'
 import { addSection, HeightSum } from '../../strokes/height-sum.ts'
 import { type CrossSection, sectionReach } from '../../strokes/lay-out.ts'
 
-/** Steps from one line to the next. */
+/** Number of steps between two lines. */
 const STEPS = 256
-/** Bisections of the range of depths: to a thousandth of a millimetre. */
+/** Number of bisections of the depth range: resolves a thousandth of a millimetre. */
 const BISECTIONS = 16
 
 /**
- * Depth of valleys that take up the length that skin loses: of a length dx at rest (1 - e) dx is left, over which the profile must be dx
- * long, so the mean of sqrt((1 - e)^2 + h'^2) over one spacing is 1.
+ * Computes the depth of valleys that take up the length lost by skin.
+ * A length dx at rest shrinks to (1 - e) dx, and the profile over it must still be dx long. So the mean of sqrt((1 - e)^2 + h'^2) over
+ * one spacing is 1.
  *
  * @param compression e, 0..1.
- * @param spacing from line to line, and half the width of a valley, in millimetres.
+ * @param spacing distance between lines in millimetres.
+ * @param halfWidth half width of a valley in millimetres.
  */
 export function creaseDepth(
   compression: number,
@@ -34,7 +36,7 @@ export function creaseDepth(
   return low
 }
 
-/** Heights from one of many parallel lines of depth 1 to the next. */
+/** Returns the heights between two of many parallel lines of depth 1. */
 function heightsBetween(spacing: number, halfWidth: number, section: CrossSection): number[] {
   const sum = new HeightSum()
   const lines = 1 + Math.ceil((sectionReach(section) * halfWidth) / spacing)

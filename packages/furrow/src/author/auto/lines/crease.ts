@@ -12,51 +12,51 @@ import { type LaidLine, MIN_POINTS } from './laid-line.ts'
 import { type StrokedSkin, strokeOf, uvAt } from './stroke-of.ts'
 import { STEP } from './trace.ts'
 
-/** The creases of a region. */
+/** Creases of a region. */
 export interface RegionCreases {
-  /** The lines that skin folds along: all but dimples. Strokes follow them within a tolerance. */
+  /** Fold lines: all lines except dimples. Strokes follow them within a tolerance. */
   folds: readonly SkinLine[]
   strokes: readonly Stroke[]
-  /** The strokes on the skin. */
+  /** Strokes laid on the skin. */
   creases: readonly LaidStroke[]
   /** Fraction by which the expression shortens the skin across the lines, where it does. */
   compression: number
 }
 
-/** A region whose lines are laid on the skin. Regions that share their lines have the same array of creases. */
+/** Region with its lines laid on the skin. Regions that share lines share one array of creases. */
 export interface CreasedRegion extends RegionCreases {
   region: SkinRegion
 }
 
-/** How lines are laid. */
+/** Settings for laying lines. */
 export interface LineSettings {
   /** 0 at 20 years, 1 at 80. */
   ageFraction: number
-  /** Multiplies the depth. */
+  /** Factor on the depth. */
   strength: number
   seed: number
 }
 
-/** Fraction of the depth that is left where the expression does not compress the skin. */
+/** Fraction of the depth that remains where the expression does not compress the skin. */
 const MIN_DEPTH = 0.3
 /**
- * Fraction by which a line is shallower here and there, and millimetres from one such place to the next, about. What it takes up goes with the
- * square of its depth, whose mean along the line is UNIFORM squared.
+ * Maximum random reduction of a line's depth as a fraction, and its approximate wavelength in millimetres.
+ * The skin taken up grows with the square of the depth. UNIFORM is the root mean square of the reduced depth along a line.
  */
 const VARIATION = 0.4
 const WAVELENGTH = 8
 const UNIFORM = 0.81
-/** Slope of a bank's outer side at most, 10 degrees: a steeper one catches the light as a white rim. */
-const STEEPEST = 0.18
-/** Points to either side over which a line's compression is averaged. */
-const AVERAGED = 6
-/** Fraction of the points of all lines that may be compressed more than the region's compression. */
+/** Maximum slope of a bank's outer side (10 degrees): steeper ones catch the light as a white rim. */
+const MAX_BANK_SLOPE = 0.18
+/** Number of points to either side over which a line's compression is averaged. */
+const AVERAGE_RADIUS = 6
+/** Fraction of all line points that may exceed the region's compression. */
 const ABOVE = 0.3
 
 /**
- * Makes strokes of lines: deep enough to take up the length that the skin loses, and shallower where it loses less.
+ * Converts lines to strokes deep enough to take up the length that the skin loses, and shallower where it loses less.
  *
- * @param strength multiplies the depth.
+ * @param strength factor on the depth.
  */
 export function creaseLines(
   prepared: StrokedSkin,
@@ -93,7 +93,7 @@ export function creaseLines(
       const fullDepth = creaseDepth(creasedFraction * compression, spacing, style.width / 2, section)
       return strength * style.depth * Math.min(maxDepth, fullDepth / UNIFORM)
     }
-    // With lower banks the valley takes up more.
+    // Lower banks let the valley take up more.
     const depth = depthOf(gentleBanks(style, deepest * depthOf(style.shoulder), banks[i]))
     const shoulder = gentleBanks(style, deepest * depth, banks[i])
     const gentle = { ...line, style: { ...style, shoulder } }
@@ -103,18 +103,18 @@ export function creaseLines(
   return { folds, strokes, creases, compression }
 }
 
-/** Heights of a line's banks such that none is steeper than STEEPEST. */
+/** Limits the heights of a line's banks so that none is steeper than MAX_BANK_SLOPE. */
 function gentleBanks(
   { width, shoulder: [left, right] }: LineStyle,
   depth: number,
   reaches: readonly [number, number] | undefined,
 ): LineStyle['shoulder'] {
   if (!reaches) return [left, right]
-  const most = reaches.map((reach) => STEEPEST / bankSlope(depth, width / 2, reach))
+  const most = reaches.map((reach) => MAX_BANK_SLOPE / bankSlope(depth, width / 2, reach))
   return [Math.min(left, most[0]), Math.min(right, most[1])]
 }
 
-/** Factors on a line's depth: by how far the skin is compressed there, and by chance. */
+/** Computes factors on a line's depth from the local compression and noise. */
 function depthFactors({ compressions, variation }: LaidLine & { variation: number }, full: number): number[] {
   return movingAverage(compressions).map((compression, i) => {
     const relative = full > 0 ? Math.min(1, Math.max(0, compression) / full) : 0
@@ -123,7 +123,7 @@ function depthFactors({ compressions, variation }: LaidLine & { variation: numbe
   })
 }
 
-/** A line with the skin's normals. */
+/** Returns a line with the skin's normals. */
 function foldOf({ points, triangles }: LaidLine, { surface }: StrokedSkin): SkinLine {
   const normals = new Float64Array(points.length)
   const [weights, normal] = [new Float64Array(3), new Float64Array(3)]
@@ -135,7 +135,7 @@ function foldOf({ points, triangles }: LaidLine, { surface }: StrokedSkin): Skin
   return { points, normals }
 }
 
-/** The parts of a line inside the texture and on triangles that are drawn; where it is cut it does not fade. */
+/** Returns the parts of a line inside the texture and on drawn triangles, without fading at cuts. */
 function clipToDrawn(line: LaidLine, skin: StrokedSkin): LaidLine[] {
   const { points, triangles, compressions, style } = line
   const isDrawn = (i: number) =>
@@ -158,10 +158,10 @@ function clipToDrawn(line: LaidLine, skin: StrokedSkin): LaidLine[] {
   return parts
 }
 
-/** Over a few millimetres: a line does not change its depth from triangle to triangle. */
+/** Averages over a few millimetres, so that a line's depth does not jump between triangles. */
 function movingAverage(values: readonly number[]): number[] {
   return values.map((_, i) => {
-    const window = values.slice(Math.max(0, i - AVERAGED), i + AVERAGED + 1)
+    const window = values.slice(Math.max(0, i - AVERAGE_RADIUS), i + AVERAGE_RADIUS + 1)
     return window.reduce((a, b) => a + b, 0) / window.length
   })
 }

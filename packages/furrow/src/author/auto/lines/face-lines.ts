@@ -4,7 +4,7 @@ import { type CreasedRegion, creaseLines, type LineSettings, type RegionCreases 
 import { layGuides } from './guided-lines.ts'
 import type { StrokedSkin } from './stroke-of.ts'
 
-/** Lays the lines of anatomical regions on a face, none where it has no skin. Regions that share their guides share their creases. */
+/** Lays the lines of anatomical regions on a face, skipping missing skin. Regions that share guides share creases. */
 export function layFaceLines(
   prepared: StrokedSkin,
   { surface, chart }: DetectedFace,

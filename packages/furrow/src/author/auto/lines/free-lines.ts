@@ -7,37 +7,37 @@ import type { LaidLine } from './laid-line.ts'
 import { PointGrid } from './point-grid.ts'
 import { type DirectionField, STEP, type Trace, traceLine } from './trace.ts'
 
-/** Distance to all other lines that a line has at least where it begins, and where it continues, in spacings. */
+/** Minimum distance to other lines at a line's start and along it, in spacings. */
 const START_DISTANCE = 0.9
 const MIN_DISTANCE = 0.6
-/** Length of the shortest line, in spacings. */
+/** Minimum length of a line in spacings. */
 const MIN_LENGTH = 1.5
-/** In millimetres. */
+/** Maximum length of a line in millimetres. */
 const MAX_LENGTH = 120
 
 export interface FreeLineSettings {
-  /** Millimetres from line to line. */
+  /** Distance between lines in millimetres. */
   spacing: number
-  /** Compression that skin must have for a line to continue. */
+  /** Minimum compression of the skin for a line to continue. */
   minCompression: number
-  /** Length of all lines together, in millimetres, at most: lines begin where the skin is shortened most. */
-  mostMillimetres: number
+  /** Maximum total length of lines in millimetres; the most compressed skin comes first. */
+  maxTotalLength: number
   style: LineStyle
 }
 
 /**
- * Lays lines on skin of which only the strain is known: across the direction in which it is shortened most, evenly spaced (Jobard and
- * Lefer 1997, Creating evenly-spaced streamlines of arbitrary density), beginning where it is shortened most.
+ * Lays evenly spaced lines on skin without anatomy, across the direction of maximum compression (Jobard and Lefer 1997, Creating
+ * evenly-spaced streamlines of arbitrary density). Starts where compression is largest.
  */
 export function layFreeLines(
   surface: SkinSurface,
   tensors: Float64Array,
-  { spacing, minCompression, mostMillimetres, style }: FreeLineSettings,
+  { spacing, minCompression, maxTotalLength, style }: FreeLineSettings,
 ): LaidLine[] {
   const occupied = new PointGrid(spacing)
   const lines: LaidLine[] = []
-  let left = mostMillimetres
-  // The next seed is the last of the array: taking the first of a long one moves all others.
+  let left = maxTotalLength
+  // Seeds are popped from the end, because shifting a long array is slow.
   const seeds = mostCompressed(surface, tensors, minCompression).reverse()
   const isFree = (position: ArrayLike<number>) => occupied.distance(position) > MIN_DISTANCE * spacing
   for (let seed = seeds.pop(); seed; seed = seeds.pop()) {
@@ -49,13 +49,13 @@ export function layFreeLines(
     left -= length
     occupied.add(line.points)
     lines.push({ style, ...line })
-    // The neighbours' seeds, one spacing to either side, come before all others.
+    // The neighbours' seeds, one spacing to either side, come first.
     seeds.push(...seedsBeside(surface, tensors, path, spacing).reverse())
   }
   return lines
 }
 
-/** The centroids of triangles that are compressed at least so much, the most compressed first. */
+/** Returns the centroids of triangles above a minimum compression, most compressed first. */
 function mostCompressed(surface: SkinSurface, tensors: Float64Array, minCompression: number): SurfacePoint[] {
   const { points, corners } = surface
   const centroid = Float64Array.of(1 / 3, 1 / 3, 1 / 3)
@@ -116,7 +116,7 @@ function traceStreamline(
   return { points, triangles, compressions: compressions.slice(0, count), path: path.slice(0, count) }
 }
 
-/** Points one spacing away from a line, on both sides, along its path. */
+/** Returns seeds one spacing to either side of a line. */
 function seedsBeside(
   surface: SkinSurface,
   tensors: Float64Array,
@@ -144,7 +144,8 @@ function seedsBeside(
 }
 
 /**
- * Principal directions have no sign: the first gets the given one, each later one that by which the line does not turn back.
+ * Returns a function that orients principal directions, which have no sign: the first by the given sign, later ones so that the line does
+ * not turn back.
  *
  * @param first 1 or -1.
  */
@@ -158,7 +159,7 @@ function consistentSign(first: number): (direction: ArrayLike<number>, out: Floa
   }
 }
 
-/** The points of a line in the opposite order. */
+/** Reverses the order of a line's points. */
 function reversed(points: readonly number[]): number[] {
   const out: number[] = []
   for (let i = points.length - 3; i >= 0; i -= 3) out.push(...points.slice(i, i + 3))

@@ -9,21 +9,21 @@ import { type ChartPoint, type HeadChart, rollUp, unroll } from '../surface/head
 import { type LaidLine, MIN_POINTS } from './laid-line.ts'
 import { type DirectionField, traceLine } from './trace.ts'
 
-/** How strongly a line is drawn back to its guide, per millimetre of distance. */
+/** Strength of the pull back to the guide, per millimetre of distance. */
 const PULL = 0.35
-/** Fraction of the angle to the direction of strain that a line turns, and the largest turn in radians. */
+/** Fraction of the angle to the strain's direction by which a line turns, and maximum turn in radians. */
 const YIELD = 0.5
 const MAX_TURN = 0.3
-/** Compression from which on its direction is fully trusted. */
+/** Compression at which the strain's direction is fully trusted. */
 const TRUSTED = 0.05
-/** Steps over the skin beside a line that it gathers. */
+/** Number of steps over the skin that a line gathers beside it. */
 const GATHERED = 5
 
 /**
- * Lays guides on the skin: each line begins where its guide does and follows it, turned a little towards the direction of strain.
+ * Lays guides on the skin: each line starts at its guide and follows it, turned slightly towards the strain's direction.
  *
  * @param tensors `compressionTensors` of the expression.
- * @returns the lines that begin on skin.
+ * @returns the lines that start on skin.
  */
 export function layGuides(
   surface: SkinSurface,
@@ -75,8 +75,8 @@ function followGuide(
 }
 
 /**
- * The mean compression across a line, from it to so many millimetres to its left (+) or right (-); on the line alone where the triangles are
- * so large that they tell no more, and too large for a deep crease.
+ * Returns the mean compression across a line, from the line to `gathers` millimetres to its left (+) or right (-).
+ * On coarse triangles, returns the compression on the line alone: they are too large to resolve it, and for a deep crease.
  */
 function compressionBeside(
   surface: SkinSurface,
@@ -109,7 +109,7 @@ function isPast(here: ChartPoint, from: ChartPoint, to: ChartPoint): boolean {
   return (here[0] - to[0]) * (to[0] - from[0]) + (here[1] - to[1]) * (to[1] - from[1]) >= 0
 }
 
-/** The direction along a segment of the guide, and back to it. */
+/** Returns the direction along a guide's segment, with a pull back to the segment. */
 function towardsGuide(here: ChartPoint, from: ChartPoint, to: ChartPoint): ChartPoint {
   const [dx, dy] = [to[0] - from[0], to[1] - from[1]]
   const length = length2(dx, dy) || 1
@@ -126,15 +126,15 @@ function lengthOf(path: readonly ChartPoint[]): number {
 
 const perpendicular = new Float64Array(3)
 
-/** Turns a direction in the skin towards the one along which the skin is shortened least. */
+/** Turns a direction in the skin towards the direction of least shortening. */
 function turnToStrain(tensor: Float64Array, normal: Float64Array, direction: Float64Array): void {
   cross(perpendicular, normal, direction)
   const [ax, ay, az] = perpendicular
   const along = compressionAlong(tensor, direction[0], direction[1], direction[2])
   const across = compressionAlong(tensor, ax, ay, az)
   const shear = bilinearForm(tensor, direction, perpendicular)
-  // The principal axes are at half the angle of the deviator (Mohr's circle). Where the skin is shortened along the line rather than
-  // across it, or hardly at all, the direction of strain is not trusted.
+  // The principal axes are at half the angle of the deviator (Mohr's circle). The strain's direction is not trusted if the skin is
+  // shortened along the line rather than across it, or hardly at all.
   const doubleAngle = atan2(-2 * shear, across - along)
   const trust = Math.max(0, cos(doubleAngle)) * smoothstep(across / TRUSTED)
   const turn = clamp((YIELD * trust * doubleAngle) / 2, -MAX_TURN, MAX_TURN)

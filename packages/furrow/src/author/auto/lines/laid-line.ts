@@ -1,15 +1,15 @@
 import type { LineStyle } from '../anatomy/region.ts'
 
-/** A line on the skin. */
+/** Line on the skin. */
 export interface LaidLine {
   style: LineStyle
-  /** x, y and z of each point, in millimetres. */
+  /** Packed xyz in millimetres. */
   points: Float64Array
-  /** The triangle of each point. */
+  /** Triangle of each point. */
   triangles: readonly number[]
-  /** Fraction of its length that the skin loses across the line at each point; below 0 where it is stretched. */
+  /** Fraction of length that the skin loses across the line at each point; negative if stretched. */
   compressions: readonly number[]
 }
 
-/** A beginning, a middle and an end. */
+/** Minimum number of points of a line: start, middle and end. */
 export const MIN_POINTS = 3

@@ -8,13 +8,13 @@ import { type CreasedRegion, creaseLines, type LineSettings } from './crease.ts'
 import { layFreeLines } from './free-lines.ts'
 import type { StrokedSkin } from './stroke-of.ts'
 
-/** Millimetres from line to line. */
+/** Distance between lines in millimetres. */
 const SPACING = 6
-/** Millimetres of all lines: less than a document of strokes may have, whose strokes are cut into whole segments. */
-const LONGEST = 0.9 * MAX_TOTAL_LENGTH
+/** Maximum total length of lines in millimetres: below the limit of a strokes document, which counts complete segments. */
+const MAX_LINES_LENGTH = 0.9 * MAX_TOTAL_LENGTH
 const STYLE: LineStyle = { width: 2, depth: 1, taper: [0.4, 0.4], shoulder: [0.9, 0.9], softness: 0.5 }
 
-/** Lays lines on patches of a skin without anatomy: shallower than on a face. */
+/** Lays lines on patches of skin without anatomy, shallower than on a face. */
 export function layPatchLines(
   prepared: StrokedSkin & Pick<PreparedSkin, 'names'>,
   patches: readonly CompressedPatch[],
@@ -31,7 +31,7 @@ export function layPatchLines(
     const laid = layFreeLines(surface, tensors, {
       spacing: SPACING,
       minCompression: MIN_PATCH_COMPRESSION,
-      mostMillimetres: (LONGEST * patch.area) / area,
+      maxTotalLength: (MAX_LINES_LENGTH * patch.area) / area,
       style: STYLE,
     })
     if (laid.length === 0) return []
@@ -51,7 +51,7 @@ export function layPatchLines(
   })
 }
 
-/** The name of an area after a target: names of areas have no control characters, and a length that leaves room for a number. */
+/** Derives an area's name from a target: without control characters, and short enough to append a number. */
 function areaNameOf(target: string): string {
   return (
     target
@@ -61,7 +61,7 @@ function areaNameOf(target: string): string {
   )
 }
 
-/** Lines of equal depth and width would look like stripes. */
+/** Varies the style, because lines of equal depth and width look like stripes. */
 function variedStyle(rng: Rng): LineStyle {
   const fade = () => rng.uniform(0.3, 0.5)
   return {

@@ -1,19 +1,19 @@
 import { length3 } from '../../../math/vector.ts'
 
 const NONE: readonly number[] = []
-/** More than what rounding adds to the square of a distance. */
+/** Margin for rounding of a squared distance. */
 const ROUNDING = 1 + 1e-12
-/** Numbers per point in a cell: x, y, z, index. */
+/** Count of numbers per point in a cell: x, y, z, index. */
 const STRIDE = 4
 
-/** Receives a point's index, in the order in which points were added, and its squared distance. */
+/** Receives a point's index, in insertion order, and its squared distance. */
 export type PointVisitor = (point: number, square: number) => void
 
-/** Points in space, searched within the side of a cell. */
+/** Points in space, searchable within the cell size. */
 export class PointGrid {
   readonly #side: number
   readonly #cells = new Map<number, number[]>()
-  /** Scratch: the cells around a position. */
+  /** Scratch: cells around a position. */
   readonly #around: (readonly number[])[] = []
   #count = 0
 
@@ -21,7 +21,7 @@ export class PointGrid {
     this.#side = side
   }
 
-  /** @param points x, y and z of each. */
+  /** @param points packed xyz. */
   add(points: ArrayLike<number>): void {
     for (let i = 0; i < points.length; i += 3) {
       const key = hash(this.#index(points[i]), this.#index(points[i + 1]), this.#index(points[i + 2]))
@@ -32,7 +32,7 @@ export class PointGrid {
     }
   }
 
-  /** The distance to the nearest point; more than the side of a cell, or infinity, where none is within that side. */
+  /** Returns the distance to the nearest point; beyond the cell size it may be too large or infinite. */
   distance(position: ArrayLike<number>): number {
     let nearest = Infinity
     for (const cell of this.#cellsAround(position)) {
@@ -40,7 +40,7 @@ export class PointGrid {
         const dx = cell[n] - position[0]
         const dy = cell[n + 1] - position[1]
         const dz = cell[n + 2] - position[2]
-        // The hypotenuse costs ten times as much.
+        // Math.hypot is ten times slower.
         if (dx * dx + dy * dy + dz * dz > ROUNDING * nearest ** 2) continue
         nearest = Math.min(nearest, length3(dx, dy, dz))
       }
@@ -48,7 +48,7 @@ export class PointGrid {
     return nearest
   }
 
-  /** Visits all points within the side of a cell, and some that are farther away; the same point perhaps twice. */
+  /** Visits all points within the cell size, and some farther ones; may visit a point twice. */
   visitNear(position: ArrayLike<number>, visit: PointVisitor): void {
     for (const cell of this.#cellsAround(position)) {
       for (let n = 0; n < cell.length; n += STRIDE) {
@@ -60,7 +60,7 @@ export class PointGrid {
     }
   }
 
-  /** The cell of a position and its 26 neighbours. */
+  /** Returns a position's cell and its 26 neighbours. */
   #cellsAround(position: ArrayLike<number>): readonly (readonly number[])[] {
     const [x, y, z] = [this.#index(position[0]), this.#index(position[1]), this.#index(position[2])]
     let count = 0
@@ -78,7 +78,7 @@ export class PointGrid {
   }
 }
 
-/** Cells with the same hash are kept as one: their points are too far apart to count. */
+/** Cells with the same hash are merged: their points are too far apart to matter. */
 function hash(x: number, y: number, z: number): number {
   return Math.imul(x, 73856093) ^ Math.imul(y, 19349663) ^ Math.imul(z, 83492791)
 }

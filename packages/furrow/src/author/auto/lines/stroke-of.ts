@@ -7,22 +7,22 @@ import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import type { LaidLine } from './laid-line.ts'
 import { STEP } from './trace.ts'
 
-/** What strokes are written for. */
+/** Skin that strokes are written for. */
 export type StrokedSkin = Pick<PreparedSkin, 'skin' | 'surface' | 'locator' | 'isDrawn'>
 
-/** Millimetres by which a stroke may miss its line: a thirtieth of a fine wrinkle's width. */
+/** Maximum distance in millimetres between a stroke and its line: a thirtieth of a fine wrinkle's width. */
 const TOLERANCE = 0.08
-/** Millimetres between the factors on a stroke's depth. */
+/** Spacing of a stroke's depth factors in millimetres. */
 const FACTOR_SPACING = 4
-/** Fraction of a line's taper over which its stroke fades: its ends are blunt. */
+/** Fraction of a line's taper over which its stroke fades, because its ends are blunt. */
 const BLUNT = 0.85
 
 /**
- * Writes a line as a stroke: a spline through few of its points.
+ * Converts a line to a stroke: a spline through few of its points.
  *
  * @param depth in millimetres.
  * @param factors on the depth, one per point.
- * @param bank how far its banks reach; by its width where it is undefined.
+ * @param bank reach of the banks in millimetres; default: by the width.
  */
 export function strokeOf(
   line: LaidLine,
@@ -48,7 +48,7 @@ export function strokeOf(
   }
 }
 
-/** Where in the texture a point of a line is: to half a thousandth of a texel of 1024. */
+/** Returns the UV coordinates of a line's point, rounded to 1/2000 of a texel at size 1024. */
 export function uvAt({ points, triangles }: LaidLine, i: number, { surface, locator }: StrokedSkin): Uv {
   const weights = new Float64Array(3)
   barycentricsAt(weights, surface, triangles[i], points.subarray(3 * i, 3 * i + 3))

@@ -1,24 +1,25 @@
 import type { SkinSurface, SurfacePoint } from '../../skin/surface.ts'
 import { barycentricsAt, normalAt, walk } from '../../skin/walk.ts'
 
-/** Millimetres between points of a line. */
+/** Distance between points of a line in millimetres. */
 export const STEP = 0.6
 
-/** A line on a surface. */
+/** Line on a surface. */
 export interface Trace {
-  /** x, y and z of each point. */
+  /** Packed xyz. */
   points: number[]
-  /** The triangle of each point. */
+  /** Triangle of each point. */
   triangles: number[]
 }
 
 /**
  * Chooses the direction in which a line continues.
  *
- * @param position where it is.
+ * @param position current position.
  * @param normal of the surface there.
- * @param triangle and barycentrics, to interpolate what is known at points.
- * @param out takes x, y and z.
+ * @param triangle current triangle.
+ * @param barycentrics of the position, to interpolate point values.
+ * @param out receives x, y and z.
  * @returns whether the line continues.
  */
 export type DirectionField = (
@@ -30,7 +31,7 @@ export type DirectionField = (
 ) => boolean
 
 /**
- * Traces a line over a surface from triangle to triangle, until the field or the surface ends.
+ * Traces a line over a surface until the field or the surface ends.
  *
  * @param maxLength in millimetres.
  */

@@ -6,13 +6,13 @@ import type { CreasedRegion } from '../lines/crease.ts'
 import { type HeadChart, unroll } from '../surface/head-chart.ts'
 import { visibility } from './visibility.ts'
 
-/** Difference in the distances to the lines of two areas, in millimetres, over which one gives way to the other. */
+/** Width in millimetres of the transition between two areas, as a difference of distances to their lines. */
 const TRANSITION = 4
 
 /**
- * Draws the areas of the regions of one layer: each around its own lines, giving way where another's are nearer.
+ * Draws the areas of a layer's regions: each around its own lines, fading out where another region's lines are nearer.
  *
- * @param chart of a face, whose skin has no weight where it is not visible from outside.
+ * @param chart of a face; hidden skin gets no weight.
  * @returns weights, 255 = fully visible.
  */
 export function drawAreas(
@@ -22,7 +22,7 @@ export function drawAreas(
 ): GrayImage[] {
   const { width, height } = texels
   const images = regions.map(() => new Uint8Array(width * height))
-  // Of regions that share their lines, the first one owns them.
+  // The first of several regions that share lines owns them.
   const owners = regions.map(({ creases }) => regions.findIndex((other) => other.creases === creases))
   const lines = regions.flatMap(({ creases }, i) =>
     owners[i] === i ? creases.map((crease) => ({ crease, owner: i })) : [],

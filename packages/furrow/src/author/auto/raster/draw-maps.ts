@@ -14,9 +14,9 @@ import { FacetFrames } from './facet-frames.ts'
 /** Maps of one layer. */
 export interface AutoLayer {
   name: string
-  /** Its lines, each in the group that is named after its area: `strokesToHeight` draws them as `heights`. */
+  /** Lines of the layer, each in the group named after its area: `strokesToHeight` draws them as `heights`. */
   strokes: Stroke[]
-  /** Of kind `detail`: wrinkles on flat skin. */
+  /** Normal map of kind `detail`: wrinkles on flat skin. */
   normal: RgbaImage
   heights: HeightMap
   /** 255 = open to the light. */
@@ -28,16 +28,16 @@ export interface MapSettings {
   size: number
   /** Side of the areas in texels. */
   areaSize: number
-  /** The frame in which renderers read the normal maps. */
+  /** Tangent frame of the normal maps. */
   frame: TangentFrame
 }
 
-/** What was drawn, and where on the skin texels are. */
+/** Drawn maps, with the positions of their texels on the skin. */
 export interface AutoMaps {
   layers: AutoLayer[]
-  /** Of each region's area. */
+  /** Weights of each region's area. */
   weights: GrayImage[]
-  /** Of the layers' maps, and of areas. */
+  /** Texels of the layers' maps and of the areas. */
   texels: SkinTexels
   areaTexels: SkinTexels
 }
@@ -45,9 +45,9 @@ export interface AutoMaps {
 /**
  * Draws the maps of all layers and areas.
  *
- * @param layerOf the layer of each region.
- * @param report is given the fraction that is done.
- * @returns undefined where there are no regions.
+ * @param layerOf layer of each region.
+ * @param report called with the fraction done.
+ * @returns undefined if there are no regions.
  */
 export function drawMaps(
   prepared: PreparedSkin,
@@ -56,7 +56,7 @@ export function drawMaps(
   { size, areaSize, frame }: MapSettings,
   report: (fraction: number) => void,
 ): AutoMaps | undefined {
-  // Finding the texels of the skin costs more than all that comes before.
+  // Return early: locating the texels costs more than all previous steps.
   if (regions.length === 0) return undefined
   const { skin, surface, face, isDrawn } = prepared
   const texels = new SkinTexels(skin, surface, size, size, isDrawn, MIPMAP_MARGIN)
@@ -66,7 +66,7 @@ export function drawMaps(
   const weights: GrayImage[] = []
   const barycentrics = new Float64Array(3)
   const layerCount = Math.max(...layerOf) + 1
-  /** Of the four parts of each layer: creases, frames, normals, areas. */
+  /** Reports one of a layer's four parts: creases, frames, normals, areas. */
   const reportPart = (layer: number, part: number) => report((layer + part / 4) / layerCount)
   for (let layer = 0; layer < layerCount; layer++) {
     reportPart(layer, 0)
@@ -87,7 +87,7 @@ export function drawMaps(
   return { layers, weights, texels, areaTexels }
 }
 
-/** The strokes of regions that share a layer. Left and right may share their lines, which are in a group without a side then. */
+/** Returns the strokes of a layer's regions. Lines shared by left and right are in a group without a side. */
 function strokesOf(regions: readonly FittedRegion[]): Stroke[] {
   const groups = new Map<readonly Stroke[], string>()
   for (const { region, strokes } of regions) {
@@ -96,7 +96,7 @@ function strokesOf(regions: readonly FittedRegion[]): Stroke[] {
   return [...groups].flatMap(([strokes, group]) => strokes.map((stroke) => ({ group, ...stroke })))
 }
 
-/** Positions of the skin's vertices in the scale of its surface. */
+/** Returns the positions of the skin's vertices in the surface's scale, converted to metres. */
 function inMetres({ pointOf, points }: SkinSurface): Float64Array {
   const out = new Float64Array(3 * pointOf.length)
   for (const [vertex, point] of pointOf.entries()) {

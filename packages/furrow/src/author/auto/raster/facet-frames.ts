@@ -8,41 +8,42 @@ import { type Pose, poseOf } from '../surface/pose.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { type Patch, patchOf } from './patch.ts'
 
-/** Fraction of a crease's reach within which its slopes show. */
+/** Fraction of a crease's reach within which its slopes are visible. */
 const NEAR = 0.6
-/** Activation below which a pose does not count. */
+/** Minimum activation of relevant poses. */
 const MIN_ACTIVATION = 0.1
-/** Weight of leaving slopes as they are, relative to that of the poses: keeps them finite on facets seen edge-on. */
+/** Weight of unchanged slopes relative to the poses: keeps slopes finite on facets seen edge-on. */
 const RIDGE = 0.02
-/** Side in millimetres of the largest triangles that need no frame of their own: each crease runs over many. */
+/** Side in millimetres up to which triangles need no correction: each crease spans many of them. */
 const FINE = 0.5
-/** Triangles near the lines of a region times poses at most: only skin that lies on top of itself has more, and nothing would mend it. */
-const MOST_POSED = 500_000
-/** Numbers per corner of a triangle: D^T D (00, 01, 11), then D^T S (00, 01, 10, 11). */
+/** Maximum number of triangles near a region's lines times poses. Only overlapping skin exceeds it, and correction would not help there. */
+const MAX_POSED = 500_000
+/** Count of numbers per corner of a triangle: D^T D (00, 01, 11), then D^T S (00, 01, 10, 11). */
 const STRIDE = 7
-/** Numbers per triangle of M: row by row, for each of its corners. */
+/** Count of numbers per triangle: M row by row, for each corner. */
 const TURN = 12
 const NONE = -1
 
 type Skin = Pick<PreparedSkin, 'skin' | 'surface' | 'offsets' | 'names' | 'find'>
 
 /**
- * Makes creases whole on coarse meshes without tangents. There renderers take the frame of a normal map from each deformed facet by itself
- * (Schueler, see `TangentFrame`), so that a crease breaks wherever it runs from one facet to the next. The slopes are drawn such that these
- * frames D give what the frames S of the smooth surface would, in the poses that show the crease: M = argmin sum w a^2 |D M - S|^2, where a is
- * the activation in a pose and w its weight. On meshes finer than the creases M is close to 1, and left out.
+ * Makes creases continuous on coarse meshes without tangents.
+ * Renderers derive the normal map's frame from each deformed facet (Schueler, see `TangentFrame`), so creases break between facets.
+ * The slopes are corrected so that these frames D give the result of the smooth surface's frames S in the poses that show the crease.
+ * The correction is M = argmin sum w a^2 |D M - S|^2, with the activation a of a pose and its weight w. On meshes finer than the creases
+ * M is close to 1 and skipped.
  */
 export class FacetFrames {
-  /** Where the M of each triangle is in `#turns`; `NONE` for those that have none. */
+  /** Index of each triangle's M in `#turns`; `NONE` if uncorrected. */
   readonly #slots: Int32Array
   readonly #turns: Float64Array
 
-  /** @param regions those whose creases are drawn into one map. */
+  /** @param regions whose creases are drawn into one map. */
   constructor(skin: Skin, regions: readonly FittedRegion[]) {
     this.#slots = new Int32Array(skin.surface.skinTriangles.length).fill(NONE)
     const near = regions.flatMap((region) => {
       const poses = posesOf(skin, region)
-      const patch = patchOf(skin.skin, skin.surface, trianglesNear(skin, region), MOST_POSED / poses.length)
+      const patch = patchOf(skin.skin, skin.surface, trianglesNear(skin, region), MAX_POSED / poses.length)
       return patch ? [{ patch, poses }] : []
     })
     let count = 0
@@ -56,9 +57,9 @@ export class FacetFrames {
   }
 
   /**
-   * Turns the x and y of a slope on the texture, in place.
+   * Corrects the x and y of a slope in UV space, in place.
    *
-   * @param barycentrics in the triangle; those below 0, beyond its border, count as 0.
+   * @param barycentrics in the triangle; negative ones, beyond its border, count as 0.
    */
   turn(triangle: number, barycentrics: ArrayLike<number>, slope: Float64Array): void {
     const slot = this.#slots[triangle]
@@ -78,7 +79,7 @@ export class FacetFrames {
   }
 }
 
-/** Adds the normal equations of the triangles near a region's lines, `STRIDE` numbers for each of their corners. */
+/** Adds the normal equations of the triangles near a region's lines, `STRIDE` numbers per corner. */
 function addPatch(
   sums: Float64Array,
   slots: Int32Array,
@@ -98,7 +99,7 @@ interface WeightedPose {
   weight: number
 }
 
-/** The cause of a region, and each target of its driver alone; the cause weighs as much as all targets together. */
+/** Returns the cause of a region, and each target of its driver alone. The cause weighs as much as all targets together. */
 function posesOf({ names, find }: Skin, { region, driver }: FittedRegion): WeightedPose[] {
   const weightOf = new Map(driver.targets.map(({ name, weight = 1 }) => [names.indexOf(name), weight]))
   const poses: Pose[] = [
@@ -128,13 +129,13 @@ function trianglesNear({ surface }: Skin, { creases }: FittedRegion): number[] {
   return near
 }
 
-/** dP/du and dP/dv of a deformed surface on facets and at vertices, and its normals. */
+/** Derivatives dP/du and dP/dv of a deformed surface on facets and at vertices, and its normals. */
 class DeformedFrames {
   readonly #skin: Skin
   readonly #patch: Patch
   readonly #points: Float64Array
   readonly #normals: Float64Array
-  /** x, y and z of dP/du, then of dP/dv; 0 where a facet has no area in the texture. */
+  /** x, y and z of dP/du, then of dP/dv; 0 if a facet has no UV area. */
   readonly #ofFacet: Float64Array
   readonly #ofVertex: Float64Array
 
@@ -168,7 +169,7 @@ class DeformedFrames {
     for (let i = 0; i < this.#normals.length; i += 3) normalize(this.#normals, i)
   }
 
-  /** Adds a facet's part of the normal equations, at each of its corners. */
+  /** Adds a facet to the normal equations at each of its corners. */
   add(t: number, weight: number, out: Float64Array, first: number): void {
     if (isZero(this.#ofFacet, 6 * t)) return
     const { corners, cornerVertices } = this.#patch
@@ -219,7 +220,7 @@ class DeformedFrames {
   }
 }
 
-/** Tangent and bitangent of a facet, and of the smooth surface. */
+/** Scratch: tangent and bitangent of a facet, and of the smooth surface. */
 const [dt, db, st, sb] = [new Float64Array(3), new Float64Array(3), new Float64Array(3), new Float64Array(3)]
 
 function isZero(derivatives: Float64Array, first: number): boolean {
@@ -228,7 +229,7 @@ function isZero(derivatives: Float64Array, first: number): boolean {
 }
 
 /**
- * The gradients of u and v in the plane at a right angle to a normal, both divided by the longer of the two.
+ * Computes the gradients of u and v in the plane perpendicular to a normal, both divided by the longer one.
  *
  * @param first index of the derivatives: x, y and z by u, then by v.
  * @param n index of the normal.
@@ -250,7 +251,7 @@ function frameOf(
   }
 }
 
-/** M at a corner, of the normal equations (D^T D + r 1) M = D^T S + r 1. */
+/** Solves the normal equations (D^T D + r 1) M = D^T S + r 1 at a corner. */
 function solve(sums: Float64Array, corner: number, out: Float64Array): void {
   const [s00, s01, s11, t00, t01, t10, t11] = sums.subarray(STRIDE * corner, STRIDE * (corner + 1))
   const ridge = RIDGE * (s00 + s11) || 1

@@ -1,6 +1,6 @@
 import type { GrayImage } from '../../../core/types.ts'
 
-/** A map of levels, 0..255, with half the side, which must be even: each texel is the mean of four, rounded. @internal */
+/** Halves the side of a map of levels, 0..255. The side must be even; each texel is the rounded mean of four. @internal */
 export function halfSide({
   width,
   height,
@@ -19,7 +19,7 @@ export function halfSide({
   return { ...half, data: out }
 }
 
-/** Heights in millimetres as levels 0..255, 127.5 = 0 mm; `amplitude` is the height of white above black in metres. @internal */
+/** Converts millimetres to levels 0..255, 127.5 = 0 mm. `amplitude` is the height of white above black in metres. @internal */
 export function heightLevels(millimetres: Float32Array): { levels: Float32Array; amplitude: number } {
   let largest = 0.001
   for (let i = 0; i < millimetres.length; i++) largest = Math.max(largest, Math.abs(millimetres[i]))

@@ -1,23 +1,23 @@
 import { type Skin, type SkinSurface, skinVertices } from '../../skin/surface.ts'
 
-/** A few triangles of a skin and those around them, with numbers of their own for points and vertices. */
+/** Some triangles of a skin and their neighbours, with local indices of points and vertices. */
 export interface Patch {
-  /** Triangles of the surface: first those that were asked for, in their order. */
+  /** Triangles of the surface, requested ones first in their order. */
   triangles: Uint32Array
-  /** How many were asked for. */
+  /** Number of requested triangles. */
   wanted: number
   /** Points of the surface, and vertices of the skin. */
   points: Uint32Array
   vertices: Uint32Array
-  /** For each corner of the triangles its index in `points`, and in `vertices`. */
+  /** Indices of each triangle corner into `points` and `vertices`. */
   corners: Uint32Array
   cornerVertices: Uint32Array
 }
 
 /**
- * Takes out triangles, and those that have a point in common with any of them.
+ * Extracts triangles and those that share a point with any of them.
  *
- * @returns undefined where these are more than `most` together.
+ * @returns undefined if the total exceeds `most`.
  */
 export function patchOf(
   skin: Pick<Skin, 'uvs' | 'indices'>,
@@ -60,7 +60,7 @@ export function patchOf(
   }
 }
 
-/** Numbers what is used from 0, in the order in which it comes. */
+/** Renumbers used indices from 0 in order of first use. */
 function renumber(list: Uint32Array, count: number): { used: Uint32Array; indices: Uint32Array } {
   const numbers = new Int32Array(count).fill(-1)
   const used = new Uint32Array(Math.min(list.length, count))

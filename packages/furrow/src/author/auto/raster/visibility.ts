@@ -1,14 +1,14 @@
 import { smoothstep } from '../../../math/scalar.ts'
 import type { HeadChart } from '../surface/head-chart.ts'
 
-/** Millimetres behind other skin at which a position begins to be hidden, and over which it becomes so. */
+/** Depth in millimetres below other skin at which a position starts to be hidden, and the range until fully hidden. */
 const HIDDEN_FROM = 0.5
 const HIDDEN_OVER = 1
-/** Cosines between the normal and the direction out of the head at which skin is not visible at all, and fully. */
+/** Cosines between the normal and the head's outward direction at which skin is invisible, and fully visible. */
 const FACING = [-0.1, 0.1] as const
 
 /**
- * How visible a position on the skin is from outside the head, 0..1: 0 in the mouth and on the rims of lids, where nothing creases.
+ * Returns how visible a position on the skin is from outside the head, 0..1: 0 in the mouth and on lid rims, where nothing creases.
  *
  * @param normal of the skin there.
  */

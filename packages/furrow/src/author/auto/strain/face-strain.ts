@@ -8,22 +8,22 @@ import { poseOf } from '../surface/pose.ts'
 import { poseInRigShapes } from '../surface/stand-ins.ts'
 import { FACE_SIGMA, poseStrain } from './pose-strain.ts'
 
-/** A region of a face with the strain of its expression. */
+/** Region of a face with the strain of its expression. */
 export interface StrainedRegion {
-  /** Its cause in the shapes that the rig has. */
+  /** The region, with its cause in the rig's shapes. */
   region: FaceRegion
-  /** `compressionTensors` of the expression; regions with the same expression have the same array. */
+  /** `compressionTensors` of the expression; shared by regions with the same expression. */
   tensors: Float64Array
 }
 
-/** Which regions a face gets, and what makes their lines these and no others; as in `AutoOptions`. */
+/** Requested regions and random seeds, see `AutoOptions`. */
 export interface RegionSettings {
   seed: number
   seeds: Readonly<Partial<Record<AutoRegion, number>>>
   regions: readonly AutoRegion[]
 }
 
-/** The region whose seed makes random numbers of a name: that of a side, or of lines that several regions have in common. */
+/** Returns the region whose seed applies to a name, including names of a side and of shared lines. */
 function regionOf(name: string): AutoRegion {
   const region = name.replace(/(Left|Right)$/, '')
   return region === 'forehead' ? 'foreheadInner' : (region as AutoRegion)

@@ -2,25 +2,25 @@ import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { type RegionSettings, type StrainedRegion, strainFaceRegions } from './face-strain.ts'
 import { type CompressedPatch, findPatches } from './patches.ts'
 
-/** Where skin may crease. */
+/** Skin that may crease. */
 export interface StrainedSkin {
-  /** Of a face: its anatomical regions, each with the strain of its expression. */
+  /** Anatomical regions of a face, each with the strain of its expression. */
   regions: readonly StrainedRegion[]
-  /** Patches that the targets compress, of skin that is no head. */
+  /** Patches compressed by targets, on skin that is not a head. */
   patches: readonly CompressedPatch[]
 }
 
 export interface StrainSettings extends RegionSettings {
   /** 0 at 20 years, 1 at 80. */
   ageFraction: number
-  /** Patches at most. */
+  /** Maximum number of patches. */
   maxAreas: number
 }
 
 /**
  * Measures how far targets compress the skin, and in which directions.
  *
- * @param report is given the fraction that is done.
+ * @param report called with the fraction done.
  */
 export function measureStrain(
   prepared: PreparedSkin,
@@ -30,7 +30,7 @@ export function measureStrain(
   const { face, isUnknownHead } = prepared
   return {
     regions: face ? strainFaceRegions(face, ageFraction, settings, report) : [],
-    // Speech compresses cheeks too, and these do not fold: without anatomy a head gets no lines.
+    // Speech compresses cheeks without folding them, so a head without landmarks gets no lines.
     patches: face || isUnknownHead ? [] : findPatches(prepared, maxAreas, report),
   }
 }

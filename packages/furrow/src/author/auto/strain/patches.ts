@@ -4,19 +4,19 @@ import { poseStrain } from './pose-strain.ts'
 import { pointCompression } from './principal.ts'
 import { hasTensor, TENSOR_SIZE } from './tensors.ts'
 
-/** Standard deviation in millimetres by which strain is smoothed: without anatomy, noise must not look like a patch. */
+/** Standard deviation in millimetres for smoothing strain: without anatomy, noise must not look like a patch. */
 const PATCH_SIGMA = 5
-/** Compression from which on skin may crease: higher than where anatomy is known. */
+/** Minimum compression at which skin may crease: higher than with known anatomy. */
 export const MIN_PATCH_COMPRESSION = 0.07
-/** Square millimetres of the smallest patch. */
+/** Minimum area of a patch in square millimetres. */
 const MIN_PATCH_AREA = 80
-/** Fraction of the smaller of two patches that both have in common, from which on they count as one. */
+/** Minimum overlap of two patches that count as one, as a fraction of the smaller one. */
 const SAME = 0.5
 
 /** Connected skin that a target compresses. */
 export interface CompressedPatch {
   points: ReadonlySet<number>
-  /** In square millimetres. */
+  /** Area in square millimetres. */
   area: number
   /** Index of the target that compresses the largest patch here. */
   target: number
@@ -24,7 +24,7 @@ export interface CompressedPatch {
   tensors: Float64Array
 }
 
-/** The connected patches that single targets compress, the largest first; of those that overlap the largest one. */
+/** Finds connected patches compressed by single targets, largest first. Of overlapping patches only the largest is kept. */
 export function findPatches(
   { surface, offsets, names }: Pick<PreparedSkin, 'surface' | 'offsets' | 'names'>,
   maxPatches: number,
@@ -43,7 +43,7 @@ export function findPatches(
   return chosen
 }
 
-/** The `compressionTensors` of a patch for all points of its surface, 0 outside it. */
+/** Expands a patch's `compressionTensors` to all points of its surface, 0 outside it. */
 export function patchTensors({ points, tensors }: CompressedPatch, pointCount: number): Float64Array {
   const all = new Float64Array(TENSOR_SIZE * pointCount)
   let offset = 0
@@ -54,7 +54,7 @@ export function patchTensors({ points, tensors }: CompressedPatch, pointCount: n
   return all
 }
 
-/** Connected components of the points that are compressed enough. */
+/** Returns the connected components of sufficiently compressed points. */
 function patchesOf(surface: SkinSurface, tensors: Float64Array, target: number): CompressedPatch[] {
   const { areas, neighbourStarts, neighbours } = surface
   const open = new Set<number>()

@@ -3,15 +3,15 @@ import type { Pose } from '../surface/pose.ts'
 import { smooth } from './smooth.ts'
 import { compressionTensors } from './tensors.ts'
 
-/** Standard deviation in millimetres by which the strain of a face is smoothed: that of a single triangle says little. */
+/** Standard deviation in millimetres for smoothing a face's strain, which is noisy per triangle. */
 export const FACE_SIGMA = 3
 
 /**
- * The `compressionTensors` of a pose, smoothed.
+ * Computes the smoothed `compressionTensors` of a pose.
  *
- * @param offsets of each target by point, in millimetres.
+ * @param offsets of each target per point, in millimetres.
  * @param sigma standard deviation of the smoothing, in millimetres.
- * @param poses how many poses are measured in all.
+ * @param poses total number of poses to be measured.
  */
 export function poseStrain(
   surface: SkinSurface,

@@ -8,11 +8,11 @@ import { bilinearForm, compressionAlong, TENSOR_SIZE, tensorAt } from './tensors
 export interface PrincipalCompression {
   /** Unit vector along which skin is shortened least: the direction of a crease. */
   direction: Float64Array
-  /** Fraction of its length that skin loses across it. */
+  /** Fraction of length that skin loses across the direction. */
   compression: number
 }
 
-/** Principal compression at a point of a triangle, in the triangle's plane. */
+/** Computes the principal compression at a point of a triangle, in the triangle's plane. */
 export function principalAt(
   surface: SkinSurface,
   tensors: Float64Array,
@@ -35,7 +35,7 @@ export function principalAt(
 
 const [pointX, pointY] = [new Float64Array(3), new Float64Array(3)]
 
-/** Fraction that the skin loses at a point along the direction in which it is shortened most. */
+/** Returns the maximum fraction of length that skin loses at a point in any direction. */
 export function pointCompression({ normals }: SkinSurface, tensors: Float64Array, point: number): number {
   const normal = normals.subarray(3 * point, 3 * point + 3)
   cross(pointX, normal, Math.abs(normal[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0])
@@ -46,8 +46,8 @@ export function pointCompression({ normals }: SkinSurface, tensors: Float64Array
 }
 
 /**
- * The largest principal value of a tensor in a plane, and the angle of its axis from x towards y: those of a symmetric 2 x 2 matrix
- * (Mohr's circle).
+ * Returns the largest principal value of a tensor in a plane, and the angle of its axis from x towards y (symmetric 2 x 2 matrix, Mohr's
+ * circle).
  *
  * @param x, y orthonormal vectors that span the plane.
  */

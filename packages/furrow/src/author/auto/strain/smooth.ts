@@ -1,25 +1,26 @@
 import type { SkinSurface } from '../../skin/surface.ts'
 import { hasTensor, TENSOR_SIZE } from './tensors.ts'
 
-/** Fraction of the way to its neighbours' mean that a point moves in one iteration, at most. */
+/** Maximum fraction of the way to its neighbours' mean that a point moves per iteration. */
 const MAX_STEP = 0.8
 /**
- * Iterations at most, and neighbours times iterations at most, some seconds: meshes much finer than skin creases are smoothed less than
- * asked for. The second keeps the time linear in the size of the mesh, which is larger just where more iterations are needed.
+ * Maximum numbers of iterations, and of neighbours times iterations (a few seconds). Meshes much finer than skin creases are smoothed
+ * less than requested.
+ * The second limit keeps the time linear in the mesh size, which is largest where most iterations are needed.
  */
 const MAX_ITERATIONS = 1000
 const MAX_READS = 120_000_000
-/** Runs that may each take the whole of it; more have less each. */
+/** Number of runs that may each use the full limit; more runs share it. */
 const FREE_RUNS = 3
-/** Standard deviations beyond which nothing is left of an impulse. */
+/** Distance in standard deviations beyond which an impulse vanishes. */
 const SPREAD = 5
 
 /**
- * Smooths tensors at points by diffusion over the surface: whatever the size of the triangles, an impulse spreads as wide as asked for.
+ * Smooths tensors at points by diffusion over the surface. An impulse spreads by the same width for any triangle size.
  *
- * @param tensors `TENSOR_SIZE` components per point; changed.
+ * @param tensors `TENSOR_SIZE` components per point; changed in place.
  * @param sigma standard deviation of the spread impulse, in the surface's unit.
- * @param runs how often the surface is smoothed in all: as a whole they take no longer than a few.
+ * @param runs total number of runs on this surface, which share a time limit.
  */
 export function smooth(surface: SkinSurface, tensors: Float64Array, sigma: number, runs = 1): void {
   const { squares, fine } = finenessOf(surface)
@@ -30,7 +31,7 @@ export function smooth(surface: SkinSurface, tensors: Float64Array, sigma: numbe
   const steps = Float64Array.from(points, (point) =>
     Math.min(MAX_STEP, (2 * sigma * sigma) / (iterations * Math.max(squares[point], 1e-12))),
   )
-  /** The tensors of these points, and of one that stands for all others. */
+  /** Tensors of these points, and of one that represents all others. */
   let before = new Float64Array(TENSOR_SIZE * (points.length + 1))
   let after = new Float64Array(before.length)
   for (let i = 0; i < points.length; i++)
@@ -43,7 +44,7 @@ export function smooth(surface: SkinSurface, tensors: Float64Array, sigma: numbe
     for (let k = 0; k < TENSOR_SIZE; k++) tensors[TENSOR_SIZE * points[i] + k] = before[TENSOR_SIZE * i + k]
 }
 
-/** Moves the tensor of each point towards the mean of its neighbours. The components stand by themselves, which is three times as fast. */
+/** Moves each point's tensor towards the mean of its neighbours. Unrolled components are three times as fast. */
 function diffuse(
   { starts, neighbours }: Pick<SmoothedPoints, 'starts' | 'neighbours'>,
   steps: Float64Array,
@@ -78,11 +79,11 @@ function diffuse(
   }
 }
 
-/** How fine a mesh is. */
+/** Fineness of a mesh. */
 interface Fineness {
-  /** Mean squared distance from each point to its neighbours; 0 where it has none. */
+  /** Mean squared distance from each point to its neighbours; 0 without neighbours. */
   squares: Float64Array
-  /** That of the finest quarter. */
+  /** Squared distance at the finest quartile. */
   fine: number
 }
 
@@ -97,7 +98,7 @@ function finenessOf(surface: SkinSurface): Fineness {
     for (let n = starts[i]; n < starts[i + 1]; n++) squares[i] += squaredDistance(points, i, neighbours[n])
     squares[i] /= Math.max(1, starts[i + 1] - starts[i])
   }
-  // Points without triangles, as in files whose meshes share vertices, say nothing about how fine this mesh is.
+  // Points without triangles, as in files whose meshes share vertices, do not count.
   const sorted = squares.filter((square) => square > 0).sort()
   const fineness = { squares, fine: sorted[Math.floor(sorted.length / 4)] ?? 0 }
   known.set(surface, fineness)
@@ -106,14 +107,14 @@ function finenessOf(surface: SkinSurface): Fineness {
 
 /** Points of a surface that have or may get a tensor. */
 interface SmoothedPoints {
-  /** Their indices in the surface. */
+  /** Indices of the points in the surface. */
   points: Uint32Array
-  /** The neighbours of each, as indices into `points`; their number stands for any other point. */
+  /** Neighbours of each point, as indices into `points`; `points.length` represents any other point. */
   starts: Uint32Array
   neighbours: Uint32Array
 }
 
-/** The points that have tensors, and those that are that many edges away at most. */
+/** Returns the points with tensors, and points up to `rings` edges away. */
 function pointsAround(surface: SkinSurface, tensors: Float64Array, rings: number): SmoothedPoints {
   const { neighbourStarts, neighbours } = surface
   const isInside = new Uint8Array(neighbourStarts.length - 1)
@@ -154,9 +155,9 @@ function pointsAround(surface: SkinSurface, tensors: Float64Array, rings: number
 }
 
 /**
- * How often points are moved towards their neighbours.
+ * Returns the number of smoothing iterations.
  *
- * @param neighbours of all points, about six each.
+ * @param neighbours total number of neighbours of all points, about six each.
  * @param square mean squared distance of neighbours where the mesh is fine.
  */
 export function iterationsOf(neighbours: number, square: number, sigma: number, runs = 1): number {

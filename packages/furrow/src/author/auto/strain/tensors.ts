@@ -1,15 +1,16 @@
 import { length3 } from '../../../math/vector.ts'
 import { cornersOf, type SkinSurface } from '../../skin/surface.ts'
 
-/** Components of a symmetric 3 x 3 tensor: xx, xy, xz, yy, yz, zz. */
+/** Number of components of a symmetric 3 x 3 tensor: xx, xy, xz, yy, yz, zz. */
 export const TENSOR_SIZE = 6
 
 /**
- * How far skin is shortened at each point, and in which direction: I - U, where U is the right stretch tensor of each triangle in its own
- * plane (Biot strain with the sign of compression; Bonet, Wood: Nonlinear Continuum Mechanics, 3.6), as the mean over the triangles around
- * a point by their areas. Along a unit direction c of the skin, c . T c is the fraction of its length that is lost.
+ * Computes how far skin is shortened at each point, by direction: I - U, with the right stretch tensor U of each triangle in its plane.
+ * This is the Biot strain with the sign of compression (Bonet, Wood: Nonlinear Continuum Mechanics, 3.6), averaged over the triangles
+ * around a point by area.
+ * Along a unit direction c of the skin, c . T c is the lost fraction of length.
  *
- * @param displacements x, y and z by which each point moves.
+ * @param displacements packed xyz per point.
  * @returns `TENSOR_SIZE` components per point.
  */
 export function compressionTensors(surface: SkinSurface, displacements: ArrayLike<number>): Float64Array {
@@ -31,14 +32,14 @@ export function compressionTensors(surface: SkinSurface, displacements: ArrayLik
 /** Components below this count as 0. */
 const NO_STRAIN = 1e-7
 
-/** Whether the skin is strained at a point. */
+/** Returns whether the skin is strained at a point. */
 export function hasTensor(tensors: Float64Array, point: number): boolean {
   for (let k = TENSOR_SIZE * point; k < TENSOR_SIZE * (point + 1); k++)
     if (Math.abs(tensors[k]) > NO_STRAIN) return true
   return false
 }
 
-/** Whether any corner of a triangle moves. */
+/** Returns whether any corner of a triangle moves. */
 function isMoved(displacements: ArrayLike<number>, corners: Uint32Array, first: number): boolean {
   for (let corner = first; corner < first + 3; corner++) {
     for (let i = 3 * corners[corner]; i < 3 * corners[corner] + 3; i++)
@@ -47,7 +48,7 @@ function isMoved(displacements: ArrayLike<number>, corners: Uint32Array, first: 
   return false
 }
 
-/** The tensor of one triangle; returns its area at rest. */
+/** Computes the tensor of one triangle; returns its area at rest. */
 function triangleTensor(
   points: ArrayLike<number>,
   displacements: ArrayLike<number>,
@@ -56,7 +57,7 @@ function triangleTensor(
   c: number,
   out: Float64Array,
 ): number {
-  // An orthonormal frame (x, y) of the triangle's plane, in which its edges are (base, 0) and (offset, height).
+  // Orthonormal frame (x, y) of the triangle's plane, in which its edges are (base, 0) and (offset, height).
   const ux = points[3 * b] - points[3 * a]
   const uy = points[3 * b + 1] - points[3 * a + 1]
   const uz = points[3 * b + 2] - points[3 * a + 2]
@@ -72,7 +73,7 @@ function triangleTensor(
   const yx = (vx - offset * xx) / height
   const yy = (vy - offset * xy) / height
   const yz = (vz - offset * xz) / height
-  // C = F^T F, where F = [deformed u, deformed v] [base offset; 0 height]^-1.
+  // C = F^T F, with F = [deformed u, deformed v] [base offset; 0 height]^-1.
   let c00 = 0
   let c01 = 0
   let c11 = 0
@@ -85,7 +86,7 @@ function triangleTensor(
     c01 += first * second
     c11 += second * second
   }
-  // The square root of a 2 x 2 matrix: (C + sqrt(det) I) / sqrt(trace + 2 sqrt(det)) (Levinger 1980).
+  // Square root of a 2 x 2 matrix: (C + sqrt(det) I) / sqrt(trace + 2 sqrt(det)) (Levinger 1980).
   const root = Math.sqrt(Math.max(0, c00 * c11 - c01 * c01))
   const scale = Math.sqrt(c00 + c11 + 2 * root)
   const s00 = scale > 0 ? 1 - (c00 + root) / scale : 1
@@ -102,7 +103,7 @@ function triangleTensor(
 
 const interpolated = new Float64Array(TENSOR_SIZE)
 
-/** The tensor at a point of a triangle; overwritten by the next call. */
+/** Interpolates the tensor at a point of a triangle; overwritten by the next call. */
 export function tensorAt(
   surface: SkinSurface,
   tensors: Float64Array,
@@ -117,12 +118,12 @@ export function tensorAt(
   return interpolated
 }
 
-/** c . T c: the fraction by which skin is shortened along a unit direction. */
+/** Returns c . T c: the fraction by which skin is shortened along a unit direction. */
 export function compressionAlong(t: ArrayLike<number>, x: number, y: number, z: number): number {
   return t[0] * x * x + t[3] * y * y + t[5] * z * z + 2 * (t[1] * x * y + t[2] * x * z + t[4] * y * z)
 }
 
-/** v . T w */
+/** Returns v . T w. */
 export function bilinearForm(t: ArrayLike<number>, v: ArrayLike<number>, w: ArrayLike<number>): number {
   return (
     v[0] * (t[0] * w[0] + t[1] * w[1] + t[2] * w[2]) +

@@ -4,19 +4,19 @@ import { uvArea } from '../../../math/triangle.ts'
 import { labelOf } from '../../shapes/families.ts'
 import { crossOf, type Skin, type SkinTarget } from '../../skin/surface.ts'
 
-/** Largest offset of a usable target, in sizes of the skin. */
+/** Maximum offset of a usable target, in sizes of the skin. */
 const MAX_OFFSET = 2
-/** Largest extent of a usable skin, in sides of a square of the same area. Hair, drawn as thin strips, has about 50. */
+/** Maximum extent of a usable skin, in sides of a square of the same area. Hair, drawn as thin strips, reaches about 50. */
 const MAX_EXTENT = 1000
-/** Largest skin that `autoWrinkles` works on. */
-export const MOST_TRIANGLES = 2_000_000
+/** Maximum number of triangles for `autoWrinkles`. */
+export const MAX_SKIN_TRIANGLES = 2_000_000
 
 const CHECK_EXPORT = 'check how the mesh was exported'
 
 /**
- * Checks a skin, and leaves out targets that are broken.
+ * Checks a skin, and drops broken targets.
  *
- * @throws FurrowError for a skin that no wrinkles can be made from.
+ * @throws FurrowError if no wrinkles can be made for the skin.
  */
 export function checkSkin(skin: Skin): { skin: Skin; warnings: string[] } {
   const { positions, uvs, indices, targets } = skin
@@ -25,8 +25,8 @@ export function checkSkin(skin: Skin): { skin: Skin; warnings: string[] } {
   if (targets.length === 0) {
     fail('no blendshapes', undefined, 'targets that move the skin', 'export the face with its blendshapes')
   }
-  if (triangles > MOST_TRIANGLES) {
-    const limit = `${MOST_TRIANGLES.toLocaleString('en')} triangles`
+  if (triangles > MAX_SKIN_TRIANGLES) {
+    const limit = `${MAX_SKIN_TRIANGLES.toLocaleString('en')} triangles`
     fail('too many triangles', triangles, limit, 'decimate the mesh; the maps hold the detail')
   }
   if (uvs.length !== 2 * vertices || indices.length < 3) {
@@ -55,9 +55,9 @@ export function checkSkin(skin: Skin): { skin: Skin; warnings: string[] } {
   }
   const warnings: string[] = []
   const usable = targets.filter((target) => {
-    const fault = faultOf(target, size)
-    if (fault) warnings.push(`blendshape "${target.name}" ${fault}; it is left out`)
-    return !fault
+    const problem = problemOf(target, size)
+    if (problem) warnings.push(`blendshape "${target.name}" ${problem}; it is skipped`)
+    return !problem
   })
   if (!usable.some(({ offsets }) => largestOffset(offsets) > 0)) {
     fail('no blendshape moves the mesh', targets.length, 'targets that move the skin', 'choose another mesh')
@@ -69,7 +69,7 @@ function fail(problem: string, value: unknown, limit: string | undefined, remedy
   throw new FurrowError({ who: 'autoWrinkles', problem, value, limit, remedy })
 }
 
-function faultOf({ offsets }: SkinTarget, size: number): string | undefined {
+function problemOf({ offsets }: SkinTarget, size: number): string | undefined {
   if (!allFinite(offsets)) return 'has offsets that are NaN or infinite'
   return largestOffset(offsets) > MAX_OFFSET * size
     ? `moves vertices farther than ${MAX_OFFSET} times the size of the face`
@@ -101,7 +101,7 @@ function surfaceArea(positions: ArrayLike<number>, indices: ArrayLike<number>): 
   return sum
 }
 
-/** The positions of vertices that triangles have. */
+/** Returns the positions of vertices used by triangles. */
 function usedPositions(positions: ArrayLike<number>, indices: ArrayLike<number>): Float64Array {
   const used = new Float64Array(3 * indices.length)
   for (let i = 0; i < indices.length; i++) {

@@ -5,26 +5,26 @@ import { crossOf, type Skin } from '../../skin/surface.ts'
 import { knownTargets } from './known-targets.ts'
 import { faceShapeFinder, hintsOf, type TargetHints } from './stand-ins.ts'
 
-/** A mesh, or the part of one with one material, that may be the skin. */
+/** Mesh, or its part with one material, that may be the skin. */
 export interface SkinCandidate {
   skin: Skin
-  /** Whether its material can show wrinkles: such a one is preferred where it moves at least half as much. */
+  /** Whether its material can show wrinkles: preferred if it moves at least half as much. */
   isLit: boolean
-  /** Names of its mesh and material, which may tell that it is no skin. */
+  /** Names of its mesh and material, which may indicate that it is not skin. */
   label: string
 }
 
-/** The skin that was chosen. */
+/** Chosen skin. */
 export interface SkinChoice {
   /** Index of the candidate. */
   index: number
-  /** Fraction of what `movers` move, 0..1; NaN where they move nothing. */
+  /** Fraction of the surface moved by `movers` that belongs to the candidate, 0..1; NaN if they move nothing. */
   fraction: number
-  /** Reason for the choice, for people. */
+  /** Human-readable reason for the choice. */
   movers: string
 }
 
-/** Fraction of the most moved surface below which a candidate is no face. */
+/** Minimum fraction of the most moved surface for a candidate to be a face. */
 const NEGLIGIBLE = 0.02
 
 /** Blendshapes of a face that move its skin, not only eyes or teeth. */
@@ -38,21 +38,22 @@ const SKIN_SHAPES = [
   'mouthSmileRight',
 ]
 
-/** Kinds of blendshapes that tell nothing of where a face is. */
+/** Kinds of blendshapes that do not indicate a face. */
 const NO_EXPRESSIONS: readonly (ShapeKind | undefined)[] = ['body', 'corrective', 'hidden', 'other']
 
-/** Words in names of meshes and materials that are no skin. */
+/** Words in names of meshes and materials that are not skin. */
 const NO_SKIN =
   /cloth|outfit|pants|trousers?|jeans|shorts|skirt|dress|shirt|\btops?\b|bottom|jacket|coat|shoe|boot|sock|glove|hat\b|glasses|hair|brow|lash|eye|iris|pupil|teeth|tooth|tongue|gum/i
-/** Factor for these. */
+/** Factor for candidates with these words. */
 const DOUBT = 0.25
 
 /**
- * Chooses the skin of a character: the candidate whose surface brows, lids and mouth move most, by the names of blendshapes or else by their
- * motion. Without these, the one that blendshapes move most where it follows the head; without a head, the one that all blendshapes move most.
- * Body sliders and the like count only where nothing else moves anything.
+ * Chooses the skin of a character: the candidate whose surface moves most with brows, lids and mouth, by the names of blendshapes or else
+ * by their motion.
+ * Without these, the blendshapes weighted by the head joint decide, then all expressions. Body sliders and similar blendshapes only count
+ * if nothing else moves.
  *
- * @returns undefined where there are no candidates.
+ * @returns undefined if there are no candidates.
  */
 export function chooseSkin(candidates: readonly SkinCandidate[]): SkinChoice | undefined {
   if (candidates.length === 0) return undefined
@@ -94,29 +95,29 @@ function movedByAll(skin: Skin): number {
   return movedSurface(skin, [...skin.targets.keys()])
 }
 
-/** Surface that brows, lids and mouth move, by their motion. */
+/** Measures the surface that brows, lids and mouth move, identified by motion. */
 function movedFace(skin: Skin, largest: number): number {
   if (!(movedByAll(skin) > NEGLIGIBLE * largest)) return 0
   const { known, hints } = knownTargets(skin)
   return movedSurface(skin, faceTargets(known, hints))
 }
 
-/** Indices of the targets that move brows, lids and mouth. */
+/** Returns the indices of the targets that move brows, lids and mouth. */
 function faceTargets(names: readonly string[], hints: TargetHints): number[] {
   const find = faceShapeFinder(names, hints)
   return [...new Set(SKIN_SHAPES.flatMap(find))]
 }
 
-/** Indices of the targets that may be expressions. */
+/** Returns the indices of the targets that may be expressions. */
 function expressions({ targets }: Skin): number[] {
   const hints = hintsOf(targets)
   return [...targets.keys()].filter((target) => !NO_EXPRESSIONS.includes(hints[target]?.kind))
 }
 
 /**
- * The area of each triangle times how far the chosen targets move it, summed.
+ * Sums the area of each triangle times its displacement by the chosen targets.
  *
- * @param weights factors of the vertices, all 1 by default; 0 of those that are missing.
+ * @param weights factors of the vertices, 0 if missing; default: all 1.
  */
 function movedSurface(
   { positions, indices, targets }: Skin,

@@ -7,39 +7,39 @@ import { type KnownTargets, knownTargets } from './known-targets.ts'
 import { centroidOf, findLandmarks, type Landmarks } from './landmarks.ts'
 import { faceShapeFinder, hintsOf, partShapeFinder, type TargetHints } from './stand-ins.ts'
 
-/** A skin that was recognised as a face. */
+/** Skin recognised as a face. */
 export interface DetectedFace {
-  /** In millimetres, in the frame of the face. */
+  /** Surface in millimetres, in face coordinates. */
   surface: SkinSurface
-  /** The same, unrolled. */
+  /** The surface, unrolled. */
   chart: HeadChart
   landmarks: Landmarks
   /** Millimetres per unit of the skin. */
   scale: number
-  /** Offsets of each target by point, in millimetres, in the order of the skin's targets. */
+  /** Offsets of each target per point, in millimetres, in the order of the skin's targets. */
   offsets: readonly Float64Array[]
   /** Names of the targets. */
   names: readonly string[]
-  /** The same without names that the motion contradicts. */
+  /** Names of the targets, with placeholders for names that the motion contradicts. */
   known: readonly string[]
   /** Kind of each target, by motion and name. */
   hints: TargetHints
-  /** Indices of the targets of that name, in any rig's spelling, or of its stand-ins. */
+  /** Returns the indices of the targets with a name, in any rig's spelling, or of stand-ins. */
   find(name: string): number[]
 }
 
-/** Millimetres between the centres of an adult's eyes (mean of women's 61.7 and men's 64.0; Dodgson 2004), to which faces are scaled. */
+/** Distance between an adult's eyes in millimetres, to which faces are scaled (mean of women's 61.7 and men's 64.0; Dodgson 2004). */
 const EYE_DISTANCE = 63
 
-/** Millimetres below and above the middle of the eyes. */
+/** Distances in millimetres below and above the midpoint of the eyes. */
 const MOUTH_BELOW = 40
 const BROWS_ABOVE = 10
 
 /**
- * Recognises a face by what its targets move: blinks the lids, raised and lowered brows the brows, smiles the corners of the mouth. Brows that
- * no target moves are placed above the eyes.
+ * Recognises a face by the motion of its targets: blinks move the lids, brow shapes the brows, smiles the corners of the mouth. Brows
+ * that no target moves are placed above the eyes.
  *
- * @returns undefined where the targets needed for that have other names, or move nothing.
+ * @returns undefined if the required targets are missing, not recognised or move nothing.
  */
 export function detectFace(skin: Skin): DetectedFace | undefined {
   const names = skin.targets.map(({ name }) => name)
@@ -72,38 +72,38 @@ export function detectFace(skin: Skin): DetectedFace | undefined {
 }
 
 /**
- * Finds the plane between the left and right half of a face, by what its targets move.
+ * Finds the symmetry plane of a face by the motion of its targets.
  *
- * @returns undefined where they do not show the eyes and the mouth.
+ * @returns undefined if they do not reveal the eyes and the mouth.
  */
 export function middleOf(skin: Skin): MirrorPlane | undefined {
   return placedFace(skin)?.middle
 }
 
-/** A skin in the frame of its face. */
+/** Skin in face coordinates. */
 interface PlacedFace extends Pick<DetectedFace, 'surface' | 'offsets' | 'scale'> {
-  /** The plane between its left and right half, in the coordinates of the skin. */
+  /** Symmetry plane, in the coordinates of the skin. */
   middle: MirrorPlane
 }
 
 /**
- * Moves a skin into the frame of its face: by the names of its targets, or by their motion where the names do not show it.
+ * Transforms a skin into face coordinates, by the names of its targets, or by their motion if names do not suffice.
  *
- * @returns undefined where neither shows eyes and mouth.
+ * @returns undefined if neither reveals eyes and mouth.
  */
 export function placedFace(skin: Skin): PlacedFace | undefined {
   const byName = { known: correctedNames(skin.targets), hints: hintsOf(skin.targets) }
   return placeFace(skin, byName) ?? placeFace(skin, knownTargets(skin))
 }
 
-/** Moves a skin into the frame of its face, which the eyes and the mouth span. */
+/** Transforms a skin into face coordinates, spanned by the eyes and the mouth. */
 function placeFace(skin: Skin, { known, hints, eyes }: KnownTargets): PlacedFace | undefined {
   const welded = weldSurface(skin)
   const findPart = partShapeFinder(known, hints)
   const raw = skin.targets.map((target) => pointOffsets(welded, target))
   const centroid = (threshold: number, ...shapes: string[]) =>
     centroidOf(welded, sumDisplacements(raw, shapes.flatMap(findPart), welded.areas.length), threshold)
-  // A target that closes both eyes tells neither.
+  // A target that closes both eyes locates neither.
   const isBoth = `${findPart('eyeBlinkLeft')}` === `${findPart('eyeBlinkRight')}`
   const leftEye = isBoth ? eyes?.[0] : centroid(0.3, 'eyeBlinkLeft')
   const rightEye = isBoth ? eyes?.[1] : centroid(0.3, 'eyeBlinkRight')
@@ -120,7 +120,7 @@ function placeFace(skin: Skin, { known, hints, eyes }: KnownTargets): PlacedFace
   return { surface, offsets, scale: frame.scale, middle: frame.middle }
 }
 
-/** Transforms coordinates into the frame of the face: the midpoint between the eyes becomes the origin, in millimetres. */
+/** Creates the transform into face coordinates: millimetres from the midpoint of the eyes. */
 function faceFrame(leftEye: readonly number[], rightEye: readonly number[], mouth: readonly number[]) {
   const origin = leftEye.map((value, k) => (value + rightEye[k]) / 2)
   const across = leftEye.map((value, k) => value - rightEye[k])
@@ -156,7 +156,9 @@ function faceFrame(leftEye: readonly number[], rightEye: readonly number[], mout
   }
 }
 
-/** What an emotion moves of the part that a shape is named after: brows are above the eyes, the mouth is below the nose. */
+/**
+ * Limits an emotion's motion to the part of the face that a shape is named after: brows are above the eyes, the mouth is below the nose.
+ */
 function inHalf({ points }: SkinSurface, shape: string, displacements: Float64Array): Float64Array {
   const isInside = shape.startsWith('mouth')
     ? (up: number) => up < -MOUTH_BELOW
@@ -164,7 +166,7 @@ function inHalf({ points }: SkinSurface, shape: string, displacements: Float64Ar
   return displacements.map((distance, i) => (isInside(points[3 * i + 1]) ? distance : 0))
 }
 
-/** The sum of the displacements of each point over some targets. */
+/** Sums the displacements of each point over several targets. */
 function sumDisplacements(
   offsets: readonly Float64Array[],
   targets: readonly number[],

@@ -4,18 +4,18 @@ import { length2, normalize } from '../../../math/vector.ts'
 import { islandsOf } from '../../skin/islands.ts'
 import { cornersOf, type SkinSurface, type SurfacePoint } from '../../skin/surface.ts'
 
-/** Millimetres from the surface of the face to the axis of the head. */
+/** Distance in millimetres from the face's surface to the head's axis. */
 const RADIUS = 85
 
-/** A point of the head's chart, the face unrolled from a cylinder: millimetres to the person's left around the head, and up. */
+/** Point of the head's chart, unrolled from a cylinder: millimetres around the head to the person's left, and up. */
 export type ChartPoint = readonly [across: number, up: number]
 
-/** Projects a position in the frame of the face onto the chart, along the ray from the axis of the head. */
+/** Projects a position in face coordinates onto the chart, along the ray from the head's axis. */
 export function unroll(x: number, y: number, z: number): ChartPoint {
   return [RADIUS * atan2(x, z + RADIUS), y]
 }
 
-/** How far round the head a box in front of its axis reaches, given by its lowest and highest x, y and z: from the least across to the largest. */
+/** Returns the range of `across` covered by a box in front of the head's axis, given by its lowest and highest x, y and z. */
 export function acrossOf(low: ArrayLike<number>, high: ArrayLike<number>): readonly [number, number] {
   if (low[2] <= -RADIUS) return [-Infinity, Infinity]
   const [left] = unroll(low[0], 0, low[0] < 0 ? low[2] : high[2])
@@ -24,11 +24,12 @@ export function acrossOf(low: ArrayLike<number>, high: ArrayLike<number>): reado
 }
 
 /**
- * Lifts a direction of the chart onto the skin.
+ * Lifts a direction on the chart onto the skin.
  *
- * @param x, z of the point where the skin is.
+ * @param x position of the skin in face coordinates.
+ * @param z position of the skin in face coordinates.
  * @param normal of the skin there.
- * @param out takes the direction, of length 1.
+ * @param out receives the unit direction.
  */
 export function rollUp(
   x: number,
@@ -43,7 +44,7 @@ export function rollUp(
   const [vx, vy, vz] = [across * cosine, up, -across * sine]
   const facing = nx * sine + nz * cosine
   const rise = nx * vx + ny * vy + nz * vz
-  // Along the ray from the axis, as the chart is projected; where the skin is seen edge-on, along its normal.
+  // Project along the ray from the axis like the chart, or along the normal where the skin is seen edge-on.
   const isSteep = facing < 0.2
   const [rx, ry, rz, lift] = isSteep ? [nx, ny, nz, rise] : [sine, 0, cosine, rise / facing]
   out[0] = vx - lift * rx
@@ -52,26 +53,26 @@ export function rollUp(
   normalize(out)
 }
 
-/** How far below 0 a barycentric coordinate may be for a point to count as inside. */
+/** Barycentric tolerance for points inside a triangle. */
 const TOLERANCE = 1e-9
-/** Side of a cell in millimetres, and how many there are round the head, and above and below the eyes: lines are nowhere else. */
+/** Side of a cell in millimetres, and number of cells around the head, and above and below the eyes: there are no lines elsewhere. */
 const CELL = 6
 const COLUMNS = 2 * Math.ceil((Math.PI * RADIUS) / CELL)
 const ROWS = 2 * 50
-/** Triangles of a cell at most: a face of a million has some hundreds, and only skin that lies on top of itself has more. */
-const MOST = 4096
-/** Millimetres up to which a smaller piece of the mesh lies on the skin, as a beard or brows do. */
+/** Maximum number of triangles per cell. A face of a million triangles has some hundreds; only overlapping skin exceeds it. */
+const MAX_TRIANGLES_PER_CELL = 4096
+/** Maximum distance in millimetres of a smaller piece of the mesh that lies on the skin, such as a beard or brows. */
 const COVER = 10
 
-/** Finds the skin at points of the chart: the outermost where it lies in folds, and not what lies on it. */
+/** Finds the skin at points of the chart: the outermost layer of folds, below pieces that lie on it. */
 export class HeadChart {
   readonly #surface: SkinSurface
-  /** Two chart coordinates per point of the surface. */
+  /** Packed chart coordinates per point of the surface. */
   readonly #chartPoints: Float64Array
-  /** Triangles by the cell of the chart that they touch: those of cell i from `#starts[i]` to `#starts[i + 1]`. */
+  /** Triangles by the chart cells they touch: cell i has those from `#starts[i]` to `#starts[i + 1]`. */
   readonly #starts = new Uint32Array(ROWS * COLUMNS + 1)
   readonly #triangles: Uint32Array
-  /** Area of the connected piece of each point of the surface. */
+  /** Area of the connected component of each point of the surface. */
   readonly #pieces: Float64Array
 
   constructor(surface: SkinSurface) {
@@ -87,7 +88,7 @@ export class HeadChart {
     this.#pieces = areasOfPieces(surface)
     const counts = new Uint16Array(ROWS * COLUMNS)
     this.#visitCells((_, cell) => {
-      if (counts[cell] < MOST) counts[cell]++
+      if (counts[cell] < MAX_TRIANGLES_PER_CELL) counts[cell]++
     })
     for (const [cell, count] of counts.entries()) this.#starts[cell + 1] = this.#starts[cell] + count
     this.#triangles = new Uint32Array(this.#starts[counts.length])
@@ -97,7 +98,7 @@ export class HeadChart {
     })
   }
 
-  /** @returns undefined where there is no skin. */
+  /** @returns undefined if there is no skin. */
   find([across, up]: ChartPoint): SurfacePoint | undefined {
     const [row, column] = [rowOf(up), columnOf(across)]
     if (!(row >= 0 && row < ROWS && column >= 0 && column < COLUMNS)) return undefined
@@ -116,7 +117,7 @@ export class HeadChart {
       interpolate(position, this.#surface.points, 3, a, b, c, weights[0], weights[1], weights[2])
       const distance = length2(position[0], position[2] + RADIUS)
       const larger = this.#pieces[a] - piece
-      // On a larger piece it is what lies on the skin; just below a smaller one it is the skin.
+      // A smaller piece just above a larger one lies on the skin; the larger piece is the skin.
       if (
         distance <= farthest
           ? !(larger > 0 && farthest - distance < COVER)
@@ -130,7 +131,7 @@ export class HeadChart {
     return found
   }
 
-  /** The cosine between a normal and the direction out of the head, and how many millimetres a position is behind the outermost skin. */
+  /** Returns the cosine between a normal and the head's outward direction, and the depth below the outermost skin in millimetres. */
   exposure(x: number, y: number, z: number, normal: ArrayLike<number>): { facing: number; depth: number } {
     const rho = length2(x, z + RADIUS)
     const [outerX, , outerZ] = this.find(unroll(x, y, z))?.position ?? [x, y, z]
@@ -140,7 +141,7 @@ export class HeadChart {
     }
   }
 
-  /** Visits each cell that a triangle's box in the chart touches. */
+  /** Visits each cell that a triangle's bounding box on the chart touches. */
   #visitCells(visit: (triangle: number, cell: number) => void): void {
     const c = new Float64Array(6)
     for (let triangle = 0; triangle < this.#surface.skinTriangles.length; triangle++) {
@@ -156,7 +157,7 @@ export class HeadChart {
     }
   }
 
-  /** Two chart coordinates for each corner of a triangle. */
+  /** Writes the chart coordinates of a triangle's corners. */
   #unrolled(triangle: number, out: Float64Array): void {
     const { corners } = this.#surface
     for (let k = 0; k < 3; k++) {

@@ -3,25 +3,27 @@ import type { SkinSurface } from '../../skin/surface.ts'
 import type { TargetHints } from './stand-ins.ts'
 
 /** Kinds of blendshapes that only faces have. */
-const OF_FACES = new Set(['expression', 'viseme', 'emotion'])
+const FACE_KINDS = new Set(['expression', 'viseme', 'emotion'])
 
-/** Fraction of a target's largest displacement from which on a point counts as moved. */
+/** Fraction of a target's largest displacement above which a point counts as moved. */
 const MOVED = 0.1
-/** Distance between lips at rest, and by how much a target parts them, as fractions of the square root of the moved area. */
+/**
+ * Maximum distance between lips at rest, and minimum distance by which a target parts them, as fractions of the moved area's square root.
+ */
 const CLOSED = 0.06
 const PARTED = 0.12
-/** Cosine between the normals of skin that faces other skin, at most. */
+/** Maximum cosine between the normals of skin that faces other skin. */
 const FACING = 0.2
-/** Pairs of points that lips have. */
+/** Minimum number of point pairs on lips. */
 const MIN_PAIRS = 4
 
-/** Tells whether a skin is a head, landmarks or not: targets have names of a face's shapes, or one opens a mouth. */
+/** Returns whether a skin is a head, even without landmarks: targets are named like facial shapes, or one opens a mouth. */
 export function isHead(surface: SkinSurface, offsets: readonly Float64Array[], hints: TargetHints): boolean {
-  const isNamed = hints.some((hint) => hint !== undefined && OF_FACES.has(hint.kind))
+  const isNamed = hints.some((hint) => hint !== undefined && FACE_KINDS.has(hint.kind))
   return isNamed || offsets.some((offset) => opensMouth(surface, offset))
 }
 
-/** Whether a target pulls apart skin that faces other skin closely. */
+/** Returns whether a target parts skin that closely faces other skin. */
 function opensMouth({ points, normals, areas }: SkinSurface, offset: Float64Array): boolean {
   const distances = areas.map((_, i) => length3(offset[3 * i], offset[3 * i + 1], offset[3 * i + 2]))
   const largest = distances.reduce((a, b) => Math.max(a, b), 0)
@@ -50,7 +52,7 @@ function opensMouth({ points, normals, areas }: SkinSurface, offset: Float64Arra
   return false
 }
 
-/** From a cell to itself and its neighbours. */
+/** Offsets from a cell to itself and its neighbours. */
 const STEPS = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((z) => [x, y, z] as const)))
 
 function dotOf(vectors: Float64Array, i: number, j: number): number {

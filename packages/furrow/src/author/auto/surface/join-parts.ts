@@ -1,30 +1,30 @@
 import type { Skin } from '../../skin/surface.ts'
 
-/** Part of a mesh, with triangles and vertices of its own, as some engine or file has it. */
+/** Part of a mesh, with its own triangles and vertices, in the layout of an engine or file. */
 export interface SkinPart {
   /** Number of vertices. */
   count: number
   /** Three vertices per triangle. */
   indices: ArrayLike<number>
-  /** Writes x, y and z of some vertices, one after the other. */
+  /** Writes the packed xyz of the given vertices. */
   readPositions(vertices: Uint32Array, out: Float32Array): void
-  /** Writes u and v of some vertices, v = 0 at the top. */
+  /** Writes the packed uv of the given vertices, v = 0 at the top. */
   readUvs(vertices: Uint32Array, out: Float32Array): void
-  /** Writes x, y and z that the target with this index adds to some vertices; nothing where it does not move the part. */
+  /** Writes the packed xyz that a target, given by its index, adds to the given vertices; writes nothing if it does not move the part. */
   readOffsets(target: number, vertices: Uint32Array, out: Float32Array): void
-  /** Writes how much some vertices follow the joint of the head, 0..1; absent where the character has none. */
+  /** Writes the skinning weights of the given vertices to the head joint, 0..1; undefined if the character has no head joint. */
   readHeadWeights?: ((vertices: Uint32Array, out: Float32Array) => void) | undefined
 }
 
-/** The index of a corner whose vertex does not exist; the skin is refused for it later. */
+/** Index of a corner whose vertex does not exist; `checkSkin` rejects such a skin. */
 const NO_VERTEX = 2 ** 31
 
 /**
- * Joins parts of a mesh into one skin. Vertices that no triangle uses are left out: parts often have all vertices of a mesh.
+ * Joins parts of a mesh into one skin. Unused vertices are dropped, because parts often carry all vertices of a mesh.
  *
- * @param names of the targets.
- * @param placement 4 x 4 matrix from mesh to world space, column by column; the identity by default.
- * @param expressions names of a VRM's expressions that move one target alone, by its index.
+ * @param names names of the targets.
+ * @param placement 4 x 4 matrix from mesh to world space, column-major; default: identity.
+ * @param expressions names of VRM expressions that move a single target, by its index.
  */
 export function joinParts(
   parts: readonly SkinPart[],
@@ -55,7 +55,7 @@ export function joinParts(
   if (placement) {
     transform(positions, placement, 1)
     for (const offset of offsets) transform(offset, placement, 0)
-    if (isMirroring(placement)) turnOver(indices)
+    if (isMirroring(placement)) reverseWinding(indices)
   }
   const targets = names.map((name, k) => {
     const expression = expressions?.get(k)
@@ -64,7 +64,7 @@ export function joinParts(
   return { positions, uvs, indices, targets, ...(headWeights && { headWeights }) }
 }
 
-/** The vertices that triangles use, ascending, and each triangle's corners as indices into them. Plain loops: there may be millions. */
+/** Returns the used vertices in ascending order, and corners as indices into them. Plain loops: there may be millions. */
 function usedVertices({ count, indices }: SkinPart): { vertices: Uint32Array; corners: Uint32Array } {
   const corners = new Uint32Array(indices)
   const isUsed = new Uint8Array(count)
@@ -81,14 +81,14 @@ function usedVertices({ count, indices }: SkinPart): { vertices: Uint32Array; co
   return { vertices, corners }
 }
 
-/** Whether a matrix turns triangles inside out, which glTF has viewers undo. */
+/** Returns whether a matrix turns triangles inside out, which glTF requires viewers to undo. */
 function isMirroring(m: ArrayLike<number>): boolean {
   const minor = (i: number, j: number) => m[i + 1] * m[j + 2] - m[i + 2] * m[j + 1]
   return m[0] * minor(4, 8) - m[4] * minor(0, 8) + m[8] * minor(0, 4) < 0
 }
 
-/** Reverses the order of each triangle's corners. */
-function turnOver(indices: Uint32Array): void {
+/** Reverses the winding of each triangle. */
+function reverseWinding(indices: Uint32Array): void {
   for (let i = 0; i + 2 < indices.length; i += 3) {
     const second = indices[i + 1]
     indices[i + 1] = indices[i + 2]
@@ -96,7 +96,7 @@ function turnOver(indices: Uint32Array): void {
   }
 }
 
-/** Multiplies vectors by an affine matrix, in place; w = 1 for points, 0 for displacements. */
+/** Multiplies vectors by an affine matrix in place; w = 1 for points, 0 for displacements. */
 function transform(vectors: Float32Array, m: ArrayLike<number>, w: 0 | 1): void {
   for (let i = 0; i < vectors.length; i += 3) {
     const [x, y, z] = [vectors[i], vectors[i + 1], vectors[i + 2]]

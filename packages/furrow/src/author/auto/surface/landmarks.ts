@@ -1,9 +1,9 @@
 import type { SkinSurface } from '../../skin/surface.ts'
 
-/** x, y and z: to the person's left, up and forwards, in millimetres from the midpoint between the eyes. */
+/** Position in face coordinates: x to the person's left, y up, z forwards, in millimetres from the midpoint of the eyes. */
 export type LandmarkPosition = readonly [x: number, y: number, z: number]
 
-/** Positions of the features of a face, on the person's left; those on the right have the opposite x. */
+/** Positions of facial features on the person's left; the right ones have the opposite x. */
 export interface Landmarks {
   /** Centre of the closed lids, and the corners of the eye. */
   eye: LandmarkPosition
@@ -12,43 +12,43 @@ export interface Landmarks {
   innerBrow: LandmarkPosition
   outerBrow: LandmarkPosition
   mouthCorner: LandmarkPosition
-  /** Of the nose: its tip, and the lower end of its wing. */
+  /** Tip of the nose, and the lower end of its wing. */
   tip: LandmarkPosition
   wing: LandmarkPosition
-  /** Heights only: the hairline, the base of the nose, the lower end of the chin. */
+  /** Heights of the hairline, the base of the nose and the lower end of the chin. */
   hairline: number
   noseBase: number
   chin: number
 }
 
-/** Fraction of a target's largest displacement from which on skin counts as lid. */
+/** Fraction of a target's largest displacement above which skin counts as lid. */
 const LID = 0.15
-/** Fraction of a target's largest displacement from which on points count as the end of a feature. */
+/** Fraction of a target's largest displacement above which points count as the end of a feature. */
 const FEATURE_END = 0.85
-/** Half the width, in millimetres, of the strip in which the end of a brow is searched. */
+/** Half width in millimetres of the strip in which the end of a brow is searched. */
 const STRIP = 5
 
-/** Millimetres from the middle of the eye up to the brow (Farkas 1994), for a face whose brows no target moves. */
+/** Height in millimetres of the brow above the centre of the eye (Farkas 1994), for faces whose brows no target moves. */
 const BROW_HEIGHT = 20
 
-/** Names of targets that move one side end in these. */
+/** Suffixes of targets that move one side. */
 const SIDE_SUFFIXES = ['Left', 'Right'] as const
 
 /**
- * Finds the features of a face by what its targets move.
+ * Finds the features of a face by the motion of its targets.
  *
- * @param surface in the frame of the face, in millimetres.
- * @param browsMoveAsOne whether one target raises the whole brow.
- * @param displacements sums the displacements of each point over some shapes.
+ * @param surface in face coordinates, in millimetres.
+ * @param browsMoveAsOne whether one target raises the complete brow.
+ * @param displacements sums the displacements of each point over several shapes.
  */
 export function findLandmarks(
   surface: SkinSurface,
   browsMoveAsOne: boolean,
   displacements: (...shapes: string[]) => Float64Array,
 ): Landmarks | undefined {
-  /** Position of a feature: the mean of both sides, the right one mirrored. */
+  /** Returns the position of a feature: the mean of both sides, the right one mirrored. */
   const feature = (threshold: number, ...shapes: string[]) => featureNear(undefined, threshold, ...shapes)
-  /** The same, within a vertical strip. */
+  /** Returns the position of a feature within a vertical strip. */
   const featureNear = (across: number | undefined, threshold: number, ...shapes: string[]) =>
     mirroredMean(
       SIDE_SUFFIXES.map((side, i) => {
@@ -58,7 +58,7 @@ export function findLandmarks(
     )
   const lid = extentOf(surface, onSide(surface, displacements('eyeBlinkLeft'), 0), LID)
   const eye = feature(0.3, 'eyeBlink')
-  // Where one shape raises the whole brow, its ends are taken above the corners of the eye.
+  // If one shape raises the complete brow, its ends are taken above the corners of the eye.
   const [inner, outer] = browsMoveAsOne ? [lid.low, lid.high] : []
   const mouthCorner = feature(FEATURE_END, 'mouthSmile')
   if (!eye || !mouthCorner) return undefined
@@ -68,8 +68,8 @@ export function findLandmarks(
   const outerBrow = featureNear(outer, FEATURE_END, 'browOuterUp') ?? down ?? browAbove(lid.high)
   const tip = foremost(surface, mouthCorner[1] * 0.75, mouthCorner[1] * 0.25)
   const browHeight = (innerBrow[1] + outerBrow[1]) / 2
-  // Hairline, brows, base of the nose and chin divide the face into thirds; the lips meet a third below the nose (Farkas 1994 finds it
-  // near enough).
+  // Hairline, brows, base of the nose and chin divide the face into thirds, and the lips meet a third below the nose (approximately,
+  // Farkas 1994).
   const noseBase = tip[1] + 0.22 * (mouthCorner[1] - tip[1]) - 2
   const third = browHeight - noseBase
   return {
@@ -87,19 +87,19 @@ export function findLandmarks(
   }
 }
 
-/** Displacements of the other side set to 0; side 0 is the left. */
+/** Sets the displacements of the other side to 0; side 0 is the left. */
 function onSide({ points }: SkinSurface, displacements: Float64Array, side: number): Float64Array {
   return displacements.map((distance, i) => (points[3 * i] > 0 === (side === 0) ? distance : 0))
 }
 
-/** Displacements outside a vertical strip, on either side, set to 0. */
+/** Sets displacements outside a vertical strip, on either side, to 0. */
 function inStrip({ points }: SkinSurface, displacements: Float64Array, across: number): Float64Array {
   return displacements.map((distance, i) =>
     Math.abs(Math.abs(points[3 * i]) - across) < STRIP ? distance : 0,
   )
 }
 
-/** Centroid of the points that move at least `threshold` of the largest displacement, weighted by area and displacement. */
+/** Returns the centroid of the points that move at least `threshold` of the largest displacement, weighted by area and displacement. */
 export function centroidOf(
   { points, areas }: SkinSurface,
   displacements: Float64Array,
@@ -125,7 +125,7 @@ function mirroredMean([left, right]: readonly (number[] | undefined)[]): Landmar
   return [mean(0), mean(1), mean(2)]
 }
 
-/** Lowest and highest x of the points that move at least `threshold` of the largest displacement. */
+/** Returns the range of x of the points that move at least `threshold` of the largest displacement. */
 function extentOf({ points }: SkinSurface, displacements: Float64Array, threshold: number) {
   const largest = largestOf(displacements)
   let [low, high] = [Infinity, -Infinity]
@@ -141,7 +141,7 @@ function largestOf(values: Float64Array): number {
   return values.reduce((a, b) => Math.max(a, b), 0)
 }
 
-/** The foremost point between two heights, near the middle. */
+/** Returns the foremost point between two heights, near the middle. */
 function foremost({ points }: SkinSurface, low: number, high: number): LandmarkPosition {
   let best: LandmarkPosition = [0, (low + high) / 2, 0]
   let z = -Infinity

@@ -2,9 +2,9 @@
 export type Pose = ReadonlyMap<number, number>
 
 /**
- * A pose of the targets that a skin has.
+ * Converts weights by name to a pose of the skin's targets.
  *
- * @param find maps a name to target indices, none for a shape that is missing.
+ * @param find maps a name to target indices, none if missing.
  * @param weights by name.
  */
 export function poseOf(

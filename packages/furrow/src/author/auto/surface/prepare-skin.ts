@@ -11,41 +11,41 @@ import { weldInMillimetres } from './skin-surface.ts'
 import { hintsOf, type TargetHints } from './stand-ins.ts'
 import { moveToFirstTile } from './uv-tiles.ts'
 
-/** A skin that wrinkles can be made for. */
+/** Skin ready for making wrinkles. */
 export interface PreparedSkin {
-  /** Without broken targets, in the first tile of its texture. */
+  /** Skin without broken targets, with UVs in 0..1. */
   skin: Skin
   /** Names of its targets. */
   names: readonly string[]
-  /** The same without names that the motion contradicts. */
+  /** Names of its targets, with placeholders for names that the motion contradicts. */
   known: readonly string[]
   /** Kind of each target, by motion and name. */
   hints: TargetHints
-  /** Indices of the targets of that name: of a face in any rig's spelling, or of its stand-ins. */
+  /** Returns the indices of the targets with a name. On faces, names may have any rig's spelling or stand-ins. */
   find(name: string): number[]
-  /** Set if its targets show that it is one. */
+  /** Detected face; undefined if the skin is not recognised as one. */
   face: DetectedFace | undefined
-  /** Whether it is a head on which no face was detected: nothing tells where it folds. */
+  /** Whether it is a head without a detected face, so that its folds are unknown. */
   isUnknownHead: boolean
-  /** In millimetres, of a face in its frame. */
+  /** Surface in millimetres; of a face, in face coordinates. */
   surface: SkinSurface
-  /** Offsets of each target by point, in millimetres. */
+  /** Offsets of each target per point, in millimetres. */
   offsets: readonly Float64Array[]
   /** Millimetres per unit of the skin's positions. */
   scale: number
-  /** Whether the left and right half of the face use the same texels. */
+  /** Whether the left and right half of the face share texels. */
   isMirrored: boolean
-  /** Tells whether a triangle is drawn into the texture; of halves that use the same texels only the left one is. */
+  /** Whether a triangle is drawn into the texture; of halves that share texels, only the left one. */
   isDrawn: (triangle: number) => boolean
   locator: UvLocator
-  /** One sentence each. */
+  /** Complete sentences without a full stop. */
   warnings: readonly string[]
 }
 
 /**
- * Checks a skin, moves it into the first tile of its texture, welds it, and detects a face.
+ * Checks a skin, moves its UVs into 0..1, welds it, and detects a face.
  *
- * @throws FurrowError for a skin that no wrinkles can be made from.
+ * @throws FurrowError if no wrinkles can be made for the skin.
  */
 export function prepareSkin(raw: Skin): PreparedSkin {
   const { skin: checked, warnings } = checkSkin(raw)
@@ -71,9 +71,7 @@ export function prepareSkin(raw: Skin): PreparedSkin {
     )
   const isUnknownHead = !face && isHead(surface, offsets, hints)
   if (!face && !isUnknownHead)
-    warnings.push(
-      'no face was found by what the blendshapes move: wrinkles are placed by strain alone, cautiously',
-    )
+    warnings.push('no face detected from the blendshapes: strain alone places the wrinkles, cautiously')
   const isDrawn = (face && drawnTriangles(surface, overlap)) ?? (() => true)
   const locator = new UvLocator(skin, surface, uvGridOf(skin, surface, isDrawn))
   return {
@@ -94,7 +92,7 @@ export function prepareSkin(raw: Skin): PreparedSkin {
   }
 }
 
-/** Whether most triangles between hairline, outer corners of the eyes and chin are mirrored. */
+/** Returns whether most triangles between hairline, outer corners of the eyes and chin are mirrored. */
 function isFaceMirrored({ surface, landmarks }: DetectedFace, { isMirrored }: UvOverlap): boolean {
   if (!isMirrored) return false
   const { points, corners } = surface
@@ -111,16 +109,16 @@ function percent(fraction: number): string {
   return `${Math.max(1, Math.round(100 * fraction))}%`
 }
 
-/** Lines are kept in millimetres, and so is the size of the face. */
+/** Lines and the size of the face are stored in millimetres. */
 function checkScale(scale: number): void {
-  const [least, most] = SCALE_RANGE
-  if (scale >= least && scale <= most) return
+  const [min, max] = SCALE_RANGE
+  if (scale >= min && scale <= max) return
   throw new FurrowError({
     code: 'out-of-range',
     who: 'autoWrinkles',
-    problem: `the skin is far too ${scale < least ? 'large' : 'small'} for a character`,
+    problem: `the skin is far too ${scale < min ? 'large' : 'small'} for a character`,
     value: `${scale.toPrecision(3)} mm per unit of its positions`,
-    limit: `${least} to ${most}`,
+    limit: `${min} to ${max}`,
     remedy: 'check the scale and the positions of its vertices',
   })
 }

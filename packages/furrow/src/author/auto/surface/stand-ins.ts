@@ -5,10 +5,10 @@ import { hintOf } from '../../shapes/names/hint.ts'
 import type { NameHint } from '../../shapes/names/name-hint.ts'
 import type { SkinTarget } from '../../skin/surface.ts'
 
-/** Kind of each target, by its index; undefined where nothing tells. */
+/** Kind of each target by index; undefined if unknown. */
 export type TargetHints = readonly (NameHint | undefined)[]
 
-/** Maps a shape's name to indices of targets. */
+/** Maps a shape's name to target indices. */
 type Find = (name: string) => number[]
 
 /** Shapes that the lines of a face rely on, without sides. */
@@ -28,17 +28,17 @@ const SHAPES = [
   'mouthStretch',
 ]
 
-/** Tells what targets are by their corrections and names, or else by those of the expressions that move them. */
+/** Derives the kinds of targets from their corrections, their names, or the expressions that move them. */
 export function hintsOf(targets: readonly Omit<SkinTarget, 'offsets'>[]): TargetHints {
   return targets.map(hintOfTarget)
 }
 
 /**
- * Finds a face's shapes by ARKit's names, as `targetFinder` does, and in the spelling of any rig; where the rig lacks one, its stand-ins:
- * other shapes of that part of the face, or emotions, which move all of it.
+ * Finds shapes of a face by ARKit names in any rig's spelling, or their stand-ins: other shapes of that part of the face, or emotions,
+ * which move all of it.
  *
- * @param targets the skin's names.
- * @returns maps a name to indices into `targets`, none where there is no stand-in either.
+ * @param targets names of the skin's targets.
+ * @returns a function from a name to indices into `targets`, empty if there is no stand-in.
  */
 export function faceShapeFinder(targets: readonly string[], hints: TargetHints = targets.map(hintOf)): Find {
   const findPart = partShapeFinder(targets, hints)
@@ -46,7 +46,7 @@ export function faceShapeFinder(targets: readonly string[], hints: TargetHints =
   return (name) => firstFound(name, [findPart, emotions])
 }
 
-/** The same without emotions: what these move says nothing about where a part of the face is. */
+/** Finds shapes like `faceShapeFinder`, but without emotions, which do not locate a part of the face. */
 export function partShapeFinder(targets: readonly string[], hints: TargetHints): Find {
   const find = exactFinder(targets, hints)
   const together = ofSides(matching(hints, ({ match }) => match === 'same'))
@@ -54,10 +54,10 @@ export function partShapeFinder(targets: readonly string[], hints: TargetHints):
   return (name) => firstFound(name, [find, together, like])
 }
 
-/** The same without stand-ins and shapes that are several of ARKit's at once. */
+/** Finds shapes without stand-ins and without combinations of several ARKit shapes. */
 function exactFinder(targets: readonly string[], hints: TargetHints): Find {
   const find = targetFinder(targets)
-  const whole = ofSides((shape) => {
+  const exact = ofSides((shape) => {
     const same = ranked(hints, shape, ({ match, shapes }) => match === 'same' && shapes.length === 1)
     const least = Math.min(...same.map(({ rank }) => rank))
     return same
@@ -66,13 +66,13 @@ function exactFinder(targets: readonly string[], hints: TargetHints): Find {
       .map(({ index }) => index)
   })
   const parts = ofSides(matching(hints, ({ match }) => match === 'part'))
-  return (name) => firstFound(name, [find, whole, parts])
+  return (name) => firstFound(name, [find, exact, parts])
 }
 
 /**
- * Rewrites a pose in the shapes that the rig has: a missing shape is replaced by its stand-ins.
+ * Rewrites a pose in the rig's shapes: stand-ins replace missing shapes.
  *
- * @param pose weights by ARKit's names.
+ * @param pose weights by ARKit names.
  */
 export function poseInRigShapes(
   pose: Readonly<Record<string, number>>,
@@ -89,7 +89,7 @@ export function poseInRigShapes(
   return rewritten
 }
 
-/** Names of the targets that stand in for shapes which the rig lacks. */
+/** Returns the names of the targets that stand in for shapes missing in the rig. */
 export function standInsOf(targets: readonly string[], hints: TargetHints): string[] {
   const [find, findOrStandIn] = [exactFinder(targets, hints), faceShapeFinder(targets, hints)]
   const missing = SHAPES.flatMap(sidesOf).filter((shape) => find(shape).length === 0)
@@ -97,12 +97,12 @@ export function standInsOf(targets: readonly string[], hints: TargetHints): stri
   return found.filter((index) => hints[index]?.match === 'like').map((index) => targets[index])
 }
 
-/** ARKit's names of a shape that has no side in its name. */
+/** Returns the ARKit names of a shape without a side. */
 function sidesOf(shape: string): string[] {
   return BOTH_SIDES.includes(shape) ? [`${shape}Left`, `${shape}Right`] : [shape]
 }
 
-/** A name without a side means the shapes of both sides. */
+/** Expands names without a side to the shapes of both sides. */
 function ofSides(find: (shape: string) => number[]): Find {
   return (name) => [...new Set(sidesOf(canonicalTargetName(name)).flatMap(find))]
 }
@@ -115,12 +115,12 @@ function firstFound(name: string, finders: readonly Find[]): number[] {
   return []
 }
 
-/** All targets of a kind that have the shape. */
+/** Returns all targets of a kind with the shape. */
 function matching(hints: TargetHints, isWanted: (hint: NameHint) => boolean): (shape: string) => number[] {
   return (shape) => ranked(hints, shape, isWanted).map(({ index }) => index)
 }
 
-/** Finds targets of a kind that resemble a shape most. Targets of its side alone come before both-sided ones. */
+/** Finds the targets of a kind closest to a shape. Targets of one side take precedence over two-sided ones. */
 function closest(hints: TargetHints, isWanted: (hint: NameHint) => boolean): Find {
   return ofSides((shape) => {
     const all = ranked(hints, shape, isWanted)

@@ -2,14 +2,14 @@ import { uvArea } from '../../../math/triangle.ts'
 import { islandsOf } from '../../skin/islands.ts'
 import type { Skin } from '../../skin/surface.ts'
 
-/** Fraction of the UV area that may lie outside the tile: borders of islands may stick out. */
+/** Fraction of the UV area that may lie outside 0..1: borders of islands may stick out. */
 const OVERHANG = 0.01
 
 /**
- * Moves each UV island by whole tiles into 0..1, where renderers look up what is outside (textures repeat).
+ * Moves each UV island by an integer offset into 0..1, because renderers repeat the texture.
  *
- * @returns the skin itself where all of it is inside, and the fraction of its UV area that crosses the edges of the tile, where no lines
- *   are drawn; 0 where it is negligible.
+ * @returns the same skin if all UVs are inside, and the fraction of its UV area that crosses the edges, where no lines are drawn; 0 if
+ *   negligible.
  */
 export function moveToFirstTile(skin: Skin): { skin: Skin; crossing: number } {
   const { uvs, indices } = skin
@@ -35,7 +35,7 @@ function isOutside(uvs: ArrayLike<number>): boolean {
   return false
 }
 
-/** Of the UV area, the fraction of triangles that leave 0..1. */
+/** Returns the fraction of the UV area in triangles that leave 0..1. */
 function fractionOutside(uvs: ArrayLike<number>, indices: ArrayLike<number>): number {
   let [outside, total] = [0, 0]
   for (let t = 0; t + 2 < indices.length; t += 3) {
