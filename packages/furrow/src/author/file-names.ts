@@ -8,9 +8,8 @@ const UNSAFE = /[<>:"/\\|?*\p{Cc}\p{Cf}\p{Cs}\p{Cn}\p{Zl}\p{Zp}]|^[ .]+|[ .]+$/g
 const DEVICE = /^(con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9¹²³])(?=\.|$)/i
 
 /**
- * Derives file names without extension from layer or area names. They are valid on every file system and stay distinct if case and
- * Unicode normalisation are ignored.
- * Names that are already valid are kept. Order matters only between names that would collide.
+ * Derives file names without extension from layer or area names. They are valid on every file system and stay distinct if case and Unicode
+ * normalisation are ignored. Names that are already valid are kept. Order matters only between names that would collide.
  *
  * @param names distinct names of any characters.
  * @returns one file name per name: at most 100 bytes in UTF-8, plus a number if needed to make it unique.

@@ -16,10 +16,9 @@ export interface MetricMesh {
 }
 
 /**
- * Size of the texture on the skin: per texel, the first fundamental form of the surface P(u, v) (do Carmo, Differential Geometry of
- * Curves and Surfaces, 2.5).
- * A small step (du, dv) is sqrt(uu du^2 + 2 uv du dv + vv dv^2) millimetres long.
- * All maps have width x height values; row 0 is at v = 0.
+ * Size of the texture on the skin: per texel, the first fundamental form of the surface P(u, v) (do Carmo, Differential Geometry of Curves
+ * and Surfaces, 2.5). A small step (du, dv) is sqrt(uu du^2 + 2 uv du dv + vv dv^2) millimetres long. All maps have width x height values;
+ * row 0 is at v = 0.
  */
 export interface Metric {
   width: number
@@ -42,8 +41,7 @@ const MIN_SQUARED_SINE = 1e-4
 
 /**
  * Measures a mesh in its UV space. Forms are averaged at the vertices by area, which hides facets, and interpolated across triangles.
- * Texels outside the UV islands copy the nearest one.
- * Where islands overlap, the last triangle wins.
+ * Texels outside the UV islands copy the nearest one. Where islands overlap, the last triangle wins.
  *
  * @param width map width in texels; also the default height.
  * @param scale millimetres per unit of the positions.

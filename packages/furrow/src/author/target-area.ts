@@ -16,10 +16,9 @@ const MIN_WEIGHT = 1.5 / 255
 const FULL_COMPRESSION = 0.35
 
 /**
- * Computes the area that a blendshape or a muscle moves.
- * Weights grow with the square root of the displacement, from 0 for still skin to 1 at the largest displacement: the edge is soft and
- * includes everything that moves.
- * Stretched skin, such as beyond a muscle's end, gets small weights.
+ * Computes the area that a blendshape or a muscle moves. Weights grow with the square root of the displacement, from 0 for still skin to 1
+ * at the largest displacement: the edge is soft and includes everything that moves. Stretched skin, such as beyond a muscle's end, gets
+ * small weights.
  *
  * @param offsets packed xyz displacement per vertex.
  * @param size side in texels.

@@ -23,7 +23,6 @@ const BASE_OPACITY = 0.6
 /** Light direction: from the upper left, in front of a face that looks along +z. */
 const LIGHT = [-0.35, 0.45, 0.82]
 
-/** Options of `drawUvLayout`. */
 export interface UvLayoutOptions {
   /** Base colour, RGBA in sRGB, size x size texels, drawn faintly. Default: light gray. */
   base?: RgbaImage

@@ -72,7 +72,6 @@ export interface AutoWrinkles {
  */
 export type AutoProgress = (done: number, total: number, step: string) => void
 
-/** Steps of `autoWrinkles` in order. */
 export const AUTO_STEPS = ['face', 'lines', 'drivers', 'layers', 'maps'] as const
 
 /**

@@ -8,7 +8,6 @@ import type { HeightMap } from '../strokes/height.ts'
 import type { AutoWrinkles } from './auto.ts'
 import { halfSide, heightLevels } from './raster/half-side.ts'
 
-/** Driver of automatic wrinkles. */
 export type AutoDriver = MorphDriver | AgeDriver | TimeDriver | ExpressionDriver
 
 type Heights = Required<Pick<Layer, 'height' | 'heightAmplitude'>>

@@ -83,9 +83,8 @@ const TOLERANCE = 1e-9
 
 /**
  * Bakes a detailed surface into maps of a low mesh. A ray per sample starts `cage` outside the mesh and goes inwards along its smooth
- * normals.
- * The first hit within twice the cage gives the height and the normal, in the frame in which renderers read the map. Samples are averaged
- * per texel, also across overlapping islands.
+ * normals. The first hit within twice the cage gives the height and the normal, in the frame in which renderers read the map. Samples are
+ * averaged per texel, also across overlapping islands.
  *
  * @param progress called periodically with the approximate number of samples done.
  * @throws FurrowError if mesh or options are invalid, or no ray hits anything.

@@ -18,11 +18,9 @@ export interface TangentSpace {
 const DEGENERATE = 1e-6
 
 /**
- * Returns the frame in which renderers read this mesh's normal map.
- * With tangents: glTF's. Bitangents are cross(normal, tangent) w at the vertices; all three vectors are interpolated and normalised, as
- * in three.js and the Khronos sample renderer.
- * Without tangents: three.js's derivative frame.
- * Interpolated frames are not orthogonal, so they are inverted exactly (Cramer's rule).
+ * Returns the frame in which renderers read this mesh's normal map. With tangents: glTF's. Bitangents are cross(normal, tangent) w at the
+ * vertices; all three vectors are interpolated and normalised, as in three.js and the Khronos sample renderer. Without tangents: three.js's
+ * derivative frame. Interpolated frames are not orthogonal, so they are inverted exactly (Cramer's rule).
  */
 export function tangentSpaceOf(mesh: BakeMesh): TangentSpace {
   const readFrame = mesh.tangents ? vertexFrame(mesh, mesh.tangents) : derivativeFrame(mesh)

@@ -29,7 +29,6 @@ const REACH = 2.2
 const UNEVEN = 0.85
 const ACROSS = 0.9
 
-/** Canvas for furrows. */
 type FurrowCanvas = Pick<SkinCanvas, 'surface' | 'texels' | 'metric' | 'locator'>
 
 /**

@@ -110,7 +110,6 @@ export function squareBy(m: Float64Array, i: number, dx: number, dy: number, dz:
   )
 }
 
-/** Sorts indices by their hashes. */
 function inRandomOrder(hashes: Uint32Array): Uint32Array {
   // Pack hash and index into the 53 bits of a number.
   const bits = 2 ** 21

@@ -6,7 +6,6 @@ export class SeedGrid {
   /** Last position of each bucket, and the previous one of each position; -1 if none. */
   readonly #last: Int32Array
   readonly #before: Int32Array
-  /** Cell of each position. */
   readonly #cells: Int32Array
   readonly #found: Int32Array
 

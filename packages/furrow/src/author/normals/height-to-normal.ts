@@ -21,10 +21,9 @@ export type TangentFrame = 'orthonormal' | 'derivative'
 
 /**
  * Converts heights to a tangent-space normal map: linear bytes, (n + 1) * 127.5 rounded, +Y (green) towards smaller v as in glTF, alpha
- * 255.
- * Slopes are millimetres per millimetre on the skin: the gradient is taken through the first fundamental form (do Carmo, 2.5, exercise
- * 14), then written in `frame`.
- * Derivatives span five texels (`slopeAt`): waves of 8 texels keep 95% of their slope, waves of 16 texels 99.8%.
+ * 255. Slopes are millimetres per millimetre on the skin: the gradient is taken through the first fundamental form (do Carmo, 2.5, exercise
+ * 14), then written in `frame`. Derivatives span five texels (`slopeAt`): waves of 8 texels keep 95% of their slope, waves of 16 texels
+ * 99.8%.
  *
  * @throws FurrowError if height map and metric differ in size.
  */

@@ -29,7 +29,6 @@ export interface RecognisedShape {
   isMisnamed: boolean
 }
 
-/** Label of a target by its motion. */
 interface MotionMatch {
   label: ShapeLabel
   confidence: number
@@ -72,7 +71,6 @@ export function recogniseShapes(
   return { shapes, eyes }
 }
 
-/** Labels each target by its motion. */
 function matchByMotion(
   skin: Skin,
   heads: readonly TemplateHead[],

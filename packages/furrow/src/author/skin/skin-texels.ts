@@ -294,7 +294,6 @@ export class SkinTexels {
   }
 }
 
-/** Returns the next edge of the same triangle. */
 function nextEdge(edge: number): number {
   return edge % 3 === 2 ? edge - 2 : edge + 1
 }

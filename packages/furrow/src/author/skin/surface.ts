@@ -110,7 +110,6 @@ export function pointOffsets({ points, pointOf }: SkinSurface, { offsets }: Skin
   return out
 }
 
-/** Returns the three points of a triangle. */
 export function cornersOf({ corners }: SkinSurface, triangle: number): [number, number, number] {
   return [corners[3 * triangle], corners[3 * triangle + 1], corners[3 * triangle + 2]]
 }

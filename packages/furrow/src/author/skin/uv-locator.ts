@@ -10,7 +10,6 @@ const ENTRIES = 4
 const INSIDE = -1e-9
 /** Distances outside an island, as fractions of the texture, that still count as inside: written coordinates are rounded. */
 const MARGINS = [2 ** -12, 2 ** -10]
-/** The eight directions. */
 const DIRECTIONS = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => (x || y ? [[x, y] as const] : [])))
 
 /** Triangles of a skin by cells of a UV grid, as arrays that a worker can transfer. */
@@ -155,7 +154,6 @@ function cellOf(coordinate: number, side: number): number {
   return Math.max(0, Math.min(side - 1, Math.floor(coordinate * side)))
 }
 
-/** Reads u and v of a triangle's corners. */
 function readCorners(
   out: Float64Array,
   skin: Pick<Skin, 'uvs' | 'indices'>,

@@ -123,7 +123,6 @@ function distance(a: ArrayLike<number>, b: ArrayLike<number>): number {
   return length3(b[0] - a[0], b[1] - a[1], b[2] - a[2])
 }
 
-/** Collects the points of a line. */
 class Trail {
   readonly #surface: SkinSurface
   #points: number[] = []

@@ -5,9 +5,8 @@ import type { CrossSection, LaidStroke } from './lay-out.ts'
 import { bankAt, valleyAt } from './profile.ts'
 
 /**
- * Exponents of the norms that join strokes.
- * Valleys: (a^6 + b^6)^(1/6) is close to the maximum, at most 12% more. Crossing valleys are as deep as the deeper one, not the sum.
- * Banks: (a^2 + b^2)^(1/2) merges the banks of two neighbouring lines into one bulge.
+ * Exponents of the norms that join strokes. Valleys: (a^6 + b^6)^(1/6) is close to the maximum, at most 12% more. Crossing valleys are as
+ * deep as the deeper one, not the sum. Banks: (a^2 + b^2)^(1/2) merges the banks of two neighbouring lines into one bulge.
  */
 const JOIN = { valleys: 6, banks: 2 } as const
 /** Fraction of the light lost in a valley, per depth in half widths, and its maximum. */

@@ -23,10 +23,9 @@ export interface DrawnStrokes {
 }
 
 /**
- * Draws strokes as a height map. Distances are measured in 3D, so texture stretch and seams do not show.
- * Valleys and banks are joined separately (see `HeightSum`), then added: the order of strokes does not matter, and a single stroke keeps
- * its exact profile.
- * Valleys are at least as wide as three texels, and shallower if widened. Parts of strokes outside the skin are skipped.
+ * Draws strokes as a height map. Distances are measured in 3D, so texture stretch and seams do not show. Valleys and banks are joined
+ * separately (see `HeightSum`), then added: the order of strokes does not matter, and a single stroke keeps its exact profile. Valleys are
+ * at least as wide as three texels, and shallower if widened. Parts of strokes outside the skin are skipped.
  *
  * @param progress called with the number of strokes drawn in the finished part of the map.
  * @throws FurrowError if the strokes are longer than 100 m in total.

@@ -37,7 +37,6 @@ export interface LaidStroke extends SkinLine, CrossSection {
 
 /** Maximum segment length in millimetres: well below the thinnest visible wrinkle. */
 const MAX_SEGMENT = 0.5
-/** Maximum number of segments per stroke. */
 const MAX_SEGMENTS = 8192
 /** Maximum total length of strokes in millimetres. Lines a millimetre apart across a face of 300 x 300 mm are 90 m long. */
 export const MAX_TOTAL_LENGTH = 100_000

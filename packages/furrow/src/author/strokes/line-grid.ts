@@ -41,10 +41,8 @@ interface Level {
 }
 
 /**
- * Finds lines near positions on the skin with a hierarchical grid.
- * Cells are filled on first access, because few cells of a skin are within reach of a line. Each level filters the runs of the next
- * larger cubes.
- * Results at a position depend only on the lines within reach.
+ * Finds lines near positions on the skin with a hierarchical grid. Cells are filled on first access, because few cells of a skin are within
+ * reach of a line. Each level filters the runs of the next larger cubes. Results at a position depend only on the lines within reach.
  */
 export class LineGrid {
   readonly #reaches: readonly number[]

@@ -72,8 +72,7 @@ export class LineSegments {
 
   /**
    * Returns the sine, in the tangent plane, between the segment and the direction to a position: 1 to its right, -1 to its left, less
-   * around its ends.
-   * The height above the tangent plane is ignored, because skin is curved.
+   * around its ends. The height above the tangent plane is ignored, because skin is curved.
    *
    * @param t result of `fractionAt`.
    */

@@ -10,8 +10,7 @@ const HEAD = 4
 
 /**
  * Caches the contribution of all strokes but the edited one, per texel on first access: while an artist bends one line, its neighbours
- * stay.
- * Floating-point sums depend on the order, so strokes before the edited one are cached as a sum, and strokes behind it separately.
+ * stay. Floating-point sums depend on the order, so strokes before the edited one are cached as a sum, and strokes behind it separately.
  */
 export class OtherStrokes {
   readonly #strokes: readonly LaidStroke[]

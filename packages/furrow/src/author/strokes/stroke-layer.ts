@@ -11,7 +11,6 @@ import { type LaidStroke, layOutStroke, reachOf } from './lay-out.ts'
 import { LineGrid } from './line-grid.ts'
 import { OtherStrokes } from './other-strokes.ts'
 
-/** Options of `StrokeLayer`. */
 export interface StrokeLayerOptions {
   /** Smooth normal map (pores, scars) under the wrinkles, of the canvas's size; kept by reference, not changed. Default: flat skin. */
   base?: RgbaImage
@@ -20,11 +19,10 @@ export interface StrokeLayerOptions {
 }
 
 /**
- * Maps of a layer that follow its strokes. An edit redraws only the skin within reach of added, removed or replaced strokes.
- * While the same stroke is edited repeatedly, the contributions of the others are cached; `prepare` fills this cache ahead.
- * Results are bit-identical to a full redraw with `strokesToHeight`, `heightToNormal` and `combineNormals`.
- * Memory: 10 bytes per texel, 64 bytes per half millimetre of stroke, and up to 32 MB while one stroke is edited. Layers of one size can share
- * their canvas.
+ * Maps of a layer that follow its strokes. An edit redraws only the skin within reach of added, removed or replaced strokes. While the same
+ * stroke is edited repeatedly, the contributions of the others are cached; `prepare` fills this cache ahead. Results are bit-identical to a
+ * full redraw with `strokesToHeight`, `heightToNormal` and `combineNormals`. Memory: 10 bytes per texel, 64 bytes per half millimetre of
+ * stroke, and up to 32 MB while one stroke is edited. Layers of one size can share their canvas.
  */
 export class StrokeLayer {
   /** Changed in place by `draw`, like the other maps. */
@@ -161,7 +159,6 @@ export class StrokeLayer {
   }
 }
 
-/** Stroke laid on the skin. */
 interface PlacedStroke {
   stroke: Stroke
   laid: readonly LaidStroke[]

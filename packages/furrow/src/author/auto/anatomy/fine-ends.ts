@@ -16,8 +16,7 @@ const DEPTH = [0.3, 0.5] as const
 const POINTS = 8
 
 /**
- * Adds finer lines that branch off near the ends of lines, to either side: a crease does not stop, but fades into the surrounding
- * furrows.
+ * Adds finer lines that branch off near the ends of lines, to either side: a crease does not stop, but fades into the surrounding furrows.
  *
  * @param fraction of the ends that branch, 0..1.
  */

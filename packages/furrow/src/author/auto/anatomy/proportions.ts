@@ -9,7 +9,6 @@ export interface UnusualMeasure {
   regions: readonly AutoRegion[]
 }
 
-/** Parts of a face that are measured. */
 type MeasuredFace = Pick<DetectedFace, 'landmarks' | 'surface'>
 
 interface Measure {
@@ -21,9 +20,8 @@ interface Measure {
 }
 
 /**
- * Measures that regions rely on.
- * An adult's eye is about 31 mm wide, and the nose protrudes by about 20 mm (Farkas 1994, Anthropometry of the Head and Face). The wider
- * ranges exclude only stylised heads.
+ * Measures that regions rely on. An adult's eye is about 31 mm wide, and the nose protrudes by about 20 mm (Farkas 1994, Anthropometry of
+ * the Head and Face). The wider ranges exclude only stylised heads.
  */
 const MEASURES: readonly Measure[] = [
   {

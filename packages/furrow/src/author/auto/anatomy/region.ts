@@ -62,7 +62,6 @@ export interface FaceRegion extends SkinRegion {
   expression?: SkinRegion['cause']
 }
 
-/** Input for making regions. */
 export interface FaceContext {
   landmarks: Landmarks
   /** 0 at 20 years, 1 at 80. */

@@ -37,7 +37,6 @@ export interface AutoBlood {
 /** Distance in millimetres over which a flush fades in from the areas of lines on the same layer, which would show the flush. */
 const LINE_FADE = 4
 
-/** Input for drawing blood. */
 export interface BloodSource {
   /** Texels of the layers' maps and of the areas. */
   texels: SkinTexels

@@ -14,7 +14,6 @@ export interface Gauge {
   corners: Uint32Array
   /** Unit vector across the nearest line per triangle, in multiples of its two edges from the first corner. */
   across: Float64Array
-  /** Weight of each triangle. */
   weights: Float64Array
 }
 

@@ -1,6 +1,5 @@
 import { clamp } from '../../../math/scalar.ts'
 
-/** Number of solver iterations. */
 const ITERATIONS = 60
 /** Weight of the prior per row (Tikhonov regularisation). */
 const RIDGE = 0.02

@@ -14,7 +14,6 @@ import { netDrivers } from './net-drivers.ts'
 import { netWeights } from './net-weights.ts'
 import { FURROW_LAYER, type PlannedNet } from './plan-net.ts'
 
-/** Area of fine furrows. */
 export interface FurrowArea {
   name: string
   /** Index of its layer. */

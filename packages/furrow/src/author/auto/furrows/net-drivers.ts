@@ -17,10 +17,9 @@ const NEGLIGIBLE = 0.004
 const MAX_TARGETS = 24
 
 /**
- * Measures how far each target squeezes the skin of each region.
- * Compressed skin gets rougher, stretched skin smoother (Nagano et al. 2015, Skin microstructure deformation with displacement map
- * convolution).
- * The lost fraction of area is nearly linear in the target weights, so their sum drives the area.
+ * Measures how far each target squeezes the skin of each region. Compressed skin gets rougher, stretched skin smoother (Nagano et al. 2015,
+ * Skin microstructure deformation with displacement map convolution). The lost fraction of area is nearly linear in the target weights, so
+ * their sum drives the area.
  */
 export function netDrivers(
   { chart, surface, offsets, names }: DetectedFace,

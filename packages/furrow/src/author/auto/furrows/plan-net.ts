@@ -10,7 +10,6 @@ import type { DetectedFace } from '../surface/detect-face.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { ageOfNet, netRegionsOf } from './net-regions.ts'
 
-/** Name of the layer. */
 export const FURROW_LAYER = 'furrows'
 
 /** Activation at rest, between stretched and squeezed skin. */

@@ -2,15 +2,13 @@ import { clamp } from '../../../math/scalar.ts'
 import { addSection, HeightSum } from '../../strokes/height-sum.ts'
 import { type CrossSection, sectionReach } from '../../strokes/lay-out.ts'
 
-/** Number of steps between two lines. */
 const STEPS = 256
 /** Number of bisections of the depth range: resolves a thousandth of a millimetre. */
 const BISECTIONS = 16
 
 /**
- * Computes the depth of valleys that take up the length lost by skin.
- * A length dx at rest shrinks to (1 - e) dx, and the profile over it must still be dx long. So the mean of sqrt((1 - e)^2 + h'^2) over
- * one spacing is 1.
+ * Computes the depth of valleys that take up the length lost by skin. A length dx at rest shrinks to (1 - e) dx, and the profile over it
+ * must still be dx long. So the mean of sqrt((1 - e)^2 + h'^2) over one spacing is 1.
  *
  * @param compression e, 0..1.
  * @param spacing distance between lines in millimetres.

@@ -28,7 +28,6 @@ export interface CreasedRegion extends RegionCreases {
   region: SkinRegion
 }
 
-/** Settings for laying lines. */
 export interface LineSettings {
   /** 0 at 20 years, 1 at 80. */
   ageFraction: number

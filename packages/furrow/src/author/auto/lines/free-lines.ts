@@ -159,7 +159,6 @@ function consistentSign(first: number): (direction: ArrayLike<number>, out: Floa
   }
 }
 
-/** Reverses the order of a line's points. */
 function reversed(points: readonly number[]): number[] {
   const out: number[] = []
   for (let i = points.length - 3; i >= 0; i -= 3) out.push(...points.slice(i, i + 3))

@@ -5,7 +5,6 @@ export interface LaidLine {
   style: LineStyle
   /** Packed xyz in millimetres. */
   points: Float64Array
-  /** Triangle of each point. */
   triangles: readonly number[]
   /** Fraction of length that the skin loses across the line at each point; negative if stretched. */
   compressions: readonly number[]

@@ -8,7 +8,6 @@ export const STEP = 0.6
 export interface Trace {
   /** Packed xyz. */
   points: number[]
-  /** Triangle of each point. */
   triangles: number[]
 }
 

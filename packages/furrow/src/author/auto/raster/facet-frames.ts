@@ -27,11 +27,10 @@ const NONE = -1
 type Skin = Pick<PreparedSkin, 'skin' | 'surface' | 'offsets' | 'names' | 'find'>
 
 /**
- * Makes creases continuous on coarse meshes without tangents.
- * Renderers derive the normal map's frame from each deformed facet (Schueler, see `TangentFrame`), so creases break between facets.
- * The slopes are corrected so that these frames D give the result of the smooth surface's frames S in the poses that show the crease.
- * The correction is M = argmin sum w a^2 |D M - S|^2, with the activation a of a pose and its weight w. On meshes finer than the creases
- * M is close to 1 and skipped.
+ * Makes creases continuous on coarse meshes without tangents. Renderers derive the normal map's frame from each deformed facet (Schueler,
+ * see `TangentFrame`), so creases break between facets. The slopes are corrected so that these frames D give the result of the smooth
+ * surface's frames S in the poses that show the crease. The correction is M = argmin sum w a^2 |D M - S|^2, with the activation a of a pose
+ * and its weight w. On meshes finer than the creases M is close to 1 and skipped.
  */
 export class FacetFrames {
   /** Index of each triangle's M in `#turns`; `NONE` if uncorrected. */

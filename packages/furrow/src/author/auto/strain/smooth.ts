@@ -4,9 +4,8 @@ import { hasTensor, TENSOR_SIZE } from './tensors.ts'
 /** Maximum fraction of the way to its neighbours' mean that a point moves per iteration. */
 const MAX_STEP = 0.8
 /**
- * Maximum numbers of iterations, and of neighbours times iterations (a few seconds). Meshes much finer than skin creases are smoothed
- * less than requested.
- * The second limit keeps the time linear in the mesh size, which is largest where most iterations are needed.
+ * Maximum numbers of iterations, and of neighbours times iterations (a few seconds). Meshes much finer than skin creases are smoothed less
+ * than requested. The second limit keeps the time linear in the mesh size, which is largest where most iterations are needed.
  */
 const MAX_ITERATIONS = 1000
 const MAX_READS = 120_000_000
@@ -79,7 +78,6 @@ function diffuse(
   }
 }
 
-/** Fineness of a mesh. */
 interface Fineness {
   /** Mean squared distance from each point to its neighbours; 0 without neighbours. */
   squares: Float64Array

@@ -7,8 +7,7 @@ export const TENSOR_SIZE = 6
 /**
  * Computes how far skin is shortened at each point, by direction: I - U, with the right stretch tensor U of each triangle in its plane.
  * This is the Biot strain with the sign of compression (Bonet, Wood: Nonlinear Continuum Mechanics, 3.6), averaged over the triangles
- * around a point by area.
- * Along a unit direction c of the skin, c . T c is the lost fraction of length.
+ * around a point by area. Along a unit direction c of the skin, c . T c is the lost fraction of length.
  *
  * @param displacements packed xyz per point.
  * @returns `TENSOR_SIZE` components per point.

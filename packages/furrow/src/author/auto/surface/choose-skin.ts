@@ -14,7 +14,6 @@ export interface SkinCandidate {
   label: string
 }
 
-/** Chosen skin. */
 export interface SkinChoice {
   /** Index of the candidate. */
   index: number
@@ -49,9 +48,8 @@ const DOUBT = 0.25
 
 /**
  * Chooses the skin of a character: the candidate whose surface moves most with brows, lids and mouth, by the names of blendshapes or else
- * by their motion.
- * Without these, the blendshapes weighted by the head joint decide, then all expressions. Body sliders and similar blendshapes only count
- * if nothing else moves.
+ * by their motion. Without these, the blendshapes weighted by the head joint decide, then all expressions. Body sliders and similar
+ * blendshapes only count if nothing else moves.
  *
  * @returns undefined if there are no candidates.
  */

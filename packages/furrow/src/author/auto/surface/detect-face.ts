@@ -18,7 +18,6 @@ export interface DetectedFace {
   scale: number
   /** Offsets of each target per point, in millimetres, in the order of the skin's targets. */
   offsets: readonly Float64Array[]
-  /** Names of the targets. */
   names: readonly string[]
   /** Names of the targets, with placeholders for names that the motion contradicts. */
   known: readonly string[]

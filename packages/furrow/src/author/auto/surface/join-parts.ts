@@ -87,7 +87,6 @@ function isMirroring(m: ArrayLike<number>): boolean {
   return m[0] * minor(4, 8) - m[4] * minor(0, 8) + m[8] * minor(0, 4) < 0
 }
 
-/** Reverses the winding of each triangle. */
 function reverseWinding(indices: Uint32Array): void {
   for (let i = 0; i + 2 < indices.length; i += 3) {
     const second = indices[i + 1]

@@ -15,7 +15,6 @@ import { moveToFirstTile } from './uv-tiles.ts'
 export interface PreparedSkin {
   /** Skin without broken targets, with UVs in 0..1. */
   skin: Skin
-  /** Names of its targets. */
   names: readonly string[]
   /** Names of its targets, with placeholders for names that the motion contradicts. */
   known: readonly string[]

@@ -8,7 +8,6 @@ import type { SkinTarget } from '../../skin/surface.ts'
 /** Kind of each target by index; undefined if unknown. */
 export type TargetHints = readonly (NameHint | undefined)[]
 
-/** Maps a shape's name to target indices. */
 type Find = (name: string) => number[]
 
 /** Shapes that the lines of a face rely on, without sides. */

@@ -10,7 +10,6 @@ export interface ClosingPair {
   middle: Vector
   /** Distance at rest. */
   gap: number
-  /** Index of the motion. */
   motion: number
 }
 

@@ -51,7 +51,6 @@ export function movingSurface(skin: Skin): MovingSurface | undefined {
   return { points, normals, areas, pieces: kept.map((point) => allPieces[point]), motions }
 }
 
-/** Builds a tree over selected points. */
 export function treeOf(points: Float64Array, indices: ArrayLike<number>, most = 1): KdTree {
   return new KdTree(pickPoints(points, indices), 3, most)
 }
@@ -64,7 +63,6 @@ export function pickPoints(values: Float64Array, indices: ArrayLike<number>): Fl
   return out
 }
 
-/** Returns the distance between two points. */
 export function distanceBetween(points: Float64Array, i: number, j: number): number {
   const x = points[3 * i] - points[3 * j]
   const y = points[3 * i + 1] - points[3 * j + 1]

@@ -2,7 +2,6 @@ import { descriptorOf, dotAll } from '../fields/field-operations.ts'
 import type { ShapeFields } from '../fields/shape-fields.ts'
 import type { Match } from './match.ts'
 
-/** Number of solver sweeps. */
 const SWEEPS = 200
 /** Maximum fraction of a composite's energy not explained by its parts. */
 const EXPLAINED = 0.006

@@ -16,10 +16,9 @@ const FULL_SET = 51
 const HEIGHTS = [1.5, 3] as const
 
 /**
- * Computes the confidence of each match, 0..1.
- * A logistic function of its score, its margin to other labels, the motion outside the face and doubt about the landmarks.
- * A nearly complete ARKit set raises the confidence, because its shapes determine each other's labels.
- * The weights are fitted to heads of several families, subsets of their shapes, and proportions, compositions and corrections of them.
+ * Computes the confidence of each match, 0..1. A logistic function of its score, its margin to other labels, the motion outside the face
+ * and doubt about the landmarks. A nearly complete ARKit set raises the confidence, because its shapes determine each other's labels. The
+ * weights are fitted to heads of several families, subsets of their shapes, and proportions, compositions and corrections of them.
  */
 export function confidencesOf(
   { shapes }: ShapeFields,

@@ -55,7 +55,6 @@ function arkit(): RigNames {
   return { source, same: Object.fromEntries([...BOTH_SIDES, ...CENTRAL].map((name) => [name, name])) }
 }
 
-/** Name of a rig's shape. */
 interface Row {
   name: string
   kind: ShapeKind

@@ -17,9 +17,8 @@ export interface MirrorPlane {
 const MIDDLE: MirrorPlane = { origin: [0, 0, 0], normal: [1, 0, 0] }
 
 /**
- * Mirrors a stroke across a plane: each point goes to the point of the skin nearest to its mirror image.
- * Left and right of the cross-section are swapped, and the group's suffix `Left` or `Right`. If both halves share texels, a stroke is its
- * own mirror image.
+ * Mirrors a stroke across a plane: each point goes to the point of the skin nearest to its mirror image. Left and right of the
+ * cross-section are swapped, and the group's suffix `Left` or `Right`. If both halves share texels, a stroke is its own mirror image.
  *
  * @param plane default: x = 0; `middleOf` finds a face's plane.
  * @returns the mirrored stroke as a spline (`splineOf`).

@@ -93,7 +93,6 @@ function distance(a: Float64Array, b: Float64Array): number {
   return length3(a[0] - b[0], a[1] - b[1], a[2] - b[2])
 }
 
-/** Throws if a point index is out of range. */
 export function checkIndex(who: string, index: number, lowest: number, highest: number): void {
   if (Number.isInteger(index) && index >= lowest && index <= highest) return
   throw new FurrowError({
