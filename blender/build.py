@@ -1,7 +1,7 @@
 """
 Build the .zip that Blender installs: `npm run build:blender`, or `python3 blender/build.py -o furrow.zip`.
 
-Blender has a command for this, and its module bpy has not. The same sources give the same bytes.
+Replaces Blender's own command, which the module bpy lacks. Deterministic: same sources, same bytes.
 """
 
 import argparse
@@ -14,7 +14,7 @@ from pathlib import Path
 HERE = Path(__file__).parent
 SOURCE = HERE / "furrow"
 
-#: What Blender asks of a manifest (Blender manual, "Extensions", schema 1.0.0).
+#: Patterns of required manifest fields (Blender manual, "Extensions", schema 1.0.0).
 REQUIRED = {
     "schema_version": r"1\.0\.0",
     "id": r"[a-z_]\w*",
@@ -27,30 +27,30 @@ REQUIRED = {
 }
 
 
-def faults_of(manifest):
-    """What is wrong with a manifest; empty if nothing is."""
-    faults = [
-        f"{field} is {manifest.get(field)!r}, allowed is {rule}"
+def find_problems(manifest):
+    """List a manifest's problems."""
+    problems = [
+        f"{field} is {manifest.get(field)!r}, allowed: {rule}"
         for field, rule in REQUIRED.items()
         if not (isinstance(manifest.get(field), str) and re.fullmatch(rule, manifest[field]))
     ]
     licences = manifest.get("license")
     if not licences or not all(re.fullmatch(r"SPDX:[\w.+-]+", item) for item in licences):
-        faults.append(f"license is {licences!r}, allowed is a list of SPDX:...")
+        problems.append(f"license is {licences!r}, allowed: a list of SPDX:...")
     for name, reason in manifest.get("permissions", {}).items():
         if len(reason) > 64 or reason.endswith("."):
-            faults.append(
-                f"the reason of permission {name} is {reason!r}, allowed are 64 characters without a full stop"
+            problems.append(
+                f"reason of permission {name} is {reason!r}, allowed: at most 64 characters without a full stop"
             )
-    return faults
+    return problems
 
 
 def build(output=None):
-    """Write the .zip; its path. Raises ValueError if the manifest is not one."""
+    """Write the .zip and return its path. Raises ValueError if the manifest is invalid."""
     manifest = tomllib.loads((SOURCE / "blender_manifest.toml").read_text("utf-8"))
-    faults = faults_of(manifest)
-    if faults:
-        raise ValueError("; ".join(faults))
+    problems = find_problems(manifest)
+    if problems:
+        raise ValueError("; ".join(problems))
     path = Path(output) if output else HERE / "dist" / f"{manifest['id']}-{manifest['version']}.zip"
     path.parent.mkdir(parents=True, exist_ok=True)
     files = [file for file in SOURCE.rglob("*") if file.is_file() and "__pycache__" not in file.parts]

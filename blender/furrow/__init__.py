@@ -1,18 +1,18 @@
 """Wrinkles for glTF characters in Blender: reads, shows, authors and writes FURROW_wrinkle_maps."""
 
-# Nothing of Blender is imported here, so that `format` can be used and tested without it. Blender's glTF importer and
-# exporter look for these two names in every add-on that is enabled.
+# Imports nothing of Blender, so that `format` works without it. Blender's glTF importer and exporter look up the two
+# functions below in every enabled add-on.
 
 
 def glTF2ImportUserExtension():
-    """Called by Blender's glTF importer."""
+    """Return the hooks for Blender's glTF importer."""
     from .importer import ImportHooks
 
     return ImportHooks()
 
 
 def glTF2ExportUserExtension():
-    """Called by Blender's glTF exporter."""
+    """Return the hooks for Blender's glTF exporter."""
     from .exporter import ExportHooks
 
     return ExportHooks()

@@ -1,7 +1,4 @@
-"""
-Wrinkles made automatically, by the command `furrow auto`: it reads a file that Blender wrote, and writes one with
-wrinkles.
-"""
+"""Automatic wrinkles: exports a face, runs the command `furrow auto` on the file, and reads the result."""
 
 import shutil
 import subprocess
@@ -14,21 +11,19 @@ from .format.container import GltfFile
 from .format.document import EXTENSION, read_document
 from .format.reader import FurrowError
 
-INSTALL = (
-    "install Node.js and run `npm install --global furrow-cli`, or name the command in the extension's preferences"
-)
+INSTALL = "install Node.js and run `npm install --global furrow-cli`, or set its path in the extension's preferences"
 
 
 def command_path(preferred):
-    """The command of the preferences, else the one on the path. Raises FurrowError where there is none."""
+    """Find the command: the preferred one if set, else on PATH. Raises FurrowError if it is missing."""
     found = shutil.which(bpy.path.abspath(preferred)) if preferred else shutil.which("furrow")
     if found is None:
-        raise FurrowError(f"Furrow: the command {preferred or 'furrow'} is not there; {INSTALL}")
+        raise FurrowError(f"Furrow: missing command, got {preferred or 'furrow'}; {INSTALL}")
     return found
 
 
 class AutomaticRun:
-    """One run of the command on a face, beside Blender. `poll` until it is done, then `result`; `close` in any case."""
+    """A run of the command in the background. Call `poll` until it is done, then `result`, and always `close`."""
 
     def __init__(self, face, material, command, options):
         self.material = material
@@ -37,7 +32,7 @@ class AutomaticRun:
         self.output = folder / "wrinkled.glb"
         _export(face, folder / "face.glb")
         words = [command, "auto", str(folder / "face.glb"), "-o", str(self.output), "--replace", *options]
-        # A file, not a pipe: nobody reads while the command works.
+        # A file: nobody would read from a pipe while the command runs.
         self.errors = folder / "errors.txt"
         with open(self.errors, "w") as errors:
             self.process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=errors)
@@ -47,21 +42,19 @@ class AutomaticRun:
         return self.process.poll() is not None
 
     def result(self):
-        """The document that it wrote, and the file with its images. Raises FurrowError with what the command said."""
+        """Return the document and the file with its images. Raises FurrowError with the command's last output line."""
         if self.process.wait() != 0:
-            said = self.errors.read_text(errors="replace").strip().splitlines()
-            raise FurrowError(said[-1] if said else "Furrow: the command furrow auto failed; run it in a terminal")
+            lines = self.errors.read_text(errors="replace").strip().splitlines()
+            raise FurrowError(lines[-1] if lines else "Furrow: furrow auto failed without output; run it in a terminal")
         file = GltfFile(self.output)
         for material in file.json.get("materials", []):
             extension = material.get("extensions", {}).get(EXTENSION)
             if extension and material.get("name") == self.material.name:
                 return read_document(extension, file.texture_count), file
-        raise FurrowError(
-            f"Furrow: furrow auto made no wrinkles for {self.material.name}; choose the material of the skin"
-        )
+        raise FurrowError(f"Furrow: furrow auto made no wrinkles for {self.material.name}; select the skin's material")
 
     def close(self):
-        """End the command if it still runs, and remove its files."""
+        """Kill the command if it is running, and remove its files."""
         if self.process.poll() is None:
             self.process.kill()
         self.process.wait()
@@ -69,7 +62,7 @@ class AutomaticRun:
 
 
 def _export(face, path):
-    """Write one face with its armature; the selection is as before."""
+    """Export a face with its armature. Keeps the selection."""
     selected, active = bpy.context.selected_objects, bpy.context.view_layer.objects.active
     for item in selected:
         item.select_set(False)

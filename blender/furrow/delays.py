@@ -1,9 +1,9 @@
 """
-Drivers of type `time`. A driver of Blender remembers no earlier frame; a handler does, after each change of the frame.
+Drivers of type `time`. Blender's drivers have no memory of earlier frames, so a handler runs after each frame change.
 
-It writes how far the activation of each delayed area is behind what its drivers say into a property of the node group
-(`LATE`), which a step adds (`rig.py`). Blender then evaluates once more what reads it, before it draws or renders.
-Without the extension, and while the frame stands still, skin moves without delay.
+The handler writes the lag of each delayed area's activation into a property of the node group (`LATE`), which a step
+adds (`rig.py`). Blender reevaluates the property's readers before it draws or renders. Without the extension, and while
+the frame does not change, there are no delays.
 """
 
 import math
@@ -14,13 +14,13 @@ from bpy.app.handlers import persistent
 from .format.plan import activation_name
 from .rig import LATE, STEPS
 
-#: Of each node group: the time of its last frame in seconds, and the activations that were shown, by area.
+#: By node group: time of the last frame in seconds, and delayed activations by area.
 _last = {}
 
 
 @persistent
-def follow(scene, depsgraph):
-    """Let delayed activations follow their drivers for the time since the frame before."""
+def update_delays(scene, depsgraph):
+    """Advance delayed activations by the time since the last frame."""
     rate = scene.render.fps / scene.render.fps_base
     now = scene.frame_current_final / rate
     for tree in bpy.data.node_groups:
@@ -32,7 +32,7 @@ def follow(scene, depsgraph):
         seconds = now - before
         for delay in delays:
             target = steps[activation_name(delay.area)]
-            # Backwards, skin is as its drivers say. Motion blur goes back too, by parts of a frame.
+            # Going back by a frame or more resets delays. Motion blur goes back by parts of a frame.
             value = shown.get(delay.area, target) if seconds > -1 / rate else target
             if seconds > 0:
                 constant = delay.attack if target > value else delay.release
@@ -43,8 +43,8 @@ def follow(scene, depsgraph):
 
 
 @persistent
-def rest(*_):
-    """Before a file is saved: nothing would end a delay where the extension is not installed."""
+def clear_delays(*_):
+    """Clear delays before saving: without the extension they would never end."""
     for tree in bpy.data.node_groups:
         for delay in tree.furrow.delays:
             _set_late(tree, delay.area, 0.0)
@@ -58,10 +58,10 @@ def _set_late(tree, area, value):
 
 
 def register():
-    bpy.app.handlers.frame_change_post.append(follow)
-    bpy.app.handlers.save_pre.append(rest)
+    bpy.app.handlers.frame_change_post.append(update_delays)
+    bpy.app.handlers.save_pre.append(clear_delays)
 
 
 def unregister():
-    bpy.app.handlers.save_pre.remove(rest)
-    bpy.app.handlers.frame_change_post.remove(follow)
+    bpy.app.handlers.save_pre.remove(clear_delays)
+    bpy.app.handlers.frame_change_post.remove(update_delays)

@@ -1,22 +1,21 @@
 """
-Export: hooks of Blender's own glTF exporter.
+Hooks for Blender's glTF exporter.
 
-Blender writes the plain face, the wrinkles are added to the file that it wrote. Images that a hook adds while Blender
-gathers are merged, encoded again or dropped by the exporter, depending on its version and its options; a finished file
-is the same for all of them, and keeps the bytes of images that nobody painted on. While Blender exports, the groups are
-out of their materials, so that it finds the textures of the plain face.
+Blender writes the plain face; then the hooks add the wrinkles to the file. Adding images during the export does not
+work: depending on version and options, the exporter merges, reencodes or drops them. During the export, wrinkle groups
+are detached, so that Blender finds the plain face's textures.
 """
 
 import bpy
 
 from .format.container import add_wrinkles
 from .format.reader import FurrowError
-from .material import group_node, put_back, take_out
+from .material import detach_group, group_node, reattach_group
 from .wrinkle_set import document_of
 
 
 class ExportHooks:
-    """One per export; Blender calls its methods."""
+    """State of one export; Blender calls the methods."""
 
     def __init__(self):
         self.wrinkles = {}
@@ -31,8 +30,8 @@ class ExportHooks:
             except FurrowError as error:
                 text = f"{error}; {material.name} is exported without wrinkles"
                 export_settings["log"].warning(text, popup=True)
-            take_out(material)
-        # An export that fails halfway calls no hook.
+            detach_group(material)
+        # Restores materials after failed exports, which call no hook.
         bpy.app.timers.register(restore_materials, first_interval=0)
 
     def post_export_hook(self, export_settings):
@@ -42,8 +41,8 @@ class ExportHooks:
 
 
 def restore_materials():
-    """Put all groups back that an export took out."""
+    """Reattach all groups that an export detached."""
     for material in bpy.data.materials:
-        put_back(material)
+        reattach_group(material)
     if bpy.app.timers.is_registered(restore_materials):
         bpy.app.timers.unregister(restore_materials)

@@ -1,10 +1,10 @@
-"""Nodes of a group, written as formulas: sockets and plain numbers go in, sockets come out."""
+"""Writes nodes as formulas: functions take sockets and numbers, and return sockets."""
 
 import bpy
 
 
 class Graph:
-    """Adds nodes to a tree. Columns follow from what a node reads, so that the group can be read from left to right."""
+    """Adds nodes to a tree, placed to the right of their inputs."""
 
     def __init__(self, tree):
         self.tree = tree
@@ -12,7 +12,7 @@ class Graph:
         self.rows = {}
 
     def node(self, kind, inputs=(), label="", **settings):
-        """A node of a type, e.g. "ShaderNodeMath", its inputs linked or set by index; the node."""
+        """Add a node, e.g. "ShaderNodeMath", with inputs linked or set by index. Returns the node."""
         node = self.tree.nodes.new(kind)
         node.label = label
         for name, value in settings.items():
@@ -31,15 +31,15 @@ class Graph:
         return node
 
     def math(self, operation, *inputs, clamp=False, label=""):
-        """A number by ShaderNodeMath."""
+        """Compute a number by ShaderNodeMath."""
         return self.node("ShaderNodeMath", inputs, label, operation=operation, use_clamp=clamp).outputs[0]
 
     def vector(self, operation, *inputs, label=""):
-        """A vector by ShaderNodeVectorMath, or a number where the operation gives one."""
+        """Compute a vector by ShaderNodeVectorMath, or a number for DOT_PRODUCT and LENGTH."""
         node = self.node("ShaderNodeVectorMath", [], label, operation=operation)
         column = 0
         for index, value in enumerate(inputs):
-            # SCALE reads its factor from the fourth input.
+            # SCALE has its factor in the fourth input.
             socket = node.inputs[3 if operation == "SCALE" and index == 1 else index]
             if isinstance(value, bpy.types.NodeSocket):
                 self.tree.links.new(value, socket)
@@ -50,23 +50,23 @@ class Graph:
         return node.outputs["Value" if operation in ("DOT_PRODUCT", "LENGTH") else "Vector"]
 
     def combine(self, x, y, z, label=""):
-        """Three numbers as a vector."""
+        """Combine three numbers to a vector."""
         return self.node("ShaderNodeCombineXYZ", (x, y, z), label).outputs[0]
 
     def separate(self, vector):
-        """A vector as three numbers."""
+        """Separate a vector into three numbers."""
         return self.node("ShaderNodeSeparateXYZ", (vector,)).outputs
 
     def texture(self, image, uv, label, extension="REPEAT"):
-        """Colour and alpha of an image at texture coordinates."""
+        """Sample an image. Returns colour and alpha."""
         node = self.node("ShaderNodeTexImage", (uv,), label, image=image, extension=extension)
         return node.outputs
 
-    def total(self, values, operation="ADD", none=0.0):
-        """All numbers added up, or the largest of them; a plain number where there are none."""
+    def total(self, values, operation="ADD"):
+        """Combine numbers by addition or another operation. Returns 0 for no values."""
         values = list(values)
         if not values:
-            return none
+            return 0.0
         result = values[0]
         for value in values[1:]:
             result = self.math(operation, result, value)

@@ -1,4 +1,4 @@
-"""Images of Blender from the bytes of files, and back."""
+"""Converts between Blender's images and encoded files."""
 
 import os
 import tempfile
@@ -10,7 +10,7 @@ from .format.reader import FurrowError
 
 
 def image_from_file(file, is_data=True):
-    """A new image with the bytes packed as they are, so that an untouched image is exported bit by bit."""
+    """Create an image with packed bytes, so that an unchanged image is exported losslessly."""
     image = bpy.data.images.new(file.name, 1, 1)
     image.pack(data=file.data, data_len=len(file.data))
     image.source = "FILE"
@@ -18,15 +18,15 @@ def image_from_file(file, is_data=True):
     image.colorspace_settings.is_data = is_data
     if min(image.size) == 0:
         bpy.data.images.remove(image)
-        raise FurrowError(f"{file.name}: Blender cannot decode the image; export the face again")
+        raise FurrowError(f"{file.name}: invalid image, which Blender cannot decode; export the face again")
     return image
 
 
 def file_from_image(image):
     """
-    The image as bytes that glTF allows. Those of an image that was not painted on are returned as they are.
+    Encode an image for glTF. Returns the original bytes of unchanged images.
 
-    Raises FurrowError where it has no pixels.
+    Raises FurrowError if the image has no pixels.
     """
     data = None if image.is_dirty else _stored(image)
     try:
@@ -50,7 +50,7 @@ def _as_png(image):
         raise FurrowError(f'Furrow: image "{image.name}" has no pixels; load or bake it again')
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "image.png")
-        # A copy, so that neither the path nor the format of the user's image changes.
+        # Saves a copy, to keep the path and format of the user's image.
         copy = image.copy()
         try:
             if copy.size[0] == 0 or image.is_dirty or image.source == "GENERATED":
@@ -65,7 +65,7 @@ def _as_png(image):
 
 
 def _same_pixels(image, copy):
-    """Unsaved pixels are not part of a copy."""
+    """Copy unsaved pixels, which `Image.copy` omits."""
     import numpy as np
 
     name, is_float = image.name, image.is_float

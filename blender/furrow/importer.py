@@ -1,7 +1,4 @@
-"""
-Import: hooks of Blender's own glTF importer. Whatever is wrong costs the wrinkles and one warning, never the plain
-face.
-"""
+"""Hooks for Blender's glTF importer. An error costs the wrinkles and one warning, never the plain face."""
 
 import json
 import struct
@@ -12,13 +9,13 @@ from mathutils import Matrix
 from .format.container import GltfFile
 from .format.document import EXTENSION, read_document
 from .format.reader import FurrowError
-from .joints import armature_of, remember_frames, remember_nodes
-from .material import put_in
-from .wrinkle_set import load_document, new_group, rebuild, remember_meshes
+from .joints import armature_of, store_frames, store_nodes
+from .material import insert_group
+from .wrinkle_set import load_document, new_group, rebuild, store_meshes
 
 
 class ImportHooks:
-    """One per import; Blender calls its methods."""
+    """State of one import; Blender calls the methods."""
 
     def __init__(self):
         self.file = None
@@ -27,32 +24,30 @@ class ImportHooks:
         self.meshes = {}
 
     def gather_import_material_after_hook(self, gltf_material, _vertex_color, material, gltf):
-        """The images become Blender's and the set a node group in the material."""
+        """Create the images, and the wrinkle set as a node group in the material."""
         extension = (gltf_material.extensions or {}).get(EXTENSION)
         if extension is None:
             return
         tree = new_group(f"Wrinkles of {material.name}")
         try:
-            faults = []
+            errors = []
             self.file = self.file or GltfFile(gltf.filename)
-            document = read_document(extension, self.file.texture_count, f'material "{material.name}"', faults.append)
+            document = read_document(extension, self.file.texture_count, f'material "{material.name}"', errors.append)
             load_document(tree, document, self.file.image_of)
             rebuild(tree)
-            put_in(material, tree)
+            insert_group(material, tree)
             self.loaded.append((material, tree))
             if EXTENSION in _animations(self.file):
-                _warn(
-                    gltf, f"Furrow: key frames of activations in {gltf.filename} are left out; set them at rest again"
-                )
-            if faults:
-                _warn(gltf, f"{faults[0]}; {len(faults)} of its drivers are left out")
+                _warn(gltf, f"Furrow: key frames of activations in {gltf.filename} are skipped; animate At Rest")
+            if errors:
+                _warn(gltf, f"{errors[0]}; skipped drivers: {len(errors)}")
         except Exception as error:
-            # Any fault of the file, also those nobody thought of, leaves the plain face.
+            # Catches everything: any error must leave the plain face.
             _remove(tree)
             _warn(gltf, f"{_text(error)}; the face is imported without wrinkles")
 
     def gather_import_node_after_hook(self, _vnode, gltf_node, item, gltf):
-        """Drivers name nodes, and corrections of shapes meshes; Blender may give their objects other names."""
+        """Map the file's node and mesh names, which drivers and shape corrections use, to Blender's objects."""
         if gltf_node is None:
             return
         if gltf_node.name is not None:
@@ -62,20 +57,20 @@ class ImportHooks:
                 self.meshes.setdefault(name, item)
 
     def gather_import_scene_after_nodes_hook(self, _gltf_scene, _scene, gltf):
-        """Objects exist now, and drivers can read their shape keys and bones."""
+        """Build the drivers, now that objects, shape keys and bones exist."""
         for material, tree in self.loaded:
             try:
                 tree.furrow.face = _face_of(material)
-                _remember_frames(self.file, tree.furrow.face)
-                remember_nodes(tree.furrow, _joints_of(tree.furrow), self.nodes)
-                remember_meshes(tree.furrow, self.meshes)
+                _store_frames(self.file, tree.furrow.face)
+                store_nodes(tree.furrow, _joints_of(tree.furrow), self.nodes)
+                store_meshes(tree.furrow, self.meshes)
                 rebuild(tree)
             except Exception as error:
-                _warn(gltf, f"{_text(error)}; nothing drives the wrinkles of {material.name}")
+                _warn(gltf, f"{_text(error)}; the wrinkles of {material.name} have no drivers")
 
 
 def _animations(file):
-    """Where `KHR_animation_pointer` names the extension."""
+    """Return the animations as JSON text, to search for the extension's name in `KHR_animation_pointer`."""
     return json.dumps(file.json.get("animations", []))
 
 
@@ -97,7 +92,7 @@ def _remove(tree):
 
 
 def _face_of(material):
-    """The first mesh with the material, one with shape keys if there is any."""
+    """Find the first mesh with the material, preferably with shape keys."""
     meshes = [
         item
         for item in bpy.data.objects
@@ -107,13 +102,13 @@ def _face_of(material):
 
 
 def _joints_of(wrinkles):
-    """Names of all nodes that drivers measure, each once."""
+    """List the distinct names of joints that drivers measure."""
     drivers = [json.loads(driver.json) for driver in wrinkles.drivers]
     return list(dict.fromkeys(name for driver in drivers if driver["type"] == "bone" for name in driver["joints"]))
 
 
-def _remember_frames(file, face):
-    """The rest rotations of joints by the inverse bind matrices of the skins."""
+def _store_frames(file, face):
+    """Store joints' rest rotations, from the skins' inverse bind matrices."""
     armature = armature_of(face)
     if armature is None:
         return
@@ -122,7 +117,7 @@ def _remember_frames(file, face):
         matrices = _inverse_binds(file, skin)
         for node, matrix in zip(skin["joints"], matrices, strict=False):
             rests[file.json["nodes"][node].get("name")] = matrix.inverted_safe().to_3x3().normalized()
-    remember_frames(armature, rests.get)
+    store_frames(armature, rests.get)
 
 
 def _inverse_binds(file, skin):

@@ -1,9 +1,9 @@
 """
-Drivers of type `bone`: the rotation of a joint from rest relative to another, or the distance of the two. Joints are
-bones of the face's armature, or nodes of the file that became objects.
+Drivers of type `bone`: the rotation of a joint from rest, relative to another joint, or their distance. Joints are
+bones of the face's armature, or imported objects.
 
-Blender's own variable for two bones measures the angle between them, not from rest, and has no sign. The relative
-rotation is made of quaternions instead, one small driver for each component.
+Blender's rotational difference variable is unsigned and not relative to rest. So small drivers compute the relative
+rotation, one per quaternion component.
 """
 
 from dataclasses import dataclass
@@ -13,13 +13,13 @@ from mathutils import Matrix, Quaternion, Vector
 
 from .format.plan import Source, Step
 
-#: Custom property of a bone: the rotation from the frame of its glTF joint to its own, both at rest.
+#: Custom property of a bone: rotation from its glTF joint's frame to its own, at rest.
 FRAME = "furrow_frame"
 
-#: glTF's Y-up world in Blender's Z-up one.
+#: Rotation from glTF's Y-up to Blender's Z-up.
 _Y_TO_Z = Matrix(((1, 0, 0), (0, 0, -1), (0, 1, 0)))
 
-#: Components w, x, y, z of the product of the conjugate of (a, b, c, d) and (e, f, g, h).
+#: Components w, x, y, z of the quaternion product conjugate(a, b, c, d) * (e, f, g, h).
 _PRODUCT = ("a*e+b*f+c*g+d*h", "a*f-b*e-c*h+d*g", "a*g+b*h-c*e-d*f", "a*h-b*g+c*f-d*e")
 
 
@@ -27,20 +27,20 @@ _PRODUCT = ("a*e+b*f+c*g+d*h", "a*f-b*e-c*h+d*g", "a*g+b*h-c*e-d*f", "a*h-b*g+c*
 class _Joint:
     owner: bpy.types.Object
     bone: str
-    """Name of a bone of the owner; the owner itself where it is empty."""
+    """Name of the owner's bone, or empty for the owner itself."""
     rest: Quaternion
     frame: Quaternion | None
-    """From the frame of the glTF joint to Blender's, both at rest; None where it is not known."""
+    """Rotation from the glTF joint's frame to Blender's, at rest; None if unknown."""
 
 
 def can_measure(wrinkles, driver):
-    """Whether the joints of a `bone` driver are there, and its axis is known in their frame."""
+    """Whether a `bone` driver's joints exist, and its axis can be converted to Blender's frame."""
     joints = _joints(wrinkles, driver["joints"])
     return joints is not None and ("axis" not in driver or joints[1].frame is not None)
 
 
 def _joints(wrinkles, names):
-    """Two joints by name; None where they are neither bones of the face's armature nor imported nodes."""
+    """Find two joints by name. Returns None if they are neither bones of the face's armature nor imported objects."""
     armature = armature_of(wrinkles.face)
     bones = [armature.data.bones.get(name) for name in names] if armature else []
     if bones and all(bones):
@@ -53,8 +53,8 @@ def _joints(wrinkles, names):
     return None
 
 
-def with_joints_measured(steps, wrinkles):
-    """The steps, and before each that reads a joint those that measure it."""
+def expand_joints(steps, wrinkles):
+    """Insert steps that measure joints before the steps that read them."""
     out = []
     for step in steps:
         sources = []
@@ -69,7 +69,7 @@ def with_joints_measured(steps, wrinkles):
 
 
 def read_joint(driver, measured):
-    """Let a driver of Blender read a component of a joint's rotation, or the distance of two joints."""
+    """Add a driver variable for a component of a joint's rotation, or for the distance of two joints."""
     kind, *joints = measured
     variable = driver.variables.new()
     variable.type = "LOC_DIFF" if kind == "distance" else "TRANSFORMS"
@@ -84,12 +84,11 @@ def read_joint(driver, measured):
     return variable
 
 
-def remember_frames(armature, rest_of):
+def store_frames(armature, rest_of):
     """
-    Keep on each bone how the frame of its glTF joint lies in it, for the axes of drivers.
+    Store the rotation of each bone's glTF joint on the bone, for drivers' axes.
 
-    `rest_of`: rotation of a joint at rest in the space of the skin, a 3 x 3 matrix, by the bone's name; None where it
-    is no joint.
+    `rest_of`: function from a bone's name to the joint's rest rotation in skin space, a 3 x 3 matrix, or None.
     """
     for bone in armature.data.bones:
         rest = rest_of(bone.name)
@@ -98,8 +97,8 @@ def remember_frames(armature, rest_of):
             bone[FRAME] = tuple((own @ _Y_TO_Z @ rest).to_quaternion())
 
 
-def remember_nodes(wrinkles, names, objects):
-    """Keep with a set which objects the joints of its drivers became, and how these stand in the world now, at rest."""
+def store_nodes(wrinkles, names, objects):
+    """Store the objects of drivers' joints with a set, and their current world rotations as rest."""
     for name in names:
         if name in objects:
             joint = wrinkles.joints.add()
@@ -108,13 +107,13 @@ def remember_nodes(wrinkles, names, objects):
 
 
 def _world(item):
-    """Where an object stands. Blender itself knows only after the import."""
+    """Compute an object's world matrix, which Blender updates only after the import."""
     parent = _world(item.parent) @ item.matrix_parent_inverse if item.parent else Matrix()
     return parent @ item.matrix_basis
 
 
 def armature_of(face):
-    """The armature that deforms a face; None where there is none."""
+    """Return the armature that deforms a face, or None."""
     return face.find_armature() if face else None
 
 
@@ -135,6 +134,6 @@ def _measure(name, origin, joint, kind, axis):
         angle = "2*atan2(sqrt(b*b+c*c+d*d),abs(a))"
     else:
         x, y, z = (joint.frame @ Vector(axis)).normalized()
-        # A quaternion and its negative are the same rotation.
+        # Handles both signs: q and -q are the same rotation.
         angle = f"2*atan2((b*({x:.7f})+c*({y:.7f})+d*({z:.7f}))*(1 if a>0 else -1),abs(a))"
     return [*steps, Step(name, "SCRIPTED", turned, angle)]

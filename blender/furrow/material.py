@@ -1,14 +1,11 @@
-"""
-Where a wrinkle group stands in a material: between its textures and what they feed. It comes out for an export, and
-goes back in.
-"""
+"""Inserts wrinkle groups between a material's textures and its shader, and detaches them during exports."""
 
-#: Custom property of a group's node that is out of its material.
-_OUT = "furrow_out"
+#: Custom property of a detached group's node.
+_DETACHED = "furrow_out"
 
 
 def group_node(material):
-    """The node of a material's wrinkle group; None where it has none."""
+    """Return the node of a material's wrinkle group, or None."""
     if material is None or material.node_tree is None:
         return None
     for node in material.node_tree.nodes:
@@ -18,15 +15,13 @@ def group_node(material):
 
 
 def wrinkle_group(material):
-    """The wrinkle group of a material; None where it has none."""
+    """Return a material's wrinkle group, or None."""
     node = group_node(material)
     return node.node_tree if node else None
 
 
-def put_in(material, group):
-    """
-    Put the group into the material, where it is not there yet, and link what its sockets need. Existing links stay.
-    """
+def insert_group(material, group):
+    """Insert a group into a material unless present, and link its sockets. Keeps existing links."""
     tree = material.node_tree
     shader = shader_node(tree)
     node = group_node(material)
@@ -42,8 +37,8 @@ def put_in(material, group):
     return node
 
 
-def take_out(material):
-    """Restore the material as it was without wrinkles; the group's node stays, muted and without outputs."""
+def detach_group(material):
+    """Restore the plain material. The group's node stays, muted and without outputs."""
     node = group_node(material)
     tree = material.node_tree
     for output in node.outputs:
@@ -60,25 +55,25 @@ def take_out(material):
     if uv:
         tree.nodes.remove(uv)
     node.mute = True
-    node[_OUT] = True
+    node[_DETACHED] = True
 
 
-def put_back(material):
-    """Undo `take_out`; a material that has no Principled BSDF any more is left without."""
+def reattach_group(material):
+    """Undo `detach_group`, unless the material has lost its Principled BSDF."""
     node = group_node(material)
-    if node is None or _OUT not in node or not _shaders(material.node_tree):
+    if node is None or _DETACHED not in node or not _shaders(material.node_tree):
         return
-    for key in (_OUT, "normal_map", "made_normal_map", "made_uv"):
+    for key in (_DETACHED, "normal_map", "made_normal_map", "made_uv"):
         if key in node:
             del node[key]
     node.mute = False
     for link in [link for socket in node.inputs for link in socket.links]:
         material.node_tree.links.remove(link)
-    put_in(material, node.node_tree)
+    insert_group(material, node.node_tree)
 
 
 def shader_node(tree):
-    """The Principled BSDF that the output shows, else the first there is. Raises LookupError."""
+    """Return the linked Principled BSDF, else the first. Raises LookupError if there is none."""
     nodes = _shaders(tree)
     if not nodes:
         raise LookupError("the material has no Principled BSDF")
@@ -90,12 +85,12 @@ def _shaders(tree):
 
 
 def _link(tree, node, name, target):
-    """Put a pair of sockets of the group before a shader's socket, directly behind the texture that feeds it."""
+    """Insert a pair of the group's sockets directly after the texture that feeds a shader's socket."""
     if name not in node.inputs:
         return
     if node.outputs[name].is_linked:
         return
-    found = _behind_texture(target)
+    found = _find_texture(target)
     if found is None:
         factor = target.default_value
         node.inputs[f"{name} Factor"].default_value = factor if isinstance(factor, float) else tuple(factor)
@@ -107,30 +102,27 @@ def _link(tree, node, name, target):
         tree.links.new(node.outputs[name], socket)
 
 
-def _behind_texture(target):
-    """
-    The socket of a texture (or of its separated channel) from which a shader's socket is fed, and the sockets it goes
-    to.
-    """
+def _find_texture(target):
+    """Find the socket of the texture, or of its separated channel, that feeds a socket, and the sockets it feeds."""
     if not target.links:
         return None
     link = target.links[0]
     node = link.from_node
     if node.type != "TEX_IMAGE" and not (node.type == "SEPARATE_COLOR" and node.inputs[0].is_linked):
         for socket in node.inputs:
-            found = _behind_texture(socket) if socket.type in ("RGBA", "VALUE") else None
+            found = _find_texture(socket) if socket.type in ("RGBA", "VALUE") else None
             if found and found[0].node.type in ("TEX_IMAGE", "SEPARATE_COLOR"):
                 return found
     return link.from_socket, [target]
 
 
 def _link_normal(tree, node, shader):
-    """The group stands between the normal texture and the Normal Map node; where there is none, one is made."""
+    """Insert the group between the normal texture and the Normal Map node. Creates a missing Normal Map node."""
     target = shader.inputs["Normal"]
     normal_map = target.links[0].from_node if target.links else None
     if normal_map is None or normal_map.type != "NORMAL_MAP":
         if target.links:
-            # A bump, say: shown and exported by Blender; it takes no part in the mix.
+            # Keeps other nodes, such as Bump, which wrinkles cannot mix with.
             return
         normal_map = tree.nodes.new("ShaderNodeNormalMap")
         normal_map.location = (node.location.x, node.location.y - 320)
@@ -150,7 +142,7 @@ def _link_normal(tree, node, shader):
 
 
 def _coordinates(tree, node, normal_map):
-    """What the normal texture is looked up by; else the texture coordinates that the mesh is rendered with."""
+    """Return the normal texture's coordinates, else those of the Normal Map node's UV map."""
     source = node.inputs["Normal"].links[0].from_node if node.inputs["Normal"].links else None
     if source and source.type == "TEX_IMAGE" and source.inputs["Vector"].is_linked:
         return source.inputs["Vector"].links[0].from_socket

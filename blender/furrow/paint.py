@@ -1,4 +1,4 @@
-"""Images from a mesh: an area from a vertex group, a layer from a multires sculpt."""
+"""Makes images from a mesh: an area from a vertex group, a normal map from a multires sculpt."""
 
 import bpy
 import numpy as np
@@ -8,11 +8,11 @@ from .weights import draw_weights
 
 
 def image_from_vertex_group(face, group, size):
-    """A new gray image of the weights of a vertex group, in the mesh's active texture coordinates."""
+    """Draw a vertex group's weights into a new gray image, in the mesh's active UV map."""
     mesh = face.data
     layer = mesh.uv_layers.active
     if layer is None:
-        raise FurrowError(f"Furrow: {face.name} has no texture coordinates; unwrap it first")
+        raise FurrowError(f"Furrow: {face.name} has no UV map; unwrap it first")
     weights = np.zeros(len(mesh.vertices), np.float32)
     for vertex in mesh.vertices:
         for item in vertex.groups:
@@ -34,13 +34,13 @@ def image_from_vertex_group(face, group, size):
 
 
 def bake_sculpt(face, material, size):
-    """A new normal map of what a multires sculpt adds to its lowest level, baked by Blender."""
+    """Bake a multires sculpt's details over its lowest level into a new normal map."""
     modifier = next((item for item in face.modifiers if item.type == "MULTIRES"), None)
     if modifier is None or modifier.total_levels == 0:
-        raise FurrowError(f"Furrow: {face.name} has no Multires modifier with a level to bake; add one and sculpt")
+        raise FurrowError(f"Furrow: {face.name} has no subdivided Multires modifier; add one and sculpt")
     image = bpy.data.images.new(f"{face.name} sculpt", size, size, alpha=False)
     image.colorspace_settings.is_data = True
-    # What no island covers stays flat.
+    # Texels outside UV islands stay flat.
     image.generated_color = (0.5, 0.5, 1, 1)
     tree = material.node_tree
     node = tree.nodes.new("ShaderNodeTexImage")

@@ -1,11 +1,11 @@
-"""The panel "Wrinkles" in the properties of a material."""
+"""The panel "Wrinkles" in the material properties."""
 
 import json
 
 import bpy
 
 from .format.edit import describe_driver
-from .format.plan import NOT_IN_BLENDER
+from .format.plan import UNSUPPORTED
 from .material import wrinkle_group
 from .rig import activation_of
 
@@ -130,8 +130,8 @@ class FURROW_PT_drivers(_Panel, bpy.types.Panel):
             row = box.row()
             row.label(text=describe_driver(driver))
             row.operator("furrow.driver_remove", icon="X", text="", emboss=False).driver = i
-            if driver["type"] in NOT_IN_BLENDER:
-                box.label(text="Kept for the export; not shown in Blender", icon="INFO")
+            if driver["type"] in UNSUPPORTED:
+                box.label(text="Exported, but not shown in Blender", icon="INFO")
             for link in driver.get("targets", []) if driver["type"] == "morph" else []:
                 row = box.row()
                 curve = link.get("curve")

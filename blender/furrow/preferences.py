@@ -9,7 +9,7 @@ class FurrowPreferences(bpy.types.AddonPreferences):
     command: bpy.props.StringProperty(
         name="furrow",
         subtype="FILE_PATH",
-        description="The command that makes wrinkles automatically; empty for the one on the path",
+        description="Path of the command that makes automatic wrinkles. If empty, the command is searched on PATH",
     )
 
     def draw(self, _context):
@@ -18,7 +18,7 @@ class FurrowPreferences(bpy.types.AddonPreferences):
 
 
 def preferred_command(context):
-    """The command of the preferences; empty for the one on the path."""
+    """Return the command's path from the preferences, or an empty string."""
     addon = context.preferences.addons.get(__package__)
     return addon.preferences.command if addon and addon.preferences else ""
 

@@ -1,4 +1,4 @@
-"""What Blender is told about when the extension is enabled."""
+"""Registers the extension's classes and handlers."""
 
 from . import delays, operators, panel, preferences, properties
 from .exporter import restore_materials

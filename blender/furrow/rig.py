@@ -1,12 +1,12 @@
 """
-Drivers of a wrinkle group. Each step of the plan is a custom property of one of its nodes with one driver of Blender,
-and the last of them drive the inputs of the other nodes: `nodes["Steps"]["d0l1"]` is the second link of the first
-driver, `nodes["Steps"]["a3"]` the activation of the fourth area, `["rest3"]` of the group itself that at rest, and
-`["late3"]` what a delay adds (`delays.py`).
+Builds the drivers of a wrinkle group. Each step of the plan is a driven custom property of one node, "Steps". Drivers
+of the other nodes' inputs read the last steps. `nodes["Steps"]["d0l1"]` is the second link of the first driver, and
+`nodes["Steps"]["a3"]` the activation of the fourth area. The group's own properties `["rest3"]` and `["late3"]` are
+that area's resting activation and lag (`delays.py`).
 
-Steps are not properties of the group itself: before the drivers of a data-block's nodes, and of those alone, Blender
-writes back what all driven properties of the data-block hold (`BKE_animsys_eval_driver_unshare`). In another thread
-that undid steps that had just been computed, in about one of fifty changes of a shape key (Blender 4.5 and 5.0).
+Steps must not be properties of the group itself. Before evaluating drivers of nodes, Blender writes back all driven
+properties of the data-block (`BKE_animsys_eval_driver_unshare`), in another thread. That reverts computed steps in
+about one of fifty changes of a shape key (Blender 4.5 and 5.0).
 """
 
 import json
@@ -14,24 +14,23 @@ import json
 import bpy
 
 from .format.plan import plan_drivers, shown_name
-from .joints import can_measure, read_joint, with_joints_measured
+from .joints import can_measure, expand_joints, read_joint
 
-#: Name of the node whose custom properties are the steps: a frame, which draws nothing.
+#: Name of the frame node with the steps as custom properties.
 STEPS = "Steps"
 
-#: Custom properties of the group, followed by the index of an area.
+#: Prefix of the group's custom property with an area's lag; the area's index follows.
 LATE = "late"
 
-#: Key frames of a driver that scales: it goes on beyond both.
+#: Key frames of a driver that scales, extrapolated linearly.
 _UNIT = ((0, 0), (1, 1))
 
 
 def build_drivers(tree, activations):
     """
-    Replace the drivers of a wrinkle group by those of its set.
+    Replace a group's drivers by those of its wrinkle set.
 
-    `activations`: for each area, the node's name and the input's index that take its activation, as `build_nodes`
-    returns them. Returns the plan.
+    `activations`: result of `build_nodes`. Returns the plan.
     """
     _clear(tree)
     wrinkles = tree.furrow
@@ -44,10 +43,10 @@ def build_drivers(tree, activations):
     plan = plan_drivers(drivers, areas, targets, lambda driver: can_measure(wrinkles, driver))
     _declare_inputs(wrinkles, plan.inputs)
     for area in wrinkles.areas:
-        # Drivers can only read what is there.
+        # Creates the custom property that drivers read.
         area.activation = area.activation
     _declare_delays(tree, plan.delays)
-    steps = with_joints_measured(plan.steps, wrinkles)
+    steps = expand_joints(plan.steps, wrinkles)
     node = tree.nodes.new("NodeFrame")
     node.name = node.label = STEPS
     for step in steps:
@@ -68,13 +67,13 @@ def build_drivers(tree, activations):
 
 
 def activation_of(tree, area):
-    """The current activation of an area, by index."""
+    """Return an area's current activation. `area`: index."""
     steps = tree.nodes.get(STEPS)
     return steps.get(_shown(tree, area), 0.0) if steps else 0.0
 
 
 def show_preview(tree):
-    """Show the chosen area alone and fully wrinkled while `preview` is set: the nodes' own drivers rest meanwhile."""
+    """Show only the active area, fully wrinkled, while `preview` is set. Mutes the nodes' drivers."""
     if tree.animation_data is None:
         return
     wrinkles = tree.furrow
@@ -122,7 +121,7 @@ def _shape(curve, step):
 
 
 def _key(curve, points, extrapolation):
-    """What a driver gives becomes the F-curve's input; one without key frames passes it on."""
+    """Set the F-curve's key frames, which map the driver's value. Without key frames the value is unchanged."""
     for modifier in list(curve.modifiers):
         curve.modifiers.remove(modifier)
     curve.keyframe_points.clear()
@@ -161,7 +160,7 @@ def _variable(driver, name, id_type, owner, path):
 
 
 def _declare_inputs(wrinkles, inputs):
-    """Exactly the inputs that drivers read; those that were there keep their values."""
+    """Set the list of inputs. Existing inputs keep their values."""
     values = {item.name: item.value for item in wrinkles.inputs}
     wrinkles.inputs.clear()
     for name, initial in inputs.items():
@@ -171,7 +170,7 @@ def _declare_inputs(wrinkles, inputs):
 
 
 def _declare_delays(tree, delays):
-    """The areas with a delay. None is late now."""
+    """Set the delayed areas, with zero lag."""
     tree.furrow.delays.clear()
     for area, (attack, release) in delays.items():
         item = tree.furrow.delays.add()

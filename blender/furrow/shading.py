@@ -1,17 +1,17 @@
 """
-The nodes of a wrinkle set: influence of each layer, then normals, base colour, roughness and blood, mixed before they
-are lit, as the section "Mixing" of docs/FURROW_wrinkle_maps.md says.
+Builds the nodes of a wrinkle set: influence per layer, then normals, base colour, roughness and blood, mixed before
+lighting (docs/FURROW_wrinkle_maps.md, "Mixing").
 
-The group takes what the material had and gives what it shall have. Normals are colours in tangent space on both sides:
-the material's own Normal Map node turns them into directions.
+The group's inputs and outputs are the material's plain and wrinkled values. Normals are tangent-space colours; the
+material's Normal Map node decodes them.
 """
 
 from .graph import Graph
 
-#: By which optical depth each channel falls as blood grows.
+#: Optical depth of red, green and blue per unit of blood.
 BLOOD_ABSORPTION = (0.35, 1.0, 0.89)
 
-#: Sockets of the group: type, default, and which maps of layers make it needed (none: always).
+#: Sockets of the group: type, default, and the maps that require the socket (none: always).
 SOCKETS = {
     "Base Color": ("NodeSocketColor", (1, 1, 1, 1), ("base_color", "blood")),
     "Roughness": ("NodeSocketFloat", 1.0, ("roughness",)),
@@ -22,9 +22,9 @@ FACTORS = {"Base Color Factor": "Base Color", "Roughness Factor": "Roughness"}
 
 def build_nodes(tree):
     """
-    Fill a node group with the nodes of its wrinkle set.
+    Build the nodes of a group's wrinkle set.
 
-    Returns for each area, by index, the input that takes its activation: a pair of a node's name and an input's index.
+    Returns the activation inputs by area index: pairs of node name and input index.
     """
     wrinkles = tree.furrow
     _declare(tree, [name for name, (_, _, maps) in SOCKETS.items() if not maps or _has(wrinkles, maps)])
@@ -58,7 +58,7 @@ def _has(wrinkles, maps):
 
 
 def _declare(tree, names):
-    """Give the group exactly these sockets; those it has keep their links and values in materials."""
+    """Set the group's sockets. Existing sockets keep their links and values in materials."""
     wanted = {(name, "OUTPUT"): SOCKETS[name] for name in names}
     wanted |= {(name, "INPUT"): SOCKETS[name] for name in names}
     wanted |= {(factor, "INPUT"): SOCKETS[name] for factor, name in FACTORS.items() if name in names}
@@ -67,15 +67,15 @@ def _declare(tree, names):
     for item in list(tree.interface.items_tree):
         if (item.name, item.in_out) not in wanted:
             tree.interface.remove(item)
-    there = {(item.name, item.in_out) for item in tree.interface.items_tree}
+    existing = {(item.name, item.in_out) for item in tree.interface.items_tree}
     for (name, in_out), (kind, default, _) in wanted.items():
-        if (name, in_out) not in there:
+        if (name, in_out) not in existing:
             socket = tree.interface.new_socket(name, in_out=in_out, socket_type=kind)
             socket.default_value = (1, 1, 1, 1) if name == "Base Color Factor" else default
 
 
 def _area_images(graph, wrinkles, uv):
-    """Nodes of the images of areas, one for each image: areas that share one are read together."""
+    """Create one texture node per area image; areas may share it."""
     images = {}
     for area in wrinkles.areas:
         if area.image and area.image.name not in images:
@@ -84,7 +84,7 @@ def _area_images(graph, wrinkles, uv):
 
 
 def _influence(graph, wrinkles, layer, images, activations):
-    """max(min(1, sum of w a), largest w a)."""
+    """Build max(min(1, sum(w a)), max(w a)), with the sum and maximum over areas of each `combine` mode."""
     sums, largest = [], []
     own = [(i, area) for i, area in enumerate(wrinkles.areas) if area.layer == layer and area.image]
     for name, (color, alpha) in images.items():
@@ -96,7 +96,7 @@ def _influence(graph, wrinkles, layer, images, activations):
                     node = graph.node("ShaderNodeMath", (alpha, 0.0), area.name, operation="MULTIPLY")
                     activations[i] = (node.name, 1)
                     (sums if wanted == "sum" else largest).append(node.outputs[0])
-            # Several areas in one channel, which files may have, need a product each.
+            # Several areas in one channel need one product each.
             while in_colour:
                 chosen = {a.channel: (i, a) for i, a in reversed(in_colour)}
                 in_colour = [pair for pair in in_colour if pair not in chosen.values()]
@@ -115,7 +115,7 @@ def _influence(graph, wrinkles, layer, images, activations):
 
 
 def _shares(graph, influences):
-    """Influences divided by their sum where that exceeds 1."""
+    """Divide influences by their sum if it exceeds 1."""
     if len(influences) < 2:
         return influences
     total = graph.math("MAXIMUM", graph.total(influences), 1.0)
@@ -123,7 +123,7 @@ def _shares(graph, influences):
 
 
 def _unpacked(graph, color, scale):
-    """A normal as stored, -1 to 1, with x and y scaled."""
+    """Decode a normal to -1..1, with x and y scaled."""
     normal = graph.vector("MULTIPLY_ADD", color, (2, 2, 2), (-1, -1, -1))
     return normal if scale == 1 else _scaled(graph, normal, scale)
 
@@ -163,7 +163,7 @@ def _with_z_1(graph, slope):
 
 
 def _reoriented(graph, base, detail):
-    """The detail, rotated as (0, 0, 1) is to the base: t dot(t, u) / t.z - u."""
+    """Rotate the detail from (0, 0, 1) to the base: t dot(t, u) / t.z - u (reoriented normal mapping)."""
     t = graph.vector("ADD", base, (0, 0, 1))
     u = graph.vector("MULTIPLY", detail, (-1, -1, 1))
     scale = graph.math("DIVIDE", graph.vector("DOT_PRODUCT", t, u), graph.separate(t)[2])

@@ -1,8 +1,8 @@
-"""Weights of vertices drawn into an image in UV space. Needs NumPy, which Blender brings, and nothing else."""
+"""Draws vertex weights into an image in UV space. Needs only NumPy, which ships with Blender."""
 
 import numpy as np
 
-#: Texels that weights go on beyond the borders of UV islands, so that bilinear samples there read no black.
+#: Margin around UV islands in texels, so that bilinear samples read no black.
 MARGIN = 4
 
 
@@ -10,13 +10,13 @@ def draw_weights(coordinates, weights, size, margin=MARGIN):
     """
     Draw triangles with a weight at each corner.
 
-    `coordinates`: texture coordinates, v upwards, of shape (triangles, 3, 2). `weights`: 0 to 1, of shape (triangles,
-    3). Returns float32 of shape (size, size), the lowest row first, as Blender stores images.
+    `coordinates`: UVs, v upwards, shape (triangles, 3, 2). `weights`: 0 to 1, shape (triangles, 3). Returns float32 of
+    shape (size, size), bottom row first, as Blender stores images.
     """
     image = np.zeros((size, size), np.float32)
     covered = np.zeros((size, size), bool)
     texels = np.asarray(coordinates, np.float64) * size - 0.5
-    # What lies outside of the image repeats; a triangle is moved as a whole.
+    # Moves triangles outside the image into it by full repeats.
     texels -= np.floor((texels.mean(axis=1, keepdims=True) + 0.5) / size) * size
     for corners, values in zip(texels, np.asarray(weights, np.float64), strict=True):
         _draw(image, covered, corners, values)
@@ -43,14 +43,14 @@ def _draw(image, covered, corners, values):
 
 
 def _with_margin(image, covered, margin):
-    """Each texel beside a covered one gets the mean of its covered neighbours, as often as the margin is wide."""
+    """Grow the covered texels `margin` times by the mean of covered neighbours."""
     for _ in range(margin):
         total, count = np.zeros_like(image), np.zeros_like(image)
         for dy in (-1, 0, 1):
             for dx in (-1, 0, 1):
-                there = _shifted(covered, dy, dx)
-                total += np.where(there, _shifted(image, dy, dx), 0)
-                count += there
+                neighbours = _shifted(covered, dy, dx)
+                total += np.where(neighbours, _shifted(image, dy, dx), 0)
+                count += neighbours
         new = ~covered & (count > 0)
         image[new] = total[new] / count[new]
         covered |= new
@@ -58,7 +58,7 @@ def _with_margin(image, covered, margin):
 
 
 def _shifted(array, dy, dx):
-    """Moved by a texel, without wrapping round."""
+    """Shift by a texel, without wrapping."""
     out = np.zeros_like(array)
     height, width = array.shape
     target = np.s_[max(dy, 0) : height + min(dy, 0), max(dx, 0) : width + min(dx, 0)]

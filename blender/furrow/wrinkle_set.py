@@ -1,4 +1,4 @@
-"""A wrinkle set between its JSON and Blender's properties, and the nodes and drivers that follow from these."""
+"""Converts wrinkle sets between JSON and Blender properties, and rebuilds nodes and drivers."""
 
 import json
 from contextlib import contextmanager
@@ -6,14 +6,14 @@ from contextlib import contextmanager
 import bpy
 
 from .format.document import read_document
-from .format.edit import meshes_of, with_joints_renamed, with_meshes_renamed
+from .format.edit import meshes_of, rename_joints, rename_meshes
 from .format.reader import FurrowError
 from .images import file_from_image, image_from_file
-from .material import group_node, put_back, take_out
+from .material import detach_group, group_node, reattach_group
 from .rig import build_drivers, show_preview
 from .shading import build_nodes
 
-#: Maps of a layer: property, texture slot, and the number that belongs to it as property and field.
+#: Maps of a layer: property, texture slot, and the slot's number as property and field.
 MAPS = (
     ("normal", "normalTexture", "normal_scale", "scale"),
     ("base_color", "baseColorTexture", None, None),
@@ -27,21 +27,21 @@ _loading = 0
 
 
 def new_group(name):
-    """An empty wrinkle set in a node group of its own."""
+    """Create a node group with an empty wrinkle set."""
     tree = bpy.data.node_groups.new(name, "ShaderNodeTree")
     tree.furrow.is_wrinkles = True
     return tree
 
 
 def load_document(tree, document, image_of):
-    """Fill a wrinkle set from a checked document. `image_of`: an ImageFile by the index of a texture."""
+    """Fill a wrinkle set from a checked document. `image_of`: function from texture index to ImageFile."""
     images = {}
 
     def image(info, is_data=True):
         key = (info["index"], is_data)
         if key not in images:
             if "slice" in info:
-                raise FurrowError("Furrow: slices of KTX 2 arrays, which Blender cannot read; pack without --ktx2")
+                raise FurrowError("Furrow: unsupported texture, got a KTX 2 array; pack the face without --ktx2")
             images[key] = image_from_file(image_of(info["index"]), is_data)
         return images[key]
 
@@ -55,32 +55,32 @@ def load_document(tree, document, image_of):
                     setattr(layer, prop, image(item[slot], prop != "base_color"))
                     if number:
                         setattr(layer, number, item[slot][field])
-            layer.other = _rest(item, "name", "kind", *_SLOTS)
+            layer.other = _other_fields(item, "name", "kind", *_SLOTS)
         for prop, _, _, _ in MAPS:
             _check_sizes([getattr(layer, prop) for layer in wrinkles.layers if getattr(layer, prop)])
         for item in document["areas"]:
             area = wrinkles.areas.add()
             area.name, area.layer, area.combine = item["name"], item["layer"], item["combine"]
             area.image, area.channel, area.activation = image(item["texture"]), str(item["channel"]), item["activation"]
-            area.other = _rest(item, "name", "layer", "combine", "texture", "channel", "activation")
+            area.other = _other_fields(item, "name", "layer", "combine", "texture", "channel", "activation")
         for item in document["drivers"]:
             wrinkles.drivers.add().json = json.dumps(item)
-        wrinkles.other = _rest(document, "layers", "areas", "drivers")
+        wrinkles.other = _other_fields(document, "layers", "areas", "drivers")
 
 
 def _check_sizes(images):
-    """All maps of one kind have one size; other engines put them into one array."""
+    """Check that maps of one kind have one size, because other engines put them into an array."""
     sizes = {tuple(image.size) for image in images}
     if len(sizes) > 1:
         found = ", ".join(f"{width} x {height}" for width, height in sorted(sizes))
-        raise FurrowError(f"Furrow: maps of one kind differ in size, got {found}; scale them to one size")
+        raise FurrowError(f"Furrow: maps of one kind differ in size, got {found}, allowed: one size; scale them")
 
 
 def document_of(tree):
     """
-    The document of a wrinkle set, its textures indices into a list of ImageFile, and that list.
+    Return a wrinkle set's document and its list of ImageFile; texture indices refer to that list.
 
-    Raises FurrowError where the set is incomplete.
+    Raises FurrowError if an image is missing.
     """
     wrinkles = tree.furrow
     files = []
@@ -100,7 +100,7 @@ def document_of(tree):
             if prop == "normal" or getattr(layer, prop):
                 item[slot] = texture(getattr(layer, prop), f'the normal map of layer "{layer.name}"')
                 if number:
-                    item[slot][field] = _short(getattr(layer, number))
+                    item[slot][field] = _round_float(getattr(layer, number))
         layers.append({**item, **json.loads(layer.other)})
     areas = []
     for area in wrinkles.areas:
@@ -110,21 +110,21 @@ def document_of(tree):
             "texture": texture(area.image, f'area "{area.name}"'),
             "channel": int(area.channel),
             "combine": area.combine,
-            "activation": _short(area.activation),
+            "activation": _round_float(area.activation),
         }
         areas.append({**item, **json.loads(area.other)})
-    # Nodes get the names of their objects, which may have others by now.
+    # Objects may have been renamed since the import.
     names = {joint.name: joint.object.name for joint in wrinkles.joints if joint.object}
-    drivers = with_joints_renamed([json.loads(driver.json) for driver in wrinkles.drivers], names)
+    drivers = rename_joints([json.loads(driver.json) for driver in wrinkles.drivers], names)
     other = json.loads(wrinkles.other)
     if "shapes" in other:
-        other["shapes"] = with_meshes_renamed(other["shapes"], _mesh_names(wrinkles))
+        other["shapes"] = rename_meshes(other["shapes"], _mesh_names(wrinkles))
     root = {"layers": layers, "areas": areas, "drivers": drivers, **other}
     return read_document(root, len(files), f'material group "{tree.name}"'), files
 
 
-def remember_meshes(wrinkles, objects):
-    """Keep the objects of the meshes that a set's corrections of shapes name. `objects`: by the names of the file."""
+def store_meshes(wrinkles, objects):
+    """Store the mesh objects used in shape corrections. `objects`: by name in the file."""
     for name in meshes_of(json.loads(wrinkles.other).get("shapes")):
         if name in objects:
             mesh = wrinkles.meshes.add()
@@ -132,13 +132,13 @@ def remember_meshes(wrinkles, objects):
 
 
 def _mesh_names(wrinkles):
-    """New names of meshes by the old ones, where neither the object nor its mesh has the old one."""
+    """Return new mesh names by old ones, for meshes whose object and data were renamed."""
     objects = {mesh.name: mesh.object for mesh in wrinkles.meshes if mesh.object}
     return {old: item.data.name for old, item in objects.items() if old not in (item.name, item.data.name)}
 
 
 def materials_of(tree):
-    """All materials that show a wrinkle set."""
+    """List the materials with a wrinkle set."""
     found = []
     for material in bpy.data.materials:
         node = group_node(material)
@@ -148,12 +148,12 @@ def materials_of(tree):
 
 
 def rebuild(tree):
-    """Make the nodes and drivers anew after the properties changed, and link what the group's sockets now need."""
+    """Rebuild nodes, drivers and links after properties have changed."""
     wrinkles = tree.furrow
     materials = materials_of(tree)
-    # A socket that is not needed any more would take the links with it that pass through it.
+    # Detaches first: removing a socket would also remove the links through it.
     for material in materials:
-        take_out(material)
+        detach_group(material)
     with _loading_properties():
         activations = build_nodes(tree)
         plan = build_drivers(tree, activations)
@@ -161,11 +161,11 @@ def rebuild(tree):
     if wrinkles.preview:
         show_preview(tree)
     for material in materials:
-        put_back(material)
+        reattach_group(material)
 
 
 def is_loading():
-    """Whether properties are being set that need no rebuilding each."""
+    """Whether a batch of properties is being set, without rebuilding after each."""
     return _loading > 0
 
 
@@ -180,7 +180,7 @@ def _loading_properties():
 
 
 def _notes(wrinkles, plan):
-    notes = [f"Not shown: {note}" for note in plan.kept]
+    notes = [f"Not shown: {note}" for note in plan.unsupported]
     maps = [
         f"{name} of {layer.name}"
         for layer in wrinkles.layers
@@ -192,10 +192,10 @@ def _notes(wrinkles, plan):
     return notes
 
 
-def _rest(item, *known):
+def _other_fields(item, *known):
     return json.dumps({key: value for key, value in item.items() if key not in known})
 
 
-def _short(value):
-    """A number as it was written: Blender keeps 24 bits of it."""
+def _round_float(value):
+    """Round to the 7 digits of Blender's 32-bit floats."""
     return float(f"{value:.7g}")

@@ -1,4 +1,4 @@
-"""Run the tests in blender/tests/format, which need no Blender."""
+"""Run the tests in blender/tests/format, which do not need Blender."""
 
 import sys
 import unittest

@@ -1,7 +1,7 @@
 """
-Run the tests in blender/tests/blender, or those whose file matches a pattern.
+Run the tests in blender/tests/blender, optionally only files that match a pattern.
 
-What Blender itself prints goes to a file, whose name is printed if a test fails.
+Blender's output goes to a file. Its name is printed if a test fails.
 """
 
 import os
@@ -13,10 +13,10 @@ from pathlib import Path
 HERE = Path(__file__).parent
 sys.path[:0] = [str(HERE.parent), str(HERE / "format"), str(HERE / "blender")]
 
-# Settings of the user are neither read nor changed.
+# Keeps the user's Blender settings out of the tests.
 os.environ.setdefault("BLENDER_USER_RESOURCES", tempfile.mkdtemp(prefix="furrow-blender-"))
 
-import bpy  # noqa: E402, F401  Before addon_utils, which it brings.
+import bpy  # noqa: E402, F401  Provides addon_utils.
 
 if __name__ == "__main__":
     descriptor, log = tempfile.mkstemp(prefix="furrow-blender-", suffix=".txt")
@@ -26,7 +26,7 @@ if __name__ == "__main__":
     suite = unittest.defaultTestLoader.discover(str(HERE / "blender"), sys.argv[1] if sys.argv[1:] else "test*.py")
     passed = unittest.TextTestRunner(report, verbosity=2).run(suite).wasSuccessful()
     if not passed:
-        report.write(f"what Blender printed: {log}\n")
+        report.write(f"Blender's output: {log}\n")
     report.flush()
-    # Blender as a module does not end in order: it lists all that it did not free.
+    # Skips Blender's exit handlers, which report unfreed memory.
     os._exit(0 if passed else 1)

@@ -1,4 +1,1 @@
-"""
-The extension FURROW_wrinkle_maps without Blender: its JSON, its files, and its drivers as many small ones. Imports no
-bpy.
-"""
+"""FURROW_wrinkle_maps without Blender: JSON, files and the plan of small drivers. Does not import bpy."""

@@ -1,4 +1,4 @@
-"""glTF files as bytes: `.glb` and `.gltf`, their images, and wrinkles added to a file that is already written."""
+"""Reads images from `.glb` and `.gltf` files, and adds wrinkles to existing files."""
 
 import base64
 import json
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import quote, unquote
 
-from .document import EXTENSION, textures_of, with_defaults_removed
+from .document import EXTENSION, textures_of, without_defaults
 from .reader import FurrowError
 
 _JSON, _BINARY = 0x4E4F534A, 0x004E4942
@@ -18,7 +18,7 @@ _BASISU = "KHR_texture_basisu"
 
 @dataclass(frozen=True)
 class ImageFile:
-    """The bytes of an image as they stand in a file."""
+    """An encoded image."""
 
     name: str
     mime_type: str
@@ -26,7 +26,7 @@ class ImageFile:
 
 
 class GltfFile:
-    """A glTF file that was read: `json`, and images by texture."""
+    """A glTF file: `json`, and images by texture."""
 
     def __init__(self, path):
         self.path = Path(path)
@@ -38,14 +38,14 @@ class GltfFile:
         try:
             self.json = json.loads(text)
         except ValueError as error:
-            raise FurrowError(f"{self.path.name}: the JSON is damaged, {error}; export the file again") from error
+            raise FurrowError(f"{self.path.name}: invalid JSON, {error}; export the file again") from error
 
     @property
     def texture_count(self):
         return len(self.json.get("textures", []))
 
     def image_of(self, texture):
-        """The image of a texture, by its index. Raises FurrowError where it cannot be read, or Blender cannot."""
+        """Read a texture's image. Raises FurrowError if it is missing, damaged or unsupported by Blender."""
         try:
             item = self.json["textures"][texture]
             extensions = item.get("extensions", {})
@@ -64,7 +64,7 @@ class GltfFile:
             ) from error
 
     def view(self, index):
-        """The bytes of a buffer view."""
+        """Return the bytes of a buffer view."""
         view = self.json["bufferViews"][index]
         start = view.get("byteOffset", 0)
         buffer = self.json["buffers"][view["buffer"]]
@@ -80,7 +80,7 @@ class GltfFile:
 
 
 def mime_type_of(data):
-    """PNG, JPEG or WebP, by the first bytes. Raises ValueError for any other."""
+    """Detect PNG, JPEG or WebP by the first bytes. Raises ValueError for other formats."""
     if data[:8] == b"\x89PNG\r\n\x1a\n":
         return "image/png"
     if data[:3] == b"\xff\xd8\xff":
@@ -92,13 +92,13 @@ def mime_type_of(data):
 
 def add_wrinkles(path, wrinkles):
     """
-    Add the extension to the materials of a file that is already written, in place.
+    Add the extension to materials of an existing file, in place.
 
-    `wrinkles`: by the name of the material, a document whose textures are indices into a list of ImageFile, and that
-    list. Materials that the file lacks are left out. Returns the names of those that were found.
+    `wrinkles`: by material name, a document and its list of ImageFile; texture indices refer to that list. Missing
+    materials are skipped. Returns the names of changed materials.
     """
     file = GltfFile(path)
-    is_glb = path_is_glb(path)
+    is_glb = has_glb_header(path)
     json_, binary = file.json, bytearray(file.binary)
     found = []
     for name, (document, images) in wrinkles.items():
@@ -109,7 +109,7 @@ def add_wrinkles(path, wrinkles):
         for material in materials:
             coordinates = material.get("normalTexture", {}).get("texCoord", 0)
             extension = _with_textures(document, textures, coordinates)
-            material.setdefault("extensions", {})[EXTENSION] = with_defaults_removed(extension)
+            material.setdefault("extensions", {})[EXTENSION] = without_defaults(extension)
         found.append(name)
     if not found:
         return found
@@ -124,14 +124,14 @@ def add_wrinkles(path, wrinkles):
     return found
 
 
-def path_is_glb(path):
-    """Whether a file begins as a `.glb` does."""
+def has_glb_header(path):
+    """Whether a file starts like a `.glb`."""
     with open(path, "rb") as file:
         return file.read(4) == b"glTF"
 
 
 def _with_textures(document, textures, coordinates):
-    """A copy of a document with textures of the file, all with the coordinates of the material's normal map."""
+    """Copy a document with texture indices of the file and the texCoord of the material's normal map."""
     copy = json.loads(json.dumps(document))
     for info in textures_of(copy):
         info["index"] = textures[info["index"]]
@@ -142,7 +142,7 @@ def _with_textures(document, textures, coordinates):
 
 
 def _add_image(json_, image, binary, path, is_glb):
-    """Add an image and its texture; the index of the texture."""
+    """Add an image and its texture. Returns the texture's index."""
     images = json_.setdefault("images", [])
     item = {"name": image.name, "mimeType": image.mime_type}
     if is_glb:
@@ -185,11 +185,11 @@ def _read_glb(data, who):
             at += 8 + size
         return chunks[_JSON], chunks.get(_BINARY, b"")
     except (ValueError, KeyError, struct.error) as error:
-        raise FurrowError(f"{who}: the file is damaged, {error}; export it again") from error
+        raise FurrowError(f"{who}: invalid .glb, {error}; export the file again") from error
 
 
 def write_glb(json_, binary):
-    """The bytes of a `.glb`."""
+    """Encode a `.glb`."""
     text = json.dumps(json_, separators=(",", ":"), ensure_ascii=False).encode()
     text += b" " * (-len(text) % 4)
     out = struct.pack("<II", len(text), _JSON) + text

@@ -1,4 +1,4 @@
-"""The JSON of the extension on a material, checked by the rules that every reader has (docs/FURROW_wrinkle_maps.md)."""
+"""Checks the extension's JSON by the rules of docs/FURROW_wrinkle_maps.md."""
 
 from .driver_fields import read_driver
 from .reader import LARGEST, FurrowError, Reader
@@ -8,7 +8,7 @@ MAX_LAYERS = 4
 MAX_AREAS = 256
 MAX_DRIVERS = 4096
 
-#: Texture slots of a layer with the number that belongs to each: its name, its range, and its default (None: required).
+#: Texture slots of a layer with their number: name, minimum, maximum and default (None: required).
 SLOTS = {
     "normalTexture": ("scale", -LARGEST, LARGEST, 1),
     "baseColorTexture": None,
@@ -19,12 +19,12 @@ SLOTS = {
 }
 
 
-def read_document(json, texture_count, who=EXTENSION, on_fault=None):
+def read_document(json, texture_count, who=EXTENSION, on_error=None):
     """
-    Check the extension's JSON and fill its defaults in. Unknown fields and unknown drivers are kept.
+    Check the extension's JSON and fill in defaults. Keeps unknown fields and drivers.
 
-    `on_fault` is told of each malformed driver, which is then left out; by default it is raised.
-    Returns a new dict with `layers`, `areas`, `drivers` and whatever else there was.
+    `on_error`: called with the message of each malformed driver, which is skipped. By default errors are raised.
+    Returns a new dict with `layers`, `areas`, `drivers` and all other fields.
     """
     reader = Reader(who)
     root = dict(reader.object(json, "the extension"))
@@ -34,20 +34,20 @@ def read_document(json, texture_count, who=EXTENSION, on_fault=None):
     root["areas"] = [_area(reader, item, f"areas[{i}]", len(layers), texture_count) for i, item in enumerate(areas)]
     for kind in ("layers", "areas"):
         _check_names(reader, root[kind], kind)
-    root["drivers"] = _drivers(reader, root.get("drivers", []), [area["name"] for area in root["areas"]], on_fault)
+    root["drivers"] = _drivers(reader, root.get("drivers", []), [area["name"] for area in root["areas"]], on_error)
     return root
 
 
 def textures_of(document):
-    """All texture infos of a document, layers first."""
+    """Iterate over all texture infos, layers first."""
     for layer in document["layers"]:
         yield from (layer[slot] for slot in SLOTS if slot in layer)
     for area in document["areas"]:
         yield area["texture"]
 
 
-def with_defaults_removed(document):
-    """The document as it is written to a file: without what is the default anyway."""
+def without_defaults(document):
+    """Copy a document without fields that have default values."""
     layers = []
     for layer in document["layers"]:
         out = {key: value for key, value in layer.items() if (key, value) != ("kind", "replace")}
@@ -55,8 +55,8 @@ def with_defaults_removed(document):
             if slot in out and number and out[slot].get(number[0]) == number[3]:
                 out[slot] = {key: value for key, value in out[slot].items() if key != number[0]}
         layers.append(out)
-    usual = {"layer": 0, "channel": 0, "combine": "sum", "activation": 0}
-    areas = [{k: v for k, v in area.items() if k not in usual or v != usual[k]} for area in document["areas"]]
+    defaults = {"layer": 0, "channel": 0, "combine": "sum", "activation": 0}
+    areas = [{k: v for k, v in area.items() if k not in defaults or v != defaults[k]} for area in document["areas"]]
     out = {**document, "layers": layers, "areas": areas}
     if not out["drivers"]:
         del out["drivers"]
@@ -69,8 +69,8 @@ def _texture(reader, value, path, count, number=None):
     if "slice" in info:
         info["slice"] = reader.integer(info["slice"], f"{path}.slice", 0, 255)
     if number:
-        field, low, high, usual = number
-        info[field] = reader.number(info.get(field, usual), f"{path}.{field}", low, high)
+        field, low, high, default = number
+        info[field] = reader.number(info.get(field, default), f"{path}.{field}", low, high)
     return info
 
 
@@ -83,8 +83,8 @@ def _layer(reader, item, at, count):
             layer[slot] = _texture(reader, layer.get(slot), f"{at}.{slot}", count, number)
     blood, occlusion = layer.get("bloodTexture"), layer.get("occlusionTexture")
     if blood and occlusion and (blood["index"], blood.get("slice")) != (occlusion["index"], occlusion.get("slice")):
-        what = f"{at}.bloodTexture is not that of the occlusion"
-        reader.fail(what, blood["index"], str(occlusion["index"]), "put it into the B channel of that image")
+        problem = f"{at}.bloodTexture differs from occlusionTexture"
+        reader.fail(problem, blood["index"], str(occlusion["index"]), "store blood in the B channel of that image")
     return layer
 
 
@@ -103,17 +103,17 @@ def _check_names(reader, named, kind):
     seen = set()
     for i, item in enumerate(named):
         if item["name"] in seen:
-            reader.fail(f"{kind}[{i}].name is taken", item["name"], None, "give each a distinct name")
+            reader.fail(f"{kind}[{i}].name is a duplicate", item["name"], None, "use unique names")
         seen.add(item["name"])
 
 
-def _drivers(reader, value, areas, on_fault):
+def _drivers(reader, value, areas, on_error):
     found = []
     for i, item in enumerate(reader.array(value, "drivers", 0, MAX_DRIVERS)):
         try:
             found.append(read_driver(reader, item, f"drivers[{i}]", areas))
-        except FurrowError as fault:
-            if on_fault is None:
+        except FurrowError as error:
+            if on_error is None:
                 raise
-            on_fault(str(fault))
+            on_error(str(error))
     return found

@@ -1,4 +1,4 @@
-"""The fields of drivers, by type. Drivers of unknown types are kept as they are."""
+"""Fields of drivers by type. Drivers of unknown types are kept unchanged."""
 
 import math
 
@@ -10,7 +10,7 @@ MAX_LINKS = 1024
 
 
 def read_driver(reader, item, at, areas):
-    """Check one driver and fill its defaults in; a new dict."""
+    """Check a driver and fill in defaults. Returns a new dict."""
     driver = dict(reader.object(item, at))
     kind = reader.text(driver.get("type"), f"{at}.type")
     if kind in _FIELDS:
@@ -22,8 +22,8 @@ def _area(reader, driver, at, areas):
     reader.choice(driver.get("area"), f"{at}.area", areas)
 
 
-def _curve(reader, driver, at, usual=None):
-    driver["curve"] = reader.curve(driver.get("curve", usual), f"{at}.curve", 0, 1)
+def _curve(reader, driver, at, default=None):
+    driver["curve"] = reader.curve(driver.get("curve", default), f"{at}.curve", 0, 1)
 
 
 def _links(reader, driver, at, field, known=None):
@@ -66,7 +66,7 @@ def _morph(reader, driver, at, areas):
     _curve(reader, driver, at, IDENTITY)
 
 
-def _of_areas(reader, driver, at, areas):
+def _area_links(reader, driver, at, areas):
     _area(reader, driver, at, areas)
     _links(reader, driver, at, "areas", areas)
     _curve(reader, driver, at, IDENTITY)
@@ -106,8 +106,8 @@ def _muscle(reader, driver, at, areas):
         "outer": (0.001, 10, 1.2),
         "strength": (-1, 1, 0.3),
     }
-    for field, (low, high, usual) in ranges.items():
-        driver[field] = reader.number(driver.get(field, usual), f"{at}.{field}", low, high)
+    for field, (low, high, default) in ranges.items():
+        driver[field] = reader.number(driver.get(field, default), f"{at}.{field}", low, high)
     if driver["outer"] <= driver["inner"]:
         reader.fail(f"{at}.outer is too small", driver["outer"], f"more than {driver['inner']}", "make it larger")
 
@@ -149,7 +149,7 @@ def _expression(reader, driver, at, areas):
 
 _FIELDS = {
     "morph": _morph,
-    "area": _of_areas,
+    "area": _area_links,
     "conflict": _conflict,
     "bone": _bone,
     "tension": _tension,

@@ -1,4 +1,4 @@
-"""Edits of the drivers of a document: lists of drivers in, new lists out."""
+"""Edits of a document's drivers. All functions return new lists."""
 
 import copy
 
@@ -7,10 +7,10 @@ from .driver_fields import IDENTITY
 
 def link_target(drivers, area, target, weight=1, start=0, full=1):
     """
-    Let a morph target activate an area, from a weight of `start` on and fully at `full`.
+    Let a morph target activate an area, starting at weight `start` and fully at `full`.
 
-    It joins the area's first driver of type `morph` that sums its links as they are, or becomes a new one. A link to
-    the same target is replaced.
+    Adds the link to the area's first `morph` driver with default rule and curve, or to a new one. Replaces a link to
+    the same target.
     """
     link = {"name": target, "weight": weight}
     if (start, full) != (0, 1):
@@ -23,15 +23,15 @@ def link_target(drivers, area, target, weight=1, start=0, full=1):
     return [*out, {"type": "morph", "area": area, "targets": [link], "rule": "sum", "curve": IDENTITY}]
 
 
-def without_link(drivers, index, target):
-    """Remove a link of a driver, and the driver with its last one."""
+def remove_link(drivers, index, target):
+    """Remove a link, and its driver if no link remains."""
     out = copy.deepcopy(drivers)
     out[index]["targets"] = [item for item in out[index]["targets"] if item["name"] != target]
     return out if out[index]["targets"] else out[:index] + out[index + 1 :]
 
 
-def without_area(drivers, area):
-    """Remove what drives an area or reads it."""
+def remove_area(drivers, area):
+    """Remove all drivers and links of an area."""
     out = []
     for driver in copy.deepcopy(drivers):
         if driver.get("area") == area:
@@ -44,8 +44,8 @@ def without_area(drivers, area):
     return out
 
 
-def with_area_renamed(drivers, old, new):
-    """The same with another name of an area."""
+def rename_area(drivers, old, new):
+    """Rename an area in all drivers."""
     out = copy.deepcopy(drivers)
     for driver in out:
         if driver.get("area") == old:
@@ -57,8 +57,8 @@ def with_area_renamed(drivers, old, new):
     return out
 
 
-def with_joints_renamed(drivers, names):
-    """The same with other names of joints, by the old ones."""
+def rename_joints(drivers, names):
+    """Rename joints. `names`: new names by old ones."""
     return [
         {**driver, "joints": [names.get(name, name) for name in driver["joints"]]}
         if driver["type"] == "bone"
@@ -68,14 +68,14 @@ def with_joints_renamed(drivers, names):
 
 
 def meshes_of(shapes):
-    """Names of the meshes that corrections of shapes name, each once. Malformed ones name none."""
+    """List the distinct mesh names in shape corrections. Skips malformed ones."""
     items = shapes if isinstance(shapes, list) else []
     names = [item.get("mesh") for item in items if isinstance(item, dict)]
     return list(dict.fromkeys(name for name in names if isinstance(name, str)))
 
 
-def with_meshes_renamed(shapes, names):
-    """Corrections of shapes with other names of meshes, by the old ones."""
+def rename_meshes(shapes, names):
+    """Rename meshes in shape corrections. `names`: new names by old ones."""
     if not meshes_of(shapes):
         return shapes
 
@@ -86,7 +86,7 @@ def with_meshes_renamed(shapes, names):
 
 
 def describe_driver(driver):
-    """One line for people."""
+    """Describe a driver in one line for the interface."""
     if driver["type"] in ("morph", "area"):
         links = driver.get("targets") or driver.get("areas")
         joined = " + ".join(f"{item['weight']:g} {item['name']}" for item in links)

@@ -1,10 +1,9 @@
 """
-Drivers as many small ones, the way Blender evaluates them.
+Splits drivers into small steps for Blender.
 
-Each step is one driver in Blender: it combines numbers by sum, mean, minimum, maximum or a short expression, and maps
-the result through a curve, which becomes the key frames of the driver's F-curve. One driver of the extension may have
-1024 links; a single expression of Blender is cut off at 255 characters, so that no expression here reads more than four
-numbers.
+Each step becomes one Blender driver. It combines numbers by sum, mean, minimum, maximum or a short expression, and maps
+the result through a curve, stored as key frames of the driver's F-curve. Blender cuts off expressions at 255
+characters, and a driver may have 1024 links, so expressions read at most four numbers.
 """
 
 from dataclasses import dataclass, field
@@ -12,15 +11,15 @@ from dataclasses import dataclass, field
 from .driver_fields import IDENTITY
 from .names import find_targets
 
-#: Types that need what Blender's drivers do not have, and why.
-NOT_IN_BLENDER = {"tension": "tension: a driver cannot measure the deformed skin"}
+#: Driver types that Blender cannot evaluate, with a note.
+UNSUPPORTED = {"tension": "tension: a driver cannot measure the deformed skin"}
 
 
 @dataclass(frozen=True)
 class Source:
     """
-    A number that a step reads: a `target`'s weight, another `step`, an area at `rest`, how `late` it is, an `input`, a
-    `joint` measured.
+    An input of a step. Kinds: weight of a `target`, another `step`, resting activation (`rest`) or lag (`late`) of an
+    area, `input`, `joint`.
     """
 
     kind: str
@@ -29,7 +28,7 @@ class Source:
 
 @dataclass
 class Step:
-    """One small driver. `curve`: points, constant beyond the ends; or `slope`: a factor; or neither."""
+    """A small driver. `curve`: points, constant beyond the ends. `slope`: a factor instead of a curve."""
 
     name: str
     combine: str
@@ -41,45 +40,45 @@ class Step:
 
 @dataclass
 class Plan:
-    """The small drivers, and what remains data. Blender orders the steps by what they read."""
+    """Steps in any order, because Blender sorts them by dependency, and unsupported drivers."""
 
     steps: list = field(default_factory=list)
     inputs: dict = field(default_factory=dict)
     """Initial values by name."""
     delays: dict = field(default_factory=dict)
-    """Attack and release in seconds, by the index of the area."""
+    """Attack and release in seconds, by area index."""
     missing: list = field(default_factory=list)
-    """Targets and joints that drivers name and the model lacks."""
-    kept: list = field(default_factory=list)
-    """What is not shown in Blender, for people."""
+    """Targets that drivers use but the mesh lacks."""
+    unsupported: list = field(default_factory=list)
+    """Notes for the interface on drivers that Blender does not show."""
 
 
 def activation_name(area):
-    """Name of the step that gives the activation of an area, by its index, before any delay."""
+    """Name of the step with an area's activation before delay. `area`: index."""
     return f"a{area}"
 
 
 def shown_name(area, delays):
-    """Name of the step that gives what is shown of an area, by its index. `delays`: the areas that have one."""
+    """Name of the step with an area's shown activation. `area`: index. `delays`: indices of delayed areas."""
     return f"s{area}" if area in delays else activation_name(area)
 
 
 def plan_drivers(drivers, areas, targets, can_measure=lambda driver: False):
     """
-    Plan the drivers of a document for a mesh.
+    Plan a document's drivers for a mesh.
 
-    `areas`: names of all areas. `targets`: names of the mesh's shape keys. `can_measure`: whether a `bone` driver's
-    joints are there.
+    `areas`: names of all areas. `targets`: names of the mesh's shape keys. `can_measure`: predicate for `bone` drivers
+    with existing joints.
     """
     plan = Plan()
-    reads = _Targets(plan, targets)
+    weights = _Targets(plan, targets)
     for driver in drivers:
         if driver["type"] == "conflict":
-            reads.add_conflict(driver["targets"])
+            weights.add_conflict(driver["targets"])
     contributions = {area: [] for area in areas}
     cyclic = _cyclic_areas(drivers)
     for i, driver in enumerate(drivers):
-        links = _links_of(driver, reads, areas, cyclic, can_measure, plan)
+        links = _links_of(driver, weights, areas, cyclic, can_measure, plan)
         if links is not None:
             contributions[driver["area"]].append(_add_driver(plan, f"d{i}", driver, links))
         elif driver["type"] == "time":
@@ -94,7 +93,7 @@ def plan_drivers(drivers, areas, targets, can_measure=lambda driver: False):
 
 
 class _Targets:
-    """The weights of targets as drivers read them: after the conflicts."""
+    """Target weights after conflicts."""
 
     def __init__(self, plan, targets):
         self.plan = plan
@@ -102,8 +101,8 @@ class _Targets:
         self.sources = [Source("target", name) for name in targets]
         self.conflicts = 0
 
-    def of(self, name):
-        """Sources whose mean a name means; none if the model lacks it."""
+    def find(self, name):
+        """Return the sources to average for a name. Returns an empty list and notes the name if the mesh lacks it."""
         found = find_targets(name, self.targets)
         if not found and name not in self.plan.missing:
             self.plan.missing.append(name)
@@ -132,16 +131,16 @@ def _mean(plan, name, sources):
     return Source("step", name)
 
 
-def _links_of(driver, reads, areas, cyclic, can_measure, plan):
-    """The links of a driver as (sources, weight, curve); None where it activates nothing here."""
+def _links_of(driver, weights, areas, cyclic, can_measure, plan):
+    """Return a driver's links as (sources, weight, curve), or None if it activates nothing in Blender."""
     kind = driver["type"]
     if kind == "morph":
-        return [(reads.of(link["name"]), link["weight"], link.get("curve")) for link in driver["targets"]]
+        return [(weights.find(link["name"]), link["weight"], link.get("curve")) for link in driver["targets"]]
     if kind == "muscle" and "area" in driver:
-        return [(reads.of(driver["name"]), 1, None)]
+        return [(weights.find(driver["name"]), 1, None)]
     if kind == "area":
         if driver["area"] in cyclic:
-            plan.kept.append(f'"{driver["area"]}" drives itself')
+            plan.unsupported.append(f'"{driver["area"]}" drives itself')
             return None
         return [
             ([Source("step", activation_name(areas.index(link["name"])))], link["weight"], link.get("curve"))
@@ -155,18 +154,18 @@ def _links_of(driver, reads, areas, cyclic, can_measure, plan):
         if can_measure(driver):
             axis = tuple(driver["axis"]) if "axis" in driver else None
             return [([Source("joint", (*driver["joints"], driver["measure"], axis))], 1, None)]
-        plan.kept.append(f'joint "{driver["joints"][1]}" measured from "{driver["joints"][0]}"')
-    elif kind in NOT_IN_BLENDER:
-        note = NOT_IN_BLENDER[kind]
-        if note not in plan.kept:
-            plan.kept.append(note)
+        plan.unsupported.append(f'joint "{driver["joints"][1]}" measured from "{driver["joints"][0]}"')
+    elif kind in UNSUPPORTED:
+        note = UNSUPPORTED[kind]
+        if note not in plan.unsupported:
+            plan.unsupported.append(note)
     elif kind not in ("conflict", "expression", "muscle", "time"):
-        plan.kept.append(f'drivers of type "{kind}"')
+        plan.unsupported.append(f'drivers of type "{kind}"')
     return None
 
 
 def _add_driver(plan, name, driver, links):
-    """Add the steps of one driver; the source of what it adds to its area."""
+    """Add a driver's steps. Returns the source of its contribution to the area."""
     values = []
     for k, (sources, weight, curve) in enumerate(links):
         if len(sources) == 1 and weight == 1 and curve is None:
@@ -190,7 +189,7 @@ def _add_driver(plan, name, driver, links):
 
 
 def _cyclic_areas(drivers):
-    """Areas that drive themselves, directly or through others."""
+    """Find areas that drive themselves, directly or through others."""
     reads = {}
     for driver in drivers:
         if driver["type"] == "area":

@@ -1,4 +1,4 @@
-"""Checks of JSON, field by field: every error names the field by its path."""
+"""Checks JSON field by field. Errors have the path of the field."""
 
 import math
 import re
@@ -9,31 +9,31 @@ LONGEST_NAME = 256
 
 
 class FurrowError(Exception):
-    """What is wrong: who, what, the value, the limit, the remedy."""
+    """Error of the form `module: problem, got VALUE, allowed: LIMIT; remedy`."""
 
 
 class Reader:
-    """Reads one JSON document. `who` begins every error."""
+    """Reads a JSON document. Every error starts with `who`."""
 
     def __init__(self, who):
         self.who = who
 
-    def fail(self, what, value, limit, remedy):
+    def fail(self, problem, value, limit, remedy):
         """Raise FurrowError."""
         shown = "nothing" if value is None else repr(value)
-        parts = [f"{what}, got {shown if len(shown) <= 80 else shown[:77] + '...'}"]
+        parts = [f"{problem}, got {shown if len(shown) <= 80 else shown[:77] + '...'}"]
         if limit:
-            parts.append(f"allowed is {limit}")
+            parts.append(f"allowed: {limit}")
         raise FurrowError(f"{self.who}: {', '.join(parts)}; {remedy}")
 
     def object(self, value, path):
-        """The value as an object."""
+        """Check an object."""
         if not isinstance(value, dict):
             self.fail(f"{path} must be an object", value, None, "write { ... }")
         return value
 
     def array(self, value, path, low, high):
-        """The value as an array of `low` to `high` items."""
+        """Check an array of `low` to `high` items."""
         limit = f"{low} to {high} items"
         if not isinstance(value, list):
             self.fail(f"{path} must be an array", value, limit, "write [ ... ]")
@@ -42,7 +42,7 @@ class Reader:
         return value
 
     def number(self, value, path, low, high):
-        """The value as a finite number from `low` to `high`."""
+        """Check a finite number from `low` to `high`."""
         limit = f"{low} to {high}"
         if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
             self.fail(f"{path} must be a number", value, limit, "write a plain number")
@@ -51,48 +51,46 @@ class Reader:
         return value
 
     def integer(self, value, path, low, high):
-        """The value as a whole number from `low` to `high`."""
+        """Check an integer from `low` to `high`."""
         number = self.number(value, path, low, high)
         if number != int(number):
-            self.fail(f"{path} must be a whole number", value, f"{low} to {high}", "write it without a fraction")
+            self.fail(f"{path} must be a whole number", value, f"{low} to {high}", "remove the fraction")
         return int(number)
 
     def text(self, value, path):
-        """The value as text of 1 to 256 characters."""
+        """Check text of 1 to 256 characters."""
         if not isinstance(value, str) or not 1 <= len(value) <= LONGEST_NAME:
             self.fail(f"{path} must be text", value, f"1 to {LONGEST_NAME} characters", "write it in quotes")
         return value
 
     def name(self, value, path):
-        """The value as the name of a layer or area."""
+        """Check the name of a layer or area."""
         if not is_name(value):
             limit = f"1 to {LONGEST_NAME} characters without line breaks"
             self.fail(f"{path} must be text", value, limit, "choose another name")
         return value
 
     def choice(self, value, path, allowed):
-        """The value as one of `allowed`."""
+        """Check a value from `allowed`."""
         if value not in allowed:
             self.fail(f"{path} is unknown", value, " or ".join(map(str, allowed)), "use one of them")
         return value
 
     def curve(self, value, path, low, high):
-        """Points [input, output] with increasing inputs and outputs from `low` to `high`."""
+        """Check points [input, output] with increasing inputs, and outputs from `low` to `high`."""
         points = []
         for i, point in enumerate(self.array(value, path, 2, 64)):
             x, y = self.array(point, f"{path}[{i}]", 2, 2)
             self.number(x, f"{path}[{i}][0]", -LARGEST, LARGEST)
             self.number(y, f"{path}[{i}][1]", low, high)
             if points and x <= points[-1][0]:
-                self.fail(f"{path}[{i}][0] does not increase", x, f"more than {points[-1][0]}", "sort the points")
+                self.fail(f"{path}[{i}][0] must increase", x, f"more than {points[-1][0]}", "sort the points")
             points.append([x, y])
         return points
 
 
 def is_name(value):
-    """
-    Whether a value can name a layer or an area: no control characters, no line breaks, no halves of surrogate pairs.
-    """
+    """Whether a value can name a layer or area: no control characters, line breaks or unpaired surrogates."""
     if not isinstance(value, str) or not 1 <= len(value) <= LONGEST_NAME:
         return False
     return not re.search("[\u2028\u2029]", value) and not any(unicodedata.category(c) in ("Cc", "Cs") for c in value)

@@ -1,4 +1,4 @@
-"""What an artist does to the wrinkle set of the active material."""
+"""Operators on the wrinkle set of the active material."""
 
 from . import areas, layers, links, sets
 

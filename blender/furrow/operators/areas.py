@@ -1,16 +1,16 @@
-"""Areas: from a vertex group (which weight painting changes), or from an image."""
+"""Operators on areas: from a vertex group, for weight painting, or from an image."""
 
 import bpy
 
 from ..format.document import MAX_AREAS
-from ..format.edit import without_area
+from ..format.edit import remove_area
 from ..format.reader import FurrowError
 from ..paint import image_from_vertex_group
 from ..wrinkle_set import rebuild
-from .base import OnWrinkles, active_area, drivers_of, free_name, set_drivers
+from .base import WrinkleOperator, active_area, drivers_of, free_name, set_drivers
 
 
-class FURROW_OT_area_add(OnWrinkles, bpy.types.Operator):
+class FURROW_OT_area_add(WrinkleOperator, bpy.types.Operator):
     """Add an area; choose its image below"""
 
     bl_idname = "furrow.area_add"
@@ -22,10 +22,8 @@ class FURROW_OT_area_add(OnWrinkles, bpy.types.Operator):
         add_area(tree, self.name, None)
 
 
-class FURROW_OT_area_from_vertex_group(OnWrinkles, bpy.types.Operator):
-    """
-    Draw the weights of the active vertex group into the image of an area of the same name, a new one if there is none
-    """
+class FURROW_OT_area_from_vertex_group(WrinkleOperator, bpy.types.Operator):
+    """Draw the weights of the active vertex group into the area of the same name. Adds the area if it is missing"""
 
     bl_idname = "furrow.area_from_vertex_group"
     bl_label = "Area from Vertex Group"
@@ -46,8 +44,8 @@ class FURROW_OT_area_from_vertex_group(OnWrinkles, bpy.types.Operator):
             area.channel = "0"
 
 
-class FURROW_OT_area_remove(OnWrinkles, bpy.types.Operator):
-    """Remove the chosen area and what drives it"""
+class FURROW_OT_area_remove(WrinkleOperator, bpy.types.Operator):
+    """Remove the active area and its drivers"""
 
     bl_idname = "furrow.area_remove"
     bl_label = "Remove Area"
@@ -55,9 +53,9 @@ class FURROW_OT_area_remove(OnWrinkles, bpy.types.Operator):
     def run(self, context, tree):
         wrinkles = tree.furrow
         area = active_area(tree)
-        set_drivers(tree, without_area(drivers_of(tree), area.name))
+        set_drivers(tree, remove_area(drivers_of(tree), area.name))
         index = wrinkles.areas.find(area.name)
-        # Numbers at rest are stored by index.
+        # Resting activations are stored by index.
         rest = [item.activation for item in wrinkles.areas]
         wrinkles.areas.remove(index)
         for item, value in zip(wrinkles.areas, rest[:index] + rest[index + 1 :], strict=True):
@@ -67,10 +65,10 @@ class FURROW_OT_area_remove(OnWrinkles, bpy.types.Operator):
 
 
 def add_area(tree, name, image):
-    """Add an area on the chosen layer and choose it."""
+    """Add an area on the active layer, and make it active."""
     wrinkles = tree.furrow
     if len(wrinkles.areas) >= MAX_AREAS:
-        raise FurrowError(f"Furrow: a wrinkle set has at most {MAX_AREAS} areas; merge those that move together")
+        raise FurrowError(f"Furrow: too many areas, allowed: {MAX_AREAS}; merge areas that move together")
     layer = min(wrinkles.active_layer, max(0, len(wrinkles.layers) - 1))
     area = wrinkles.areas.add()
     area.name = free_name(name, [item for item in wrinkles.areas if item != area])

@@ -1,4 +1,4 @@
-"""What the operators share."""
+"""Shared code of the operators."""
 
 import json
 
@@ -6,8 +6,8 @@ from ..format.reader import FurrowError
 from ..material import wrinkle_group
 
 
-class OnWrinkles:
-    """An operator on the wrinkle set of the active material. `run` does the work; a FurrowError becomes a report."""
+class WrinkleOperator:
+    """Base of operators on the active material's wrinkle set. Subclasses implement `run`; a FurrowError is reported."""
 
     bl_options = {"REGISTER", "UNDO"}
 
@@ -25,27 +25,26 @@ class OnWrinkles:
 
 
 def active_area(tree):
-    """The chosen area. Raises FurrowError where there is none."""
+    """Return the active area. Raises FurrowError if there are no areas."""
     areas = tree.furrow.areas
     if not areas:
-        raise FurrowError("Furrow: there is no area; add one first")
+        raise FurrowError("Furrow: missing area, got none; add one first")
     return areas[min(tree.furrow.active_area, len(areas) - 1)]
 
 
 def drivers_of(tree):
-    """The drivers as a list of plain data."""
+    """Return the drivers as a list of dicts."""
     return [json.loads(driver.json) for driver in tree.furrow.drivers]
 
 
 def set_drivers(tree, drivers):
-    """Replace the drivers."""
     tree.furrow.drivers.clear()
     for driver in drivers:
         tree.furrow.drivers.add().json = json.dumps(driver)
 
 
 def free_name(name, named):
-    """The name, with a number behind it if it is taken."""
+    """Make a name unique by appending a number."""
     taken = {item.name for item in named}
     count, found = 1, name
     while found in taken:

@@ -1,4 +1,4 @@
-"""Layers: from images, or from a multires sculpt."""
+"""Operators on layers: from images, or from a multires sculpt."""
 
 import bpy
 
@@ -6,11 +6,11 @@ from ..format.document import MAX_LAYERS
 from ..format.reader import FurrowError
 from ..paint import bake_sculpt
 from ..wrinkle_set import rebuild
-from .base import OnWrinkles, free_name
+from .base import WrinkleOperator, free_name
 
 
-class FURROW_OT_layer_add(OnWrinkles, bpy.types.Operator):
-    """Add a layer; choose the image of its normals below"""
+class FURROW_OT_layer_add(WrinkleOperator, bpy.types.Operator):
+    """Add a layer; choose its normal map below"""
 
     bl_idname = "furrow.layer_add"
     bl_label = "Add Layer"
@@ -19,8 +19,8 @@ class FURROW_OT_layer_add(OnWrinkles, bpy.types.Operator):
         add_layer(tree, "layer")
 
 
-class FURROW_OT_layer_remove(OnWrinkles, bpy.types.Operator):
-    """Remove the chosen layer; its areas move to the first"""
+class FURROW_OT_layer_remove(WrinkleOperator, bpy.types.Operator):
+    """Remove the active layer. Its areas move to the first layer"""
 
     bl_idname = "furrow.layer_remove"
     bl_label = "Remove Layer"
@@ -28,7 +28,7 @@ class FURROW_OT_layer_remove(OnWrinkles, bpy.types.Operator):
     def run(self, context, tree):
         wrinkles = tree.furrow
         if len(wrinkles.layers) < 2:
-            raise FurrowError("Furrow: a wrinkle set has at least one layer; remove the set instead")
+            raise FurrowError("Furrow: a wrinkle set needs at least one layer; remove the set instead")
         index = min(wrinkles.active_layer, len(wrinkles.layers) - 1)
         wrinkles.layers.remove(index)
         for area in wrinkles.areas:
@@ -38,8 +38,8 @@ class FURROW_OT_layer_remove(OnWrinkles, bpy.types.Operator):
         rebuild(tree)
 
 
-class FURROW_OT_layer_bake(OnWrinkles, bpy.types.Operator):
-    """Bake what the Multires modifier adds to its lowest level into the normal map of the chosen layer"""
+class FURROW_OT_layer_bake(WrinkleOperator, bpy.types.Operator):
+    """Bake the Multires modifier's details into the normal map of the active layer"""
 
     bl_idname = "furrow.layer_bake"
     bl_label = "Bake Multires Sculpt"
@@ -50,16 +50,16 @@ class FURROW_OT_layer_bake(OnWrinkles, bpy.types.Operator):
         wrinkles = tree.furrow
         image = bake_sculpt(context.object, context.object.active_material, self.size)
         layer = wrinkles.layers[wrinkles.active_layer] if wrinkles.layers else add_layer(tree, "sculpt")
-        # A bake has what the sculpt adds and nothing else.
+        # A bake has only the sculpt's details.
         layer.kind = "detail"
         layer.normal = image
 
 
 def add_layer(tree, name):
-    """Add an empty layer and choose it."""
+    """Add an empty layer, and make it active."""
     wrinkles = tree.furrow
     if len(wrinkles.layers) >= MAX_LAYERS:
-        raise FurrowError(f"Furrow: a wrinkle set has at most {MAX_LAYERS} layers; put areas on one of them")
+        raise FurrowError(f"Furrow: too many layers, allowed: {MAX_LAYERS}; put areas on an existing layer")
     layer = wrinkles.layers.add()
     layer.name = free_name(name, [item for item in wrinkles.layers if item != layer])
     wrinkles.active_layer = len(wrinkles.layers) - 1

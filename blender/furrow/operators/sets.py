@@ -1,17 +1,17 @@
-"""A wrinkle set: new, removed, or made automatically."""
+"""Operators that create, remove, or automatically make a wrinkle set."""
 
 import bpy
 
 from ..automatic import AutomaticRun, command_path
 from ..format.reader import FurrowError
-from ..material import group_node, put_in, shader_node, take_out, wrinkle_group
+from ..material import detach_group, group_node, insert_group, shader_node, wrinkle_group
 from ..preferences import preferred_command
 from ..wrinkle_set import load_document, new_group, rebuild
-from .base import OnWrinkles
+from .base import WrinkleOperator
 
 
 class FURROW_OT_new_set(bpy.types.Operator):
-    """Give the active material a wrinkle set, driven by the active object's shape keys and bones"""
+    """Add a wrinkle set to the active material, driven by the active object's shape keys and bones"""
 
     bl_idname = "furrow.new_set"
     bl_label = "New Wrinkle Set"
@@ -27,18 +27,18 @@ class FURROW_OT_new_set(bpy.types.Operator):
         try:
             shader_node(material.node_tree)
         except (LookupError, AttributeError):
-            self.report({"ERROR"}, f"Furrow: {material.name} has no Principled BSDF; add one, as glTF needs it too")
+            self.report({"ERROR"}, f"Furrow: {material.name} has no Principled BSDF, which glTF needs; add one")
             return {"CANCELLED"}
         tree = new_group(f"Wrinkles of {material.name}")
         tree.furrow.face = context.object
         tree.furrow.layers.add().name = "expression"
         rebuild(tree)
-        put_in(material, tree)
+        insert_group(material, tree)
         return {"FINISHED"}
 
 
-class FURROW_OT_remove_set(OnWrinkles, bpy.types.Operator):
-    """Take the wrinkles out of the active material"""
+class FURROW_OT_remove_set(WrinkleOperator, bpy.types.Operator):
+    """Remove the wrinkles of the active material"""
 
     bl_idname = "furrow.remove_set"
     bl_label = "Remove Wrinkle Set"
@@ -48,13 +48,15 @@ class FURROW_OT_remove_set(OnWrinkles, bpy.types.Operator):
 
 
 class FURROW_OT_make_automatically(bpy.types.Operator):
-    """Make wrinkles from the shape keys of the active object, where they compress the skin. Esc cancels"""
+    """Make wrinkles where the active object's shape keys compress the skin. Esc cancels"""
 
     bl_idname = "furrow.make_automatically"
     bl_label = "Make Wrinkles Automatically"
     bl_options = {"REGISTER", "UNDO"}
 
-    age: bpy.props.IntProperty(name="Age", default=45, min=20, max=80, description="Lines grow in number and depth")
+    age: bpy.props.IntProperty(
+        name="Age", default=45, min=20, max=80, description="Years: lines increase in number and depth"
+    )
     size: bpy.props.EnumProperty(
         name="Size", items=[(s, s, f"{s} texels") for s in ("512", "1024", "2048", "4096")], default="1024"
     )
@@ -79,10 +81,10 @@ class FURROW_OT_make_automatically(bpy.types.Operator):
         if group_node(material):
             remove_set(material)
         rebuild(tree)
-        put_in(material, tree)
+        insert_group(material, tree)
 
     def execute(self, context):
-        """Wait for the command: from scripts."""
+        """Run the command and wait, for scripts."""
         try:
             self.start(context)
         except FurrowError as error:
@@ -91,7 +93,7 @@ class FURROW_OT_make_automatically(bpy.types.Operator):
         return self.end()
 
     def invoke(self, context, _event):
-        """Let Blender go on while the command works."""
+        """Run the command in the background."""
         try:
             self.start(context)
         except FurrowError as error:
@@ -127,7 +129,7 @@ def remove_set(material):
     """Restore the plain material."""
     node = group_node(material)
     tree = node.node_tree
-    take_out(material)
+    detach_group(material)
     material.node_tree.nodes.remove(node)
     if tree.users == 0:
         bpy.data.node_groups.remove(tree)

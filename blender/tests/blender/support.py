@@ -1,4 +1,4 @@
-"""Small faces, and Blender made ready for them. Everything here runs in Blender's own Python, without a window."""
+"""Fixtures for tests in Blender's Python, without a window."""
 
 import json
 import struct
@@ -18,7 +18,7 @@ FLAT = (128, 128, 255)
 
 
 class BlenderTest(unittest.TestCase):
-    """An empty Blender with the extension, and a folder, for each test."""
+    """Provides an empty scene with the extension enabled, and a temporary folder, per test."""
 
     def setUp(self):
         self.empty()
@@ -27,23 +27,23 @@ class BlenderTest(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def empty(self):
-        """Begin with an empty Blender again."""
+        """Reset Blender to an empty scene."""
         bpy.ops.wm.read_factory_settings(use_empty=True)
         addon_utils.enable("furrow", default_set=True)
 
     def import_face(self, path):
-        """Import a file; the node group of its first material with wrinkles, or None."""
+        """Import a file. Returns the node group of the first material with wrinkles, or None."""
         self.assertEqual(bpy.ops.import_scene.gltf(filepath=str(path)), {"FINISHED"})
         return next((group for group in map(wrinkle_group, bpy.data.materials) if group), None)
 
     def export_face(self, name="out.glb", **options):
-        """Export everything; the path."""
+        """Export the scene. Returns the path."""
         path = self.folder / name
         self.assertEqual(bpy.ops.export_scene.gltf(filepath=str(path), **options), {"FINISHED"})
         return path
 
     def write_face(self, document, images, name="face.glb", **more):
-        """Write a small face with wrinkles; the path."""
+        """Write a small face with wrinkles. Returns the path."""
         path = self.folder / name
         path.write_bytes(small_face(**more))
         add_wrinkles(path, {"skin": (document, images)})
@@ -51,7 +51,7 @@ class BlenderTest(unittest.TestCase):
 
 
 def set_weights(group, weights):
-    """Set shape keys by name, and let the drivers run."""
+    """Set shape keys by name, and update the drivers."""
     blocks = group.furrow.face.data.shape_keys.key_blocks
     for name, value in weights.items():
         blocks[name].slider_min, blocks[name].slider_max = -10, 10
@@ -60,18 +60,18 @@ def set_weights(group, weights):
 
 
 def document(areas=("nose",), layers=None, drivers=()):
-    """A sound document: layers on texture 0, areas on texture 1."""
+    """Create a valid document: layers use texture 0, areas texture 1."""
     texture = {"index": 1}
-    usual = {"layer": 0, "texture": texture, "channel": 0, "combine": "sum", "activation": 0}
+    defaults = {"layer": 0, "texture": texture, "channel": 0, "combine": "sum", "activation": 0}
     return {
         "layers": layers or [{"name": "skin", "kind": "replace", "normalTexture": {"index": 0, "scale": 1}}],
-        "areas": [{**usual, **(area if isinstance(area, dict) else {"name": area})} for area in areas],
+        "areas": [{**defaults, **(area if isinstance(area, dict) else {"name": area})} for area in areas],
         "drivers": list(drivers),
     }
 
 
 def image(name, pixel, size=8):
-    """A PNG. `pixel`: red, green and blue, or a function of column and row that gives them."""
+    """Encode a PNG. `pixel`: (red, green, blue), or a function of column and row that returns them."""
     rows = b""
     for y in range(size):
         rows += b"\0" + b"".join(bytes(pixel(x, y) if callable(pixel) else pixel) for x in range(size))
@@ -85,9 +85,9 @@ def image(name, pixel, size=8):
 
 def small_face(targets=(), normal=None, material=None):
     """
-    A `.glb` of one square of a metre, whose texture covers it once.
+    Create a `.glb` of a square of one metre, covered once by its texture.
 
-    `targets`: names of its shape keys, each of which lifts a corner. `normal`: ImageFile of the material's own normals.
+    `targets`: names of shape keys; each lifts a corner. `normal`: ImageFile of the material's normal map.
     """
     positions = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
     arrays = [
@@ -142,7 +142,7 @@ def small_face(targets=(), normal=None, material=None):
 
 
 def wrinkles_of(path, material="skin"):
-    """The extension of a material in a file, and its images by texture."""
+    """Return a material's extension, and the file with its images."""
     file = GltfFile(path)
     json_ = next(item for item in file.json["materials"] if item["name"] == material)
     return json_.get("extensions", {}).get("FURROW_wrinkle_maps"), file

@@ -1,4 +1,4 @@
-"""An artist's way: a set on a plain material, areas, layers and links, until the exported file validates."""
+"""Authoring a set on a plain material, from areas, layers and links to a valid export."""
 
 import os
 import stat
@@ -65,7 +65,7 @@ class AuthorTest(BlenderTest):
         drawn = draw_weights(corners, [[0, 1, 1], [0, 1, 0]], 16)
         expected = np.tile((np.arange(16) + 0.5) / 16, (16, 1))
         np.testing.assert_allclose(drawn, expected, atol=1e-6)
-        # A margin beside the island, and nothing beyond it.
+        # The margin ends two texels from the island.
         small = draw_weights([[(0, 0), (0.25, 0), (0, 0.25)]], [[1, 1, 1]], 16, margin=2)
         self.assertEqual(small[5, 0], 1)
         self.assertEqual(small[8, 8], 0)
@@ -102,7 +102,7 @@ class AuthorTest(BlenderTest):
         with self.assertRaises(RuntimeError):
             bpy.ops.furrow.layer_remove()
 
-    def test_a_map_that_is_taken_away_leaves_the_texture_of_the_face(self):
+    def test_removing_a_map_restores_the_link_to_the_texture(self):
         self.import_face(ROOT / "faces" / "human.glb")
         material = bpy.data.materials["skin.001"]
         tree = wrinkle_group(material)
@@ -114,14 +114,14 @@ class AuthorTest(BlenderTest):
         self.assertEqual(shader.inputs["Base Color"].links[0].from_node, group_node(material))
         self.assertEqual(group_node(material).inputs["Base Color"].links[0].from_node.type, "TEX_IMAGE")
 
-    def test_a_material_that_lost_its_shader_is_left_alone(self):
+    def test_a_material_without_a_shader_can_be_exported(self):
         tree = self.new_set()
         nodes = self.face.active_material.node_tree.nodes
         nodes.remove(next(node for node in nodes if node.type == "BSDF_PRINCIPLED"))
         tree.furrow.layers[0].kind = "detail"
         self.export_face()
 
-    def test_a_removed_set_leaves_the_plain_material(self):
+    def test_removing_a_set_restores_the_plain_material(self):
         material = self.face.active_material
 
         def links():
@@ -144,13 +144,13 @@ class AuthorTest(BlenderTest):
         layer = tree.furrow.layers[0]
         self.assertEqual(layer.kind, "detail")
         normals = np.array(layer.normal.pixels).reshape(32, 32, 4)[..., :3] * 2 - 1
-        # A hill: its left side leans to the left.
+        # On a hill, normals on the left lean to the left.
         self.assertLess(normals[16, 4, 0], -0.1)
         self.assertGreater(normals[16, 27, 0], 0.1)
         self.assertGreater(normals[..., 2].min(), 0)
 
     def sculpt(self, modifier):
-        """Lift the middle, as a brush would."""
+        """Lift the middle, like a brush."""
         copy = self.face.copy()
         copy.data = self.face.data.copy()
         copy.shape_key_clear()
@@ -176,12 +176,12 @@ class AuthorTest(BlenderTest):
         tree = wrinkle_group(self.face.active_material)
         self.assertEqual(tree.furrow.areas[0].name, "brows")
         self.assertEqual(tree.furrow.face, self.face)
-        # And again, in place of the first.
+        # A second run replaces the first set.
         bpy.ops.furrow.make_automatically()
         self.assertIsNotNone(wrinkle_group(self.face.active_material))
         self.assertEqual(sum(group.furrow.is_wrinkles for group in bpy.data.node_groups), 1)
 
-    def test_make_automatically_says_what_is_wrong(self):
+    def test_make_automatically_reports_errors(self):
         self.command("import sys; sys.exit('furrow auto: no brows; use a face')")
         with self.assertRaisesRegex(RuntimeError, "no brows"):
             bpy.ops.furrow.make_automatically()
@@ -191,7 +191,7 @@ class AuthorTest(BlenderTest):
         self.assertIsNone(wrinkle_group(self.face.active_material))
 
     def command(self, code):
-        """A command of the preferences that runs some Python."""
+        """Set the preferred command to a script with some Python code."""
         path = self.folder / "furrow-command"
         path.write_text(f"#!{sys.executable}\n{code}\n")
         os.chmod(path, path.stat().st_mode | stat.S_IEXEC)

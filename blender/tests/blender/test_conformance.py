@@ -1,8 +1,8 @@
 """
-The sample files of the conformance suite: activations, and what must be refused.
+Activations and refusals of the conformance suite's samples.
 
-Normals and colours of what Blender draws are compared in test_shading.py. With FURROW_CONFORMANCE_REPORT, what each
-sample gave is written to that file as JSON, for the table of docs/conformance.md.
+test_shading.py compares rendered normals and colours. FURROW_CONFORMANCE_REPORT names a JSON file to write the results
+to, for the table of docs/conformance.md.
 """
 
 import json
@@ -16,11 +16,11 @@ from support import ROOT, BlenderTest, set_weights
 
 FILES = ROOT / "conformance" / "files"
 
-# What Blender keeps as data, or cannot read.
+# Unsupported samples, with reasons.
 MISSING = {
     "ktx2": "KTX 2 images",
     "meshopt": "Blender does not read EXT_meshopt_compression",
-    "muscle": "shape keys of muscles are not made",
+    "muscle": "muscles do not become shape keys",
     "tension": "tension is kept as data",
     "tension-direction": "tension is kept as data",
 }
@@ -67,7 +67,7 @@ class ConformanceTest(BlenderTest):
                 self.assertAlmostEqual(activations[name], activation, delta=1e-6, msg=name)
 
     def pose_node(self, item, pose):
-        """glTF's y is up, Blender's z."""
+        """Rotate and move a node, from glTF's Y-up to Blender's Z-up."""
         x, y, z, w = pose.get("rotations", {}).get(item.name, (0, 0, 0, 1))
         item.rotation_mode = "QUATERNION"
         item.rotation_quaternion = (w, x, -z, y)

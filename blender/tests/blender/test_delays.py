@@ -1,4 +1,4 @@
-"""Delays: activations follow their drivers from frame to frame."""
+"""Delayed activations follow their drivers from frame to frame."""
 
 import math
 import unittest
@@ -42,23 +42,23 @@ class DelaysTest(BlenderTest):
         self.scene.frame_set(16)
         self.assertAlmostEqual(self.shown(), risen * math.exp(-5 / RATE / RELEASE), 5)
 
-    def test_while_the_frame_stands_still_nothing_is_late(self):
+    def test_no_delay_without_a_frame_change(self):
         set_weights(self.group, {"up": 0.6})
         self.assertAlmostEqual(self.shown(), 0.6, 6)
 
-    def test_a_frame_that_comes_again_is_the_same_and_an_earlier_one_has_no_delay(self):
+    def test_repeating_a_frame_keeps_delays_and_going_back_resets_them(self):
         set_weights(self.group, {"up": 1})
         self.scene.frame_set(3)
         shown = self.shown()
         self.assertLess(shown, 0.5)
-        # Motion blur: parts of a frame, back and forth.
+        # Motion blur goes back and forth by parts of a frame.
         for frame, part in ((3, 0.0), (2, 0.75), (3, 0.0)):
             self.scene.frame_set(frame, subframe=part)
             self.assertAlmostEqual(self.shown(), shown, 6)
         self.scene.frame_set(1)
         self.assertAlmostEqual(self.shown(), 1, 6)
 
-    def test_a_rendered_animation_has_them(self):
+    def test_a_rendered_animation_has_delays(self):
         block = self.group.furrow.face.data.shape_keys.key_blocks["up"]
         for frame, value in ((1, 0), (2, 1)):
             block.value = value
@@ -88,7 +88,7 @@ class DelaysTest(BlenderTest):
         return value
 
     def show_in_background(self):
-        """A world as bright as the area is active, and a camera that sees nothing else; the socket that says so."""
+        """Create a camera on a world whose strength is the area's activation. Returns the strength socket."""
         world = bpy.data.worlds.new("world")
         world.use_nodes = True
         background = world.node_tree.nodes["Background"].inputs["Strength"]
@@ -102,7 +102,7 @@ class DelaysTest(BlenderTest):
         self.scene.camera = bpy.context.object
         return background
 
-    def test_nothing_is_late_in_a_saved_file(self):
+    def test_a_saved_file_has_no_lag(self):
         set_weights(self.group, {"up": 1})
         self.scene.frame_set(3)
         self.assertLess(self.shown(), 0.5)

@@ -1,4 +1,4 @@
-"""Activations in Blender, compared with the plan in float64 and with the library's command."""
+"""Compares Blender's activations with the plan in float64 and with the CLI."""
 
 import json
 import random
@@ -48,7 +48,7 @@ class DriversTest(BlenderTest):
         for i, name in enumerate(areas):
             self.assertAlmostEqual(activation_of(group, i), expected[f"a{i}"], 6, name)
 
-    def test_activations_are_those_of_the_plan(self):
+    def test_activations_match_the_plan(self):
         areas = [{"name": name, "activation": 0.1 * i} for i, name in enumerate(AREAS)]
         path = self.write_face(document(areas, drivers=DRIVERS), IMAGES, targets=TARGETS)
         group = self.import_face(path)
@@ -65,7 +65,7 @@ class DriversTest(BlenderTest):
             self.check(group, AREAS, evaluate_plan(plan, lambda source, read=read: read[source.kind][source.name]))
 
     def test_blender_evaluates_expressions_without_running_python(self):
-        """Files from elsewhere may not run scripts; what Blender calls a simple expression is none."""
+        """Blender runs no scripts of untrusted files, but evaluates simple expressions."""
         small = self.write_face(document(AREAS, drivers=DRIVERS), IMAGES, targets=TARGETS)
         for path in (small, ROOT / "faces" / "hand.glb", ROOT / "faces" / "neck.glb"):
             self.empty()
@@ -77,13 +77,13 @@ class DriversTest(BlenderTest):
                 self.assertLess(len(driver.expression), 255)
 
     def test_no_step_is_written_back_by_another_thread(self):
-        """Blender would, if steps were properties of the group itself (see rig.py); rare, so the cause is tested."""
+        """Tests the cause, driven properties of the group itself (see rig.py), because the effect is rare."""
         group = self.import_face(self.write_face(document(AREAS, drivers=DRIVERS), IMAGES, targets=TARGETS))
         drivers = group.animation_data.drivers
         self.assertGreater(len(drivers), 20)
         self.assertEqual([curve.data_path for curve in drivers if not curve.data_path.startswith("nodes[")], [])
 
-    def test_1024_links_and_no_expression_that_blender_would_cut_off(self):
+    def test_1024_links_need_no_long_expression(self):
         names = [f"shape {i} of a rig that names its shapes at length" for i in range(1024)]
         drivers = [morph("a", *[{"name": name, "weight": 0.001} for name in names])]
         group = self.import_face(self.write_face(document(AREAS, drivers=drivers), IMAGES, targets=names))
@@ -143,15 +143,14 @@ class DriversTest(BlenderTest):
         found = [(i, item) for i, item in enumerate(drivers) if item["type"] == "bone" and "axis" in item]
         self.assertTrue(found)
         for bone in armature.pose.bones:
-            # The file is posed a little.
+            # The file has a pose.
             bone.rotation_quaternion = (1, 0, 0, 0)
         rests = _inverse_bind_rotations(GltfFile(ROOT / "faces" / "neck.glb"))
         for i, driver in found:
             bone = armature.pose.bones[driver["joints"][1]]
             bone.rotation_mode = "QUATERNION"
             for angle in (-0.6, -0.2, 0.3, 0.7):
-                # From the joint's frame at rest into the world, where glTF's Y is up and Blender's Z, and into that of
-                # the bone.
+                # From the joint's rest frame to the world (Y-up, then Z-up), then to the bone's frame.
                 x, y, z = rests[bone.name].transposed() @ Vector(driver["axis"])
                 own = bone.bone.matrix_local.to_3x3().inverted() @ Vector((x, -z, y))
                 bone.rotation_quaternion = Quaternion(own, angle)
@@ -159,7 +158,7 @@ class DriversTest(BlenderTest):
                 self.assertAlmostEqual(group.nodes[STEPS][f"d{i}"], curve_at(driver["curve"], angle), 4, driver)
             bone.rotation_quaternion = (1, 0, 0, 0)
 
-    def test_nodes_that_are_no_bones_are_measured_in_each_copy_of_a_face(self):
+    def test_nodes_other_than_bones_are_measured_in_each_copy_of_a_face(self):
         source = ROOT / "conformance" / "files" / "bone-angle.glb"
         first = self.import_face(source)
         before = set(bpy.data.node_groups)
@@ -179,7 +178,7 @@ class DriversTest(BlenderTest):
         document, _ = document_of(second)
         self.assertEqual(document["drivers"][0]["joints"][1], "renamed")
 
-    def test_preview_shows_one_area_alone(self):
+    def test_preview_shows_one_area_only(self):
         group = self.import_face(self.write_face(document(AREAS, drivers=DRIVERS[:4]), IMAGES, targets=TARGETS))
         set_weights(group, {"up": 1})
         wrinkles = group.furrow

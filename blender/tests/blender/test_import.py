@@ -1,4 +1,4 @@
-"""Files as they come: what is imported of them, and what a fault costs."""
+"""Import of valid and damaged files."""
 
 import json
 import unittest
@@ -27,7 +27,7 @@ class ImportTest(BlenderTest):
         self.assertEqual(node.inputs["Normal"].links[0].from_node.type, "TEX_IMAGE")
         self.assertEqual(node.outputs["Normal"].links[0].to_node.type, "NORMAL_MAP")
 
-    def test_a_face_without_wrinkles_is_left_alone(self):
+    def test_a_face_without_wrinkles_gets_no_group(self):
         path = self.folder / "plain.glb"
         path.write_bytes(small_face())
         self.assertIsNone(self.import_face(path))
@@ -50,7 +50,7 @@ class ImportTest(BlenderTest):
     def test_an_unlit_material_keeps_its_plain_face(self):
         self.check_refused(self.write_face(document(), IMAGES, material={"extensions": {"KHR_materials_unlit": {}}}))
 
-    def test_whatever_is_broken_costs_the_wrinkles_and_one_warning(self):
+    def test_an_error_costs_the_wrinkles_and_one_warning(self):
         png, jpeg = IMAGES[0], b"\xff\xd8\xff" + bytes(20)
         broken = {
             "no layers": {"layers": []},
@@ -69,7 +69,7 @@ class ImportTest(BlenderTest):
                 damaged = type(png)("normal", png.mime_type, data)
                 self.check_refused(self.write_face(document(), [damaged, IMAGES[1]]))
 
-    def test_a_broken_driver_costs_itself_alone(self):
+    def test_a_malformed_driver_is_skipped_with_a_warning(self):
         drivers = [{"type": "morph", "area": "chin"}, {"type": "age", "area": "nose", "curve": [[20, 0], [60, 1]]}]
         path = self.write_face(document(), IMAGES)
         self.change(path, {"drivers": drivers})
@@ -78,12 +78,11 @@ class ImportTest(BlenderTest):
         self.assertEqual(len(warnings), 1)
         self.assertIn("drivers[0].area", warnings[0])
 
-    def test_key_frames_of_activations_are_named(self):
+    def test_key_frames_of_activations_are_skipped_with_a_warning(self):
         path = self.write_face(document(), IMAGES)
         file = GltfFile(path)
         pointer = f"/materials/0/extensions/{EXTENSION}/areas/0/activation"
         target = {"path": "pointer", "extensions": {"KHR_animation_pointer": {"pointer": pointer}}}
-        # Of x, y and z of a corner: any numbers will do.
         sampler = {"input": 0, "output": 0}
         file.json["animations"] = [{"samplers": [sampler], "channels": [{"sampler": 0, "target": target}]}]
         file.json["extensionsUsed"].append("KHR_animation_pointer")

@@ -1,4 +1,4 @@
-"""The .zip: Blender's own checker accepts it, and Blender installs it as an extension."""
+"""Blender's validator accepts the .zip, and Blender installs it as an extension."""
 
 import subprocess
 import sys
@@ -11,11 +11,11 @@ import bpy
 from support import ROOT, BlenderTest
 
 sys.path.insert(0, str(ROOT / "blender"))
-from build import build, faults_of
+from build import build, find_problems
 
 
 class PackageTest(BlenderTest):
-    def test_blender_s_checker_accepts_it(self):
+    def test_blenders_validator_accepts_it(self):
         archive = build(self.folder / "furrow.zip")
         checker = Path(addon_utils.__file__).parents[1] / "addons_core/bl_pkg/cli/blender_ext.py"
         result = subprocess.run(
@@ -34,8 +34,8 @@ class PackageTest(BlenderTest):
         finally:
             addon_utils.disable("bl_ext.user_default.furrow", default_set=True)
 
-    def test_a_wrong_manifest_is_refused(self):
-        self.assertEqual(len(faults_of({"license": ["MIT"]})), 9)
+    def test_an_invalid_manifest_is_refused(self):
+        self.assertEqual(len(find_problems({"license": ["MIT"]})), 9)
 
 
 if __name__ == "__main__":

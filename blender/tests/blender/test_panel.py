@@ -1,4 +1,4 @@
-"""The panel: it is drawn onto a layout that checks what it is given."""
+"""Draws the panel on a layout that checks properties and operators."""
 
 import unittest
 from types import SimpleNamespace
@@ -12,7 +12,7 @@ IMAGES = [image("normal", FLAT), image("areas", (255, 0, 0))]
 
 
 class Layout:
-    """Stands in for Blender's, which exists in windows only."""
+    """Replaces Blender's layout, which needs a window."""
 
     def __init__(self):
         self.lines = []
@@ -56,7 +56,7 @@ class PanelTest(BlenderTest):
                 cls.draw(SimpleNamespace(layout=layout), context)
         return layout.lines
 
-    def test_it_shows_the_set_and_what_is_not_shown(self):
+    def test_it_shows_the_set_and_notes_unsupported_drivers(self):
         links = [{"name": "brow", "weight": 0.5}]
         drivers = [
             {"type": "morph", "area": "nose", "targets": links},
@@ -72,7 +72,7 @@ class PanelTest(BlenderTest):
         for line in ("Remove Wrinkle Set", "0.5 brow", "age", "rises in 1 s, falls in 0 s", "At Rest"):
             self.assertIn(line, lines)
         self.assertIn("Not shown: tension: a driver cannot measure the deformed skin", lines)
-        self.assertEqual(lines.count("Kept for the export; not shown in Blender"), 1)
+        self.assertEqual(lines.count("Exported, but not shown in Blender"), 1)
 
     def test_a_plain_material_offers_a_new_set(self):
         bpy.ops.mesh.primitive_cube_add()

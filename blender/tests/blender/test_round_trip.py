@@ -1,4 +1,4 @@
-"""Import, export: the same layers, areas and drivers, and the same pixels, in files that validate."""
+"""Import and export keep layers, areas, drivers and pixels, in valid files."""
 
 import base64
 import subprocess
@@ -18,7 +18,7 @@ IMAGES = [image("normal", FLAT), image("areas", lambda x, y: (x * 30, y * 30, 90
 
 
 def comparable(path):
-    """The document with the bytes of its images in place of textures, and numbers as 24 bits keep them."""
+    """Read a document with image bytes instead of texture indices, and rounded numbers."""
     extension, file = wrinkles_of(path)
     found = read_document(extension, file.texture_count)
     for owner, slots in ((found["layers"], SLOTS), (found["areas"], ["texture"])):
@@ -49,13 +49,13 @@ class RoundTripTest(BlenderTest):
 
     def test_the_shipped_face(self):
         written = self.check(ROOT / "faces" / "human.glb")
-        # Blender's exporter found the textures of the plain face behind the group.
+        # Blender's exporter found the plain face's textures.
         material = next(item for item in wrinkles_of(written)[1].json["materials"] if item["name"] == "skin")
         self.assertIn("normalTexture", material)
         self.assertIn("baseColorTexture", material["pbrMetallicRoughness"])
         self.assertIn("metallicRoughnessTexture", material["pbrMetallicRoughness"])
 
-    def test_joints_delays_and_what_is_unknown(self):
+    def test_joints_delays_and_unknown_fields(self):
         self.check(ROOT / "faces" / "hand.glb")
         self.empty()
         drivers = [
@@ -76,7 +76,7 @@ class RoundTripTest(BlenderTest):
         made = document()
         made["shapes"] = [{"mesh": "face", "target": "a", "shape": "jawOpen"}, {"mesh": "other", "target": "a"}]
         path = self.write_face(made, IMAGES, targets=["a"])
-        # Blender numbers what has the name of something in the scene.
+        # Blender appends a number to existing names.
         bpy.data.objects.new("face", bpy.data.meshes.new("face"))
         self.import_face(path)
         written = wrinkles_of(self.export_face())[0]["shapes"]
@@ -98,7 +98,7 @@ class RoundTripTest(BlenderTest):
         self.assertEqual(comparable(written), before)
         self.assertEqual(validate(written)[0], 0)
 
-    def test_the_material_is_the_same_after_an_export(self):
+    def test_an_export_keeps_the_material(self):
         group = self.import_face(ROOT / "faces" / "human.glb")
         node = group_node(bpy.data.materials["skin"])
 
@@ -112,7 +112,7 @@ class RoundTripTest(BlenderTest):
         self.assertFalse(node.mute)
         self.assertEqual(group_node(bpy.data.materials["skin"]).node_tree, group)
 
-    def test_an_export_that_fails_does_not_cost_the_material(self):
+    def test_a_failed_export_keeps_the_material(self):
         self.import_face(self.write_face(document(), IMAGES, targets=["a"]))
         (self.folder / "file").write_text("not a folder")
         with self.assertRaises(RuntimeError):
@@ -121,7 +121,7 @@ class RoundTripTest(BlenderTest):
         node = group_node(bpy.data.materials["skin"])
         self.assertTrue(node.outputs["Normal"].is_linked)
 
-    def test_painted_images_are_exported_as_they_are_now(self):
+    def test_painted_images_are_exported(self):
         group = self.import_face(self.write_face(document(), IMAGES, targets=["a"]))
         painted = group.furrow.areas[0].image
         pixels = list(painted.pixels)

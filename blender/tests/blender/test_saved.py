@@ -1,4 +1,4 @@
-"""A saved .blend: wrinkles go on without the file that they came from, and without the extension."""
+"""Wrinkles in a saved .blend work without the imported file, and without the extension."""
 
 import unittest
 
@@ -30,7 +30,7 @@ class SavedTest(BlenderTest):
         bpy.context.view_layer.update()
         self.assertAlmostEqual(group.nodes["Steps"]["a0"], 0.5, 6)
 
-    def test_it_is_opened_again_and_exported(self):
+    def test_it_can_be_opened_and_exported(self):
         addon_utils.enable("furrow", default_set=True)
         bpy.ops.wm.open_mainfile(filepath=str(self.path))
         self.check()

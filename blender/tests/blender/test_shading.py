@@ -1,6 +1,4 @@
-"""
-What the nodes compute, texel by texel as Cycles renders it, compared with the formulas of the specification in float64.
-"""
+"""Compares the nodes' values, rendered by Cycles, with the specification's formulas in float64, texel by texel."""
 
 import math
 import random
@@ -21,7 +19,7 @@ def noise(seed, low=0, high=255):
 
 
 def normals(seed):
-    """Unit normals that lean by less than 60 degrees."""
+    """Create unit normals tilted by less than 60 degrees."""
     rng = random.Random(seed)
 
     def pixel():
@@ -143,7 +141,7 @@ class ShadingTest(BlenderTest):
         self.assertLess(worst, tolerance)
 
     def render(self, output):
-        """Render an output of the group as light, one pixel for each texel."""
+        """Render an output of the group as emission, one pixel per texel."""
         material = next(item for item in bpy.data.materials if group_node(item))
         tree = material.node_tree
         emission = tree.nodes.new("ShaderNodeEmission")
@@ -153,7 +151,7 @@ class ShadingTest(BlenderTest):
         scene = bpy.context.scene
         camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
         camera.data.type, camera.data.ortho_scale = "ORTHO", 1
-        # glTF's Y is Blender's Z, and the square faces glTF's Z, which is -Y here.
+        # The square faces -Y in Blender (glTF's Z).
         camera.location, camera.rotation_euler = (0.5, -1, 0.5), (math.pi / 2, 0, 0)
         scene.collection.objects.link(camera)
         scene.camera = camera
@@ -161,7 +159,7 @@ class ShadingTest(BlenderTest):
         scene.cycles.samples = 1
         scene.cycles.use_denoising = False
         scene.cycles.pixel_filter_type = "BOX"
-        # No jitter within a pixel, so that the ray meets the centre of the texel.
+        # Rays without jitter hit the texels' centres.
         scene.cycles.filter_width = 0.01
         scene.render.resolution_x = scene.render.resolution_y = SIZE
         scene.view_settings.view_transform = "Raw"

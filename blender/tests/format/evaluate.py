@@ -1,11 +1,11 @@
-"""The steps of a plan as Blender evaluates them: what tests compare with Blender, and with the library."""
+"""Evaluates a plan's steps in float64, as a reference for tests."""
 
 import math
 from itertools import pairwise
 
 
 def evaluate_plan(plan, read):
-    """Values by step. `read` gives the number of a source that is not a step."""
+    """Return values by step. `read`: function from a source other than a step to its number."""
     values = {}
     pending = list(plan.steps)
     while pending:
@@ -18,7 +18,7 @@ def evaluate_plan(plan, read):
 
 
 def curve_at(curve, x):
-    """Evaluate a curve of points: linear between them, constant beyond the ends."""
+    """Evaluate a piecewise linear curve, constant beyond the ends."""
     if not x > curve[0][0]:
         return curve[0][1]
     for (x0, y0), (x1, y1) in pairwise(curve):

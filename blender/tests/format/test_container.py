@@ -1,4 +1,4 @@
-"""Files: images by texture, and wrinkles added to what another program wrote."""
+"""Reading images, and adding wrinkles to existing files."""
 
 import base64
 import json
@@ -60,7 +60,7 @@ class ContainerTest(unittest.TestCase):
                 self.assertEqual(set(file.json["extensionsUsed"]), {EXTENSION, "EXT_texture_webp"})
                 self.assertNotIn("extensions", file.json["materials"][0])
 
-    def test_a_file_without_these_materials_stays_as_it_is(self):
+    def test_a_file_without_these_materials_is_unchanged(self):
         data = glb({"asset": {"version": "2.0"}}, b"abcd")
         path = self.write("a.glb", data)
         self.assertEqual(add_wrinkles(path, {"skin": (DOCUMENT, IMAGES)}), [])
@@ -87,11 +87,11 @@ class ContainerTest(unittest.TestCase):
             with self.subTest(texture), self.assertRaises(FurrowError):
                 file.image_of(texture)
 
-    def test_damaged_files_are_refused(self):
-        whole = glb({"asset": {"version": "2.0"}}, b"abcd")
-        for length in range(len(whole)):
+    def test_truncated_files_are_refused(self):
+        data = glb({"asset": {"version": "2.0"}}, b"abcd")
+        for length in range(len(data)):
             with self.subTest(length), self.assertRaises(FurrowError):
-                GltfFile(self.write("a.glb", whole[:length]))
+                GltfFile(self.write("a.glb", data[:length]))
 
 
 if __name__ == "__main__":

@@ -1,12 +1,12 @@
-"""What is read, and what is refused."""
+"""Valid and invalid documents."""
 
 import copy
 import unittest
 
-from furrow.format.document import read_document, with_defaults_removed
+from furrow.format.document import read_document, without_defaults
 from furrow.format.reader import FurrowError
 
-SOUND = {
+VALID = {
     "layers": [
         {"name": "skin", "normalTexture": {"index": 0}, "heightTexture": {"index": 1, "amplitude": 0.001}},
         {"name": "age", "kind": "detail", "normalTexture": {"index": 0, "scale": 0.7}, "extras": {"a": 1}},
@@ -24,8 +24,8 @@ SOUND = {
 
 
 def change(path, value):
-    """The sound document with one field changed; left out where the value is `None`."""
-    json = copy.deepcopy(SOUND)
+    """Copy the valid document with one field changed, or removed if `value` is None."""
+    json = copy.deepcopy(VALID)
     item = json
     for key in path[:-1]:
         item = item[key]
@@ -37,8 +37,8 @@ def change(path, value):
 
 
 class DocumentTest(unittest.TestCase):
-    def test_defaults_are_filled_in_and_what_is_unknown_is_kept(self):
-        document = read_document(SOUND, 3)
+    def test_defaults_are_filled_in_and_unknown_fields_are_kept(self):
+        document = read_document(VALID, 3)
         self.assertEqual(document["layers"][0]["kind"], "replace")
         self.assertEqual(document["layers"][0]["normalTexture"]["scale"], 1)
         self.assertEqual(document["layers"][1]["extras"], {"a": 1})
@@ -46,14 +46,14 @@ class DocumentTest(unittest.TestCase):
         self.assertEqual(document["drivers"][0], {"type": "breath", "depth": 2})
         self.assertEqual(document["strokes"], {"version": 1})
 
-    def test_writing_leaves_defaults_out(self):
-        written = with_defaults_removed(read_document(SOUND, 3))
-        self.assertEqual(written["layers"], SOUND["layers"])
-        self.assertEqual(written["areas"], SOUND["areas"])
-        self.assertEqual(read_document(written, 3), read_document(SOUND, 3))
+    def test_writing_omits_defaults(self):
+        written = without_defaults(read_document(VALID, 3))
+        self.assertEqual(written["layers"], VALID["layers"])
+        self.assertEqual(written["areas"], VALID["areas"])
+        self.assertEqual(read_document(written, 3), read_document(VALID, 3))
 
-    def test_faults_are_named_by_their_path(self):
-        faults = {
+    def test_errors_have_the_path_of_the_field(self):
+        invalid = {
             "layers": change(["layers"], []),
             "layers[0].normalTexture": change(["layers", 0, "normalTexture"], None),
             "layers[0].normalTexture.index": change(["layers", 0, "normalTexture", "index"], 3),
@@ -71,17 +71,17 @@ class DocumentTest(unittest.TestCase):
             "drivers[1].curve": change(["drivers", 1, "curve"], [[0, 0], [0, 1]]),
             "the extension": [],
         }
-        for path, json in faults.items():
+        for path, json in invalid.items():
             with self.subTest(path), self.assertRaises(FurrowError) as raised:
                 read_document(json, 3)
             self.assertIn(f": {path}", str(raised.exception))
 
-    def test_a_malformed_driver_costs_itself_alone(self):
-        faults = []
+    def test_a_malformed_driver_is_skipped(self):
+        errors = []
         json = change(["drivers", 1, "area"], "chin")
-        document = read_document(json, 3, on_fault=faults.append)
+        document = read_document(json, 3, on_error=errors.append)
         self.assertEqual([driver["type"] for driver in document["drivers"]], ["breath"])
-        self.assertEqual(len(faults), 1)
+        self.assertEqual(len(errors), 1)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Edits of drivers."""
+"""Edits of a document's drivers."""
 
 import unittest
 
@@ -6,10 +6,10 @@ from furrow.format.edit import (
     describe_driver,
     link_target,
     meshes_of,
-    with_area_renamed,
-    with_meshes_renamed,
-    without_area,
-    without_link,
+    remove_area,
+    remove_link,
+    rename_area,
+    rename_meshes,
 )
 
 PLAIN = {"rule": "sum", "curve": [[0, 0], [1, 1]]}
@@ -29,28 +29,28 @@ class EditTest(unittest.TestCase):
         drivers = link_target([MORPH], "nose", "a", 0.5, 0.2, 0.8)
         self.assertEqual(drivers[0]["targets"], [{"name": "a", "weight": 0.5, "curve": [[0.2, 0], [0.8, 1]]}])
 
-    def test_other_areas_and_curves_get_a_driver_of_their_own(self):
+    def test_other_areas_and_curves_get_a_new_driver(self):
         curved = {**MORPH, "curve": [[0.2, 0], [1, 1]]}
         self.assertEqual(len(link_target([curved], "nose", "b")), 2)
         self.assertEqual(link_target([MORPH], "brow", "b")[1]["area"], "brow")
 
-    def test_the_last_link_takes_its_driver_with_it(self):
-        self.assertEqual(without_link([UNKNOWN, MORPH], 1, "a"), [UNKNOWN])
+    def test_removing_the_last_link_removes_the_driver(self):
+        self.assertEqual(remove_link([UNKNOWN, MORPH], 1, "a"), [UNKNOWN])
 
-    def test_areas_go_with_all_that_names_them(self):
-        self.assertEqual(without_area([MORPH, READS, UNKNOWN], "nose"), [UNKNOWN])
-        renamed = with_area_renamed([MORPH, READS, UNKNOWN], "nose", "bridge")
+    def test_areas_are_removed_and_renamed_in_all_drivers(self):
+        self.assertEqual(remove_area([MORPH, READS, UNKNOWN], "nose"), [UNKNOWN])
+        renamed = rename_area([MORPH, READS, UNKNOWN], "nose", "bridge")
         self.assertEqual((renamed[0]["area"], renamed[1]["areas"][0]["name"]), ("bridge", "bridge"))
 
-    def test_corrections_follow_their_meshes(self):
+    def test_corrections_follow_renamed_meshes(self):
         shapes = [{"mesh": "Head", "target": "a"}, {"target": "b"}, {"mesh": 7}, None]
         self.assertEqual(meshes_of(shapes), ["Head"])
-        renamed = with_meshes_renamed(shapes, {"Head": "Head.001"})
+        renamed = rename_meshes(shapes, {"Head": "Head.001"})
         self.assertEqual(renamed, [{"mesh": "Head.001", "target": "a"}, *shapes[1:]])
         for malformed in ("none", {}, [None]):
-            self.assertEqual(with_meshes_renamed(malformed, {"Head": "Face"}), malformed)
+            self.assertEqual(rename_meshes(malformed, {"Head": "Face"}), malformed)
 
-    def test_every_driver_has_a_line(self):
+    def test_every_driver_has_a_description(self):
         self.assertEqual(describe_driver(MORPH), "1 a")
         self.assertEqual(describe_driver(UNKNOWN), "breath")
 
