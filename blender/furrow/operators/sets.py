@@ -54,9 +54,7 @@ class FURROW_OT_make_automatically(bpy.types.Operator):
     bl_label = "Make Wrinkles Automatically"
     bl_options = {"REGISTER", "UNDO"}
 
-    age: bpy.props.IntProperty(
-        name="Age", default=45, min=20, max=80, description="Years: lines increase in number and depth"
-    )
+    age: bpy.props.IntProperty(name="Age", default=45, min=20, max=80, description="Years. Adds and deepens lines")
     size: bpy.props.EnumProperty(
         name="Size", items=[(s, s, f"{s} texels") for s in ("512", "1024", "2048", "4096")], default="1024"
     )
