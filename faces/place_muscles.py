@@ -1,7 +1,6 @@
-"""Writes the virtual muscles of the faces: from uv, in the table below, to metres on each face.
+"""Writes the virtual muscles of the faces, converted from uv in the table below to metres.
 
-Origins and insertions follow the anatomy of facial muscles (Waters 1987; Gray's Anatomy). Run it after building the
-faces:
+Origins and insertions follow the anatomy of facial muscles (Waters 1987; Gray's Anatomy). Run after building the faces:
 
     python faces/place_muscles.py
 """
@@ -16,9 +15,9 @@ FACES = Path(__file__).parent
 FORMATS = {5123: np.uint16, 5125: np.uint32, 5126: np.float32}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 
-# Name, kind, origin and insertion in uv, and what differs from the format's defaults; lengths in metres. `depth` is the
-# origin's under the skin, negative in front of it. With `sides` there is one on either side, given for the left.
-# Openings have no skin in their middle, which is the mean of several points instead.
+# Name, kind, origin and insertion in uv, and values other than the format's defaults; lengths in metres. The origin is
+# `depth` below the skin; negative depths are in front. Muscles with `sides` exist on both sides; the table has the left
+# one. The middle of an opening, which has no skin, is the mean of several points.
 MUSCLES = [
     (
         "frontalisInner",
@@ -127,7 +126,7 @@ MUSCLES = [
     ),
 ]
 
-# The six basic expressions (Ekman) as contractions; of paired muscles, both sides contract.
+# The six basic expressions (Ekman) as contractions, for both sides of paired muscles.
 EXPRESSIONS = {
     "neutral": {},
     "happiness": {"zygomaticMajor": 1, "zygomaticMinor": 0.5, "orbicularisOculi": 0.55},
@@ -169,7 +168,7 @@ EXPRESSIONS = {
 
 
 def read_skin(path):
-    """Positions (n, 3), texture coordinates (n, 2) and normals (n, 3) of the first mesh of a .glb file."""
+    """Reads positions (n, 3), texture coordinates (n, 2) and normals (n, 3) of a .glb's first mesh."""
     file = path.read_bytes()
     length = struct.unpack("<I", file[12:16])[0]
     gltf, data = json.loads(file[20 : 20 + length]), file[28 + length :]
@@ -187,7 +186,7 @@ def read_skin(path):
 
 
 def position_of(skin, points, depth=0.0):
-    """The position in metres of a point in uv, interpolated from the nearest vertices, or the mean of several."""
+    """Converts a uv point to metres, interpolated from the nearest vertices. Averages a list of points."""
     positions, uvs, normals = skin
     means = []
     for point in points if isinstance(points, list) else [points]:
@@ -200,7 +199,7 @@ def position_of(skin, points, depth=0.0):
 
 
 def muscles_of(skin):
-    """Every muscle of a face as drivers of the format; areas have the muscles' names."""
+    """Returns a face's muscles as drivers. Areas have the muscles' names."""
     found = []
     for name, kind, origin, insertion, more in MUSCLES:
         more = dict(more)
@@ -225,7 +224,7 @@ def muscles_of(skin):
 
 
 def expressions_of(muscles):
-    """The expressions as drivers of the format."""
+    """Returns the expressions as drivers."""
     names = [muscle["name"] for muscle in muscles]
     for name, contractions in EXPRESSIONS.items():
         targets = [

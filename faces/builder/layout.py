@@ -1,36 +1,36 @@
-"""The texture layout of the skin: the source's head island, turned upright to fill the unit square.
+"""Texture layout of the skin: the source's head island, upright in the unit square.
 
 As an image it shows the person from the front: forehead up, the person's left on the right, symmetric about u = 0.5.
-The source gives eyelids and lips few texels, where wrinkles need most. So the outline is kept (with the back of the
-head compressed) and the inside relaxed until texels are nearly even over the skin, and denser on the face.
+The source gives eyelids and lips too few texels for wrinkles. Therefore the interior is relaxed until texels are nearly
+even over the skin, and denser on the face. The outline stays, with the back of the head compressed.
 """
 
 import numpy as np
 from scipy.sparse import coo_matrix, diags, identity
 from scipy.sparse.linalg import spsolve
 
-FOCUS = 3.0  # of the outline: u = asinh(FOCUS x) / asinh(FOCUS), which enlarges the face at the cost of the nape
-HEAD_BOTTOM = 0.93  # v of the source's island's lower end; the neck is below
-ROUNDS = 3  # of relaxation; a fourth folds quads at the nostrils
+FOCUS = 3.0  # u = asinh(FOCUS x) / asinh(FOCUS) enlarges the face and compresses the nape
+HEAD_BOTTOM = 0.93  # v of the source island's lower end; the neck is below
+ROUNDS = 3  # of relaxation; a fourth would fold quads at the nostrils
 FACE_CENTRE = np.array([0.0, 0.735, 0.15])  # metres, on the source's unblended base figure
 FACE_SIZE = 0.085  # metres
-FACE_GAIN = 1.0  # how much denser texels are in the middle of the face than elsewhere
+FACE_GAIN = 1.0  # added texel density in the middle of the face
 
 
 def skin_layout(source: np.ndarray, quads: np.ndarray, positions: np.ndarray) -> np.ndarray:
-    """Returns (n, 2) uv, v down.
+    """Returns uv (n, 2), v down.
 
-    `source` (n, 2) is the island of the source (forehead left, v up; nan on the neck, which it lacks), `quads` index
-    it, `positions` (n, 3) are its vertices on the symmetric base figure, so that every recipe gets the same layout.
+    Source (n, 2): the source's island, forehead left, v up; nan on the neck, which it lacks. Quads index the source.
+    Positions (n, 3) are on the symmetric base figure, so that all recipes share a layout.
     """
     uv = _upright(source)
     loops = borders(quads)
     outline, holes = loops[-1], loops[:-1]
     uv[outline] = _close_outline(uv[outline], positions[outline])
 
-    # Eyes and mouth are closed with a fan each, so that the openings are relaxed too.
+    # Closes eyes and mouth with fans, to relax the openings too.
     a, b, c, d = quads.T
-    triangles = [np.stack(t, 1) for t in ((a, b, c), (a, c, d), (a, b, d), (b, c, d))]  # both diagonals: symmetric
+    triangles = [np.stack(t, 1) for t in ((a, b, c), (a, c, d), (a, b, d), (b, c, d))]  # both diagonals, for symmetry
     points = [positions]
     for hole in holes:
         centre = np.full(len(hole), sum(map(len, points)))
@@ -47,7 +47,7 @@ def skin_layout(source: np.ndarray, quads: np.ndarray, positions: np.ndarray) ->
     wanted = 1 + FACE_GAIN * np.exp(-((points - FACE_CENTRE) ** 2).sum(axis=1) / FACE_SIZE**2)
     slack = np.ones(count)
     # S. Yoshizawa, A. Belyaev, H.-P. Seidel, "A fast and simple stretch-minimizing mesh parameterization", 2004:
-    # solve, measure the stretch around every vertex, weaken the springs where it is large, repeat.
+    # repeatedly solves, and weakens springs around vertices with large stretch.
     for _ in range(ROUNDS + 1):
         spring = coo_matrix((weights / slack[cols], (rows, cols)), (count, count)).tocsr()
         spring = diags(1 / np.asarray(spring.sum(axis=1)).ravel()) @ spring
@@ -68,13 +68,13 @@ def _upright(source: np.ndarray) -> np.ndarray:
 
 
 def _close_outline(uv: np.ndarray, positions: np.ndarray) -> np.ndarray:
-    """The outline with the neck's part: the nape's seam down both sides of the square, the collar along the bottom."""
+    """Adds the neck to the outline: the nape's seam down both sides of the square, the collar along the bottom."""
     neck = np.isnan(uv[:, 0])
     first = np.flatnonzero(neck & ~np.roll(neck, 1))[0]
     order = np.roll(np.arange(len(uv)), 1 - first)  # starts with the seam's last known vertex
-    run = order[: neck.sum() + 2]  # and ends with its twin on the other side
+    run = order[: neck.sum() + 2]  # ends with the vertex's twin on the other side
     gaps = np.linalg.norm(np.diff(positions[run], axis=0), axis=1)
-    foot = np.flatnonzero(np.abs(positions[run, 0]) < 1e-6)  # on the midline: both seams, and the collar's front
+    foot = np.flatnonzero(np.abs(positions[run, 0]) < 1e-6)  # on the midline: both seams and the collar's front
     collar = np.array([i for i in foot if positions[run[i], 2] < 0 and neck[run[i]]])
     start, end = collar[len(collar) // 2 - 1], collar[len(collar) // 2]
     along = np.concatenate([[0], np.cumsum(gaps)])
@@ -92,7 +92,7 @@ def _close_outline(uv: np.ndarray, positions: np.ndarray) -> np.ndarray:
 
 
 def borders(quads: np.ndarray) -> list[np.ndarray]:
-    """Loops of vertices along the edges that only one quad has, shortest first."""
+    """Finds loops of border edges, shortest first."""
     edges = np.stack([quads.ravel(), np.roll(quads, -1, axis=1).ravel()], 1)
     _, which, uses = np.unique(np.sort(edges, axis=1), axis=0, return_inverse=True, return_counts=True)
     after = dict(edges[uses[which.ravel()] == 1].tolist())
@@ -108,7 +108,7 @@ def borders(quads: np.ndarray) -> list[np.ndarray]:
 
 
 def _mean_value_weights(points, triangles):
-    """M. Floater, "Mean value coordinates", 2003: positive, so every vertex stays amid its neighbours."""
+    """M. Floater, "Mean value coordinates", 2003. Positive weights keep vertices between their neighbours."""
     rows, cols, weights = [], [], []
     for k in range(3):
         i, j, m = (triangles[:, (k + s) % 3] for s in range(3))
@@ -122,7 +122,7 @@ def _mean_value_weights(points, triangles):
 
 
 def _stretch(points, uvs, triangles) -> np.ndarray:
-    """(n,) metres on the skin per unit of uv: the root mean square over directions and triangles."""
+    """Returns metres on the skin per unit of uv, (n,): root mean square over directions and triangles."""
 
     def edge(x, k):
         return x[triangles[:, k]] - x[triangles[:, 0]]

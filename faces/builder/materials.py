@@ -1,8 +1,8 @@
-"""The materials of the file. Colours here are linear, as glTF's factors are."""
+"""Materials of the files. Colours are linear, as in glTF."""
 
 
 def materials(look: dict) -> tuple[list[dict], list[str]]:
-    """Returns the materials and the names of the images in the order that their texture indices assume."""
+    """Returns the materials, and the names of their images in the order of texture indices."""
     images = ["skin-colour", "skin-normal", "skin-surface", "skin-specular", "eye", "brow", "lash"]
     texture = {name: {"index": i} for i, name in enumerate(images)}
 
@@ -30,7 +30,7 @@ def materials(look: dict) -> tuple[list[dict], list[str]]:
 
 
 def hand_materials(look: dict) -> tuple[list[dict], list[str]]:
-    """As `materials`, of a hand in a cuff."""
+    """Returns materials and image names of a hand in a cuff."""
     images = ["skin-colour", "skin-normal", "skin-surface"]
     texture = {name: {"index": i} for i, name in enumerate(images)}
     return [_skin(texture, look), _plain("shirt", 0.92, (*look["shirt"], 1), doubleSided=True)], images
@@ -54,8 +54,8 @@ def _textured(name, texture, roughness, **more):
 
 def _skin(texture, look):
     extensions = {
-        # Skin reflects 2.8 per cent head on (index of refraction 1.4); sheen stands for the fuzz and the light that
-        # comes back out of the skin at grazing angles.
+        # Skin reflects 2.8 per cent at normal incidence (index of refraction 1.4). Sheen approximates fuzz and light
+        # scattered out of the skin at grazing angles.
         "KHR_materials_ior": {"ior": 1.4},
         "KHR_materials_specular": {"specularTexture": texture["skin-specular"]} if "skin-specular" in texture else None,
         "KHR_materials_sheen": {"sheenColorFactor": look["fuzz"], "sheenRoughnessFactor": 0.45},

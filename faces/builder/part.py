@@ -1,4 +1,4 @@
-"""A part of a model: one mesh with one material and its targets."""
+"""A part of a model: a mesh with one material and its targets."""
 
 from dataclasses import dataclass, field
 
@@ -7,7 +7,7 @@ import numpy as np
 
 @dataclass
 class Part:
-    """Triangles are counter-clockwise seen from outside; v is down, as in glTF; lengths are in metres."""
+    """A mesh. Triangles are counter-clockwise from outside, v points down as in glTF, lengths are in metres."""
 
     name: str
     material: str
@@ -16,17 +16,17 @@ class Part:
     uv: np.ndarray | None  # (n, 2), None without maps
     triangles: np.ndarray  # (t, 3)
     colours: np.ndarray | None = None  # (n, 4) linear RGBA, multiplies the material's colour
-    # ARKit name -> (n, 3) displacements and (n, 3) changes of normals (None where shading need not follow)
+    # By ARKit name: displacements (n, 3), and changes of normals (n, 3) or None for constant shading
     targets: dict[str, tuple[np.ndarray, np.ndarray | None]] = field(default_factory=dict)
-    complete: bool = False  # lists every ARKit name, even those that do not move this part
-    tangents: np.ndarray | None = None  # (n, 4), where there is a normal map; see tangents.py
+    complete: bool = False  # whether to list all ARKit names, even without displacements
+    tangents: np.ndarray | None = None  # (n, 4), with a normal map; see tangents.py
     joints: np.ndarray | None = None  # (n, 4) indices into the skeleton's joints; see rig.py
     weights: np.ndarray | None = None  # (n, 4) integers, 65535 = 1
     parent: str | None = None  # the joint that moves an unskinned part
 
 
 def triangulate(quads: np.ndarray, positions: np.ndarray) -> np.ndarray:
-    """(2 q, 3) triangles of (q, 4) quads, cut along the shorter diagonal: thin rims (lids, lips, ears) stay smooth."""
+    """Cuts quads (q, 4) along the shorter diagonal, which keeps thin rims smooth. Returns triangles (2 q, 3)."""
     a, b, c, d = quads.T
 
     def gap(i, j):

@@ -1,11 +1,11 @@
-"""Rasterises a mesh's texture layout, so that maps can be painted as functions of position in space."""
+"""Rasterises a mesh's texture layout, to paint maps as functions of position in space."""
 
 import numpy as np
 from scipy.ndimage import distance_transform_edt
 
 
 class Atlas:
-    """Triangle and barycentrics of every texel; texels outside all triangles have those of the nearest one inside."""
+    """Triangle and barycentric coordinates of each texel, or of the nearest texel inside a triangle."""
 
     def __init__(self, uv: np.ndarray, triangles: np.ndarray, size: int):
         self.size = size
@@ -32,7 +32,7 @@ class Atlas:
         self._weights = weights[tuple(nearest)]
 
     def spread(self, per_vertex: np.ndarray) -> np.ndarray:
-        """Interpolates (n,) or (n, k) values per vertex to every texel: (size, size) or (size, size, k)."""
+        """Interpolates values per vertex, (n,) or (n, k), to (size, size) or (size, size, k)."""
         corners = self._triangles[self._owner]
         weights = self._weights if per_vertex.ndim == 1 else self._weights[..., None]
         return sum(per_vertex[corners[..., k]] * weights[:, :, k] for k in range(3))

@@ -1,6 +1,6 @@
-"""The people, as data: amounts of the source's targets, and colours.
+"""Recipes of people: amounts of the source's targets, and colours.
 
-Colours are sRGB, 0..1, by default; lengths are in uv.
+Colours are sRGB, 0..1, unless stated otherwise; lengths are in uv.
 """
 
 HUMAN = {
@@ -23,7 +23,7 @@ HUMAN = {
         "asym/asym-brown-1-l": 0.3,
         "asym/asym-jaw-1-r": 0.25,
     },
-    # Expressions that are part of the resting face.
+    # Amounts of expressions in the resting face.
     "rest": {
         "eyeWideLeft": 0.32,
         "eyeWideRight": 0.32,
@@ -141,7 +141,7 @@ HUMAN_2 = {
 
 RECIPES = [HUMAN, HUMAN_2]
 
-# The hand and the neck are those of the first face.
+# The hand and the neck belong to the first face.
 HAND = {
     "shapes": HUMAN["shapes"],
     "look": HUMAN["look"]

@@ -1,4 +1,4 @@
-"""The joints of the base figure and their weights, from the source's rig."""
+"""Joints of the base figure and their weights, from the source's rig."""
 
 from dataclasses import dataclass
 
@@ -6,33 +6,33 @@ import numpy as np
 
 from .source import Mesh, Wheel
 
-MOST = 4  # joints per vertex
-WHOLE = 65535  # a weight of 1 in the file
+MAX_JOINTS = 4  # per vertex
+ONE = 65535  # a weight of 1 in the file
 
 
 @dataclass
 class Rig:
     """Some joints of the figure, parents first.
 
-    The columns of a frame are a joint's axes in space: y is along the bone, z towards the side to which it bends, so
-    that a positive rotation about x bends it.
+    The columns of a frame are a joint's axes: y along the bone, z in the bend direction. A positive rotation about x
+    bends the joint.
     """
 
     names: list[str]
     parents: list[int]  # into names, -1 for the root
     positions: np.ndarray  # (j, 3) metres
     frames: np.ndarray  # (j, 3, 3)
-    weights: np.ndarray  # (n, j) of every vertex of the base figure; rows sum to 1 where the source has weights
+    weights: np.ndarray  # (n, j) by vertex of the base figure; rows sum to 1 where the source has weights
 
     def at(self, name: str) -> np.ndarray:
         return self.positions[self.names.index(name)]
 
 
 def read_rig(wheel: Wheel, mesh: Mesh, base: np.ndarray, kept: list[str], inwards) -> Rig:
-    """The joints of these names, which must be in order, parents first.
+    """Reads the joints `kept`, given parents first.
 
-    `base` (n, 3) is the blended figure, which the joints' positions follow from. `inwards(name)` is the direction to
-    which a joint bends. Weights of other joints go to the nearest kept ancestor, or to the root.
+    `base` (n, 3): the blended figure, which gives the joints' positions. `inwards(name)`: a joint's bend direction.
+    Weights of other joints go to the nearest kept ancestor, or to the root.
     """
     bones, source = wheel.rig(), wheel.weights()
 
@@ -63,16 +63,16 @@ def read_rig(wheel: Wheel, mesh: Mesh, base: np.ndarray, kept: list[str], inward
 
 
 def strongest(weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The joints with most weight per vertex, (n, 4), and their weights as integers whose sum is exactly 65535."""
-    joints = np.argsort(-np.round(weights, 6), axis=1, kind="stable")[:, :MOST]
+    """Returns each vertex's joints with the largest weights, (n, 4), and integer weights that sum to 65535."""
+    joints = np.argsort(-np.round(weights, 6), axis=1, kind="stable")[:, :MAX_JOINTS]
     strong = np.take_along_axis(np.round(weights, 6), joints, axis=1)
-    parts = np.round(strong / strong.sum(axis=1, keepdims=True) * WHOLE).astype(int)
-    parts[:, 0] += WHOLE - parts.sum(axis=1)
+    parts = np.round(strong / strong.sum(axis=1, keepdims=True) * ONE).astype(int)
+    parts[:, 0] += ONE - parts.sum(axis=1)
     return np.where(parts > 0, joints, 0), parts
 
 
 def _vertices(mesh: Mesh, end: dict) -> np.ndarray:
-    """A joint is the mean of a small cube of helper vertices, or of a few vertices of the skin."""
+    """Returns the vertices whose mean is a joint's end: a small helper cube, or vertices of the skin."""
     if end["strategy"] == "MEAN":
         return np.array(end["vertex_indices"])
     return np.unique(mesh.quads[mesh.groups == end["cube_name"]])
@@ -85,5 +85,5 @@ def _nearest(bones: dict, name: str | None, kept: list[str]) -> str | None:
 
 
 def unit(vector: np.ndarray) -> np.ndarray:
-    """The vector at length 1."""
+    """Normalises a vector."""
     return vector / np.linalg.norm(vector)

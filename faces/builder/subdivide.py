@@ -1,7 +1,7 @@
 """Catmull-Clark subdivision of a quad mesh as a sparse matrix, and smooth vertex normals.
 
-E. Catmull, J. Clark, "Recursively generated B-spline surfaces on arbitrary topological meshes", 1978. The rule is
-linear in the vertices, so one matrix subdivides positions, displacements of targets and texture coordinates.
+E. Catmull, J. Clark, "Recursively generated B-spline surfaces on arbitrary topological meshes", 1978. Subdivision is
+linear, so one matrix applies to positions, displacements and texture coordinates.
 """
 
 import numpy as np
@@ -11,8 +11,8 @@ from scipy.sparse import coo_matrix, csr_matrix, identity, vstack
 def catmull_clark(quads: np.ndarray, count: int) -> tuple[csr_matrix, np.ndarray]:
     """Returns the matrix (new vertices x old vertices) and the new quads, four per old quad, in the old order.
 
-    New vertices are ordered: moved old vertices, edge points, face points. Open borders follow the rule of cubic
-    B-splines along themselves; a vertex with a single quad is a corner and does not move.
+    The order of new vertices is: moved old vertices, edge points, face points. Open borders are cubic B-splines. A
+    vertex of a single quad is a corner and does not move.
     """
     faces = len(quads)
     starts = quads.ravel()
@@ -25,14 +25,14 @@ def catmull_clark(quads: np.ndarray, count: int) -> tuple[csr_matrix, np.ndarray
     face_ids = np.repeat(np.arange(faces), 4)
     face_point = _table(0.25, face_ids, starts, (faces, count))
 
-    # Edge points: the mean of both ends and both face points, on a border of both ends.
+    # Edge points: the mean of both ends and both face points; on a border the mean of both ends.
     edge_ids = np.repeat(np.arange(len(edges)), 2)
     ends_mean = _table(0.5, edge_ids, edges.ravel(), (len(edges), count))
     beside = _table(0.5, edge_of.ravel(), face_ids, (len(edges), faces)) @ face_point
     inner = (~border).astype(float)
     edge_point = _scale(ends_mean, 1 - 0.5 * inner) + _scale(beside, 0.5 * inner)
 
-    # Old vertices inside: (mean of face points + 2 x mean of edge midpoints + (n - 3) x itself) / n.
+    # Inner old vertices: (mean of face points + 2 x mean of edge midpoints + (n - 3) x vertex) / n.
     valence = np.maximum(np.bincount(starts, minlength=count), 1)
     spokes = np.maximum(np.bincount(edges.ravel(), minlength=count), 1)
     around_faces = _scale(_table(1, starts, face_ids, (count, faces)) @ face_point, 1 / valence)
@@ -42,7 +42,7 @@ def catmull_clark(quads: np.ndarray, count: int) -> tuple[csr_matrix, np.ndarray
         _scale(around_faces, 1 / valence) + _scale(around_edges, 2 / valence) + _scale(itself, (valence - 3) / valence)
     )
 
-    # Old vertices on a border: three quarters itself, an eighth of each neighbour along the border.
+    # Border vertices: 3/4 of the vertex and 1/8 of each neighbour along the border.
     border_edges = edges[border]
     along = _table(0.125, border_edges.ravel(), border_edges[:, ::-1].ravel(), (count, count))
     on_border = np.bincount(border_edges.ravel(), minlength=count) > 0
@@ -69,7 +69,7 @@ def _scale(matrix, weights) -> csr_matrix:
 
 
 def vertex_normals(positions: np.ndarray, quads: np.ndarray) -> np.ndarray:
-    """Unit normals, each the mean of its quads' area-weighted normals (half the cross product of the diagonals)."""
+    """Returns unit normals, averaged over quads by area (half the cross product of the diagonals)."""
     a, b, c, d = (positions[quads[:, i]] for i in range(4))
     face = np.cross(c - a, d - b)
     total = np.stack(

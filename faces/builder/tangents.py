@@ -1,4 +1,4 @@
-"""Tangents as MikkTSpace (M. S. Mikkelsen, 2008) defines them, for parts without mirrored uv."""
+"""MikkTSpace tangents (M. S. Mikkelsen, 2008) of parts without mirrored uv."""
 
 import numpy as np
 
@@ -6,9 +6,9 @@ from .part import Part
 
 
 def tangents(part: Part) -> np.ndarray:
-    """(n, 4): the direction of growing u, and 1 (the bitangent, up in the image, is cross(normal, tangent)).
+    """Returns (n, 4): the direction of increasing u, and 1. The bitangent, up in the image, is cross(normal, tangent).
 
-    The mean over the triangles around a vertex, each projected into the vertex's plane and weighted by its angle.
+    Averages the triangles around a vertex, projected into its tangent plane and weighted by angle.
     """
     up = part.uv * [1, -1]  # v up
     corners = part.triangles
@@ -17,7 +17,7 @@ def tangents(part: Part) -> np.ndarray:
     a, b = t[:, 1] - t[:, 0], t[:, 2] - t[:, 0]
     area = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
     if (area < 0).any():
-        raise ValueError(f"tangents: {np.sum(area < 0)} triangles of {part.name} are mirrored in the layout, 0 allowed")
+        raise ValueError(f"tangents: mirrored triangles in {part.name}, got {np.sum(area < 0)}, allowed: 0")
     along = _unit(b[:, 1:] * first - a[:, 1:] * second)
     total = np.zeros_like(part.positions)
     for k in range(3):

@@ -8,7 +8,7 @@ from builder.command import Job, run
 
 @pytest.fixture
 def build(tmp_path, monkeypatch):
-    """Runs the command line with a wheel of one empty mesh."""
+    """Runs the command line with a fake wheel."""
 
     class FakeWheel:
         def __init__(self, path):
@@ -25,15 +25,15 @@ def build(tmp_path, monkeypatch):
     return call
 
 
-def job(name="a.glb", largest=10, **beside):
-    def made(wheel, mesh, tell):
-        tell("shape")
-        return b"12345", beside
+def job(name="a.glb", max_size=10, **extra_files):
+    def made(wheel, mesh, report):
+        report("shape")
+        return b"12345", extra_files
 
-    return Job(name, ["shape"], largest, made)
+    return Job(name, ["shape"], max_size, made)
 
 
-def test_files_are_written_with_what_is_beside_them(build, tmp_path):
+def test_files_are_written_with_extra_files(build, tmp_path):
     assert build([job(**{"hand/strokes.json": "{}"})]) == 0
     assert (tmp_path / "a.glb").read_bytes() == b"12345"
     assert (tmp_path / "hand/strokes.json").read_text() == "{}"
@@ -46,11 +46,11 @@ def test_one_file_can_be_chosen(build, tmp_path):
 
 
 def test_a_file_that_is_too_large_is_refused(build, tmp_path, capsys):
-    assert build([job(largest=4)]) == 1
-    assert "a.glb would be 5 bytes, at most 4 allowed" in capsys.readouterr().err
+    assert build([job(max_size=4)]) == 1
+    assert "a.glb is too large, got 5 bytes, allowed: 4" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
 
 
 def test_a_missing_folder_is_refused(build, tmp_path, capsys):
     assert build([job()], "--out", str(tmp_path / "missing")) == 1
-    assert "no such folder" in capsys.readouterr().err
+    assert "missing folder" in capsys.readouterr().err

@@ -16,7 +16,7 @@ def fields():
     return Fields(Atlas(part.uv, part.triangles, 64), part.positions, seed=3)
 
 
-def test_noise_depends_on_its_channel_alone(fields):
+def test_noise_depends_on_its_channel(fields):
     assert (fields.noise(0.05, 1) == fields.noise(0.05, 1)).all()
     assert not np.allclose(fields.noise(0.05, 1), fields.noise(0.05, 2))
 
@@ -33,7 +33,7 @@ def test_a_spot_is_a_gaussian(fields):
     assert np.unravel_index(spot.argmax(), spot.shape) in [(31, 31), (31, 32), (32, 31), (32, 32)]
 
 
-def test_a_plane_sees_the_whole_sky():
+def test_a_plane_sees_the_full_sky():
     points = grid(100)[0] * 0.05
     normals = np.tile([0.0, 0.0, 1.0], (len(points), 1))
     assert occlusion(points, normals, points) == pytest.approx(1)
@@ -57,14 +57,14 @@ def test_relief_is_flat_away_from_the_skin():
     near[0] = False
     normals = np.round(relief(height, 0.5, near) * 255)
     assert (normals[0] == [128, 128, 255]).all()
-    # Height grows to the right, so the normal leans to the left, in steps of 3.
+    # Height increases to the right, so normals lean to the left, in steps of 3.
     assert (normals[1:, :, 0] < 128).all()
     assert ((normals[1:, :, 0] - 128) % 3 == 0).all()
     assert (normals[1:, :, 1] == 128).all()
 
 
 def test_relief_is_green_up():
-    height = np.tile(np.arange(8.0)[::-1, None], (1, 8))  # grows upwards, so the normal leans downwards
+    height = np.tile(np.arange(8.0)[::-1, None], (1, 8))  # increases upwards, so normals lean downwards
     assert (relief(height, 0.5, np.ones((8, 8), bool))[..., 1] * 255 < 128).all()
 
 

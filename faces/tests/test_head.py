@@ -18,7 +18,7 @@ def test_thinned_quads_leave_no_gap_beside_fine_ones():
     assert np.isin(border, triangles).all()
     a, b, c = points[triangles].transpose(1, 0, 2)
     areas = np.cross(b - a, c - a)[:, 2] / 2
-    # Corners of the sheet stay, so its area is that of half the unit square but for the rounded borders.
+    # The sheet's corners stay, so its area is half the unit square, minus rounded borders.
     assert (areas > 0).all()
     assert abs(areas.sum() - 0.5) < 0.01
     assert len(triangles) == 2 * 3  # two quads with five corners each

@@ -20,7 +20,7 @@ PLACES = Places(
 
 @pytest.fixture
 def sheet():
-    """A sheet of 20 by 20 cells with corners (0, 0) and (0.1, 0.1) metres."""
+    """Returns a sheet of 20 x 20 cells with corners (0, 0) and (0.1, 0.1), metres."""
     positions, quads = grid(20)
     return positions * 0.1, quads
 
@@ -56,7 +56,7 @@ def test_lids_meet_on_a_person_with_larger_eyes(sheet):
     positions, _ = sheet
     upper, lower = np.flatnonzero(positions[:, 1] > 0.0701), np.flatnonzero(positions[:, 1] < 0.0299)
     lids = np.concatenate([upper, lower])
-    # The upper lid's edge, at 0.075, comes down onto the lower one's, at 0.025.
+    # The upper lid's edge moves from 0.075 to the lower lid's edge at 0.025.
     edge = upper[np.isclose(positions[upper, 1], 0.075)]
     below = lower[np.isclose(positions[lower, 1], 0.025)]
     unit = np.zeros_like(positions)
@@ -114,5 +114,5 @@ def test_decimation_keeps_borders_attributes_and_the_layout(sheet):
     areas = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
     assert (areas > 0).all()
     assert areas.sum() / 2 == pytest.approx(1)
-    # Flat skin goes before the bump.
+    # Flat skin is removed before the bump.
     assert less.positions[:, 2].max() > 0.0195

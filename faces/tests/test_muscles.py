@@ -39,13 +39,13 @@ def test_expressions_name_muscles_that_exist(sheet):
 
 
 @pytest.mark.parametrize("face", ["human", "human-2"])
-def test_the_shipped_muscles_are_what_the_faces_give(face):
+def test_the_shipped_muscles_match_the_faces(face):
     muscles = muscles_of(tuple(read_skin(FACES / f"{face}.glb")))
     shipped = json.loads((FACES / face / "muscles.json").read_text())
     assert shipped == [*muscles, *expressions_of(muscles)]
 
 
-def test_skins_are_read_whole():
+def test_skins_are_read_completely():
     positions, uv, normals = read_skin(FACES / "human.glb")
     assert positions.shape == normals.shape == (12885, 3)
     assert uv.shape == (12885, 2)

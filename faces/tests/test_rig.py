@@ -26,7 +26,7 @@ def test_unused_slots_name_the_first_joint():
 
 
 class Skeleton:
-    """Of the wheel, what `read_rig` reads: a bone `a` along x, `b` after it, and `c`, which is not kept, after that."""
+    """Fakes a wheel with a chain of bones along x: `a`, `b`, and `c`, which is not kept."""
 
     def rig(self):
         def end(vertex):

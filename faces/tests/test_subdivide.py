@@ -18,7 +18,7 @@ def test_counts_of_a_cube():
     assert fine.shape == (24, 4)
 
 
-def test_a_cube_moves_as_the_rule_says():
+def test_a_cube_follows_the_rule():
     positions, quads = cube()
     fine = catmull_clark(quads, len(positions))[0] @ positions
     # (F + 2 R + (n - 3) P) / n for n = 3: face points average 1/3, edge midpoints 2/3 of the corner.

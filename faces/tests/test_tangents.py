@@ -13,7 +13,7 @@ def test_tangents_follow_u():
 def test_tangents_follow_a_turned_layout():
     part = sheet_part()
     u, v = part.uv.T
-    part.uv = np.stack([v, 1 - u], axis=1)  # a quarter turn: u grows downwards, along -y
+    part.uv = np.stack([v, 1 - u], axis=1)  # a quarter turn: u increases along -y
     assert tangents(part) == pytest.approx(np.tile([0, -1, 0, 1], (9, 1)))
 
 
@@ -30,5 +30,5 @@ def test_tangents_are_unit_and_perpendicular_to_normals():
 def test_a_mirrored_layout_is_refused():
     part = sheet_part()
     part.uv[:, 0] = 1 - part.uv[:, 0]
-    with pytest.raises(ValueError, match="8 triangles of sheet are mirrored"):
+    with pytest.raises(ValueError, match="mirrored triangles in sheet, got 8"):
         tangents(part)

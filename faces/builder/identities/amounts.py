@@ -1,8 +1,8 @@
-"""Random amounts of the source's targets of identity. One seed gives one person."""
+"""Random amounts of the source's identity targets. One seed gives one person."""
 
 import numpy as np
 
-# Targets come in pairs of opposites; names without their ends. Asymmetric ones (moved sideways) are left out.
+# Pairs of opposite targets: common name and both endings. Asymmetric ones (moved sideways) are omitted.
 PAIRS = {
     "head/head-": ["age:decr:incr", "fat:decr:incr", "angle:in:out", "back-scale-depth:decr:incr"],
     "head/head-scale-": ["depth:decr:incr", "horiz:decr:incr", "vert:decr:incr"],
@@ -60,7 +60,7 @@ PAIRS = {
     ],
     "neck/neck-": ["double:decr:incr", "scale-depth:decr:incr", "scale-horiz:decr:incr"],
 }
-# Pairs that exist once for each side.
+# Pairs that exist for each side.
 SIDED_PAIRS = {
     "cheek/?-cheek-": ["bones:decr:incr", "inner:decr:incr", "trans:down:up", "volume:decr:incr"],
     "eyes/?-eye-": [
@@ -106,14 +106,14 @@ UNEVEN = [
 ]
 
 SPREAD = 0.25  # standard deviation of the amount of a pair
-SKULL_SPREAD = 0.15  # and of one of the skull, whose targets go further
-LARGEST = 0.8  # of an amount
+SKULL_SPREAD = 0.15  # the same for the skull, whose targets are stronger
+LARGEST = 0.8  # maximum amount
 UNEVENNESS = 0.04  # standard deviation of the difference between the sides
-CHILDREN = 0.1  # share of heads that are partly a child's
+CHILDREN = 0.1  # fraction of heads with childlike features
 
 
 def identity(seed: int) -> dict[str, float]:
-    """Target -> amount, 0..1. The same seed gives the same person."""
+    """Returns amounts by target, 0..1. Same seed, same person."""
     random = np.random.default_rng([seed, 1])
     amounts = _people(random)
     for family, pairs in PAIRS.items():
@@ -131,7 +131,7 @@ def identity(seed: int) -> dict[str, float]:
 
 
 def _people(random: np.random.Generator) -> dict[str, float]:
-    """Ancestry, sex, age, muscle and weight: products of shares, each of which adds up to 1."""
+    """Mixes ancestry, sex, age, muscle and weight. Amounts are products of shares that sum to 1."""
     ancestry = dict(zip(["african", "asian", "caucasian"], random.dirichlet([0.7] * 3), strict=True))
     male = random.beta(0.4, 0.4)
     old = random.uniform(0, 1)
@@ -151,7 +151,7 @@ def _people(random: np.random.Generator) -> dict[str, float]:
 
 
 def _three(value: float) -> dict[str, float]:
-    """Shares of the least, the average and the most, for a value of -1..1."""
+    """Splits a value in -1..1 into shares of minimum, average and maximum."""
     return {"min": max(0, -value), "average": 1 - abs(value), "max": max(0, value)}
 
 

@@ -1,15 +1,15 @@
-"""Carries expressions from the source's figure to a person, and varies them as different artists would."""
+"""Transfers expressions from the source's figure to a person, and varies them as artists would."""
 
 import numpy as np
 from scipy.spatial import cKDTree
 
-# Lids must still meet on a person with larger eyes, so near the eyes the space around the skin is warped.
+# These shapes warp the space around the skin, so that lids still meet on larger eyes.
 LIDS = ("eyeBlink", "eyeLook", "eyeSquint", "eyeWide")
-NEIGHBOURS = 24  # of a vertex, to which its local deformation is fitted
-STIFFNESS = 0.15  # pulls the fit to no deformation, as a fraction of the neighbours' spread
-NEAR = 6  # vertices whose displacement a point of space shares
+NEIGHBOURS = 24  # vertices per fit of a local deformation
+STIFFNESS = 0.15  # regularisation towards no deformation, as a fraction of the neighbours' spread
+NEAR = 6  # vertices to interpolate a displacement from
 
-# Shapes that some artists mix into others: the largest amount. The side is the same.
+# Shapes that some artists mix into others of the same side: maximum amounts.
 ACCENTS = [
     ("mouthSmile", "cheekSquint", 0.25),
     ("mouthSmile", "mouthDimple", 0.15),
@@ -22,21 +22,21 @@ ACCENTS = [
     ("mouthPucker", "mouthFunnel", 0.2),
     ("cheekSquint", "eyeSquint", 0.2),
 ]
-# Lids and lips of these shapes must meet, and eyes turn rigidly: their amounts are fixed.
+# Fixed amounts: lids and lips must meet, and eyes turn rigidly.
 FIXED = ("eyeBlink", "eyeLook", "jawOpen", "mouthClose", "tongueOut")
 STRENGTH = 0.2  # standard deviation of the logarithm of a shape's strength
 STRENGTHS = (0.65, 1.2)
-SIDES = 0.05  # and of that of either side
-WAVE = 0.12  # largest local change of a shape's strength
+SIDES = 0.05  # the same per side
+WAVE = 0.12  # maximum local change of a shape's strength
 WAVELENGTH = (0.06, 0.14)  # metres
 
 
 def carry(
     units: dict[str, np.ndarray], source: np.ndarray, person: np.ndarray, used: np.ndarray
 ) -> dict[str, np.ndarray]:
-    """The displacements of a person: `units` of the figure `source`, deformed as it was deformed to become `person`.
+    """Transfers the displacements `units` by the deformation from the figure `source` to `person`.
 
-    All are (n, 3) over the whole figure. `used` are the vertices that matter; the others' displacements are 0.
+    All arrays are (n, 3) over the full figure. `used`: vertices to transfer; other displacements are 0.
     """
     moved = person - source
     tree = cKDTree(source[used])
@@ -56,8 +56,8 @@ def carry(
 
 
 def vary(units: dict[str, np.ndarray], positions: np.ndarray, random: np.random.Generator) -> dict[str, np.ndarray]:
-    """The same shapes in another artist's hand: strengths, shares of related shapes, local differences."""
-    shares = {(name, other): random.uniform(0, most) for name, other, most in ACCENTS}
+    """Varies shapes between artists: strengths, shares of related shapes, local differences."""
+    shares = {(name, other): random.uniform(0, largest) for name, other, largest in ACCENTS}
     strengths = {stem: np.exp(random.normal(0, STRENGTH)) for stem in sorted({_stem(name) for name in units})}
     varied = {}
     for name, unit in units.items():
@@ -84,7 +84,7 @@ def _stem(name: str) -> str:
 
 
 def _local(source: np.ndarray, person: np.ndarray, tree: cKDTree) -> np.ndarray:
-    """(n, 3, 3) the affine map of each vertex's surroundings, by least squares."""
+    """Fits an affine map to each vertex's neighbourhood by least squares, (n, 3, 3)."""
     _, near = tree.query(source, k=NEIGHBOURS)
     before = source[near] - source[near].mean(axis=1, keepdims=True)
     after = person[near] - person[near].mean(axis=1, keepdims=True)
@@ -95,7 +95,7 @@ def _local(source: np.ndarray, person: np.ndarray, tree: cKDTree) -> np.ndarray:
 
 
 def _field(tree: cKDTree, moved: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """(n, 3) how the space at `points` moves: a mean of the nearest vertices, weighted by their distance."""
+    """Interpolates displacements at `points` (n, 3) from the nearest vertices, weighted by distance."""
     distance, near = tree.query(points, k=NEAR)
     weight = 1 / (distance + 1e-3) ** 2
     return np.einsum("nk,nki->ni", weight / weight.sum(axis=1, keepdims=True), moved[near])

@@ -1,7 +1,6 @@
-"""Removes vertices by collapsing edges into one of their ends, so that those left keep all their attributes.
+"""Removes vertices by collapsing edges into an end, so that remaining vertices keep their attributes.
 
-M. Garland, P. Heckbert, "Surface simplification using quadric error metrics", 1997. Vertices on a border (also on a
-seam of the texture layout) stay.
+M. Garland, P. Heckbert, "Surface simplification using quadric error metrics", 1997. Vertices on borders and seams stay.
 """
 
 import heapq
@@ -11,17 +10,17 @@ import numpy as np
 
 from ..part import Part
 
-MOTION_COUNTS = 3.0  # how much dearer a vertex is that moves by `MOTION` in some target
+MOTION_COST = 3.0  # added cost factor of a vertex that moves by `MOTION` in some target
 MOTION = 5e-3  # metres
-SHORT = 1e-9  # cost of an edge's squared length, square metres
-LEAST_TURN = 0.3  # smallest cosine between a triangle's normals before and after a collapse
+SHORT = 1e-9  # cost per squared edge length
+MIN_COSINE = 0.3  # minimum cosine between a triangle's normals before and after a collapse
 
 
 def decimate(part: Part, count: int) -> Part:
-    """The part with `count` vertices, or with as few as its shape allows."""
+    """Reduces a part to `count` vertices, or to as few as its shape allows."""
     moves = [np.linalg.norm(shift, axis=1) for shift, _ in part.targets.values()]
     motion = np.clip(np.max(moves, axis=0) / MOTION, 0, 2) if moves else np.zeros(len(part.positions))
-    triangles = _collapsed(part.positions, part.uv, part.triangles, 1 + MOTION_COUNTS * motion, count)
+    triangles = _collapsed(part.positions, part.uv, part.triangles, 1 + MOTION_COST * motion, count)
     kept, index = np.unique(triangles, return_inverse=True)
 
     def at(values):
@@ -63,11 +62,11 @@ def _collapsed(positions, uv, triangles, weights, count) -> np.ndarray:
         return {w for face in around[v] for w in faces[face]} - {v}
 
     def best(v):
-        """The cheapest neighbour that v can be collapsed into, and what it costs."""
+        """Returns the cost and the cheapest neighbour to collapse v into."""
         near = neighbours(v)
         order = sorted(near)
         ends = homogeneous[order]
-        # The second term prefers short edges where the surface is flat.
+        # The second term prefers short edges on flat surfaces.
         reach = ((ends - homogeneous[v]) ** 2).sum(axis=1)
         costs = np.einsum("ni,ij,nj->n", ends, quadric[v], ends) + SHORT * weights[v] * reach
         options = zip(costs.tolist(), order, strict=True)
@@ -118,17 +117,17 @@ def _border(triangles, count) -> np.ndarray:
 
 
 def _keeps_shape(v, w, around, faces, positions, uv) -> bool:
-    """Whether no triangle turns over, in space or in the texture layout."""
+    """Whether a collapse flips no triangle, in space or in the texture layout."""
     kept = [faces[f] for f in around[v] if w not in faces[f]]
     before = np.array(kept).reshape(-1, 3)
     after = np.where(before == v, w, before)
     a, b = (_normals(positions, t) for t in (before, after))
     turn = (a * b).sum(axis=1)
-    if (turn <= LEAST_TURN * np.linalg.norm(a, axis=1) * np.linalg.norm(b, axis=1)).any():
+    if (turn <= MIN_COSINE * np.linalg.norm(a, axis=1) * np.linalg.norm(b, axis=1)).any():
         return False
     if uv is None:
         return True
-    # A sliver in the layout would be as bad as a mirrored triangle.
+    # Rejects slivers as well as mirrored triangles in the layout.
     old, new = (_areas(uv, t) for t in (before, after))
     return bool((np.sign(old) * new > 1e-8).all())
 

@@ -1,4 +1,4 @@
-"""The parts of a random head."""
+"""Parts of a random head."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -19,7 +19,7 @@ from .stylise import places_of, style_of, stylise
 IRIS, PUPIL, WHITE = (0.16, 0.12, 0.09), (0.01, 0.01, 0.01), (0.72, 0.69, 0.66)  # linear
 HELPERS = ("helper-l-eye", "helper-r-eye", "helper-lower-teeth", "helper-upper-teeth", "helper-tongue")
 
-# Vertices of a stylised head's parts.
+# Vertex counts of a stylised head's parts.
 COUNTS = {"skin": 2200, "eye-left": 400, "eye-right": 400, "tongue": 150, "mouth": 400, "sockets": 300}
 
 MATERIALS = [
@@ -35,7 +35,7 @@ MATERIALS = [
 
 
 class Figure:
-    """The source's figure and expressions, read once for many heads."""
+    """The source's figure and expressions, shared by all heads."""
 
     def __init__(self, wheel: Wheel, mesh: Mesh):
         self.wheel, self.mesh = wheel, mesh
@@ -45,7 +45,7 @@ class Figure:
         self.used = np.unique(mesh.quads[(region != "") | helpers])
 
     def person(self, seed: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-        """(n, 3) vertices of the figure at rest, and its expressions."""
+        """Returns the figure's vertices at rest, (n, 3), and its expressions."""
         random = np.random.default_rng([seed, 2])
         shapes = identity(seed)
         base = self.mesh.positions + sum(amount * self.wheel.shape(name) for name, amount in shapes.items())
@@ -68,7 +68,7 @@ def realistic(figure: Figure, seed: int) -> list[Part]:
 
 
 def stylised(figure: Figure, seed: int) -> list[Part]:
-    """The same person as a cartoon with few vertices; teeth are left out."""
+    """Builds the same person as a cartoon with few vertices and without teeth."""
     style = style_of(seed)
     base, units = figure.person(seed)
     for side in ("Left", "Right"):
@@ -85,8 +85,8 @@ def stylised(figure: Figure, seed: int) -> list[Part]:
 
 
 def _warped(part: Part, warp: Callable[[np.ndarray], np.ndarray]) -> Part:
-    """The part and its targets under a map of space."""
-    # The seam's copies of a vertex share a normal.
+    """Applies a map of space to a part and its targets."""
+    # Copies of a vertex at the seam share a normal.
     _, first, index = np.unique(part.positions, axis=0, return_index=True, return_inverse=True)
     index = index.ravel()
     welded = index[part.triangles]
@@ -105,7 +105,7 @@ def _warped(part: Part, warp: Callable[[np.ndarray], np.ndarray]) -> Part:
 
 
 def inner_parts(head: Head, mesh: Mesh, iris=1.0) -> list[Part]:
-    """Everything that is not skin. `iris` scales the eyes' irises."""
+    """Builds all parts except the skin. `iris`: scale of the irises."""
     return [
         *[_eye(head, mesh, side, iris) for side in ("left", "right")],
         teeth_part(head, mesh, "upper"),
@@ -117,7 +117,7 @@ def inner_parts(head: Head, mesh: Mesh, iris=1.0) -> list[Part]:
 
 
 def _eye(head: Head, mesh: Mesh, side: str, iris: float) -> Part:
-    """An eyeball whose iris is a colour of its vertices."""
+    """Builds an eyeball with the iris in its vertex colours."""
     part = eye_part(head, mesh, side)
     ball = ball_of(head, mesh, side)
     direction = part.positions - ball.centre

@@ -1,7 +1,7 @@
 """Cartoon proportions as a map of space: large eyes, short nose, small mouth, big skull, thin neck.
 
-Everything at one place moves together, so lids still meet on a larger eye, and lips on a smaller mouth. The
-largest strengths of `style_of` are just below those at which space folds between the eyes.
+All points at one place move together, so that lids and lips still meet. The maximum strengths in `style_of` are just
+below those that fold space between the eyes.
 """
 
 from dataclasses import dataclass
@@ -17,11 +17,11 @@ MOUTH_ALONG = np.array([1, 0.4, 0.4])
 
 @dataclass
 class Style:
-    """Strengths of a cartoon, 0..1 where no unit is named."""
+    """Strengths of a cartoon, 0..1 unless stated otherwise."""
 
     eyes: float  # growth
     apart: float  # fraction of the distance between the eyes that each moves outwards
-    wide: float  # how much wider the eyes are open: an amount of eyeWide
+    wide: float  # amount of eyeWide
     nose: float  # loss of length and depth
     mouth: float  # loss of width
     skull: float  # growth above the eyes
@@ -31,7 +31,7 @@ class Style:
 
 @dataclass
 class Places:
-    """Centres on a person's figure at rest, metres."""
+    """Centres of features at rest, metres."""
 
     eyes: np.ndarray  # (2, 3)
     nose: np.ndarray  # on the face behind the tip
@@ -55,7 +55,7 @@ def style_of(seed: int) -> Style:
 
 
 def places_of(mesh: Mesh, base: np.ndarray, skin: np.ndarray) -> Places:
-    """`base` are the figure's vertices at rest, `skin` (n, 3) points of the head's skin."""
+    """Finds the features. `base`: vertices of the figure at rest; `skin`: points on the head's skin, (n, 3)."""
 
     def middle(group):
         points = base[np.unique(mesh.quads[mesh.groups == group])]
@@ -74,7 +74,7 @@ def places_of(mesh: Mesh, base: np.ndarray, skin: np.ndarray) -> Places:
 
 
 def stylise(points: np.ndarray, places: Places, style: Style) -> np.ndarray:
-    """(n, 3) where the map takes points of space."""
+    """Maps points, (n, 3)."""
     eye_line = places.eyes[:, 1].mean()
     apart = np.linalg.norm(places.eyes[0] - places.eyes[1])
     out = points.copy()
@@ -90,7 +90,7 @@ def stylise(points: np.ndarray, places: Places, style: Style) -> np.ndarray:
     height = (out[:, 1] - places.chin) / (eye_line - places.chin)
     wide = 1 + style.skull * _step(height, 0.4, 1.6) - style.jaw * (1 - _step(height, -0.3, 0.9))
     wide *= 1 - style.neck * (1 - _step(height, -0.8, 0.1))
-    # Below the chin everything shrinks towards the neck's axis, above it towards the face's middle plane.
+    # Scales around the neck's axis in z, and around the middle plane in x.
     axis = places.neck[2]
     out[:, 0] = places.mouth[0] + (out[:, 0] - places.mouth[0]) * wide
     deep = 1 + style.skull * _step(height, 0.7, 2) - style.neck * (1 - _step(height, -0.8, 0.1))
@@ -101,12 +101,12 @@ def stylise(points: np.ndarray, places: Places, style: Style) -> np.ndarray:
 
 
 def _bell(points, centre, size) -> np.ndarray:
-    """A Gaussian. As the weight of a change of scale it folds space only if it shrinks it to nothing."""
+    """Gaussian weight. As the weight of a scale it folds space only at scale 0."""
     return np.exp(-((points - centre) ** 2).sum(axis=1, keepdims=True) / (2 * size**2))
 
 
 def _plateau(points, centre, size) -> np.ndarray:
-    """Nearly 1 over an eyeball, so that it stays a ball."""
+    """Weight of nearly 1 over an eyeball, so that the ball stays round."""
     return np.exp(-((((points - centre) ** 2).sum(axis=1, keepdims=True) / size**2) ** 2))
 
 

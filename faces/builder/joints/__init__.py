@@ -1,1 +1,1 @@
-"""A hand and a neck with joints, and the creases at these joints."""
+"""A hand and a neck with joints and creases."""

@@ -8,12 +8,12 @@ from scipy.interpolate import PchipInterpolator
 from ..part import Part
 
 SAMPLES = 24  # points of a stroke
-LEAP = 0.03  # in uv: neighbouring samples further apart are on opposite sides of a seam
-SHORTEST = 4  # points that a stroke cut by a seam must have
+LEAP = 0.03  # uv; consecutive samples further apart are on opposite sides of a seam
+MIN_POINTS = 4  # of a stroke cut by a seam
 
 
 class Chart:
-    """A flattened piece of skin: `flat` (n, 2) are coordinates of every vertex, `belongs` (n,) marks its own."""
+    """A flattened piece of skin. `flat` (n, 2): coordinates of all vertices; `belongs` (n,): mask of its vertices."""
 
     def __init__(self, part: Part, flat: np.ndarray, belongs: np.ndarray):
         self._uv = part.uv
@@ -21,7 +21,7 @@ class Chart:
         self._corners = flat[self._triangles]
 
     def uv(self, points: np.ndarray) -> np.ndarray:
-        """(n, 2) uv of points (n, 2) in the chart's units; nan outside the piece."""
+        """Converts points (n, 2) from the chart's units to uv (n, 2); nan outside the piece."""
         a, b, c = (self._corners[:, k] for k in range(3))
         area = _cross(b - a, c - a)
         found = np.full((len(points), 2), np.nan)
@@ -39,21 +39,21 @@ class Chart:
         return found
 
     def stroke(self, group: str, points, width: float, depth: float, **more) -> list[dict]:
-        """A smooth line through points in the chart's units, as at most one stroke; `width`, `depth` in millimetres."""
+        """Draws a smooth line through points in the chart's units, as at most one stroke. Width and depth in mm."""
         points = np.array(points, float)
         steps = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
         uv = self.uv(PchipInterpolator(steps, points)(np.linspace(0, steps[-1], SAMPLES)))
-        whole = ~np.isnan(uv[:, 0])
-        near = whole[1:] & whole[:-1] & (np.linalg.norm(np.diff(uv, axis=0), axis=1) < LEAP)
+        valid = ~np.isnan(uv[:, 0])
+        near = valid[1:] & valid[:-1] & (np.linalg.norm(np.diff(uv, axis=0), axis=1) < LEAP)
         runs = np.split(np.arange(SAMPLES), np.flatnonzero(~near) + 1)
         longest = max(runs, key=len)
-        if len(longest) < SHORTEST:
+        if len(longest) < MIN_POINTS:
             return []
         return [{"group": group, "points": np.round(uv[longest], 4).tolist(), "width": width, "depth": depth, **more}]
 
 
 def document(strokes: list[dict], areas: list[dict], size: int) -> str:
-    """JSON with one stroke or area per line."""
+    """Formats a strokes document as JSON with one stroke or area per line."""
 
     def lines(items):
         return ",\n".join("    " + json.dumps(item) for item in items)

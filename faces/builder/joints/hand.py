@@ -1,4 +1,4 @@
-"""The left hand with its wrist and part of the forearm: cut out, subdivided once, unwrapped and skinned."""
+"""Builds the left hand with part of the forearm: cut out, subdivided once, unwrapped and skinned."""
 
 from dataclasses import dataclass
 
@@ -16,13 +16,13 @@ JOINTS = ["lowerarm01.L", "lowerarm02.L", "wrist.L", *[f"metacarpal{k}.L" for k 
     f"finger{finger}-{k}.L" for finger in FINGERS for k in (1, 2, 3)
 ]
 ARM_RINGS = 6  # rings of quads of the forearm that are skin
-CUFF_RINGS = 9  # and that the cuff follows
-CUFF_COVERS = 3  # rings of skin that the cuff hides
-EASE, HEM = 2.2e-3, 3.0e-3  # metres from the skin to the cuff, and that its hem turns in
+CUFF_RINGS = 9  # rings that the cuff follows
+CUFF_COVERS = 3  # rings of skin hidden by the cuff
+EASE, HEM = 2.2e-3, 3.0e-3  # metres from the skin to the cuff, and depth of its hem
 NAIL_MIDDLE = 0.72  # fraction of the way from the last joint to the tip
-NAIL_QUADS = 0.25  # least size of a nail's quads, as a fraction of the middle one's
-MARGIN = 0.012  # in uv
-STRIP = (0.015, 0.015, 0.505, 0.290)  # u0, v0, u1, v1 of the forearm, where the hand leaves room
+NAIL_QUADS = 0.25  # minimum size of a nail's quads, as a fraction of the middle quad's
+MARGIN = 0.012  # uv
+STRIP = (0.015, 0.015, 0.505, 0.290)  # u0, v0, u1, v1 of the forearm, beside the hand
 
 
 @dataclass
@@ -30,10 +30,10 @@ class Hand:
     rig: Rig
     part: Part
     cuff: Part
-    weights: np.ndarray  # (n, j) of the part's vertices
-    inner: np.ndarray  # (n,) how far the skin faces the side to which its joints bend: 1 palm, -1 back
-    nails: np.ndarray  # (q, 4, 2) uv of the quads of nails
-    nail_way: np.ndarray  # (n,) along a nail: 0 at its root, 1 at its free edge
+    weights: np.ndarray  # (n, j) by vertex of the part
+    inner: np.ndarray  # (n,) cosine between skin normal and bend direction: 1 palm, -1 back
+    nails: np.ndarray  # (q, 4, 2) uv of the nails' quads
+    nail_way: np.ndarray  # (n,) position along a nail: 0 root, 1 free edge
 
 
 def build_hand(wheel: Wheel, mesh: Mesh, shapes: dict[str, float]) -> Hand:
@@ -69,7 +69,7 @@ def build_hand(wheel: Wheel, mesh: Mesh, shapes: dict[str, float]) -> Hand:
 
 
 def palm_frame(rig: Rig) -> np.ndarray:
-    """(3, 3) with columns towards the little finger, towards the fingers, out of the palm."""
+    """Returns a (3, 3) frame with columns towards the little finger, towards the fingers, and out of the palm."""
     wrist = rig.at("wrist.L")
     z = unit(np.cross(rig.at("finger5-1.L") - wrist, rig.at("finger2-1.L") - wrist))
     y = unit(rig.at("finger3-1.L") - wrist)
@@ -77,12 +77,12 @@ def palm_frame(rig: Rig) -> np.ndarray:
 
 
 class Inwards:
-    """The direction to which each joint bends: the fingers towards the palm, the thumb across it."""
+    """Bend directions of joints: fingers towards the palm, the thumb across the palm."""
 
     def __init__(self, wheel: Wheel, mesh: Mesh, base: np.ndarray):
-        still = read_rig(wheel, mesh, base, JOINTS, lambda name: np.array([-1.0, 0.0, 0.0]))  # any frame does
+        still = read_rig(wheel, mesh, base, JOINTS, lambda name: np.array([-1.0, 0.0, 0.0]))  # arbitrary frames
         self.palm = palm_frame(still)[:, 2]
-        # The thumb is slightly bent at rest, which gives its axis.
+        # The thumb's slight bend at rest gives its axis.
         along = [still.frames[JOINTS.index(f"finger1-{k}.L")][:, 1] for k in (1, 2, 3)]
         axis = unit(unit(np.cross(along[0], along[1])) + unit(np.cross(along[1], along[2])))
         self.thumb = [np.cross(axis, y) for y in along]
@@ -92,7 +92,7 @@ class Inwards:
 
 
 def _hand_island(mesh: Mesh) -> np.ndarray:
-    """The body's quads in the left hand's island of the source's layout, which is the one with the finger tips."""
+    """Finds the body's quads in the left hand's island of the source's layout, by a finger tip."""
     body = np.flatnonzero(mesh.groups == "body")
     island = islands(mesh, body)
     tip = mesh.positions[np.unique(mesh.quads[mesh.groups == "joint-l-finger-3-4"])].mean(axis=0)
@@ -101,7 +101,7 @@ def _hand_island(mesh: Mesh) -> np.ndarray:
 
 
 def _arm_rings(mesh: Mesh, island: np.ndarray) -> list[np.ndarray]:
-    """Rings of quads up the arm from the edge of the hand."""
+    """Collects rings of quads up the arm from the edge of the hand."""
     body = np.flatnonzero(mesh.groups == "body")
     taken = np.isin(body, island)
     rings = []
@@ -113,7 +113,7 @@ def _arm_rings(mesh: Mesh, island: np.ndarray) -> list[np.ndarray]:
 
 
 def _layout(mesh: Mesh, island: np.ndarray, rings: list[np.ndarray], base: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """uv, v down, and quads over them: the source's island of the hand, enlarged, and the forearm as a strip."""
+    """Lays out the source's hand island, enlarged, and the forearm as a strip. Returns uv (v down) and quads."""
     used, hand = np.unique(mesh.uv_quads[island], return_inverse=True)
     source = mesh.uv[used] * [1, -1]
     low, high = source.min(axis=0), source.max(axis=0)
@@ -123,7 +123,7 @@ def _layout(mesh: Mesh, island: np.ndarray, rings: list[np.ndarray], base: np.nd
     loops = [max(borders(mesh.quads[island]), key=len)]
     for ring in rings:
         loops.append(_next_loop(loops[-1], ring))
-    # Once around from the seam, which is on the side of the little finger.
+    # Goes around from the seam on the little finger's side.
     seam = np.argmin(base[loops[0], 1] - base[loops[0], 0] + base[loops[0], 2])
     grid = np.array([np.append(np.roll(loop, -seam), loop[seam]) for loop in loops])
     around = np.linalg.norm(np.diff(base[grid], axis=1), axis=2).mean(axis=0)
@@ -151,7 +151,7 @@ def _layout(mesh: Mesh, island: np.ndarray, rings: list[np.ndarray], base: np.nd
 
 
 def _next_loop(loop: np.ndarray, ring: np.ndarray) -> np.ndarray:
-    """The vertices across a ring of quads, in the order of `loop` on this side."""
+    """Returns the vertices on the other side of a ring of quads, in the order of `loop`."""
     across = {}
     for quad in ring:
         for a, b in zip(quad, np.roll(quad, -1), strict=True):
@@ -167,9 +167,9 @@ def _turns(uv: np.ndarray, quads: np.ndarray) -> bool:
 
 
 def _nails(rig: Rig, base: np.ndarray, quads: np.ndarray) -> list[np.ndarray]:
-    """Indices of the quads of each nail: grown from its middle while quads are wide and face the same way.
+    """Finds the quads of each nail, grown from its middle while quads are wide and face the same way.
 
-    The grooves around a nail have narrow quads, and the edge of the tip faces elsewhere.
+    The groove around a nail has narrow quads, and the edge of the tip faces another way.
     """
     corners = base[quads]
     centre = corners.mean(axis=1)
@@ -198,7 +198,7 @@ def _nails(rig: Rig, base: np.ndarray, quads: np.ndarray) -> list[np.ndarray]:
 
 
 def _cuff(rig: Rig, base: np.ndarray, rings: list[np.ndarray]) -> Part:
-    """The end of a sleeve over that of the forearm, with a hem that turns in to the skin."""
+    """Builds the end of a sleeve over the end of the forearm, with a hem turned in to the skin."""
     quads = np.concatenate(rings)
     used, index = np.unique(quads, return_inverse=True)
     matrix, fine = catmull_clark(index.reshape(-1, 4), len(used))

@@ -1,4 +1,4 @@
-"""The creases of a hand, drawn by eye where its skin folds: across the joints of the fingers, and in the palm."""
+"""Creases of a hand, drawn by eye: across the finger joints, and in the palm."""
 
 import numpy as np
 
@@ -6,15 +6,15 @@ from .creases import Chart, document
 from .hand import FINGERS, Hand, palm_frame
 
 NAMES = {1: "thumb", 2: "index", 3: "middle", 4: "ring", 5: "little"}
-MAP_SIZE = 2048  # pixels: the finest lines are 1 mm wide
+MAP_SIZE = 2048  # pixels, for lines of 1 mm
 
-# In the palm's frame, millimetres: x towards the little finger, y towards the fingers.
+# Palm frame, millimetres: x towards the little finger, y towards the fingers. Points, width and depth.
 PALM = {
     "palm": [
         ([(47, 77), (30, 79), (12, 86), (-3, 98), (-10, 110)], 3.0, 1.5),  # distal transverse
         ([(-38, 87), (-20, 83), (0, 73), (18, 60), (31, 47)], 2.8, 1.3),  # proximal transverse
         ([(39, 68), (30, 71), (20, 74)], 1.5, 0.4),
-        ([(56, 86), (47, 85), (38, 87)], 2.2, 0.8),  # at the little finger's edge, where a fist folds most
+        ([(56, 86), (47, 85), (38, 87)], 2.2, 0.8),  # at the little finger's edge, the deepest fold of a fist
         ([(54, 71), (45, 70), (35, 73)], 2.0, 0.7),
         ([(24, 68), (12, 76), (4, 80)], 1.4, 0.35),
     ],
@@ -24,13 +24,13 @@ PALM = {
         ([(-30, 64), (-20, 52), (-15, 38)], 1.4, 0.35),
     ],
 }
-# Across the inside of a finger, by joint: y in millimetres beyond it, bow towards the tip, width, depth.
+# Across the inside of a finger, by joint: y beyond the joint, bow towards the tip, width, depth; millimetres.
 FLEXION = {
     1: [(15.5, -1.0, 2.1, 0.80), (18.0, -0.5, 1.4, 0.40)],
     2: [(-1.0, -0.8, 2.1, 0.85), (1.6, 0.6, 1.8, 0.60)],
     3: [(-1.2, -0.6, 2.0, 0.80), (0.8, 0.4, 1.2, 0.35)],
 }
-# Across its back, where bending smooths them.
+# Across the back of a finger, smoothed by bending.
 EXTENSION = {
     2: [
         (-3.6, -1.6, 1.3, 0.24),
@@ -41,7 +41,7 @@ EXTENSION = {
     ],
     3: [(-1.2, -0.5, 1.1, 0.20), (0.2, 0.0, 1.2, 0.24), (1.6, 0.5, 1.1, 0.18)],
 }
-REACH = 11.0  # millimetres to either side, more than a finger is wide
+REACH = 11.0  # millimetres to either side, wider than a finger
 BACK_WIDTH = 0.55  # of a finger's half width
 
 
@@ -77,7 +77,7 @@ def _finger(hand: Hand, finger: int) -> list[dict]:
         own = _own(hand, finger, max(1, k - 1)) > 0.4
         inside = Chart(hand.part, flat, own & (hand.inner > 0.0))
         back = Chart(hand.part, flat, own & (hand.inner < -0.1))
-        # The thumb's first joints are in its ball, whose creases are the palm's.
+        # The thumb's first joints are in the ball of the thumb; the palm has its creases.
         for y, bow, width, depth in FLEXION[k] if finger > 1 or k > 2 else []:
             strokes += inside.stroke(
                 NAMES[finger], _arc(y, bow, REACH), width, depth, taper=0.25, softness=0.3, waviness=0.25
@@ -95,12 +95,12 @@ def _arc(y: float, bow: float, reach: float) -> list[tuple[float, float]]:
 
 
 def _own(hand: Hand, finger: int, first: int) -> np.ndarray:
-    """(n,) the weight of a finger's joints from `first` on."""
+    """Sums the weights of a finger's joints from `first` on, (n,)."""
     return hand.weights[:, [hand.rig.names.index(f"finger{finger}-{k}.L") for k in range(first, 4)]].sum(axis=1)
 
 
 def _width(hand: Hand, finger: int, joint: int) -> float:
-    """Half a finger's width at a joint, in millimetres."""
+    """Returns half a finger's width at a joint, millimetres."""
     local = (hand.part.positions - hand.rig.positions[joint]) @ hand.rig.frames[joint] * 1e3
     ring = (np.abs(local[:, 1]) < 3) & (_own(hand, finger, 1) > 0.4)
     return np.abs(local[ring, 0]).max()

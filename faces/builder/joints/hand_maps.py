@@ -1,4 +1,4 @@
-"""Paints the hand: colour, fine relief, roughness with occlusion. Colours are sRGB, 0..1."""
+"""Paints the hand's maps: colour, fine relief, roughness with occlusion. Colours are sRGB, 0..1."""
 
 import numpy as np
 from PIL import Image, ImageDraw
@@ -11,7 +11,7 @@ from .hand import FINGERS, Hand
 
 
 class HandFields(Fields):
-    """Fields of a hand, by its joints."""
+    """Fields of a hand, around its joints."""
 
     def __init__(self, hand: Hand, atlas: Atlas, seed: int):
         super().__init__(atlas, hand.part.positions, seed)
@@ -55,7 +55,7 @@ class HandFields(Fields):
         )
 
     def _filled(self, quads: np.ndarray) -> np.ndarray:
-        """1 inside quads (q, 4, 2) in uv, with round corners and a soft edge."""
+        """Returns 1 inside uv quads (q, 4, 2), with round corners and a soft edge."""
         scale = 2
         image = Image.new("L", (self.size * scale, self.size * scale), 0)
         draw = ImageDraw.Draw(image)
@@ -65,13 +65,13 @@ class HandFields(Fields):
 
 
 def paint_hand(fields: HandFields, occlusion: np.ndarray, look: dict) -> np.ndarray:
-    """(size, size, 3), in layers from the flesh outwards."""
+    """Paints colour layers from the flesh outwards, (size, size, 3)."""
     rough, noise, palm = fields.rough, fields.noise, fields.palm
     skin = mottled(fields, look)
     skin = lay(skin, np.array(look["palm"]), 0.75 * palm)
     red = (0.55 * fields.knuckles + 0.55 * fields.tips + 0.5 * fields.pads) * (1 + 0.25 * rough(0.004, 21))
     skin = lay(skin, np.array(look["blood"]), np.clip(red, 0, 0.8))
-    # Palms are blotched pale and red.
+    # Red blotches of the palm.
     skin = lay(skin, np.array(look["blood"]), np.clip(0.14 * palm * np.clip(rough(0.003, 31), 0, 2), 0, 0.4))
     freckles = np.clip(noise(0.0022, 25) - 2.0, 0, 1) + np.clip(noise(0.004, 26) - 2.4, 0, 1)
     skin = lay(skin, np.array(look["freckle"]), np.clip(0.5 * freckles * (1 - palm), 0, 0.5))
@@ -88,22 +88,24 @@ def paint_hand(fields: HandFields, occlusion: np.ndarray, look: dict) -> np.ndar
 
 
 def paint_hand_relief(fields: HandFields, depth: float) -> np.ndarray:
-    """Normals (size, size, 3), 0..1: a fine net on the back, little on the palm, none on nails."""
+    """Paints normals (size, size, 3), 0..1: a fine net on the back, weaker on the palm, none on nails."""
     net = -np.clip(-fields.noise(0.0009, 61) - 0.1, 0, 2) + 0.5 * fields.noise(0.0017, 62)
     height = gaussian_filter(net * (1 - 0.72 * fields.palm), 0.8)
     return relief(height * (1 - np.clip(gaussian_filter(fields.nails, 1.5) * 1.3, 0, 1)), depth, fields.near)
 
 
 def paint_pressed(fields: HandFields) -> tuple[np.ndarray, np.ndarray]:
-    """White knuckles of a fist, in grays: the blood that is pressed out over the heads of the metacarpals, and their
-    area, which is wider so that the map alone fades."""
+    """Paints the white knuckles of a fist, in gray: the blood map over the heads of the metacarpals, and the area.
+
+    The area is wider than the map, so that only the map fades.
+    """
     blood = (128 - 127 * fields.heads) / 255
     area = 1 - np.clip(3 * fields.heads, 0, 1)
     return blood, area
 
 
 def paint_hand_surface(fields: HandFields, occlusion: np.ndarray, look: dict) -> np.ndarray:
-    """glTF's packing: occlusion in red, roughness in green, metalness (none) in blue."""
+    """Packs occlusion in red, roughness in green and zero metalness in blue, as in glTF."""
     rough = look["roughness"] + 0.03 * fields.palm + 0.025 * fields.rough(0.004, 71) + 0.03 * fields.noise(0.0008, 74)
     rough = rough * (1 - fields.nails) + 0.34 * fields.nails
     packed = np.stack([occlusion, np.clip(rough, 0.2, 1), np.zeros_like(rough)], axis=2)

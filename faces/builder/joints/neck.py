@@ -1,4 +1,4 @@
-"""A head that turns on its neck: the first face without blendshapes, skinned to the joints of neck and head."""
+"""Builds a head that turns on its neck: the first face without blendshapes, skinned to joints."""
 
 from dataclasses import dataclass
 
@@ -13,8 +13,7 @@ from ..source import Mesh, Wheel
 
 JOINTS = ["spine01", "neck01", "neck02", "neck03", "head"]
 
-# In the face's layout the neck is a strip along the bottom; here it gets a third. Maps v of this layout to v of the
-# face's.
+# Maps v of the neck's layout to v of the face's layout: the neck grows from a strip to the lower third.
 ROWS = PchipInterpolator([0, 0.31, 0.58, 0.71, 1], [0, 0.40, 0.75, 0.85, 1])
 ROWS_BACK = PchipInterpolator([0, 0.40, 0.75, 0.85, 1], [0, 0.31, 0.58, 0.71, 1])
 
@@ -42,7 +41,7 @@ def without_targets(part: Part) -> Part:
 
 
 def follow_body(part: Part, neck: Neck, mesh: Mesh) -> None:
-    """Skins a part as the body near it."""
+    """Skins a part with the weights of the nearby body."""
     body = np.unique(mesh.quads[mesh.groups == "body"])
     gap, nearest = cKDTree(neck.head.base[body]).query(part.positions, k=4)
     nearness = 1 / (gap + 1e-4)
@@ -53,12 +52,12 @@ def follow_body(part: Part, neck: Neck, mesh: Mesh) -> None:
 
 
 def spread_out(skin: Part) -> None:
-    """Converts the skin's uv from the face's layout to the neck's."""
+    """Converts the skin's uv from the face's to the neck's layout."""
     skin.uv = np.stack([skin.uv[:, 0], np.round(_solved(skin.uv[:, 1]), 7)], axis=1)
 
 
 def spread_map(image: np.ndarray) -> np.ndarray:
-    """Resamples a map of the face's layout for the neck's."""
+    """Resamples a map from the face's to the neck's layout."""
     size = len(image)
     rows = np.clip(ROWS((np.arange(size) + 0.5) / size) * size - 0.5, 0, size - 1)
     low = np.minimum(rows.astype(int), size - 2)
@@ -67,7 +66,7 @@ def spread_map(image: np.ndarray) -> np.ndarray:
 
 
 def _solved(face: np.ndarray) -> np.ndarray:
-    """v of this layout for v of the face's, by Newton's method from a good start."""
+    """Inverts `ROWS` by Newton's method."""
     slope = ROWS.derivative()
     v = ROWS_BACK(face)
     for _ in range(8):

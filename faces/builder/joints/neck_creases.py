@@ -1,16 +1,16 @@
-"""The creases of a neck: slanted along the sternomastoid on the side to which the head turns; in front, of a nod."""
+"""Creases of a neck: slanted along the sternomastoid for turns of the head, in front for nods."""
 
 import numpy as np
 
 from .creases import Chart, document
 from .neck import Neck
 
-AXIS = 0.030  # metres from the source's origin forwards to the middle of the neck
-TOP = 0.735  # metres; skin below may be neck
+AXIS = 0.030  # z of the neck's axis, metres
+TOP = 0.735  # maximum height of the neck, metres
 MAP_SIZE = 1024  # pixels
 
-# Points: degrees from the middle of the throat to the person's left, height in millimetres; then width and depth.
-# Turning left twists the skin of the left side, which shortens it across these lines.
+# Points: degrees from the middle of the throat to the person's left, and height in millimetres; then width and depth.
+# Turning left shortens the skin of the left side across these lines.
 SIDE = [
     ([(14, 650), (27, 660), (41, 674), (52, 689)], 3.2, 0.9),
     ([(24, 647), (38, 657), (53, 672), (66, 691)], 3.6, 1.2),
@@ -30,7 +30,7 @@ FRONT = [
 
 
 def neck_strokes(neck: Neck) -> str:
-    """The strokes document; call it after `spread_out`."""
+    """Returns the strokes document. Call after `spread_out`."""
     x, y, z = neck.skin.positions.T
     flat = np.stack([np.degrees(np.arctan2(x, z - AXIS)), y * 1e3], axis=1)
     chart = Chart(neck.skin, flat, (y < TOP) & (np.abs(flat[:, 0]) < 150))

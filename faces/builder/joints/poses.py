@@ -1,12 +1,12 @@
 """Poses and clips: the fist of a hand, the turn and the nod of a head.
 
-Angles are in degrees, chosen by eye so that the fingers close without intersecting, as far as a rigid skeleton allows.
+Angles are in degrees, chosen by eye to keep the fingers from intersecting.
 """
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-# Joint -> rotation about its x (positive towards the palm), its y (the bone), its z.
+# Rotations by joint about x (positive towards the palm), y (along the bone) and z.
 FIST = {
     "finger2-1.L": (76, 17, -5),
     "finger2-2.L": (92, 0, 0),
@@ -24,19 +24,19 @@ FIST = {
     "finger1-2.L": (38, 0, 0),
     "finger1-3.L": (58, 0, 0),
 }
-# A head turns by about 60 degrees to either side and nods by 26, which the joints of the neck divide.
+# Total angles are 60 degrees for a turn and 26 for a nod, shared by the neck's joints.
 TURN = {"neck01": (0, 11, 0), "neck02": (0, 15, 0), "neck03": (0, 17, 0), "head": (0, 17, 0)}
 NOD = {"neck01": (4, 0, 0), "neck02": (6, 0, 0), "neck03": (7, 0, 0), "head": (9, 0, 0)}
-STEP = 0.1  # seconds between two key frames
+STEP = 0.1  # seconds between key frames
 
 
 def hand_clip() -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """The fist; the thumb waits until the fingers are out of its way."""
+    """Returns the fist's clip. The thumb closes after the fingers."""
     return clip(FIST, 1.4, 0.6, lambda joint, t: 1.6 * t - 0.6 if joint.startswith("finger1-") else 1.25 * t)
 
 
 def neck_clips() -> dict[str, tuple[np.ndarray, dict[str, np.ndarray]]]:
-    """`turn`: left and back, right and back; `nod`: down and back."""
+    """Returns the clips `turn` (left and back, right and back) and `nod` (down and back)."""
     seconds, left = clip(TURN, 1.2, 0.4)
     right = clip({joint: (0, -angles[1], 0) for joint, angles in TURN.items()}, 1.2, 0.4)[1]
     both = {joint: np.concatenate([left[joint], right[joint][1:]]) for joint in TURN}
@@ -46,9 +46,9 @@ def neck_clips() -> dict[str, tuple[np.ndarray, dict[str, np.ndarray]]]:
 def clip(
     pose: dict, closing: float, held: float, progress=lambda joint, t: t
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """From rest to a pose, held, and back: times (t,) in seconds, and (t, 3, 3) rotations of every joint.
+    """Animates from rest to a pose and back. Returns times (t,) in seconds, and rotations (t, 3, 3) by joint.
 
-    `progress(joint, t)` is a joint's part of the way to the pose at the clip's, both 0..1; eased at both ends.
+    `progress(joint, t)`: a joint's progress for the clip's progress t, both 0..1. Eased at both ends.
     """
     seconds = np.arange(round((2 * closing + held) / STEP) + 1) * STEP
     way = np.clip(np.minimum(seconds, 2 * closing + held - seconds) / closing, 0, 1)
@@ -61,6 +61,6 @@ def clip(
 
 
 def turn(angles) -> np.ndarray:
-    """(3, 3) rotation in the joint's frame: about x, then z, then y."""
+    """Returns the (3, 3) rotation in the joint's frame: about x, then z, then y."""
     x, y, z = angles
     return Rotation.from_euler("YZX", [y, z, x], degrees=True).as_matrix()

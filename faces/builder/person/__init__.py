@@ -1,1 +1,1 @@
-"""A person: the skin of the head, and eyes, mouth, hair and clothes on it."""
+"""A person: skin of the head, eyes, mouth, hair and clothes."""

@@ -1,4 +1,4 @@
-"""Eyebrows: hairs drawn as strokes, both painted on the skin and on a shell that floats just above it."""
+"""Eyebrows: hairs painted on the skin, and on a shell just above the skin."""
 
 import io
 
@@ -8,17 +8,17 @@ from PIL import Image, ImageDraw
 from ..part import Part
 from .landmarks import BROW_BOTTOM, BROW_TOP
 
-# The part of the layout that holds the person's left brow; the right one is its mirror image.
+# Part of the layout with the person's left brow; the right brow mirrors it.
 BOX = (0.505, 0.375, 0.68, 0.505)  # u0, v0, u1, v1
 SHELL = (
     1024,
     512,
-)  # pixels of one brow as drawn; the finished map is half as large and holds both, right first
+)  # drawn pixels of one brow; the finished map is half as high and has both brows, right first
 HEIGHT = 0.5e-3  # metres from the skin to the shell
 
 
 def strokes(look: dict, side: str, seed: int) -> list[np.ndarray]:
-    """Hairs as polylines in (u, v) of the layout."""
+    """Draws hairs as polylines in uv."""
     random = np.random.default_rng([seed, side == "left"])
     top, bottom = np.array(BROW_TOP), np.array(BROW_BOTTOM)
     hairs = []
@@ -35,7 +35,7 @@ def strokes(look: dict, side: str, seed: int) -> list[np.ndarray]:
         ahead = _point_at(bottom, min(along + 0.05, 1)) + _point_at(top, min(along + 0.05, 1)) - low - high
         ahead /= np.linalg.norm(ahead) + 1e-9
         up = (high - low) / (np.linalg.norm(high - low) + 1e-9)
-        # Hairs rise at the inner end and follow the brow further out; upper ones lean down, lower ones up.
+        # Hairs point up at the inner end and along the brow further out. Upper hairs lean down, lower ones up.
         lean = (
             np.interp(along, [0, 0.15, 0.45, 1], [1.5, 0.9, 0.35, 0.0]) + 0.55 * (0.5 - across) + random.normal(0, 0.16)
         )
@@ -54,7 +54,7 @@ def strokes(look: dict, side: str, seed: int) -> list[np.ndarray]:
 
 
 def _point_at(line: np.ndarray, t: float) -> np.ndarray:
-    """A point of a polyline (n, 2) by the fraction of its number of segments."""
+    """Returns the point at fraction t of a polyline's segments, (n, 2)."""
     grid = np.linspace(0, 1, len(line))
     return np.array([np.interp(t, grid, line[:, k]) for k in (0, 1)])
 
@@ -77,15 +77,15 @@ def shell_map(look: dict) -> tuple[str, bytes]:
         sheet.paste(drawn.resize((width, height), Image.Resampling.BOX), (left, 0))
     alpha = np.asarray(sheet.resize((width, height // 2), Image.Resampling.LANCZOS))
     pixels = np.empty((*alpha.shape, 4), np.uint8)
-    pixels[..., :3] = np.round(np.array(look["brow"]) * 255)  # everywhere, so that filtering leaves no fringe
-    pixels[..., 3] = np.round(alpha / 8.5) * 8.5  # 31 steps are enough for hair, and pack small
+    pixels[..., :3] = np.round(np.array(look["brow"]) * 255)  # also where transparent, against fringes
+    pixels[..., 3] = np.round(alpha / 8.5) * 8.5  # 31 levels, which compress well
     out = io.BytesIO()
     Image.fromarray(pixels).save(out, "PNG", optimize=True)
     return "image/png", out.getvalue()
 
 
 def brow_part(skin: Part) -> Part:
-    """A lifted copy of the skin around the brows, with every target that moves it; changes of normals move the lift."""
+    """Copies and lifts the skin around the brows, with the targets that move it."""
     u0, v0, u1, v1 = BOX
     chosen, uv = [], np.zeros_like(skin.uv)
     for side, left in (("right", 0.0), ("left", 0.5)):
@@ -106,7 +106,7 @@ def brow_part(skin: Part) -> Part:
 
 
 def _draw(hairs, box, pixels, thickness) -> Image.Image:
-    """Hairs taper: each is drawn in pieces, the last ones thinner."""
+    """Draws tapering hairs, in pieces of decreasing width."""
     u0, v0, u1, v1 = box
     image = Image.new("L", pixels)
     draw = ImageDraw.Draw(image)

@@ -1,4 +1,4 @@
-"""Paints the eyeball (iris, pupil, white, veins) on a map whose radius is the angle from the front pole."""
+"""Paints the eyeball (iris, pupil, white, veins). The map's radius is the angle from the front pole."""
 
 import numpy as np
 from PIL import Image, ImageDraw

@@ -1,4 +1,4 @@
-"""Eyeballs with a cornea, and the soft shade of the lids on them."""
+"""Eyeballs with a cornea, and the lids' soft shade on them."""
 
 from dataclasses import dataclass
 
@@ -8,12 +8,12 @@ from ..part import Part
 from ..source import Mesh
 from .head import Head
 
-# The source's helper eye is slightly squashed: a sphere that touches the lids has its centre this far from it.
+# From the centre of the source's flattened helper eye to the centre of a sphere that touches the lids.
 OFFSET = np.array([0.0, -0.9e-3, 0.6e-3])  # metres
-BITE = 0.35e-3  # metres the ball may cut into the nearest lid rim, so that it also fills the far corner
+BITE = 0.35e-3  # metres; the ball cuts into the nearest lid rim, to fill the far corner
 IRIS_RADIUS = 5.85e-3  # an adult's iris measures 11.7 mm (Rüfer, Schröder, Erb 2005)
 CORNEA_RISE = 1.1e-3  # metres that the cornea rises above the ball
-REACH = np.radians(110)  # radians from the front pole; the rest of the ball is never visible
+REACH = np.radians(110)  # from the front pole; the rest of the ball is never visible
 RINGS, SPOKES = 21, 36
 
 
@@ -35,7 +35,7 @@ def ball_of(head: Head, mesh: Mesh, side: str) -> Ball:
 
 
 def lid_rim(head: Head, side: str) -> np.ndarray:
-    """Vertices that the skin and the eye's socket have in common, counter-clockwise seen from outside."""
+    """Returns the vertices shared by skin and eye socket, counter-clockwise from outside."""
     skin = np.unique(head.fine_quads[head.region == "skin"])
     socket = np.unique(head.fine_quads[head.region == f"socket-{side}"])
     rim = np.intersect1d(skin, socket)
@@ -45,13 +45,13 @@ def lid_rim(head: Head, side: str) -> np.ndarray:
 
 
 def _rise(tilt: np.ndarray, ball: Ball) -> np.ndarray:
-    """Metres that the cornea rises above the ball at angles from the front pole."""
+    """Returns the cornea's height above the ball, metres, by angle from the front pole."""
     return CORNEA_RISE * np.clip(1 - (tilt / (1.08 * ball.limbus)) ** 2, 0, None) ** 1.2
 
 
 def eye_part(head: Head, mesh: Mesh, side: str) -> Part:
     ball = ball_of(head, mesh, side)
-    # Rings are denser around the edge of the iris, where cornea and ball meet.
+    # Rings are denser around the iris, where cornea and ball meet.
     tilt = np.concatenate(
         [
             np.linspace(0, 1.25, RINGS * 2 // 3) * ball.limbus,
@@ -72,7 +72,7 @@ def eye_part(head: Head, mesh: Mesh, side: str) -> Part:
 
     quads = np.stack([at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)], axis=1)
     triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
-    triangles = triangles[(tilts[triangles] > 0).sum(axis=1) > 1]  # drop the degenerate ones at the pole
+    triangles = triangles[(tilts[triangles] > 0).sum(axis=1) > 1]  # without degenerate triangles at the pole
     normals = _grid_normals(local, triangles, len(tilt))
 
     targets = {}
@@ -85,7 +85,7 @@ def eye_part(head: Head, mesh: Mesh, side: str) -> Part:
 
 
 def shade_part(head: Head, mesh: Mesh) -> Part:
-    """A dark transparent band along the inside of each lid that moves with it: its shade on the eyeball."""
+    """Builds dark transparent bands that move with the lids: their shade on the eyeballs."""
     parts = [_shade(head, ball_of(head, mesh, side), lid_rim(head, side)) for side in ("left", "right")]
     counts = np.cumsum([0] + [len(p[0]) for p in parts])
 
@@ -100,7 +100,7 @@ def shade_part(head: Head, mesh: Mesh) -> Part:
     return Part("lid-shade", "lid-shade", join(0), join(1), None, triangles, join(2), targets)
 
 
-# Distance from the lid's rim in metres, and the opacity there under the upper and the lower lid.
+# Distance from the lid's rim in metres, and opacity under the upper and the lower lid.
 SHADE = [(-0.8e-3, 0.85, 0.7), (0.2e-3, 0.75, 0.5), (1.2e-3, 0.42, 0.2), (2.6e-3, 0.16, 0.05), (4.6e-3, 0.0, 0.0)]
 
 
@@ -108,9 +108,9 @@ def _shade(head: Head, ball: Ball, rim: np.ndarray):
     def band(shift):
         edge = head.positions[rim] + shift
         inward = edge.mean(axis=0) - edge
-        # Where the lids are close together, the two bands end where they meet.
+        # Bands of nearly closed lids end where they meet.
         room = np.abs(inward[:, 1:2]) + 0.4e-3
-        inward[:, 0] *= 0.5  # mostly vertical: at the corners the shade does not run along the lids
+        inward[:, 0] *= 0.5  # mostly vertical, to keep the corners' shade off the lids
         inward /= np.linalg.norm(inward, axis=1, keepdims=True)
         rows = np.concatenate([edge + inward * np.minimum(distance, room) for distance, _, _ in SHADE])
         direction = rows - ball.centre
@@ -122,7 +122,7 @@ def _shade(head: Head, ball: Ball, rim: np.ndarray):
     normals = here / np.linalg.norm(here, axis=1, keepdims=True)
     upper = head.positions[rim, 1] > head.positions[rim, 1].mean()
     alpha = np.concatenate([np.where(upper, up, low) for _, up, low in SHADE])
-    tint = np.array([0.10, 0.035, 0.025])  # linear; red, as light passes through the lids
+    tint = np.array([0.10, 0.035, 0.025])  # linear; red from light through the lids
     colours = np.concatenate([np.tile(tint, (len(alpha), 1)), alpha[:, None]], axis=1)
     n = len(rim)
     i, j = (x.ravel() for x in np.meshgrid(np.arange(len(SHADE) - 1), np.arange(n), indexing="ij"))
@@ -137,7 +137,7 @@ def _shade(head: Head, ball: Ball, rim: np.ndarray):
 
 
 def _rotation(before: np.ndarray, after: np.ndarray) -> np.ndarray:
-    """The (3, 3) rotation that best aligns one point cloud with the other (W. Kabsch 1976)."""
+    """Returns the (3, 3) rotation that best aligns two point clouds (W. Kabsch 1976)."""
     u, _, vt = np.linalg.svd((before - before.mean(axis=0)).T @ (after - after.mean(axis=0)))
     keep_handed = np.diag([1, 1, np.sign(np.linalg.det(vt.T @ u.T))])
     return vt.T @ keep_handed @ u.T
@@ -150,7 +150,7 @@ def _grid_normals(points: np.ndarray, triangles: np.ndarray, rings: int) -> np.n
         [np.bincount(triangles.ravel(), np.repeat(face[:, k], 3), minlength=len(points)) for k in range(3)], 1
     )
     grid = total.reshape(rings, SPOKES + 1, 3)
-    grid[:, 0] += grid[:, -1]  # the seam's two columns are one in space
+    grid[:, 0] += grid[:, -1]  # both columns of the seam coincide
     grid[:, -1] = grid[:, 0]
     grid[0] = grid[0].sum(axis=0)
     total = grid.reshape(-1, 3)

@@ -1,4 +1,4 @@
-"""The maps of a face's skin, and its other parts."""
+"""Maps of a face's skin, and all other parts."""
 
 import numpy as np
 from scipy.ndimage import gaussian_filter
@@ -21,31 +21,31 @@ STEPS = ["occlusion", "colour", "normals", "surface", "parts"]
 
 
 class Face:
-    """Built in the order of `STEPS`; `tell(step)` is called at the start of each."""
+    """Builds a face in the order of `STEPS`. Calls `report(step)` at the start of each."""
 
-    def __init__(self, head: Head, mesh: Mesh, skin: Part, vertices: np.ndarray, look: dict, tell):
-        self._head, self._mesh, self._skin, self._look, self._tell = head, mesh, skin, look, tell
+    def __init__(self, head: Head, mesh: Mesh, skin: Part, vertices: np.ndarray, look: dict, report):
+        self._head, self._mesh, self._skin, self._look, self._report = head, mesh, skin, look, report
         canonical = (head.matrix @ mesh.positions[head.used])[vertices]
         atlas = Atlas(skin.uv, skin.triangles, MAP_SIZE)
         fields = FaceFields(atlas, canonical, skin.positions, look["seed"])
-        tell("occlusion")
+        report("occlusion")
         self._eyes = [eye_part(head, mesh, side) for side in ("left", "right")]
         scene = np.concatenate([fields.space[atlas.covered], *[e.positions for e in self._eyes]])
         open_sky = atlas.spread(occlusion(skin.positions, skin.normals, scene))
-        # The upper lid is folded at rest and must not be black when the eye closes.
+        # Lightens the folded upper lid, which must not be black when the eye closes.
         open_sky += (1 - open_sky) * 0.65 * fields.spot("upper-lid", 0.010, (1.6, 1, 1))
-        # So are the insides of the lips, which a smile shows.
+        # Lightens the insides of the lips, which a smile shows.
         open_sky += (1 - open_sky) * 0.5 * np.clip(gaussian_filter(fields.mouth_hole, 6) * 2.5, 0, 1)
-        tell("colour")
+        report("colour")
         self.colour = paint_colour(fields, open_sky, look)
-        tell("normals")
+        report("normals")
         self.pores = paint_pores(fields, look["pores"])
-        tell("surface")
+        report("surface")
         self.surface = paint_surface(fields, open_sky, look)
         self.specular = paint_specular(fields, open_sky)
 
     def images(self) -> dict[str, tuple[str, bytes]]:
-        """MIME type and bytes, by the names that `materials` uses."""
+        """Encodes the images. Returns MIME type and bytes by image name."""
         look = self._look
         return {
             "skin-colour": encode(self.colour, "jpeg"),
@@ -58,9 +58,9 @@ class Face:
         }
 
     def parts(self, overlap=OVERLAP) -> list[Part]:
-        """All parts but the skin; the last is the shirt, which covers the skin's last `overlap` rings."""
+        """Builds all parts except the skin. The last is the shirt, which covers the skin's last `overlap` rings."""
         head, mesh, look = self._head, self._mesh, self._look
-        self._tell("parts")
+        self._report("parts")
         return [
             *self._eyes,
             shade_part(head, mesh),

@@ -1,4 +1,4 @@
-"""What maps are painted with: noise in space, soft spots around landmarks, soft outlines, occlusion."""
+"""Fields for painting maps: noise in space, soft spots around landmarks, soft outlines, occlusion."""
 
 import numpy as np
 from PIL import Image, ImageDraw
@@ -20,14 +20,14 @@ class Fields:
         self.spread = atlas.spread
 
     def noise(self, size: float, channel: int, stretch=(1, 1, 1)) -> np.ndarray:
-        """Smooth noise in space (so without seams): mean 0, deviation about 1, spots of `size` metres."""
+        """Samples smooth noise in space, without seams: mean 0, deviation about 1, spots of `size` metres."""
         lattice = np.random.default_rng([self.seed, channel]).normal(size=(48, 48, 48))
         at = self.space / (size * np.array(stretch)) + 1000.0
         values = map_coordinates(lattice, at.reshape(-1, 3).T, order=1, mode="grid-wrap")
         return (values * 1.7).reshape(self.size, self.size)
 
     def rough(self, size: float, channel: int) -> np.ndarray:
-        """Three octaves of noise."""
+        """Sums three octaves of noise."""
         return (
             self.noise(size, channel)
             + 0.6 * self.noise(size / 2.1, channel + 1)
@@ -35,17 +35,17 @@ class Fields:
         ) / 1.25
 
     def near_to(self, point: np.ndarray, radius: float) -> np.ndarray:
-        """A Gaussian around a point in space: 1 there, 1/e at `radius` metres."""
+        """Returns a Gaussian around a point in space: 1 at the point, 1/e at `radius` metres."""
         return np.exp(-((self.space - point) ** 2).sum(axis=2) / radius**2)
 
 
 class FaceFields(Fields):
-    """Fields of a face, by its landmarks."""
+    """Fields of a face, around its landmarks."""
 
     def __init__(self, atlas: Atlas, canonical: np.ndarray, positions: np.ndarray, seed: int):
         super().__init__(atlas, positions, seed)
-        self.canonical = atlas.spread(canonical)  # metres, on the unblended base figure, so the same for every recipe
-        # The openings of the layout, inside the head and outside every triangle.
+        self.canonical = atlas.spread(canonical)  # metres, on the unblended base figure; the same for all recipes
+        # Openings of the layout: connected texels outside all triangles.
         label, _ = measure(~atlas.covered)
 
         def at(u, v):
@@ -56,11 +56,11 @@ class FaceFields(Fields):
         self.eye_holes = (at(u, v) | at(1 - u, v)).astype(float)
 
     def stripes(self, size: float, channel: int) -> np.ndarray:
-        """Noise stretched vertically, like the creases of lips."""
+        """Samples vertically stretched noise, for the creases of lips."""
         return self.noise(size, channel, stretch=(1, 7, 3))
 
     def spot(self, name: str, radius: float, stretch=(1, 1, 1)) -> np.ndarray:
-        """A Gaussian of `radius` metres around a landmark, or around both of a pair."""
+        """Returns a Gaussian of `radius` metres around a landmark, or around both of a pair."""
         points = (
             [landmarks.MIDDLE[name]]
             if name in landmarks.MIDDLE
@@ -75,7 +75,7 @@ class FaceFields(Fields):
         return total
 
     def outline(self, points: list[tuple[float, float]], soft: float, mirror=True) -> np.ndarray:
-        """1 inside a closed outline in uv (and its mirror image); the edge is blurred by `soft`, in uv."""
+        """Returns 1 inside a closed outline in uv and its mirror image. The edge is blurred by `soft`, in uv."""
         scale = 2
         image = Image.new("L", (self.size * scale, self.size * scale), 0)
         draw = ImageDraw.Draw(image)
@@ -87,15 +87,15 @@ class FaceFields(Fields):
 
 
 def occlusion(points: np.ndarray, normals: np.ndarray, scene: np.ndarray, directions=128) -> np.ndarray:
-    """The cosine-weighted fraction of the sky that each point (n, 3) sees: 1 in the open, towards 0 in a fold.
+    """Returns the cosine-weighted visible fraction of the sky by point (n, 3): 1 unoccluded, towards 0 in a fold.
 
-    One shadow map per direction: a grid of the depths of `scene` (m, 3), a dense cloud of surface points.
+    Uses one shadow map per direction: a depth grid of `scene` (m, 3), a dense cloud of surface points.
     """
     cell = 0.9e-3
     seen = np.zeros(len(points))
     weight = np.zeros(len(points))
     for k in range(directions):
-        y = 1 - 2 * (k + 0.5) / directions  # Fibonacci sphere: even and deterministic
+        y = 1 - 2 * (k + 0.5) / directions  # Fibonacci sphere
         turn = k * np.pi * (3 - np.sqrt(5))
         towards = np.array([np.sqrt(1 - y * y) * np.cos(turn), y, np.sqrt(1 - y * y) * np.sin(turn)])
         side = np.cross(towards, [0, 0, 1] if abs(towards[2]) < 0.9 else [0, 1, 0])
@@ -115,11 +115,11 @@ def occlusion(points: np.ndarray, normals: np.ndarray, scene: np.ndarray, direct
 
 
 def _cells(flat: np.ndarray, low: np.ndarray, cell: float, grid: tuple[int, int]) -> np.ndarray:
-    """Flat indices of the grid's cells that points (n, 2) are in; points outside are in the nearest one."""
+    """Returns the flat indices of the grid cells of points (n, 2), clamped to the grid."""
     index = np.clip(((flat - low) / cell).astype(int), 0, np.array(grid) - 1)
     return np.ravel_multi_index(index.T, grid)
 
 
 def _dot(points: np.ndarray, *directions: np.ndarray) -> np.ndarray:
-    """Dot products, one column per direction; summed by hand because the last bits of BLAS depend on the processor."""
+    """Computes dot products, one column per direction. Avoids BLAS, whose last bits depend on the processor."""
     return np.stack([points[:, 0] * d[0] + points[:, 1] * d[1] + points[:, 2] * d[2] for d in directions], axis=1)

@@ -1,4 +1,4 @@
-"""Head and neck of the base figure: blended, cut out, subdivided once, with all targets."""
+"""Builds the head and neck: blended, cut out, subdivided once, with all targets."""
 
 from dataclasses import dataclass
 
@@ -11,40 +11,40 @@ from ..part import Part, triangulate
 from ..source import ARKIT, Mesh, Wheel
 from ..subdivide import catmull_clark, vertex_normals
 
-COLLAR = 0.61  # metres above the source's origin; islands entirely above it belong to the head
+COLLAR = 0.61  # height in metres; islands entirely above it belong to the head
 NECK_RINGS = 5  # rings of quads below the head's island that are skin
-SHIRT_RINGS = 9  # all rings below the head's island: those that are not skin are the shirt
-SOCKET_RINGS = 6  # rings of fine quads of the eye sockets that are kept
-NAPE = 0.02  # metres; neck vertices on the midline behind it are on the seam
+SHIRT_RINGS = 9  # all rings below the head's island; rings after the skin's are the shirt
+SOCKET_RINGS = 6  # kept rings of fine quads of the eye sockets
+NAPE = 0.02  # z in metres; neck vertices on the midline behind it are on the seam
 
 
 @dataclass
 class Head:
     """The subdivided head. `region` names the source island of every quad: skin, mouth, socket-left, socket-right."""
 
-    base: np.ndarray  # whole base figure, blended, before subdivision
-    units: dict[str, np.ndarray]  # ARKit name -> displacement of the whole base figure
+    base: np.ndarray  # full base figure, blended, before subdivision
+    units: dict[str, np.ndarray]  # displacements of the full base figure by ARKit name
     used: np.ndarray  # base vertices that belong to the head
     positions: np.ndarray
     normals: np.ndarray
     fine_quads: np.ndarray
     region: np.ndarray  # of every fine quad
     matrix: object  # sparse, fine vertices x used vertices
-    uv: np.ndarray  # of the fine texture coordinates of the skin
+    uv: np.ndarray  # fine texture coordinates of the skin
     uv_quads: np.ndarray  # fine quads of the skin into uv
-    neck: np.ndarray  # of every quad of the skin before subdivision: whether it is neck
-    moves: dict[str, tuple[np.ndarray, np.ndarray]]  # ARKit name -> fine displacement, change of normal
+    neck: np.ndarray  # by quad of the skin before subdivision: whether it is neck
+    moves: dict[str, tuple[np.ndarray, np.ndarray]]  # fine displacements and changes of normals by ARKit name
 
 
 def islands(mesh: Mesh, faces: np.ndarray) -> np.ndarray:
-    """(f,) the number of each quad's island in the source's texture layout; `faces` are indices of quads."""
+    """Returns each quad's island in the source's texture layout, (f,). `faces`: indices of quads."""
     quads, count = mesh.uv_quads[faces], len(mesh.uv)
     a, b = quads.ravel(), np.roll(quads, -1, axis=1).ravel()
     return connected_components(coo_matrix((np.ones(len(a)), (a, b)), (count, count)), directed=False)[1][quads[:, 0]]
 
 
 def regions(mesh: Mesh, neck_rings=NECK_RINGS) -> tuple[np.ndarray, np.ndarray]:
-    """(f,) each quad's part: skin, mouth, socket-left, socket-right, shirt or ""; (f,) the source's head island."""
+    """Returns each quad's part (skin, mouth, socket-left, socket-right, shirt or ""), and a mask of the head island."""
     body = np.flatnonzero(mesh.groups == "body")
     island = islands(mesh, body)
     name = np.full(len(mesh.quads), "", dtype="U16")
@@ -63,7 +63,7 @@ def regions(mesh: Mesh, neck_rings=NECK_RINGS) -> tuple[np.ndarray, np.ndarray]:
             name[faces] = "mouth"
     name[max(above, key=len)] = "skin"
     head_island = name == "skin"
-    # The source's head island ends under the jaw; neck and shoulders are rings of quads grown from there.
+    # The source's head island ends under the jaw. Neck and shoulders are rings of quads grown from it.
     for ring in range(SHIRT_RINGS):
         reached = np.isin(mesh.quads[body], np.unique(mesh.quads[(name == "skin") | (name == "shirt")])).any(axis=1)
         name[body[reached & (name[body] == "")]] = "skin" if ring < neck_rings else "shirt"
@@ -73,10 +73,10 @@ def regions(mesh: Mesh, neck_rings=NECK_RINGS) -> tuple[np.ndarray, np.ndarray]:
 def cut_at_the_back(
     mesh: Mesh, quads: np.ndarray, uv_quads: np.ndarray, island: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Splits the vertices on the seam down the back of the head, and continues the seam down the nape.
+    """Splits vertices on the seam down the back of the head and the nape.
 
-    Returns the quads over the cut vertices, and the figure's vertex of each. `island` (f,) marks the quads of the
-    source's head island, whose texture coordinates give its seam.
+    `island` (f,): mask of the source's head island, whose texture coordinates have the seam. Returns quads over the
+    split vertices, and the figure's vertex of each split vertex.
     """
     pairs = np.unique(np.stack([quads[island].ravel(), uv_quads[island].ravel()], 1), axis=0)
     vertex, copies = np.unique(pairs[:, 0], return_counts=True)
@@ -90,7 +90,7 @@ def cut_at_the_back(
 
 
 def build_head(wheel: Wheel, mesh: Mesh, shapes: dict[str, float], rest: dict[str, float]) -> Head:
-    """`shapes` are amounts of targets of identity, `rest` of the expressions that are part of the resting face."""
+    """Builds a head. `shapes`: amounts of identity targets; `rest`: amounts of expressions in the resting face."""
     base = mesh.positions.copy()
     for target, amount in shapes.items():
         base += amount * wheel.shape(target)
@@ -101,7 +101,7 @@ def build_head(wheel: Wheel, mesh: Mesh, shapes: dict[str, float], rest: dict[st
 
 
 def subdivided(mesh: Mesh, base: np.ndarray, units: dict[str, np.ndarray]) -> Head:
-    """The head of a figure with the vertices `base`, which `units` displace: ARKit name -> (n, 3)."""
+    """Subdivides a figure's head. `base`: the figure's vertices; `units`: displacements (n, 3) by ARKit name."""
     region, island = regions(mesh)
     chosen = np.flatnonzero((region != "") & (region != "shirt"))
     used, quads = np.unique(mesh.quads[chosen], return_inverse=True)
@@ -130,14 +130,14 @@ def subdivided(mesh: Mesh, base: np.ndarray, units: dict[str, np.ndarray]) -> He
 
 
 def _settled(values: np.ndarray) -> np.ndarray:
-    """Rounded far below what shows (a tenth of a micron), so that processors' last bits end here."""
+    """Rounds to a tenth of a micron, because last bits differ between processors."""
     return np.round(values, 7)
 
 
 def skin_part(head: Head, dense_neck=False) -> tuple[Part, np.ndarray]:
-    """The skin, split only where the texture layout has its seam, and which fine vertex each of its vertices is.
+    """Returns the skin, split only at the texture seam, and the fine vertex of each of its vertices.
 
-    The neck keeps the subdivided surface but its density only if wanted: vertices are dear where nothing moves much.
+    By default vertices of the nearly still neck are thinned out, without changing its surface.
     """
     quads = head.fine_quads[head.region == "skin"]
     pairs, index = np.unique(np.stack([quads.ravel(), head.uv_quads.ravel()], 1), axis=0, return_inverse=True)
@@ -156,7 +156,7 @@ def skin_part(head: Head, dense_neck=False) -> tuple[Part, np.ndarray]:
 
 
 def coarse_skin(head: Head) -> Part:
-    """The skin with the quads it had before subdivision; the vertices lie on the subdivided surface."""
+    """Returns the skin with the quads from before subdivision, and vertices on the subdivided surface."""
     quads = head.fine_quads[head.region == "skin"].reshape(-1, 4, 4)[:, :, 0]
     layout = head.uv_quads.reshape(-1, 4, 4)[:, :, 0]
     pairs, index = np.unique(np.stack([quads.ravel(), layout.ravel()], 1), axis=0, return_inverse=True)
@@ -167,10 +167,10 @@ def coarse_skin(head: Head) -> Part:
 
 
 def thin_out(neck: np.ndarray, beside: np.ndarray) -> np.ndarray:
-    """Triangles over the corners of the neck's old quads, and over edge points only where the fine skin has them too.
+    """Triangulates the corners of the neck's old quads, and the edge points shared with the fine skin.
 
-    `neck` is old quads x 4 fine quads x 4 vertices, in the order of `catmull_clark`: corner, edge point, face point,
-    edge point. A quad beside fine skin becomes a fan around its first edge point, which leaves no gap.
+    `neck`: old quads x 4 fine quads x 4 vertices, in the order of `catmull_clark`: corner, edge point, face point, edge
+    point. A quad beside fine skin becomes a fan around its first edge point, without gaps.
     """
     meeting = np.isin(neck[:, :, 1], beside)
     triangles = []
@@ -191,7 +191,7 @@ def mouth_lining(head: Head) -> Part:
 
 
 def socket_lining(head: Head) -> Part:
-    """The inner rim of the lids; the rest of the sockets is hidden behind the eyeballs."""
+    """Returns the inner rim of the lids. Eyeballs hide the rest of the sockets."""
     skin = np.unique(head.fine_quads[head.region == "skin"])
     quads = np.flatnonzero(np.char.startswith(head.region, "socket"))
     near = skin
@@ -201,7 +201,7 @@ def socket_lining(head: Head) -> Part:
 
 
 def _lining(head: Head, chosen: np.ndarray, name: str) -> Part:
-    """Linings have no uv, and being dark, no changes of normals."""
+    """Returns a lining without uv, and without changes of normals because it is dark."""
     used, index = np.unique(head.fine_quads[chosen], return_inverse=True)
     triangles = triangulate(index.reshape(-1, 4), head.positions[used])
     part = _part(head, name, "mouth", used, None, triangles)

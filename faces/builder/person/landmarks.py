@@ -1,6 +1,6 @@
-"""Features in the skin's texture layout: points and outlines in uv, v down, on the person's left half.
+"""Features in the skin's texture layout: points and outlines of the person's left half in uv, v down.
 
-The layout is the same for every recipe. The right half is the mirror image, u -> 1 - u.
+All recipes share the layout. The right half is the mirror image, u -> 1 - u.
 """
 
 MIDDLE = {

@@ -7,16 +7,16 @@ from ..source import Mesh
 from ..subdivide import catmull_clark, vertex_normals
 from .head import Head, mouth_lining, socket_lining
 
-# Widths and heights of crowns in millimetres, from the middle outwards (Wheeler's Dental Anatomy, rounded).
+# Widths and heights of crowns in millimetres, from the middle (Wheeler's Dental Anatomy, rounded).
 UPPER = [(8.6, 10.4), (6.7, 9.2), (7.6, 10.2), (7.0, 8.6), (6.8, 8.0), (9.8, 7.4)]
 LOWER = [(5.4, 8.8), (5.9, 9.2), (6.8, 10.4), (7.0, 8.6), (7.1, 8.0)]
 INCISORS_AND_CANINES = 3
-SEEN = [1.0, 0.97, 0.82, 0.45, 0.16, 0.08]  # the fraction of light that reaches each tooth between the cheeks
-ARCH_WIDTH = {"upper": 0.90, "lower": 0.81}  # half width, as a fraction of the helper's
+LIGHT = [1.0, 0.97, 0.82, 0.45, 0.16, 0.08]  # fraction of light that reaches each tooth between the cheeks
+ARCH_WIDTH = {"upper": 0.90, "lower": 0.81}  # as a fraction of the helper's half width
 ARCH_INSET = 1.5e-3  # metres behind the helper's front
 TONGUE_DROP = 3e-3  # metres; the source's tongue fills the open mouth up to the palate
-SPEE = 0.25  # fraction of the helper's rise towards the back; all of it shows molars at the corners of the mouth
-OVERBITE = 1.2e-3  # metres that both rows are below the helper's, so that a smile shows the upper one
+SPEE = 0.25  # fraction of the helper's rise towards the back; 1 shows molars at the corners of the mouth
+OVERBITE = 1.2e-3  # metres that both rows are lowered, so that a smile shows the upper row
 ENAMEL, ENAMEL_AT_GUM, GUM = (0.74, 0.66, 0.52), (0.62, 0.48, 0.32), (0.42, 0.13, 0.11)  # linear
 LINING, THROAT, TONGUE = (0.36, 0.11, 0.09), (0.05, 0.012, 0.01), (0.44, 0.16, 0.14)
 LID_RIM = (0.26, 0.085, 0.065)
@@ -45,7 +45,7 @@ def teeth_part(head: Head, mesh: Mesh, jaw: str) -> Part:
     targets = {}
     for name, unit in head.units.items():
         if np.linalg.norm(unit[helper], axis=1).max() > 1e-3:
-            # The jaw is rigid: one affine map, fitted to the helper's vertices, moves every tooth.
+            # One affine map, fitted to the helper's vertices, moves the rigid jaw.
             system = np.c_[points, np.ones(len(points))]
             fit = np.linalg.lstsq(system, unit[helper], rcond=None)[0]
             shift = np.c_[positions, np.ones(len(positions))] @ fit
@@ -82,16 +82,16 @@ def socket_part(head: Head) -> Part:
 
 
 def _fade(positions, front, back) -> np.ndarray:
-    """(n, 4) colours that darken towards the throat."""
+    """Returns colours (n, 4) that darken towards the throat."""
     z = positions[:, 2]
     t = np.clip((z.max() - z) / 0.045, 0, 1)[:, None] ** 0.8
     return np.concatenate([(1 - t) * np.array(front) + t * np.array(back), np.ones((len(z), 1))], axis=1)
 
 
 def _arch(points: np.ndarray, jaw: str) -> np.ndarray:
-    """The dental arch, (200, 4), from the middle backwards: distance along it, x, height of the biting edge, z.
+    """Returns the dental arch, (200, 4), from the middle to the back: arc length, x, height of the biting edge, z.
 
-    Follows the helper's strip, which is slightly too wide for teeth that have a thickness.
+    Follows the helper's strip inwards, to leave room for the thickness of teeth.
     """
     front, wide = points[:, 2].max(), np.abs(points[:, 0]).max()
     deep = front - points[:, 2].min()
@@ -108,7 +108,7 @@ def _arch(points: np.ndarray, jaw: str) -> np.ndarray:
 
 
 def _frame(arch: np.ndarray, side: int, at: float):
-    """Point of the arch on its biting edge, direction along the arch, direction outwards."""
+    """Returns a point on the biting edge, the direction along the arch, and the direction outwards."""
 
     def point(d):
         return np.array([np.interp(d, arch[:, 0], arch[:, k]) for k in (1, 2, 3)]) * [side, 1, 1]
@@ -120,7 +120,7 @@ def _frame(arch: np.ndarray, side: int, at: float):
 
 
 def _crown(arch, side, at, width, height, away, number):
-    """A crown: a superellipse swept from gum to edge, narrower at the gum, thin at the edge in front, thick behind."""
+    """Sweeps a superellipse from gum to edge: narrower at the gum, with a thin edge in front and a thick one behind."""
     here, tangent, outward = _frame(arch, side, at)
     levels, spokes = 6, 12
     front = number < INCISORS_AND_CANINES
@@ -152,7 +152,7 @@ def _crown(arch, side, at, width, height, away, number):
                 for k in [*np.clip(s * 2.2, 0, 1), 1]
             ]
         )
-        * SEEN[number]
+        * LIGHT[number]
     )
     return points, _tube(points, levels + 1, spokes), np.c_[tint, np.ones(len(tint))]
 

@@ -1,4 +1,4 @@
-"""A plain round-neck shirt over the shoulders, which hides the cut edge of the neck."""
+"""A round-neck shirt that hides the cut edge of the neck."""
 
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
@@ -11,10 +11,10 @@ from ..subdivide import catmull_clark, vertex_normals
 from .head import NECK_RINGS, Head, regions
 
 EASE = 2.5e-3  # metres between skin and cloth
-OVERLAP = 2  # rings of the skin's quads that the shirt covers
-SMOOTH = 8.0  # vertices; deviation of the Gaussian that rounds the neckline
+OVERLAP = 2  # rings of skin covered by the shirt
+SMOOTH = 8.0  # deviation of the Gaussian that rounds the neckline, in vertices
 REACH = 0.03  # metres below the neckline over which the rounding fades
-BAND = 0.010  # metres of neckline that are lifted more
+BAND = 0.010  # width in metres of the neckline that is lifted more
 BAND_LIFT = 1.0e-3
 
 
@@ -27,13 +27,13 @@ def shirt_part(head: Head, mesh: Mesh, overlap=OVERLAP) -> Part:
     normals = vertex_normals(body, fine)
 
     neckline = max(borders(fine), key=lambda loop: body[loop, 1].mean())
-    # The rings of quads have corners; the neckline is rounded along its loop, and the cloth follows.
+    # Rounds the corners of the neckline; the cloth follows.
     rounded = gaussian_filter1d(body[neckline], SMOOTH, axis=0, mode="wrap")
     gap, nearest = cKDTree(body[neckline]).query(body)
     t = np.clip(1 - gap / REACH, 0, 1)[:, None]
     draped = body + (rounded - body[neckline])[nearest] * t * t * (3 - 2 * t)
 
-    # Back onto the body: to the tangent plane of the nearest point, plus the ease.
+    # Moves the cloth back to the tangent plane of the nearest body point, plus the ease.
     surface = np.concatenate([body, head.positions])
     facing = np.concatenate([normals, head.normals])
     _, closest = cKDTree(surface).query(draped)
@@ -42,7 +42,7 @@ def shirt_part(head: Head, mesh: Mesh, overlap=OVERLAP) -> Part:
     depth = ((draped - surface[closest]) * out).sum(axis=1)
     positions = draped + out * (lift - depth)[:, None]
 
-    # A hem that turns in to the skin gives the cloth an edge.
+    # A hem turned in to the skin gives the cloth an edge.
     count, size = len(positions), len(neckline)
     inner = count + np.arange(size)
     positions = np.concatenate([positions, positions[neckline] - out[neckline] * (EASE + BAND_LIFT + 1.5e-3)])

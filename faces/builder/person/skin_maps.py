@@ -1,4 +1,4 @@
-"""Paints the skin: base colour, pores, roughness with occlusion. Colours are sRGB, 0..1."""
+"""Paints the skin's maps: base colour, pores, roughness with occlusion. Colours are sRGB, 0..1."""
 
 import io
 
@@ -13,11 +13,11 @@ from .skin_net import skin_net
 
 
 def paint_colour(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.ndarray:
-    """(size, size, 3), in layers from the flesh outwards: each a colour and its opacity."""
+    """Paints colour layers from the flesh outwards, (size, size, 3)."""
     spot, rough, noise = fields.spot, fields.rough, fields.noise
     skin = mottled(fields, look)
 
-    # Where blood is near the surface, and where it is not.
+    # Red where blood is near the surface, pale elsewhere.
     red = (
         0.75 * spot("cheek", 0.026)
         + 0.5 * spot("cheek-bone", 0.020)
@@ -32,7 +32,7 @@ def paint_colour(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.nd
     pale = 0.35 * spot("forehead", 0.04) + 0.3 * spot("philtrum", 0.012)
     skin = lay(skin, np.array(look["pale"]), 0.4 * pale)
 
-    # Around the eyes the skin is thin: darker and slightly violet, most at the inner corner and in the bag.
+    # Thin skin around the eyes is darker and slightly violet, most at the inner corner and in the bag.
     lids = np.maximum.reduce(
         [
             spot("upper-lid", 0.010, (1.5, 1, 1)),
@@ -51,7 +51,7 @@ def paint_colour(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.nd
     sun = np.clip(0.3 + spot("cheek", 0.05) + spot("forehead", 0.06) + spot("temple", 0.05), 0, 1)
     skin = lay(skin, np.array(look["freckle"]), np.clip(look["freckles"] * freckles * sun, 0, 0.6))
 
-    # Shadow in folds, warm because light bounces between red surfaces.
+    # Warm shadows in folds: light bounces between red surfaces.
     dark = (1 - occlusion)[..., None]
     skin *= 1 - look["fold"] * dark * np.array([0.75, 1.0, 1.05])
 
@@ -80,13 +80,13 @@ def paint_colour(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.nd
     skin = lay(skin, tone, np.clip(look["hair_cover"] * strength * (0.93 + 0.16 * specks), 0, 0.97))
 
     skin = paint_brows(skin, look, fields.size)
-    # Far from the skin a flat colour: it is never sampled, and compresses well.
+    # Texels far from the skin are never sampled; a flat colour compresses well.
     skin[~fields.near] = look["skin"]
     return np.clip(skin, 0, 1)
 
 
 def mottled(fields: Fields, look: dict) -> np.ndarray:
-    """The tone of bare skin: uneven blood and pigment, at three sizes."""
+    """Paints the tone of bare skin: uneven blood and pigment at three sizes."""
     rough, noise = fields.rough, fields.noise
     skin = np.broadcast_to(np.array(look["skin"]), (fields.size, fields.size, 3)).copy()
     blood = 0.5 * rough(0.020, 1) + 0.5 * rough(0.006, 5)
@@ -96,7 +96,7 @@ def mottled(fields: Fields, look: dict) -> np.ndarray:
 
 
 def paint_pores(fields: FaceFields, depth: float) -> np.ndarray:
-    """A tangent-space normal map (size, size, 3) in 0..1 of skin at rest: fine furrows, pores, creases of the lips."""
+    """Paints a tangent-space normal map of skin at rest, (size, size, 3), 0..1: furrows, pores, creases of lips."""
     spot = fields.spot
     lids = np.maximum(spot("upper-lid", 0.011, (1.5, 1, 1)), spot("lower-lid", 0.009, (1.5, 1, 1)))
     ears = np.maximum.reduce([spot("ear-top", 0.02), spot("ear-middle", 0.022), spot("ear-lobe", 0.016)])
@@ -106,10 +106,10 @@ def paint_pores(fields: FaceFields, depth: float) -> np.ndarray:
     forehead = np.maximum(spot("forehead", 0.045), spot("glabella", 0.018))
     temple = np.maximum(spot("temple", 0.026), 0.7 * spot("jaw", 0.03))
 
-    # Wide plateaus on cheeks and neck, narrow ones on the forehead and round the eyes.
+    # Plateaus are wide on cheeks and neck, and narrow on the forehead and around the eyes.
     spacing = 0.0013 + 0.0001 * cheek + 0.0002 * spot("throat", 0.05) - 0.0003 * forehead - 0.0004 * lids
     furrow, pore = skin_net(fields, spacing, width=0.55)
-    # Patches in which the net hardly shows: skin is nowhere the same for a centimetre.
+    # Varies the strength of the net, which in real skin changes within a centimetre.
     patchy = np.clip(1 + 0.3 * fields.rough(0.009, 61), 0.3, 1.6)
     furrows = 0.28 + 0.15 * forehead + 0.1 * chin - 0.12 * cheek - 0.2 * temple - 0.12 * lids
     pores = 0.16 + 0.75 * nose + 0.5 * cheek + 0.3 * chin - 0.1 * forehead - 0.12 * temple
@@ -123,10 +123,10 @@ def paint_pores(fields: FaceFields, depth: float) -> np.ndarray:
 
 
 def relief(height: np.ndarray, depth: float, near: np.ndarray, step=3) -> np.ndarray:
-    """The tangent-space normal map (size, size, 3), 0..1, of a height in texels; flat where `near` is false.
+    """Converts heights in texels to a tangent-space normal map (size, size, 3), 0..1; flat where `near` is false.
 
-    x and y are multiples of `step` / 127 around zero (which is 128/255): with 3 the file has 0.4 of the bytes and pores
-    still look smooth.
+    x and y are multiples of `step` / 127 around zero (128/255). Steps of 3 reduce the file to 0.4 of its size, while
+    pores still look smooth.
     """
     # x is right, y is up.
     right, down = np.gradient(height, axis=1), np.gradient(height, axis=0)
@@ -166,9 +166,9 @@ def paint_surface(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.n
 
 
 def paint_specular(fields: FaceFields, occlusion: np.ndarray) -> np.ndarray:
-    """The strength of highlights, in alpha: none where the face itself would block the light.
+    """Paints the strength of highlights in alpha: 0 where the face itself blocks the light.
 
-    Shadow maps are rarely fine enough for the line between the lips, which would shine.
+    Shadow maps are rarely fine enough to keep the line between the lips from shining.
     """
     line = np.clip(gaussian_filter(fields.mouth_hole, 4) * 2.5, 0, 1)
     amount = np.clip(gaussian_filter(occlusion, 2) * 1.6 - 0.3, 0, 1) * (1 - line)
@@ -187,9 +187,9 @@ def encode(image: np.ndarray, kind: str, quality=88) -> tuple[str, bytes]:
 
 
 def encode_palette(image: np.ndarray) -> tuple[str, bytes]:
-    """A PNG file of an image of few colours, as the 256 most frequent: 0.7 of one in RGB for the normals of skin.
+    """Encodes a PNG with a palette of the 256 most frequent colours: 0.7 of the size of RGB for normals of skin.
 
-    The few texels of another colour, in the steepest stripes of the lips, take the nearest.
+    Other colours, in the steepest creases of the lips, are replaced by the nearest.
     """
     pixels = np.round(np.clip(image, 0, 1) * 255).astype(np.uint8)
     colours, texels, counts = np.unique(pixels.reshape(-1, 3), axis=0, return_inverse=True, return_counts=True)
@@ -198,7 +198,7 @@ def encode_palette(image: np.ndarray) -> tuple[str, bytes]:
     data = Image.fromarray(nearest[texels].astype(np.uint8).reshape(pixels.shape[:2]), "P")
     data.putpalette(kept.tobytes())
     out = io.BytesIO()
-    # 1 is zlib's strategy for noise.
+    # Compression type 1 is zlib's Z_FILTERED, for noise.
     data.save(out, "PNG", compress_level=9, compress_type=1)
     return "image/png", out.getvalue()
 

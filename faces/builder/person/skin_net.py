@@ -1,7 +1,7 @@
-"""The relief of bare skin: a net of fine furrows between small plateaus, with pores where furrows meet.
+"""Relief of bare skin: a net of fine furrows between small plateaus, with pores where furrows meet.
 
-The plateaus are the cells of points on the surface (S. Worley, "A Cellular Texture Basis Function", 1996), so that the
-net has no seams, and its size is in metres everywhere.
+Plateaus are cells of points on the surface (S. Worley, "A Cellular Texture Basis Function", 1996), so that the net has
+no seams and a uniform size in metres.
 """
 
 import numpy as np
@@ -11,9 +11,9 @@ from .fields import Fields
 
 
 def skin_net(fields: Fields, spacing: np.ndarray, width: float) -> tuple[np.ndarray, np.ndarray]:
-    """How deep every texel lies in a furrow, and in a pore; 0 = on a plateau, 1 = deepest.
+    """Returns the depth in furrows and in pores by texel: 0 on a plateau, 1 deepest.
 
-    `spacing` is the distance between plateaus in metres, per texel; furrows are `width` of it wide.
+    `spacing`: distance between plateaus by texel, metres. `width`: width of furrows as a fraction of the spacing.
     """
     points = scattered(fields, spacing)
     tree = cKDTree(points)
@@ -27,7 +27,7 @@ def skin_net(fields: Fields, spacing: np.ndarray, width: float) -> tuple[np.ndar
 
 
 def scattered(fields: Fields, spacing: np.ndarray) -> np.ndarray:
-    """Points (n, 3) on the skin, no two nearer than the spacing there, and hardly a gap between: Poisson disks."""
+    """Scatters points (n, 3) on the skin with a minimum distance and few gaps (Poisson disk sampling)."""
     random = np.random.default_rng([fields.seed, 71])
     inside = np.flatnonzero(fields.near)
     texel = area_of_texels(fields.space).ravel()[inside]
@@ -37,7 +37,7 @@ def scattered(fields: Fields, spacing: np.ndarray) -> np.ndarray:
     count = int(4 * expected.sum())
     chosen = random.choice(len(inside), size=count, p=expected / expected.sum())
     points = fields.space.reshape(-1, 3)[inside][chosen]
-    # Two points of a texel would coincide.
+    # Jitter, because points of one texel would coincide.
     points = points + random.uniform(-0.5, 0.5, (count, 3)) * np.sqrt(texel[chosen])[:, None]
     radii = 0.8 * reach[chosen]
     kept = np.zeros(count, bool)
@@ -45,7 +45,7 @@ def scattered(fields: Fields, spacing: np.ndarray) -> np.ndarray:
     near = cKDTree(points).query_pairs(radii.max(), output_type="ndarray")
     gap = np.linalg.norm(points[near[:, 0]] - points[near[:, 1]], axis=1)
     near = near[gap < np.minimum(radii[near[:, 0]], radii[near[:, 1]])]
-    # The first of any that are too near each other stays; their order is random.
+    # Keeps the first of points that are too close to each other; their order is random.
     while open_.any():
         rival = near[open_[near].all(axis=1)]
         beaten = np.zeros(count, bool)
@@ -59,7 +59,7 @@ def scattered(fields: Fields, spacing: np.ndarray) -> np.ndarray:
 
 
 def area_of_texels(space: np.ndarray) -> np.ndarray:
-    """Square metres of skin per texel."""
+    """Returns the area of skin by texel, square metres."""
     right, down = np.gradient(space, axis=1), np.gradient(space, axis=0)
     return np.linalg.norm(np.cross(right, down), axis=2)
 
