@@ -1,28 +1,28 @@
 import numpy as np
 import pytest
 
-from builder.rig import MOST, WHOLE, read_rig, strongest
+from builder.rig import MAX_JOINTS, ONE, read_rig, strongest
 from builder.source import Mesh
 
 
 def test_weights_are_integers_with_an_exact_sum():
     weights = np.random.default_rng(0).dirichlet(np.ones(9), 500)
     joints, parts = strongest(weights)
-    assert joints.shape == parts.shape == (500, MOST)
-    assert (parts.sum(axis=1) == WHOLE).all()
+    assert joints.shape == parts.shape == (500, MAX_JOINTS)
+    assert (parts.sum(axis=1) == ONE).all()
     assert (parts >= 0).all()
 
 
 def test_the_strongest_joints_come_first():
     joints, parts = strongest(np.array([[0.1, 0.5, 0.05, 0.05, 0.3, 0.0]]))
     assert joints.tolist() == [[1, 4, 0, 2]]
-    assert parts[0] / WHOLE == pytest.approx(np.array([0.5, 0.3, 0.1, 0.05]) / 0.95, abs=1e-4)
+    assert parts[0] / ONE == pytest.approx(np.array([0.5, 0.3, 0.1, 0.05]) / 0.95, abs=1e-4)
 
 
 def test_unused_slots_name_the_first_joint():
     joints, parts = strongest(np.array([[0.0, 0, 1, 0, 0, 0]]))
     assert joints.tolist() == [[2, 0, 0, 0]]
-    assert parts.tolist() == [[WHOLE, 0, 0, 0]]
+    assert parts.tolist() == [[ONE, 0, 0, 0]]
 
 
 class Skeleton:
