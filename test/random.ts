@@ -1,4 +1,4 @@
-/** Seeded random numbers in 0..1 (mulberry32, T. Ettinger, public domain), the same in every run. */
+/** Returns a seeded generator of numbers in 0..1 (mulberry32, T. Ettinger, public domain). Same seed, same numbers. */
 export function seeded(seed: number): () => number {
   let state = seed >>> 0
   return () => {

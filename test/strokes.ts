@@ -1,10 +1,10 @@
-/** Points of a straight line across the texture, at a height in it. */
+/** Straight line across the texture at height `v`. */
 export const across = (v: number, from = 0.1, to = 0.9): [number, number][] => [
   [from, v],
   [to, v],
 ]
 
-/** A document of one line. */
+/** Document with one line. */
 export const ONE_LINE = {
   version: 1,
   strokes: [{ group: 'brow', points: across(0.8), width: 4, depth: 0.5 }],

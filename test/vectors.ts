@@ -1,4 +1,4 @@
-/** Vectors of three numbers, for what tests compute by themselves. */
+/** Vectors of three numbers for tests' own computations. */
 
 export type Vector = [x: number, y: number, z: number]
 
@@ -28,6 +28,6 @@ export const cross = (a: Vector, b: Vector): Vector => [
 
 export const unit = (v: Vector) => scaled(v, 1 / Math.hypot(...v))
 
-/** The angle between two vectors; 0 where either has no length. */
+/** Returns the angle between two vectors; 0 if either has no length. */
 export const degreesBetween = (a: Vector, b: Vector) =>
   (Math.atan2(Math.hypot(...cross(a, b)), dot(a, b)) * 180) / Math.PI

@@ -1,26 +1,30 @@
-/** Files as VRMs with what three-vrm needs of them. */
+/** Turns files into VRMs that three-vrm accepts. */
 
 import { editGlb } from './glb.ts'
 
 type Edit = Parameters<typeof editGlb>[1]
 type Json = Parameters<Edit>[0]
 
-/** Shaders of VRM 0: the file's own material, or one that three-vrm makes from properties of Unity's. */
+/** Shaders of VRM 0: the file's own material, or one that three-vrm builds from Unity properties. */
 export type Vrm0Shader = 'VRM_USE_GLTFSHADER' | 'VRM/MToon' | 'VRM/UnlitTexture'
 
 const LIMBS = ['left', 'right'].flatMap((side) =>
   ['UpperLeg', 'LowerLeg', 'Foot', 'UpperArm', 'LowerArm', 'Hand'].map((bone) => side + bone),
 )
 
-/** The bones that VRM 1.0 requires. */
+/** Bones required by VRM 1.0. */
 const BONES = ['hips', 'spine', 'head', ...LIMBS]
 
-/** The bones that VRM 0 requires. */
+/** Bones required by VRM 0. */
 const BONES_0 = ['hips', 'spine', 'chest', 'neck', 'head', ...LIMBS]
 
 const OUTLINE = { outlineWidthMode: 'worldCoordinates', outlineWidthFactor: 0.01 }
 
-/** A file as a VRM 1.0, whose JSON may be changed further. Nothing moves its bones. */
+/**
+ * Converts a file to VRM 1.0 with static bones.
+ *
+ * @param change edits the JSON further.
+ */
 export function asVrm1(file: Uint8Array, change: Edit = () => {}): Uint8Array<ArrayBuffer> {
   return editGlb(file, (json) => {
     const first = addNodes(json, BONES)
@@ -32,14 +36,14 @@ export function asVrm1(file: Uint8Array, change: Edit = () => {}): Uint8Array<Ar
   })
 }
 
-/** Gives all materials of a VRM 1.0 MToon, as a change of `asVrm1`. */
+/** Gives all materials of a VRM 1.0 MToon, as `change` of `asVrm1`. */
 export function addMToon(json: Json, hasOutline = false): void {
   const mtoon = { specVersion: '1.0', shadeColorFactor: [0.7, 0.4, 0.4], ...(hasOutline && OUTLINE) }
   reduceToToon(json, { VRMC_materials_mtoon: mtoon })
   json.extensionsUsed.push('VRMC_materials_mtoon')
 }
 
-/** Gives all materials an extension, and removes what MToon does not draw: its shader does not compile with tangents. */
+/** Adds an extension to all materials and removes features that MToon lacks: its shader does not compile with tangents. */
 function reduceToToon(json: Json, extension: object): void {
   for (const material of json.materials) {
     const { FURROW_wrinkle_maps } = material.extensions ?? {}
@@ -54,10 +58,10 @@ function reduceToToon(json: Json, extension: object): void {
 }
 
 /**
- * A file as a VRM 0. Nothing moves its bones.
+ * Converts a file to VRM 0 with static bones.
  *
- * @param shader of all materials. They have `KHR_materials_unlit` too unless it is the file's own, as exporters write them.
- * @param change changes the JSON further.
+ * @param shader shader of all materials. Unless it is the file's own, materials also get `KHR_materials_unlit`, as exporters write them.
+ * @param change edits the JSON further.
  */
 export function asVrm0(
   file: Uint8Array,
@@ -89,7 +93,7 @@ interface Material {
   normalTexture?: { index: number }
 }
 
-/** Names of properties are those of Unity's shaders. */
+/** Uses the property names of Unity's shaders. */
 function propertiesOf({ name, pbrMetallicRoughness, normalTexture }: Material, shader: Vrm0Shader): object {
   const isMToon = shader === 'VRM/MToon'
   const baseColor = pbrMetallicRoughness?.baseColorTexture?.index

@@ -12,7 +12,7 @@ import { type Kind, MAP, randomLayer } from './layer-values.ts'
 const PIXELS = 16
 const AREAS = 4
 
-/** Of the three layers, the first also has occlusion and the last has neither map. Occlusion changes neither direct nor diffuse light. */
+/** The first of the three layers also has occlusion; the last has neither map. Occlusion changes neither direct nor diffuse light. */
 const LAYERS = { both: ['occlusion', 'blood'], blood: ['blood'], neither: [] } as const satisfies Record<
   string,
   Kind[]

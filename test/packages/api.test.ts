@@ -9,8 +9,8 @@ beforeAll(async () => {
 })
 afterAll(() => remove(folder))
 
-it('every export has a summary, and every entry a page', async () => {
-  // Fails where a comment is missing: see packages/furrow/typedoc.jsonc.
+it('every export has a summary, and every entry point a page', async () => {
+  // Fails if a comment is missing: see packages/furrow/typedoc.jsonc.
   await run(ROOT, 'npm', 'run', 'api', '--', '--out', folder)
   const { exports } = JSON.parse(readFileSync(join(ROOT, 'packages/furrow/package.json'), 'utf8'))
   const entries = Object.keys(exports).filter((entry) => entry !== './package.json')

@@ -1,4 +1,4 @@
-// Apps in Babylon.js, in strict TypeScript, built by Vite from the packed package.
+// Babylon.js apps in strict TypeScript, built by Vite from the packed package.
 
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { DEPENDENCIES } from './npm.ts'
@@ -18,8 +18,7 @@ describe.each([
   it.each([
     ['WebGL 2', ''],
     ['WebGPU', 'webgpu'],
-  ])(
-    'shows a surprised face on %s, and the same without wrinkles, from its own files alone',
-    async (_, way) => expect(await expectFaceThatChanges(served, way)).toEqual([]),
+  ])('shows a surprised face on %s with and without wrinkles, from its own files alone', async (_, way) =>
+    expect(await expectFaceThatChanges(served, way)).toEqual([]),
   )
 })

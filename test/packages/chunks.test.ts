@@ -1,4 +1,4 @@
-// The loader as published, in pages made by bundlers and by none: relief is a chunk of its own.
+// The published loader on pages built by bundlers and on a plain page. Relief is a separate chunk.
 
 import { cp } from 'node:fs/promises'
 import { join } from 'node:path'

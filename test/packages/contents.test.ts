@@ -8,7 +8,7 @@ import { afterAll, beforeAll, describe, expect, inject, it } from 'vitest'
 import { importsIn } from '../../scripts/lib/imports.mjs'
 import { ROOT, remove, run, temporaryFolder } from './npm.ts'
 
-/** The packages are ES modules: these two ways to resolve find CommonJS only. */
+/** The packages are ES modules, and these two resolution modes find only CommonJS. */
 const COMMONJS = ['node10', 'node16-cjs']
 
 let folder: string
@@ -39,7 +39,7 @@ describe.each([
   })
   const read = (file: string) => readFileSync(file, 'utf8')
 
-  it('holds what users need', () => {
+  it('holds the files that users need', () => {
     expect(readdirSync(content).sort()).toEqual(top)
     expect(read(join(content, 'LICENSE'))).toBe(read(join(ROOT, 'LICENSE')))
   })
@@ -49,7 +49,7 @@ describe.each([
     expect(paths.filter((path) => /(^|\/)(\.|node_modules\b)|\.test\.|\.tsbuildinfo$/.test(path))).toEqual([])
   })
 
-  it('has no fault that publint finds', async () => {
+  it('passes publint', async () => {
     const { buffer, byteOffset, length } = tarball
     const { messages, pkg } = await publint({
       pack: { tarball: buffer.slice(byteOffset, byteOffset + length) },
@@ -58,7 +58,7 @@ describe.each([
     expect(messages.map((message) => formatMessage(message, pkg))).toEqual([])
   })
 
-  it('has source maps whose sources are there', () => {
+  it('has source maps whose sources exist', () => {
     const maps = files.filter((file) => file.endsWith('.map'))
     expect(maps.length).toBeGreaterThan(10)
     for (const map of maps) {
@@ -69,7 +69,7 @@ describe.each([
     }
   })
 
-  it('imports nothing but itself, Node, and what it installs', () => {
+  it('imports nothing but itself, Node, and its dependencies', () => {
     const { dependencies, peerDependencies } = JSON.parse(read(join(content, 'package.json')))
     const allowed = Object.keys({ ...dependencies, ...peerDependencies })
     const imported = files
@@ -83,7 +83,7 @@ describe.each([
     expect(imported.filter((specifier) => !installed(specifier))).toEqual([])
   })
 
-  it('offers nothing that is for the workspace alone', () => {
+  it('exports nothing meant only for the workspace', () => {
     const { exports, imports } = JSON.parse(read(join(content, 'package.json')))
     expect(Object.keys(exports).filter((entry) => entry.includes('internal'))).toEqual([])
     expect(imports).toBeUndefined()
@@ -98,7 +98,7 @@ describe.each([
 
   if (name !== 'furrow') return
 
-  it('has types that resolve at every entry', async () => {
+  it('has types that resolve at every entry point', async () => {
     const analysis = await checkPackage(createPackageFromTarballData(tarball))
     if (!analysis.types) throw new Error('there are no types')
     const problems = analysis.problems.filter(
@@ -107,8 +107,8 @@ describe.each([
     expect(problems).toEqual([])
   })
 
-  // What a module of another package does when it is imported is that package's promise.
-  it('has no module of its own that is imported for its side effects, as "sideEffects": false promises', () => {
+  // Side effects of other packages' modules are those packages' promise.
+  it('imports no module of its own for side effects, as "sideEffects": false promises', () => {
     const modules = files.filter((file) => file.endsWith('.js'))
     expect(modules.length).toBeGreaterThan(10)
     expect(modules.filter((file) => /^import ['"]\./m.test(read(file)))).toEqual([])

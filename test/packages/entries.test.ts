@@ -1,4 +1,4 @@
-// The published entries beside each other: what they share is in one file, and few files are requested.
+// Published entry points together: shared code is in one file, and a page requests few files.
 
 import { cp, mkdir, readFile, symlink, writeFile } from 'node:fs/promises'
 import { dirname, join, relative } from 'node:path'
@@ -6,7 +6,7 @@ import { afterAll, beforeAll, expect, inject, it } from 'vitest'
 import { importsIn } from '../../scripts/lib/imports.mjs'
 import { ROOT, remove, run, temporaryFolder } from './npm.ts'
 
-/** An error of each entry; the first is of the class that users import. */
+/** Expression per entry point that throws; the first throws the class that users import. */
 const ERRORS = {
   furrow: '({ parseWrinkleSetDocument }) => parseWrinkleSetDocument({ version: 2 })',
   'furrow/three': '({ addDrivers }) => addDrivers(null, [])',
@@ -28,7 +28,7 @@ const ERRORS = {
 const ENTRIES = Object.keys(ERRORS)
 const PAIRS = ENTRIES.flatMap((a, i) => ENTRIES.slice(i + 1).map((b) => [a, b]))
 
-/** Files of the package that a page without a bundler may request for an entry. */
+/** Largest number of files that a page without a bundler may request per entry point. */
 const MOST_REQUESTS = 6
 
 let app: string
@@ -46,7 +46,7 @@ beforeAll(async () => {
 })
 afterAll(() => remove(app))
 
-it('every pair of entries has one FurrowError, and those of three.js one wrinklesOf', async () => {
+it('every pair of entry points shares one FurrowError, and those of three.js share one wrinklesOf', async () => {
   const script = `
     import { Document, WebIO } from '@gltf-transform/core'
     const errors = {}, finders = {}
@@ -68,7 +68,7 @@ it('every pair of entries has one FurrowError, and those of three.js one wrinkle
   expect(isOne).toBe(true)
 })
 
-it(`a plain page requests at most ${MOST_REQUESTS} files of an entry, and no other file imports an entry`, async () => {
+it(`a plain page requests at most ${MOST_REQUESTS} files per entry point, and no other file imports an entry point`, async () => {
   const root = join(app, 'node_modules/furrow')
   const { exports } = JSON.parse(await readFile(join(root, 'package.json'), 'utf8'))
   const entries = Object.values<{ default?: string }>(exports).flatMap((entry) => entry.default ?? [])
@@ -77,7 +77,7 @@ it(`a plain page requests at most ${MOST_REQUESTS} files of an entry, and no oth
     const files = new Set([join(root, entry)])
     for (const file of files) {
       for (const { specifier, isDynamic } of importsIn(file, await readFile(file, 'utf8'))) {
-        // Dynamic imports are requested later, if at all.
+        // Dynamic imports are requested later, if ever.
         if (specifier.startsWith('.') && !isDynamic) files.add(join(dirname(file), specifier))
       }
     }

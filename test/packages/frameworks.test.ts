@@ -1,4 +1,4 @@
-// The recipes of docs/frameworks.md, as they stand there, in apps that Vite builds from the packed package.
+// The recipes of docs/frameworks.md, copied from the page, in apps built by Vite from the packed package.
 
 import { cp, readFile, writeFile } from 'node:fs/promises'
 import { join } from 'node:path'
@@ -24,7 +24,7 @@ describe.each([
   {
     name: 'aframe',
     packages: ['three@npm:super-three@0.184.0', 'aframe@1.8.0'],
-    // A-Frame's own builds have it in them. It comes from GitHub, which not every machine may reach.
+    // A-Frame's own builds bundle it. It comes from GitHub, which some machines cannot reach.
     overrides: { 'three-bmfont-text': '3.0.1' },
     recipe: { 'component.ts': 'ts', 'scene.html': 'html' },
   },
@@ -55,7 +55,7 @@ describe.each([
     await remove(folder)
   })
 
-  /** Writes a picture where they are asked for. */
+  /** Saves a picture if FURROW_PICTURES is set. */
   async function keep(state: string, png: Buffer): Promise<void> {
     const pictures = process.env.FURROW_PICTURES
     if (pictures) await writeFile(join(pictures, `${name}-${state}.png`), png)

@@ -1,4 +1,4 @@
-// docs/guide.md from beginning to end, by one who has an avatar and painted maps, in an empty folder.
+// Follows docs/guide.md from start to end with an avatar and painted maps, in an empty folder.
 
 import { cp, mkdir, readFile, writeFile } from 'node:fs/promises'
 import { dirname, join } from 'node:path'
@@ -13,17 +13,17 @@ import { startStaticServer } from '../pages/static-server.ts'
 import { DEPENDENCIES, ROOT, run } from './npm.ts'
 import { useFolder } from './pages.ts'
 
-/** The scan where it is at hand, otherwise one of ours. */
+/** The scan if present, otherwise one of our faces. */
 const AVATAR = BARE_FACES.at(-1)!.path
 
-/** Images that the guide asks the reader to paint, with the colour that ours have: a flat normal, or half visible. */
+/** Images that the guide asks the reader to paint, with our colour: a flat normal, or half visible. */
 const PAINTED = {
   'painted/layers/expression/normal.png': '#8080ff',
   'painted/areas/foreheadLeft.png': '#808080',
   'painted/areas/glabella.png': '#808080',
 }
 
-/** What a page has to be a step: a block of commands, or a file whose name stands in a comment above its block. */
+/** Step of a page: a block of commands, or a file named in a comment above its block. */
 const STEP = /^(?:<!-- (?<file>\S+) -->\n)?```(?<language>\w+)\n(?<text>.*?)^```$/gms
 
 const folder = useFolder()
@@ -70,7 +70,7 @@ it('every command of the guide works, in order, and its page shows the face', as
   }
 })
 
-/** Runs a command as printed; packages come from the repository, in the versions that we test with. */
+/** Runs a command as printed. Packages come from the repository, in the tested versions. */
 async function runInWalk(command: string): Promise<void> {
   const [program, ...words] = command.split(' ')
   if (command.startsWith('npm install')) {

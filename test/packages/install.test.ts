@@ -17,7 +17,7 @@ beforeAll(async () => {
 })
 afterAll(() => remove(folder))
 
-/** Each app has only those peers of furrow that its entries need. */
+/** Each app has only the peers of furrow that its entry points need. */
 describe.each([
   {
     source: 'data.ts',
@@ -39,22 +39,22 @@ describe.each([
     app = await createApp(join(folder, source.replace('.ts', '')), [furrow, ...peers], { source })
   })
 
-  it('compiles as for a bundler', () => compile(app, source, 'esnext', 'bundler'))
+  it('compiles for a bundler', () => compile(app, source, 'esnext', 'bundler'))
 
-  it('compiles as for Node, and runs in it', async () => {
+  it('compiles for Node, and runs', async () => {
     await compile(app, source, 'nodenext', 'nodenext')
     const printed = await run(app, process.execPath, source.replace('.ts', '.js'))
     expect(JSON.parse(printed)).toEqual(prints)
   })
 })
 
-/** Type-checks an app as strictly as TypeScript can, declarations of packages included. */
+/** Type-checks an app with the strictest settings, including declarations of packages. */
 async function compile(app: string, source: string, module: string, moduleResolution: string): Promise<void> {
   const compilerOptions = {
     module,
     moduleResolution,
     target: 'es2022',
-    // glTF-Transform's own declarations name Float16Array.
+    // glTF-Transform's declarations use Float16Array.
     lib: ['esnext', 'dom'],
     types: [],
     strict: true,
@@ -71,16 +71,16 @@ describe('furrow-cli', () => {
   beforeAll(async () => {
     app = await createApp(join(folder, 'cli'), [cli])
   })
-  // Offline: what is not installed is not fetched either.
+  // Offline, so that missing packages are not fetched.
   const npx = (...words: string[]) => run(app, 'npx', '--offline', ...words)
 
-  it('brings what it uses of furrow, and no second copy of it', async () => {
+  it('installs furrow once, and everything it uses of it', async () => {
     const { dependencies } = JSON.parse(await run(app, 'npm', 'ls', '--all', '--json'))
     expect(Object.keys(dependencies)).toEqual(['furrow-cli'])
     expect(Object.keys(dependencies['furrow-cli'].dependencies)).not.toContain('furrow')
   })
 
-  it('tells its version', async () => {
+  it('prints its version', async () => {
     const { version } = JSON.parse(await readFile(join(ROOT, 'packages/cli/package.json'), 'utf8'))
     expect(await npx('furrow-cli', '--version')).toBe(`${version}\n`)
   })
@@ -89,12 +89,12 @@ describe('furrow-cli', () => {
     expect(await npx('furrow-cli', '--help')).toMatch(/^Usage: furrow .*\n {2}inspect /s)
   })
 
-  it('runs a batch, whose processes are there too', async () => {
+  it('runs a batch with its processes', async () => {
     const words = [join(ROOT, 'faces/human.glb'), '--command', 'validate', '--results', 'checked']
     expect(await npx('furrow', 'batch', ...words)).toMatch(/^1 of 1 done\n/)
   })
 
-  it('names the packages that a batch by way of Redis or S3 needs', async () => {
+  it('names the packages that a batch with Redis or S3 needs', async () => {
     const failure = (...words: string[]) => npx('furrow', ...words).then(() => 'nothing', String)
     expect(await failure('worker', '--redis', 'redis://127.0.0.1')).toContain(
       'furrow: --redis needs bullmq ioredis, which is not installed; run npm install bullmq ioredis beside',
@@ -104,7 +104,7 @@ describe('furrow-cli', () => {
     )
   })
 
-  it('inspects a face, as `furrow` too', async () => {
+  it('inspects a face, also as `furrow`', async () => {
     expect(await npx('furrow', 'inspect', join(ROOT, 'faces/human.glb'))).toContain('foreheadLeft')
   })
 })

@@ -1,4 +1,4 @@
-// What a new user does with the two packages and a character, in folders that have nothing else.
+// A new user with the two packages and a character, in folders that contain nothing else.
 
 import { cp, mkdir, readFile, writeFile } from 'node:fs/promises'
 import { basename, join } from 'node:path'
@@ -18,7 +18,7 @@ import { startStaticServer } from '../pages/static-server.ts'
 import { createApp, DEPENDENCIES, previewServer, ROOT, run, runUninstalled } from './npm.ts'
 import { useFolder } from './pages.ts'
 
-/** The scan where it is at hand, otherwise one of ours. */
+/** The scan if present, otherwise one of our faces. */
 const AVATAR = BARE_FACES.at(-1)!.path
 
 const SIZE = { width: 300, height: 300 }
@@ -33,7 +33,7 @@ beforeAll(async () => {
   await mkdir(empty)
   await cp(AVATAR, join(empty, 'avatar.glb'))
   await cp(cli, join(empty, basename(cli)))
-  // Small maps, which are made in a fraction of the time: those of the usual size are made by the guide's commands.
+  // Small maps take a fraction of the time. The guide's commands make maps of default size.
   const options = ['-o', 'wrinkled.glb', '--size', '512']
   await runUninstalled(empty, `./${basename(cli)}`, 'auto', 'avatar.glb', ...options)
 
@@ -60,7 +60,7 @@ describe('an app in strict TypeScript, built by Vite', () => {
   )
 })
 
-it('the page of the README draws the wrinkles of a character, without a bundler', async () => {
+it("draws a character's wrinkles on the README's page, without a bundler", async () => {
   const [, html] = (await readFile(join(ROOT, 'README.md'), 'utf8')).match(/```html\n(.*?)```/s)!
   await writeFile(join(app, 'page.html'), html.replace('/faces/human.glb', '/public/wrinkled.glb'))
   const server = await startStaticServer(app)
@@ -74,7 +74,7 @@ it('the page of the README draws the wrinkles of a character, without a bundler'
   }
 })
 
-/** Looks at a page with its wrinkles and without. */
+/** Compares a page with and without wrinkles. */
 async function expectWrinkles(page: Page, off: () => Promise<void>): Promise<void> {
   const wrinkled = await readNextFrame(page)
   expect(contrast(wrinkled)).toBeGreaterThan(100)
@@ -82,7 +82,7 @@ async function expectWrinkles(page: Page, off: () => Promise<void>): Promise<voi
   expect(largestDifference(wrinkled, await readNextFrame(page), WHOLE)).toBeGreaterThan(20)
 }
 
-/** Opens a page with its time paused; it must complain of nothing. */
+/** Opens a page with its time paused. The page must report no errors or warnings. */
 async function withPage(url: string, inspect: (page: Page) => Promise<void>): Promise<void> {
   const { page, complaints } = await openPage(browser(), { viewport: SIZE })
   try {

@@ -11,7 +11,7 @@ export const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 const { devDependencies } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8'))
 const at = (name: string) => `${name}@${devDependencies[name]}`
 
-/** What applications install beside ours, in the versions that we test with. */
+/** Packages that applications install besides ours, in the tested versions. */
 export const DEPENDENCIES = {
   three: at('three'),
   types: at('@types/three'),
@@ -38,14 +38,14 @@ export const DEPENDENCIES = {
   oldestBabylon: ['babylon-oldest', 'babylon-loaders-oldest'].map((name) =>
     devDependencies[name].replace('npm:', ''),
   ),
-  // Only applications of our tests use these.
+  // Used only by test applications.
   webpack: 'webpack@5.112.2',
   esbuild: 'esbuild@0.28.2',
 }
 
-/** Runs a program to its end and returns what it printed; rejects, with that, where it fails. */
+/** Runs a program and returns its output. Rejects with the output if the program fails. */
 export async function run(cwd: string, program: string, ...words: string[]): Promise<string> {
-  // On Windows npm and npx are scripts, which only a shell can start.
+  // On Windows npm and npx are scripts, which need a shell.
   const options = { cwd, shell: process.platform === 'win32', maxBuffer: 2 ** 26 }
   return promisify(execFile)(program, words, options).then(
     ({ stdout }) => stdout,
@@ -55,12 +55,12 @@ export async function run(cwd: string, program: string, ...words: string[]): Pro
   )
 }
 
-/** A new folder outside the repository, so that nothing resolves to its node_modules. */
+/** Creates a folder outside the repository, so that nothing resolves to the repository's node_modules. */
 export function temporaryFolder(): Promise<string> {
   return mkdtemp(join(tmpdir(), 'furrow-packages-'))
 }
 
-/** Packs a workspace as built; returns the tarball's path. */
+/** Packs a built workspace. Returns the tarball's path. */
 export async function pack(workspace: string, folder: string): Promise<string> {
   const options = ['--ignore-scripts', '--json', '--pack-destination', folder]
   const [{ filename }] = JSON.parse(await run(ROOT, 'npm', 'pack', '-w', workspace, ...options))
@@ -68,9 +68,9 @@ export async function pack(workspace: string, folder: string): Promise<string> {
 }
 
 /**
- * Creates an empty app in which packages are installed.
+ * Creates an empty app and installs packages in it.
  *
- * @param options source: one of `apps`, copied into it. overrides: releases of dependencies, for npm.
+ * @param options source: folder of `apps` to copy. overrides: releases of dependencies, for npm.
  */
 export async function createApp(
   folder: string,
@@ -86,8 +86,8 @@ export async function createApp(
 }
 
 /**
- * Runs a package by `npx` that was never installed; the tarball's path is relative to the folder. npx would keep it in
- * npm's cache for good, so it gets another one, which shares only the downloads.
+ * Runs an uninstalled package by `npx`, with a tarball path relative to the folder. Uses a temporary npm cache that shares only the
+ * downloads, because npx keeps packages in its cache.
  */
 export async function runUninstalled(folder: string, tarball: string, ...words: string[]): Promise<string> {
   const cache = await temporaryFolder()
@@ -101,7 +101,7 @@ export async function runUninstalled(folder: string, tarball: string, ...words: 
   }
 }
 
-/** What an app has built, served by its own Vite. */
+/** Serves an app's build with the app's own Vite. */
 export async function previewServer(app: string): Promise<{ origin: string; close(): Promise<void> }> {
   const { preview }: typeof import('vite') = await import(
     pathToFileURL(join(app, 'node_modules/vite/dist/node/index.js')).href

@@ -7,7 +7,7 @@ import { openPage } from '../pages/browser.ts'
 import { startStaticServer } from '../pages/static-server.ts'
 import { remove, run, temporaryFolder } from './npm.ts'
 
-/** A temporary folder for all tests of a file. */
+/** Creates a temporary folder for all tests of a file. */
 export function useFolder(): () => string {
   let folder = ''
   beforeAll(async () => {
@@ -17,12 +17,12 @@ export function useFolder(): () => string {
   return () => folder
 }
 
-/** A module of a package that an app has installed. */
+/** Imports a module of a package installed in an app. */
 export function importOf(app: string, path: string) {
   return import(pathToFileURL(join(app, 'node_modules', path)).href)
 }
 
-/** Builds `main.js` of an app by webpack; returns the folder, which has the app's `index.html` too. */
+/** Builds `main.js` of an app with webpack. Returns the output folder, including the app's `index.html`. */
 export async function buildByWebpack(app: string): Promise<string> {
   const { default: webpack } = await importOf(app, 'webpack/lib/index.js')
   const path = join(app, 'webpack')
@@ -42,7 +42,7 @@ export async function buildByWebpack(app: string): Promise<string> {
   return path
 }
 
-/** The same by esbuild, in one file or, if it may split, in several. */
+/** Builds with esbuild, in one file or, if it may split, in several. */
 export async function buildByEsbuild(app: string, maySplit: boolean): Promise<string> {
   const path = join(app, maySplit ? 'esbuild in several' : 'esbuild in one file')
   const options = ['--bundle', '--minify', '--format=esm', `--outdir=${path}`]
@@ -51,7 +51,7 @@ export async function buildByEsbuild(app: string, maySplit: boolean): Promise<st
   return path
 }
 
-/** The title of a page in a folder when it has done its work. */
+/** Returns the title of a page in a folder after the page has finished. */
 export async function titleOf(browser: Browser, root: string, page: string): Promise<string> {
   const server = await startStaticServer(root)
   try {
@@ -61,7 +61,7 @@ export async function titleOf(browser: Browser, root: string, page: string): Pro
   }
 }
 
-/** The title of a page when it has done its work: until then it is `working`. */
+/** Returns the title of a page after it has finished, until then `working`. */
 export async function titleAt(browser: Browser, url: string): Promise<string> {
   const { page } = await openPage(browser)
   try {

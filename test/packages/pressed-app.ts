@@ -4,9 +4,9 @@ import type { ServedApp } from './served-app.ts'
 import { settled } from './settled.ts'
 
 /**
- * Opens an app that shows a face, whose picture must change when it is clicked, and must not report errors.
+ * Opens an app that shows a face. Its picture must change on click, and the page must report no errors.
  *
- * @returns what was requested from elsewhere.
+ * @returns requests to other origins.
  */
 export async function expectFaceThatChanges(app: ServedApp, query: string): Promise<string[]> {
   const { page, complaints } = await openPage(app.browser, { viewport: { width: 300, height: 300 } })
@@ -15,7 +15,7 @@ export async function expectFaceThatChanges(app: ServedApp, query: string): Prom
     if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(app.origin))
       foreign.push(request.url())
   })
-  // The face comes after the picture without it.
+  // Delays the face until the picture without it is taken.
   let showFace = () => {}
   const mayShow = new Promise<void>((resolve) => {
     showFace = resolve

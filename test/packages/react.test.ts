@@ -1,4 +1,4 @@
-// Apps in React Three Fiber, in strict TypeScript, built by Vite from the packed package.
+// React Three Fiber apps in strict TypeScript, built by Vite from the packed package.
 
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { DEPENDENCIES } from './npm.ts'
@@ -32,7 +32,7 @@ describe.each([
   })
   afterAll(() => served?.close())
 
-  it.each(ways)('shows a surprised face by properties %s, and follows them', async (_, way) => {
+  it.each(ways)('shows a surprised face set by properties %s, and follows their changes', async (_, way) => {
     expect(await expectFaceThatChanges(served, way!)).toEqual([])
   })
 })

@@ -5,7 +5,7 @@ import { inject } from 'vitest'
 import { openBrowser } from '../pages/browser.ts'
 import { createApp, DEPENDENCIES, previewServer, ROOT, remove, run, temporaryFolder } from './npm.ts'
 
-/** An app that is served, and a browser to open it in. */
+/** Served app, and a browser to open it in. */
 export interface ServedApp {
   origin: string
   browser: Browser
@@ -13,10 +13,10 @@ export interface ServedApp {
 }
 
 /**
- * Builds an app of `apps` by Vite, with the packed package and the shipped face.
+ * Builds an app of `apps` by Vite with the packed package and the shipped face.
  *
- * @param packages what it installs beside ours, Vite and TypeScript.
- * @param without files of its sources that it does without.
+ * @param packages packages to install besides ours, Vite and TypeScript.
+ * @param without source files to leave out.
  */
 export async function serveApp(
   source: string,

@@ -4,7 +4,7 @@ import { meanPngDifference } from '../pages/studio-page.ts'
 
 const DRAWING = { timeout: 120_000, interval: 500 }
 
-/** A picture that differs from the one before and is still. */
+/** Waits for a still picture that differs from the previous one. */
 export async function settled(page: Page, before: Buffer): Promise<Buffer> {
   let last = before
   const isSettled = async () => {

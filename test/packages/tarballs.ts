@@ -8,7 +8,7 @@ declare module 'vitest' {
   }
 }
 
-/** Packs both packages once for all tests of the project, after whose last file they are removed. */
+/** Packs both packages once for all tests of the project, and removes them after the last file. */
 export default async function packAll(project: TestProject): Promise<() => Promise<void>> {
   const folder = await temporaryFolder()
   project.provide('tarballs', {

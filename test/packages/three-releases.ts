@@ -7,22 +7,22 @@ import { openPage } from '../pages/browser.ts'
 import { startStaticServer } from '../pages/static-server.ts'
 import { createApp, ROOT } from './npm.ts'
 
-/** Picture of a step of the page, in RGB, and the warnings meanwhile. */
+/** RGB picture of a step of the page, and the warnings meanwhile. */
 interface Step<T> {
   result: T
   warnings: string[]
 }
 
-/** Pictures that depend on wrinkles alone, before and after areas or layers are repainted. */
+/** Pictures that depend only on wrinkles, before and after areas or layers are repainted. */
 interface Unlit {
   drawn: number[]
   painted: number[]
 }
 
-/** The steps of `apps/releases/main.js` that depend on wrinkles alone. */
+/** Steps of `apps/releases/main.js` that depend only on wrinkles. */
 const UNLIT = ['influence', 'normals'] as const
 
-/** The report of `apps/releases/main.js`. */
+/** Report of `apps/releases/main.js`. */
 export interface Drawn extends Record<(typeof UNLIT)[number], Step<Unlit>> {
   release: string
   /** Normals of two faces of a `BatchedMesh`, side by side. */
@@ -30,17 +30,17 @@ export interface Drawn extends Record<(typeof UNLIT)[number], Step<Unlit>> {
   light: Step<Record<'off' | 'paper' | 'composed' | 'default' | 'relief', number[]>>
 }
 
-/** A page of `apps/releases`, and the query that it is opened with. */
+/** Page of `apps/releases` with its query. */
 type Page = `${'index' | 'refused-webgl' | 'refused-webgpu'}.html${string}`
 
-/** Runs only those steps of the page that depend on wrinkles alone. */
+/** Page that runs only the steps that depend only on wrinkles. */
 export const UNLIT_PAGE: Page = 'index.html?step=influence&step=normals'
 
 /**
- * Installs the packed package beside a release of three.js, builds a page and opens it. `FURROW_PICTURES` names a folder for pictures of it.
+ * Installs the packed package with a release of three.js, builds a page and opens it. `FURROW_PICTURES` names a folder for its pictures.
  *
- * @param folder that the application is made in.
- * @param options of `npm install`.
+ * @param folder folder for the application.
+ * @param options options of `npm install`.
  * @returns `window.report` of the page.
  */
 export async function reportOf<T>(
@@ -78,7 +78,7 @@ export async function reportOf<T>(
   }
 }
 
-/** Checks that a release draws the influence and the normals that another one draws. */
+/** Checks that two releases draw the same influence and normals. */
 export function expectSameUnlit(drawn: Drawn, other: Drawn): void {
   for (const step of UNLIT) {
     const [own, expected] = [drawn[step].result, other[step].result]
@@ -91,7 +91,7 @@ export function expectSameUnlit(drawn: Drawn, other: Drawn): void {
   }
 }
 
-/** Checks the rest of what a release draws; light is computed in another way from release to release. */
+/** Checks the other pictures of a release. Light varies between releases. */
 export function expectAllFeatures(drawn: Drawn, other: Drawn): void {
   const { result: batch, warnings } = drawn.batch
   expect(largestDifference(batch, other.batch.result), 'batch').toBeLessThanOrEqual(2)
@@ -103,13 +103,13 @@ export function expectAllFeatures(drawn: Drawn, other: Drawn): void {
     expect(largestDifference(picture, off), mode).toBeGreaterThan(30)
 }
 
-/** Largest difference of two pictures in any channel. */
+/** Returns the largest difference of two pictures in any channel. */
 function largestDifference(a: readonly number[], b: readonly number[]): number {
   expect(a.length).toBe(b.length)
   return a.reduce((largest, value, i) => Math.max(largest, Math.abs(value - b[i]!)), 0)
 }
 
-/** The bytes of one half of a square picture in RGB. */
+/** Returns the bytes of one half of a square RGB picture. */
 function halfOf(picture: readonly number[], side: 'left' | 'right'): number[] {
   const row = 3 * Math.sqrt(picture.length / 3)
   return picture.filter((_, i) => i % row < row / 2 === (side === 'left'))

@@ -1,4 +1,4 @@
-// The page of `three.test.ts` with all its steps: on both ends of each range of releases in docs/versions.md.
+// Runs all steps of the page of `three.test.ts`, on both ends of each range of releases in docs/versions.md.
 
 import { beforeAll, describe, expect, it } from 'vitest'
 import { NEWEST_THREE, OLDEST_THREE } from '../../packages/furrow/src/three/three-version.ts'
@@ -16,14 +16,14 @@ let newest: Drawn
 beforeAll(async () => {
   newest = await reportOf<Drawn>(browser(), folder(), NEWEST_THREE, 'index.html')
 })
-it('the newest three.js draws all features, relief too', () => {
+it('the newest three.js draws all features, including relief', () => {
   expectAllFeatures(newest, newest)
   const { relief, default: plain } = newest.light.result
   expect(relief).not.toEqual(plain)
   expect(newest.light.warnings).toEqual([])
 })
 
-it.each(RELEASES)('r%i draws what the newest three.js draws, except for light', async (release) => {
+it.each(RELEASES)('r%i draws the same as the newest three.js, except for light', async (release) => {
   const drawn = await reportOf<Drawn>(browser(), folder(), release, 'index.html')
   expect(drawn.release).toBe(String(release))
   expectSameUnlit(drawn, newest)
@@ -38,15 +38,15 @@ it.each(RELEASES)('r%i draws what the newest three.js draws, except for light', 
   }
 })
 
-describe('a three.js that is too old', () => {
+describe('an unsupported three.js', () => {
   it.each([
     ['webgl', OLDEST_THREE['furrow/three'] - 1, 'furrow/three'],
     ['webgpu', 168, 'furrow/webgpu'],
     ['webgpu', OLDEST_THREE['furrow/webgpu'] - 1, 'furrow/webgpu'],
   ] as const)(
-    'for %s, r%i, names the release that is needed; the face is plain',
+    'keeps the face plain and names the required release, for %s on r%i',
     async (way, release, entry) => {
-      // npm itself refuses what is older than the peer range.
+      // npm itself refuses releases older than the peer range.
       const options = ['--force']
       const page = `refused-${way}.html` as const
       const report = await reportOf<{ warnings: string[]; meshes: number }>(

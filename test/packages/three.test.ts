@@ -1,4 +1,4 @@
-// One page on the oldest and on the newest three.js, built from the packed package; `three.heavy.test.ts` has the releases between.
+// Draws one page on the oldest and the newest three.js, built from the packed package. `three.heavy.test.ts` covers the releases between.
 
 import { expect, it } from 'vitest'
 import { NEWEST_THREE, OLDEST_THREE } from '../../packages/furrow/src/three/three-version.ts'
@@ -8,7 +8,7 @@ import { type Drawn, expectSameUnlit, reportOf, UNLIT_PAGE } from './three-relea
 
 const folder = useFolder()
 const browser = useBrowser()
-it('the oldest three.js draws the influence and the normals that the newest one draws', async () => {
+it('the oldest three.js draws the same influence and normals as the newest', async () => {
   const releases = [OLDEST_THREE['furrow/three'], NEWEST_THREE]
   const [oldest, newest] = await Promise.all(
     releases.map((release) => reportOf<Drawn>(browser(), folder(), release, UNLIT_PAGE)),

@@ -1,4 +1,4 @@
-// `furrow/auto` as published, in pages made by bundlers and by none: each starts its worker without any setting.
+// Published `furrow/auto` on pages built by bundlers and on a plain page. Each starts its worker without configuration.
 
 import { cp, readdir, readFile, writeFile } from 'node:fs/promises'
 import { join } from 'node:path'
@@ -23,7 +23,7 @@ it('runs on a page without a bundler', async () => {
   expect(await titleOf(browser(), app, 'plain.html')).toBe(MADE)
 })
 
-it('tells a page that forbids its worker what to allow', async () => {
+it('reports what to allow on a page that forbids its worker', async () => {
   const plain = await readFile(join(app, 'plain.html'), 'utf8')
   const policy = `<meta http-equiv="Content-Security-Policy" content="worker-src 'self'">`
   await writeFile(join(app, 'strict.html'), plain.replace('<title>', `${policy}<title>`))
@@ -43,7 +43,7 @@ it("runs on Vite's development server", async () => {
   }
 })
 
-it('runs as built by Vite, in a file that is fetched when it is used', async () => {
+it('runs as built by Vite, in a chunk that is fetched on use', async () => {
   await run(app, 'npx', 'vite', 'build')
   const dist = join(app, 'dist')
   expect(await titleOf(browser(), dist, 'index.html')).toBe(MADE)

@@ -1,4 +1,4 @@
-/** Avatars as users bring them, made from a shipped face, as files in a folder. */
+/** Avatars as users bring them, made from a shipped face and written to a folder. */
 
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -18,23 +18,23 @@ export const io = new NodeIO()
   .registerExtensions(ALL_EXTENSIONS)
   .registerDependencies({ 'draco3d.encoder': await draco3d.createEncoderModule() })
 
-/** The shipped face without its wrinkles: their extension is not registered. */
+/** Reads the shipped face without wrinkles: their extension is not registered. */
 export async function plainHuman(): Promise<Document> {
   const document = await io.read(HUMAN)
   return document.transform(prune({ keepLeaves: true, keepAttributes: true, keepExtras: true }))
 }
 
-/** Writes `plain.glb` alone. */
+/** Writes only `plain.glb`. */
 export async function writePlain(folder: string): Promise<void> {
   writeFileSync(join(folder, 'plain.glb'), await io.writeBinary(await plainHuman()))
 }
 
-/** Writes none: the studio has faces of its own. */
+/** Writes nothing, because the studio has its own faces. */
 export async function writeNone(): Promise<void> {}
 
 /**
- * Writes `plain.glb`, `draco.glb`, `turned.vrm`, `broken.glb`, `model.fbx`, `separate/` with a `.gltf` whose textures are in a folder,
- * and `wrinkles/` with `face.glb`, one layer and one area.
+ * Writes `plain.glb`, `draco.glb`, `turned.vrm`, `broken.glb`, `model.fbx`, `separate/` with a `.gltf` whose textures are in a folder, and
+ * `wrinkles/` with `face.glb`, one layer and one area.
  */
 export async function writeAvatars(folder: string): Promise<void> {
   const write = (path: string, bytes: Uint8Array | string) => writeFileSync(join(folder, path), bytes)
@@ -65,7 +65,7 @@ export async function writeAvatars(folder: string): Promise<void> {
   write('wrinkles/areas/everywhere.png', await sharp(black).png().toBuffer())
 }
 
-/** Adds an expression of the avatar's own to a VRM 0. */
+/** Adds a custom expression to a VRM 0. */
 const addYawn: Parameters<typeof asVrm0>[2] = ({ meshes, extensions: { VRM } }) => {
   const targets: (string[] | undefined)[] = meshes.map(({ extras }: MeshJson) => extras?.targetNames)
   const mesh = targets.findIndex((names) => names?.includes('jawOpen'))
@@ -77,7 +77,7 @@ interface MeshJson {
   extras?: { targetNames?: string[] }
 }
 
-/** A normal map of level lines. */
+/** Makes a normal map of horizontal ripples. */
 function ripples(): Promise<Buffer> {
   const size = 256
   const data = Buffer.alloc(3 * size * size)

@@ -1,4 +1,4 @@
-// The built `furrow batch`, with its processes.
+// Tests the built `furrow batch` with its processes.
 
 import { readdirSync, readFileSync, statSync } from 'node:fs'
 import { cp, mkdir, mkdtemp, readFile, rm, symlink, writeFile } from 'node:fs/promises'
@@ -28,7 +28,7 @@ beforeAll(async () => {
 })
 afterAll(() => rm(root, { recursive: true }))
 
-/** A folder with so many faces in `in`. */
+/** Creates a folder with `count` faces in `in`. */
 async function inputs(name: string, count: number): Promise<string> {
   const folder = join(root, name)
   await mkdir(join(folder, 'in'), { recursive: true })
@@ -48,7 +48,7 @@ const linesOf = (folder: string, file = 'out/results.jsonl'): ResultLine[] =>
     .split('\n')
     .map((line) => JSON.parse(line))
 
-/** The outputs in a folder, all of them whole. */
+/** Lists the outputs in a folder and checks that all are complete. */
 function outputs(folder: string): string[] {
   const names = readdirSync(join(folder, 'out')).filter((name) => name.endsWith('.glb'))
   for (const name of names) expect(isCompleteGlb(readFileSync(join(folder, 'out', name)))).toBe(true)
@@ -56,7 +56,7 @@ function outputs(folder: string): string[] {
 }
 
 describe('a batch', () => {
-  it('does every input once, puts aside what fails, and knows all of it the next time', async () => {
+  it('processes every input once, skips failures, and retries only changed inputs', async () => {
     const folder = await inputs('whole', 3)
     await cp(join(folder, 'in/0.glb'), join(folder, 'in/copy.glb'))
     await writeFile(join(folder, 'in/broken.glb'), 'text')
@@ -82,12 +82,12 @@ describe('a batch', () => {
     expect(linesOf(folder)).toHaveLength(5)
 
     await rm(join(folder, 'out/1.glb'))
-    const mended = await batch(folder, 'in/*.glb', ...options, '--age', '60')
-    expect(JSON.parse(mended.stdout)).toMatchObject({ done: 4, kept: 4 })
+    const retried = await batch(folder, 'in/*.glb', ...options, '--age', '60')
+    expect(JSON.parse(retried.stdout)).toMatchObject({ done: 4, kept: 4 })
     expect(outputs(folder)).toHaveLength(4)
   })
 
-  it('that is killed goes on where it was, and leaves nothing half-written', async () => {
+  it('resumes after it was killed, and leaves nothing half-written', async () => {
     const folder = await inputs('killed', 6)
     const words = ['in/*.glb', ...options, '--jobs', '1', '--thumbnails', '0']
     const child = startFurrow(folder, {}, 'batch', ...words)
@@ -113,7 +113,7 @@ describe('a batch', () => {
     expect(outputs(folder)).toHaveLength(6)
   })
 
-  it('that is interrupted ends its processes', async () => {
+  it('ends its processes when interrupted', async () => {
     const folder = await inputs('interrupted', 3)
     const child = startFurrow(folder, {}, 'batch', 'in/*.glb', ...options, '--jobs', '2', '--thumbnails', '0')
     const ended = new Promise((done) => child.once('close', (_, signal) => done(signal)))
@@ -127,7 +127,7 @@ describe('a batch', () => {
     expect(pids.filter(isRunning)).toEqual([])
   })
 
-  it('in two parts does each input in one of them', async () => {
+  it('in two parts processes each input in one of them', async () => {
     const folder = await inputs('parts', 4)
     const parts = [1, 2].map((part) => batch(folder, 'in/*.glb', ...options, '--shard', `${part}/2`))
     const counts = (await Promise.all(parts)).map(({ stdout }) => JSON.parse(stdout))
@@ -135,7 +135,7 @@ describe('a batch', () => {
     expect(outputs(folder)).toHaveLength(4)
   })
 
-  it('takes a manifest, addresses and options of each', async () => {
+  it('reads a manifest with addresses and options per input', async () => {
     const folder = await inputs('listed', 1)
     const asked: string[] = []
     const server = createServer((request, response) => {
@@ -162,8 +162,8 @@ describe('a batch', () => {
   })
 })
 
-describe('what a batch downloads', () => {
-  /** A server without tags, and how much of a face it sends: all of it, or half, and then nothing more. */
+describe("a batch's downloads", () => {
+  /** Starts a server without ETags that sends a face completely, or half of it and then nothing. */
   async function serve(bytes: Uint8Array, isCompleteGlb: boolean) {
     const server = createServer((request, response) => {
       response.writeHead(200)
@@ -180,7 +180,7 @@ describe('what a batch downloads', () => {
     return { url: `http://127.0.0.1:${(server.address() as AddressInfo).port}/face.glb`, close }
   }
 
-  /** A folder for temporary files, with names that an attacker would guess, as links to a file. */
+  /** Creates a temporary folder with links to a file under names that an attacker might guess. */
   async function trap(name: string) {
     const folder = join(root, name)
     const tmp = join(folder, 'tmp')
@@ -196,7 +196,7 @@ describe('what a batch downloads', () => {
   it.each([
     ['is used', () => face, 0],
     ['is refused', () => Buffer.from('text'), 1],
-  ] as const)('is gone after it %s', async (name, bytes, expected) => {
+  ] as const)('are deleted after the batch %s', async (name, bytes, expected) => {
     const { folder, tmp, others, check } = await trap(`web ${name}`)
     const { url, close } = await serve(bytes(), true)
     const { code, stderr } = await runFurrow(
@@ -210,7 +210,7 @@ describe('what a batch downloads', () => {
     check()
   })
 
-  it.each(['SIGINT', 'SIGKILL'] as const)('is private, and gone after %s', async (signal) => {
+  it.each(['SIGINT', 'SIGKILL'] as const)('are private, and deleted after %s', async (signal) => {
     const { folder, tmp, others, check } = await trap(`web ${signal}`)
     const { url, close } = await serve(face, false)
     const child = startFurrow(folder, { TMPDIR: tmp }, 'batch', url, ...options, '--thumbnails', '0')
@@ -228,7 +228,7 @@ describe('what a batch downloads', () => {
 })
 
 describe('a job', () => {
-  it('that takes too much memory or time is ended, and the others go on', async () => {
+  it('is ended if it exceeds memory or time, and the others continue', async () => {
     const folder = await inputs('limits', 1)
     await writeFile(join(folder, 'in/large.glb'), await sheetGlb(sheet(800)))
     const words = ['in/*.glb', ...options, '--jobs', '1']
@@ -245,7 +245,7 @@ describe('a job', () => {
   })
 })
 
-it('validate and inspect tell what they find in the results', async () => {
+it('a batch of validate or inspect puts its findings into the results', async () => {
   const folder = await inputs('found', 1)
   for (const command of ['validate', 'inspect']) {
     const { code } = await batch(folder, 'in/*.glb', '--command', command, '--results', command)
@@ -255,7 +255,7 @@ it('validate and inspect tell what they find in the results', async () => {
   expect(linesOf(folder, 'inspect/results.jsonl')[0].result).toMatchObject({ wrinkles: false })
 })
 
-it('ordinary inputs, however many, cause no warning of Node', async () => {
+it('many ordinary inputs cause no warning of Node', async () => {
   const folder = await inputs('quiet', 30)
   const bin = Buffer.from(await readFile(join(folder, 'in/0.glb')))
   const { json, bin: data } = decodeGlb(bin, '0.glb', 'test')
@@ -287,7 +287,7 @@ it('thumbnails show the face before and after', async () => {
   expect(readFileSync(join(folder, 'out/report.html'), 'utf8')).toContain(`thumbnails/${names[0]}`)
 })
 
-it('without a browser the page says so', async () => {
+it('a batch without a browser succeeds, and its page says why thumbnails are missing', async () => {
   const folder = await inputs('undrawn', 1)
   const { code, stderr } = await runFurrow(
     folder,
@@ -303,15 +303,15 @@ it('without a browser the page says so', async () => {
   expect(readFileSync(join(folder, 'out/report.html'), 'utf8')).toContain('Some thumbnails are missing')
 })
 
-describe('the page', () => {
-  /** Of each column the value that tells rows apart, in the order of the page: by file, and failures first. */
+describe('the results page', () => {
+  /** Value per column that tells rows apart, in the page's order: failures first, then by file. */
   const ROWS = [
     { input: 'in/c10.glb', status: 'failed', kind: 'file', reason: 'it is text', warnings: [], seconds: 0.4 },
     { input: 'in/b.glb', status: 'done', bytes: 9000, warnings: ['odd'], seconds: 12.5, areas: 3 },
     { input: 'in/c2.glb', status: 'done', bytes: 20_000, warnings: [], seconds: 2.25, areas: 12 },
     { input: 'in/d.glb', status: 'done', bytes: 500, warnings: [], seconds: 2.5, areas: 2 },
   ]
-  /** The files by each column, up and down; two have the same state, and stay as they were. */
+  /** Order of files for each column, ascending and descending. Two files with equal states keep their order. */
   const SORTED = [
     ['File', 'b c2 c10 d', 'd c10 c2 b'],
     ['State', 'c2 d c10 b', 'b c10 c2 d'],
@@ -352,13 +352,13 @@ describe('the page', () => {
     return page
   }
 
-  /** The files that it shows, in their order. */
+  /** Returns the files shown, in order. */
   async function filesOf(page: Page): Promise<string> {
     const names = await page.locator('tbody tr:not([hidden]) th').allTextContents()
     return names.map((name) => name.replace(/^in\/|\.glb$/g, '')).join(' ')
   }
 
-  it.each(SORTED)('is sorted by %s with the mouse, up and down', async (name, up, down) => {
+  it.each(SORTED)('sorts by %s with the mouse, up and down', async (name, up, down) => {
     const page = await openAt(1280, 800)
     expect(await filesOf(page)).toBe(FIRST)
     const head = page.getByRole('columnheader', { name })
@@ -372,10 +372,10 @@ describe('the page', () => {
     await page.context().close()
   })
 
-  it('is sorted and filtered with the keyboard', async () => {
+  it('can be sorted and filtered by keyboard', async () => {
     const page = await openAt(1280, 800)
     for (const [i, [name, up, down]] of SORTED.entries()) {
-      // Past the filter, which is in front of the table.
+      // Skips the filter in front of the table.
       for (let tabs = i === 0 ? 2 : 1; tabs > 0; tabs--) await page.keyboard.press('Tab')
       expect(await page.evaluate(() => document.activeElement!.textContent)).toBe(name)
       await page.keyboard.press('Enter')
@@ -390,7 +390,7 @@ describe('the page', () => {
     await page.context().close()
   })
 
-  it('is sorted on a phone, and put back', async () => {
+  it('can be sorted on a phone, and reset', async () => {
     const page = await openAt(390, 844)
     const order = page.getByLabel('Order')
     for (const [name, up, down] of SORTED) {
@@ -401,7 +401,7 @@ describe('the page', () => {
     }
     await order.selectOption({ label: 'failures first' })
     expect(await filesOf(page)).toBe(FIRST)
-    // What the keyboard reaches can be seen.
+    // Focused controls must be visible.
     await page.evaluate(() => (document.activeElement as HTMLElement).blur())
     for (const name of ['show', 'order']) {
       await page.keyboard.press('Tab')
@@ -413,7 +413,7 @@ describe('the page', () => {
   })
 })
 
-/** Processes whose parent is one. Linux alone tells it by files. */
+/** Returns the child processes of a process. Works only on Linux. */
 function childrenOf(pid: number): number[] {
   return readFileSync(`/proc/${pid}/task/${pid}/children`, 'utf8')
     .trim()
@@ -424,7 +424,7 @@ function childrenOf(pid: number): number[] {
 
 function isRunning(pid: number): boolean {
   try {
-    // One that has ended, but is not waited for, still has a number.
+    // A zombie process still has an id.
     return !/\) Z /.test(readFileSync(`/proc/${pid}/stat`, 'utf8'))
   } catch {
     return false

@@ -16,7 +16,7 @@ interface Results {
   results: { figure: string; medians: { now: { submitted: number; seen?: number } } }[]
 }
 
-it('paints in the built studio, and tells when each dab was seen', async () => {
+it('paints in the built studio, and reports when each dab was shown', async () => {
   const json = join(folder, 'results.json')
   const { stdout } = await runBench('--only', 'painting', '--only', 'sizes', '--json', json)
   const { about, results }: Results = JSON.parse(readFileSync(json, 'utf8'))
@@ -37,6 +37,6 @@ it('paints in the built studio, and tells when each dab was seen', async () => {
   expect(stdout).toContain('| figure | now | drawn | goal |')
 })
 
-it('refuses a case that it does not have', async () => {
+it('refuses an unknown case', async () => {
   await expect(runBench('--only', 'flying')).rejects.toThrow('unknown case, got "flying", allowed: opening, ')
 })

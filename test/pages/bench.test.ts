@@ -10,7 +10,7 @@ import { findBrowser } from '../../packages/cli/src/browser.ts'
 const folder = mkdtempSync(join(tmpdir(), 'furrow-bench-'))
 afterAll(() => rmSync(folder, { recursive: true }))
 
-/** Lets Dawn draw with the Vulkan loader and the software rasteriser of Chromium. */
+/** Makes Dawn use Chromium's Vulkan loader and software rasteriser. */
 async function dawnEnvironment(): Promise<NodeJS.ProcessEnv> {
   const candidates = [dirname(realpathSync(await findBrowser())), '/usr/lib/chromium']
   const chromium = candidates.find((path) => existsSync(join(path, 'vk_swiftshader_icd.json')))
@@ -53,7 +53,7 @@ it('runs in Node on Dawn, timed by timestamps', async () => {
   )
 })
 
-it('says that WebGL is not available in Node', async () => {
+it('reports that WebGL is unavailable in Node', async () => {
   await expect(runBench('--renderer', 'webgl')).rejects.toThrow(
     'renderer not available here, got "webgl", allowed: webgpu',
   )

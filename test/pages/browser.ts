@@ -2,13 +2,13 @@ import type { Browser, Page } from 'playwright-core'
 import { afterAll, beforeAll } from 'vitest'
 import { launchBrowser } from '../../packages/cli/src/browser.ts'
 
-/** Milliseconds that an element or a page is waited for: a missing one fails its test long before the test's own limit. */
+/** Timeout for an element or a page, milliseconds: far below the timeout of a test. */
 const PATIENCE = 120_000
 
-/** Opens the browser for tests of pages; the caller closes it. */
+/** Opens the browser for tests of pages. The caller must close it. */
 export const openBrowser = launchBrowser
 
-/** The browser of all tests of a file, which is open from their beginning to their end. */
+/** Opens a browser for all tests of a file. */
 export function useBrowser(): () => Browser {
   let browser: Browser | undefined
   beforeAll(async () => {
@@ -18,7 +18,7 @@ export function useBrowser(): () => Browser {
   return () => browser!
 }
 
-/** Opens an empty page in a context of its own, and collects its console errors, exceptions and failed requests. */
+/** Opens an empty page in a new context, and collects console errors, exceptions and failed requests. */
 export async function openPage(
   browser: Browser,
   options?: Parameters<Browser['newPage']>[0],

@@ -13,7 +13,7 @@ const run = (...args: string[]) => runFurrow(folder, {}, ...args)
 afterAll(() => rmSync(folder, { recursive: true }))
 
 describe('the command line', () => {
-  it('alone prints the help', async () => {
+  it('prints the help without arguments', async () => {
     const { code, stdout, stderr } = await run()
     expect({ code, stderr }).toEqual({ code: 0, stderr: '' })
     expect(stdout).toBe((await run('--help')).stdout)
@@ -40,7 +40,7 @@ describe('the command line', () => {
   })
 
   it.each([['--help'], ['help'], ['auto', '--help'], ['help', 'auto'], ['--version']])(
-    '%s %s ends well',
+    '%s %s succeeds',
     async (...args) => {
       expect(await run(...args)).toMatchObject({ code: 0, stderr: '' })
     },
@@ -59,13 +59,13 @@ describe('the command line', () => {
       'furrow inspect: cannot read the face none.glb .it does not exist.; check the path',
     ],
     [['inspect', 'a\x1b[31m.glb'], 'furrow inspect: cannot read the face a\\\\u001b\\[31m.glb .*'],
-  ])('%j ends with 1 and one line', async (args, line) => {
+  ])('%j fails with exit code 1 and one line', async (args, line) => {
     const { code, stdout, stderr } = await run(...args)
     expect({ code, stdout }).toEqual({ code: 1, stdout: '' })
     expect(stderr).toMatch(new RegExp(`^${line.replaceAll('?', '\\?')}\n$`))
   })
 
-  it('writes a file to stdout, and its messages to stderr', async () => {
+  it('writes a file to stdout, and messages to stderr', async () => {
     const child = startFurrow(folder, {}, 'inspect', FACE, '--sheet', '-')
     const chunks: Buffer[] = []
     let stderr = ''
@@ -82,7 +82,7 @@ describe('the command line', () => {
   it.each([
     ['text', 'inspect'],
     ['a file', 'inspect --sheet -'],
-  ])('ends quietly when nobody reads on: %s', async (_, args) => {
+  ])('ends quietly when its reader closes the pipe: %s', async (_, args) => {
     const shell = spawn(
       'sh',
       ['-c', `"$0" "$1" ${args} "$2" | head -c 1 > /dev/null`, process.execPath, BIN, FACE],

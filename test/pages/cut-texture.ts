@@ -1,10 +1,7 @@
 import { type Accessor, type Document, Texture } from '@gltf-transform/core'
 import sharp from 'sharp'
 
-/**
- * Cuts a mesh's texture along the middle of the face, x = 0: each half of the skin has an island of its own beside the other's, and looks as
- * before.
- */
+/** Cuts a mesh's texture along the middle of the face, x = 0. The halves get separate islands side by side, and the face looks the same. */
 export async function cutTexture(document: Document, meshName: string): Promise<void> {
   const mesh = document
     .getRoot()
@@ -39,7 +36,7 @@ export async function cutTexture(document: Document, meshName: string): Promise<
   for (const texture of textures) if (texture instanceof Texture) await doubled(texture)
 }
 
-/** Keeps these rows, in this order. */
+/** Keeps some rows of an accessor, in a given order. */
 function pick(accessor: Accessor, rows: readonly number[]): void {
   const [size, old] = [accessor.getElementSize(), accessor.getArray()!]
   const picked = new (old.constructor as Float32ArrayConstructor)(size * rows.length)
@@ -47,7 +44,7 @@ function pick(accessor: Accessor, rows: readonly number[]): void {
   accessor.setArray(picked)
 }
 
-/** The image twice, side by side, in its own size. */
+/** Puts two copies of an image side by side at the image's size. */
 async function doubled(texture: Texture): Promise<void> {
   const image = sharp(texture.getImage()!)
   const { width, height, format } = await image.metadata()

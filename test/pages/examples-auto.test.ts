@@ -1,4 +1,4 @@
-// The example that makes wrinkles, for which the whole face is computed.
+// Tests the example that makes automatic wrinkles, which takes the time of a complete face.
 
 import { afterAll, beforeAll, expect, test } from 'vitest'
 import { openPage, useBrowser } from './browser.ts'
@@ -19,12 +19,12 @@ afterAll(async () => {
   server?.close()
 })
 
-test('auto.html makes wrinkles while the face is shown, and takes its bar away', async () => {
+test('auto.html makes wrinkles while the face is shown, and then removes its progress bar', async () => {
   const { page, complaints } = await openPage(browser(), { viewport: { width: 400, height: 300 } })
   await openPaused(page, `${server.origin}/examples/auto.html`)
   await firstPicture(page)
   await page.locator('progress').waitFor({ state: 'detached', timeout: 0 })
-  // They have faded in.
+  // The wrinkles have faded in.
   await page.clock.runFor(2 * SECOND)
   const wrinkled = await readNextFrame(page)
   await switchWrinkles(page, 'off')

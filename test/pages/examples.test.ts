@@ -18,12 +18,12 @@ import { contrast, largestDifference, meanDifference, type Region, WHOLE } from 
 import { type CanvasPixels, readCanvas } from './read-canvas.ts'
 import { startStaticServer } from './static-server.ts'
 
-/** Folder where the pictures are saved for inspection. */
+/** Folder for the pictures, for inspection. */
 const OUTPUT = new URL('../output/examples/', import.meta.url)
 
 const PHONE = { width: 390, height: 844 }
 
-/** Large enough for one face; a crowd needs more. */
+/** Large enough for one face. A crowd needs more. */
 const SIZE = { width: 400, height: 300 }
 const CROWD_SIZE = { width: 800, height: 600 }
 
@@ -39,7 +39,7 @@ afterAll(async () => {
   server?.close()
 })
 
-test('there are examples', () => expect(EXAMPLES).toContain('minimal.html'))
+test('examples exist', () => expect(EXAMPLES).toContain('minimal.html'))
 
 test('every example is opened', () => {
   const others = ['auto.html', 'crowd.html', 'normals.html', 'tension.html', 'vrm.html']
@@ -50,7 +50,7 @@ test('every example is opened', () => {
 test.each(DRIVERS)('%s%s wrinkles, and its controls smooth it', (name, driven, atRest, region) =>
   withExample(`${name}${driven}`, async (page) => {
     const wrinkled = await readWrinkled(page, `${name}${driven}`)
-    // Only the wrinkles change between frames.
+    // Only wrinkles change between frames.
     expect(largestDifference(wrinkled, await readNextFrame(page), WHOLE)).toBe(0)
     await expectSmoothed(page, wrinkled, atRest, region)
   }),
@@ -62,7 +62,7 @@ test('tension.html?push=0.3 wrinkles, and its controls smooth it', () =>
     await expectSmoothed(page, pushed, { push: 0 }, { left: 0.4, top: 0.3, right: 0.6, bottom: 0.8 })
   }))
 
-test('vrm.html?happy=1&blink=1 wrinkles, its controls smooth it, and an expression that blocks the blink also blocks its wrinkles', () =>
+test("vrm.html?happy=1&blink=1 wrinkles, its controls smooth it, and an expression that blocks the blink also blocks the blink's wrinkles", () =>
   withExample('vrm.html?happy=1&blink=1', async (page) => {
     const both = await readWrinkled(page, 'vrm.html?happy=1&blink=1')
     expect(largestDifference(both, await setControls(page, { blink: 0 }), WHOLE)).toBe(0)
@@ -90,10 +90,9 @@ test('normals.html lights the cheeks with the normals of their blendshapes', () 
     const recomputed = await setControls(page, { recomputed: true })
     await save(recomputed, 'normals.html')
     const cheeks = { left: 0.38, top: 0.35, right: 0.62, bottom: 0.6 }
-    // The shading is wrong by far more than noise and antialiasing ...
+    // Wrong shading differs by far more than noise and antialiasing.
     expect(largestDifference(none, recomputed, cheeks)).toBeGreaterThan(40)
-    // ... and the remedies differ from each other by less than a sixth of that: baked normals of two targets are summed, and only the
-    // other remedy rotates tangents.
+    // The remedies differ by less than a sixth of that: baked normals of two targets are summed, and only recomputing rotates tangents.
     expect(meanDifference(baked, recomputed, cheeks)).toBeLessThan(
       meanDifference(none, recomputed, cheeks) / 6,
     )
@@ -109,10 +108,10 @@ test.each([
   expect(widthsOnPhone.get(name)).toBeLessThanOrEqual(PHONE.width)
 })
 
-// `examples-auto.test.ts` checks that it makes wrinkles and takes its bar away.
-test('auto.html shows the face and its bar while it makes wrinkles', async () => {
+// `examples-auto.test.ts` checks that auto.html makes wrinkles and removes its bar.
+test('auto.html shows the face and its progress bar while it makes wrinkles', async () => {
   const { page, complaints } = await openPage(browser(), { viewport: PHONE })
-  // The wrinkles are not made before the bar was seen, however slowly the page draws.
+  // Delays the wrinkles until the bar is seen, however slowly the page draws.
   let mayWork = () => {}
   const seen = new Promise<void>((resolve) => {
     mayWork = resolve
@@ -136,22 +135,22 @@ test.each(PORTRAITS)('%s shows a face with a creasing forehead', async (name) =>
 
 test('crowd.html shows faces that wrinkle independently', async () => {
   const [wrinkled, smooth] = await shootOnAndOff('crowd.html?count=6')
-  // Four of the six faces wrinkle at any time, in some of the columns.
+  // At any time four of the six faces wrinkle, in some of the columns.
   const columns = [0, 1, 2, 3].map((i) => ({ left: i / 4, top: 0, right: (i + 1) / 4, bottom: 1 }))
   expect(
     columns.filter((column) => largestDifference(wrinkled, smooth, column) > 20).length,
   ).toBeGreaterThanOrEqual(2)
 })
 
-/** Widths of pages with controls on a phone. */
+/** Page widths on a phone, for pages with controls. */
 const widthsOnPhone = new Map<string, number>()
 
-/** Picture of an example at the moment of surprise. */
+/** Takes a picture of an example at the moment of surprise. */
 function shoot(name: string): Promise<CanvasPixels> {
   return withExample(name, readCanvas)
 }
 
-/** The same, and a picture two frames later with wrinkles switched off. */
+/** Takes a picture at the moment of surprise, and one two frames later without wrinkles. */
 function shootOnAndOff(name: string): Promise<CanvasPixels[]> {
   return withExample(name, async (page) => {
     const wrinkled = await readWrinkled(page, name)
@@ -160,7 +159,7 @@ function shootOnAndOff(name: string): Promise<CanvasPixels[]> {
   })
 }
 
-/** The picture of an example, which must show something, and is saved. */
+/** Reads and saves the picture of an example, which must not be blank. */
 async function readWrinkled(page: Page, name: string): Promise<CanvasPixels> {
   const wrinkled = await readCanvas(page)
   await save(wrinkled, name)
@@ -168,7 +167,7 @@ async function readWrinkled(page: Page, name: string): Promise<CanvasPixels> {
   return wrinkled
 }
 
-/** Without wrinkles, and with controls at rest, a region must look different. */
+/** Expects a region to change if wrinkles are off or controls are at rest. */
 async function expectSmoothed(
   page: Page,
   wrinkled: CanvasPixels,
@@ -181,14 +180,14 @@ async function expectSmoothed(
   expect(largestDifference(wrinkled, await setControls(page, atRest), region)).toBeGreaterThan(20)
 }
 
-/** Opens an example and advances it to the moment of surprise; the page must report no errors or warnings. */
+/** Opens an example and advances it to the moment of surprise. The page must report no errors or warnings. */
 async function withExample<T>(name: string, inspect: (page: Page) => Promise<T>): Promise<T> {
   const hasControls = ![...PORTRAITS, 'crowd.html'].some((page) => name.startsWith(page))
   const size = name.startsWith('crowd.html') ? CROWD_SIZE : SIZE
   const { page, complaints } = await openPage(browser(), { viewport: hasControls ? PHONE : size })
   page.on('console', (message) => {
     const text = message.text()
-    // Performance messages of the driver are not the page's.
+    // Driver performance messages do not come from the page.
     if (message.type() === 'warning' && !text.includes('GL Driver Message')) complaints.push(text)
   })
   try {
@@ -207,7 +206,7 @@ async function withExample<T>(name: string, inspect: (page: Page) => Promise<T>)
   }
 }
 
-/** Sets controls of an example; its picture once whatever they start has ended. */
+/** Sets controls of an example. Returns its picture after all effects have ended. */
 async function setControls(page: Page, controls: Controls): Promise<CanvasPixels> {
   for (const [name, value] of Object.entries(controls)) {
     if (value === true) await page.getByText(name, { exact: true }).dispatchEvent('click')

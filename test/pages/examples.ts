@@ -12,15 +12,17 @@ export const FOREHEAD: Region = { left: 0.4, top: 0.14, right: 0.6, bottom: 0.36
 /** Blendshape weights for normals.html. */
 export const CHEEKS_PUFFED = 'cheekPuff=1&mouthPucker=0.7'
 
-/** Examples of one face that is repeatedly surprised. */
+/** Examples with one face that is surprised repeatedly. */
 export const PORTRAITS = ['minimal.html', 'webgpu.html']
 
 export const BROWS: Region = { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }
 
-/** Values of sliders by their names; `true` presses a button or a choice of that name. */
+/** Slider values by name; `true` presses a button or radio button. */
 export type Controls = Record<string, number | true>
 
-/** Examples of drivers: a query with wrinkles, what its controls are set to without, and the region where wrinkles appear. Left is the person's right. */
+/**
+ * Examples of drivers: query that shows wrinkles, controls that remove them, and the region where they appear. Left is the person's right.
+ */
 export const DRIVERS: readonly (readonly [page: string, driven: string, atRest: Controls, region: Region])[] =
   [
     ['age.html', '?age=75', { age: 20 }, BROWS],

@@ -9,7 +9,7 @@ import { AUTO_STEPS } from 'furrow/internal'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { startFurrow } from './run-furrow.ts'
 
-/** How often each command is interrupted; few by default, since some take long. `npm run interrupt` sets both. */
+/** Number of interruptions per command; few by default, because some commands are slow. `npm run interrupt` sets both. */
 const { FURROW_MOMENTS, FURROW_COMMAND } = process.env
 const MOMENTS = FURROW_MOMENTS === undefined ? undefined : Number(FURROW_MOMENTS)
 
@@ -21,7 +21,7 @@ const root = mkdtempSync(join(tmpdir(), 'interrupted-'))
 const given = (name: string) => join(root, name)
 const AREAS = ['nose', 'glabella'].map((name) => given(`set/areas/${name}.png`))
 
-/** Every command that writes: its arguments, with outputs in the folder `new`. */
+/** Every command that writes, with its arguments. Outputs go to the folder `new`. */
 const COMMANDS: Record<string, string[]> = {
   array: ['array', ...AREAS, '-o', 'new/areas.ktx2'],
   'array --extract': ['array', given('areas.ktx2'), '--extract', 'new/areas'],
@@ -45,7 +45,7 @@ if (chosen.length === 0) {
   throw new Error(`no command "${FURROW_COMMAND}" writes, allowed: ${Object.keys(COMMANDS).join(', ')}`)
 }
 
-/** Commands that draw take long. */
+/** Commands that draw are slow. */
 const DRAWING = ['auto --report', 'render']
 
 beforeAll(async () => {
@@ -58,7 +58,7 @@ afterAll(() => rmSync(root, { recursive: true, force: true }))
 describe.each(chosen)('furrow %s', (name, args) => {
   const moments = MOMENTS ?? (DRAWING.includes(name) ? 2 : 4)
 
-  it(`leaves all or nothing behind, interrupted at ${moments} moments`, async () => {
+  it(`leaves all or nothing behind when interrupted at ${moments} moments`, async () => {
     const whole = bench()
     const begin = performance.now()
     await expectSuccess(start(whole, ...args))
@@ -71,7 +71,7 @@ describe.each(chosen)('furrow %s', (name, args) => {
       const child = start(folder, ...args)
       const ended = finish(child)
       const written = watch(join(folder, 'out'), { recursive: true })
-      // The last is when it begins to write.
+      // The last moment is when the command begins to write.
       const isLast = moment === moments - 1
       await Promise.race([
         ended,
@@ -84,15 +84,15 @@ describe.each(chosen)('furrow %s', (name, args) => {
   })
 })
 
-/** What the bar of `furrow auto --report` names before it writes, in order. */
+/** Steps shown by the bar of `furrow auto --report` before it writes, in order. */
 const STEPS = ['reading', ...AUTO_STEPS, 'encoding', 'report', 'pictures']
-/** Makes the command draw its bar, as in a terminal. */
+/** Makes the command draw its progress bar, as in a terminal. */
 const TERMINAL = '--import=data:text/javascript,process.stderr.isTTY=true'
 
 const hasReport = chosen.some(([name]) => name === 'auto --report')
 
 describe.runIf(hasReport)('furrow auto --report in a terminal', () => {
-  it.each(STEPS)('ends where it is interrupted at the step "%s"', async (step) => {
+  it.each(STEPS)('stops when interrupted at the step "%s"', async (step) => {
     const folder = bench()
     const env = { TMPDIR: join(folder, 'tmp'), NODE_OPTIONS: TERMINAL }
     const child = startFurrow(join(folder, 'out'), env, ...COMMANDS['auto --report'])
@@ -115,7 +115,7 @@ interface End {
   signal: NodeJS.Signals | null
 }
 
-/** A folder for a command to run in: its outputs go to `out`, its temporary files to `tmp`. */
+/** Creates a folder to run a command in. Outputs go to `out`, temporary files to `tmp`. */
 function bench(): string {
   const folder = mkdtempSync(join(root, 'bench-'))
   for (const name of ['out', 'tmp']) mkdirSync(join(folder, name))
@@ -144,7 +144,7 @@ async function expectSuccess(child: ChildProcess): Promise<void> {
   expect(await finish(child), errors).toEqual({ code: 0, signal: null })
 }
 
-/** Everything was written, or nothing; the process ended as the signal ends one, which shells report as 128 + its number. */
+/** Expects all outputs or none, and an exit by the signal. Shells report 128 + the signal's number. */
 async function expectEnd({ code, signal }: End, sent: NodeJS.Signals, folder: string, whole: string[]) {
   if (signal === null) expect(code).toBe(0)
   else expect(signal).toBe(sent)
@@ -155,7 +155,7 @@ async function expectEnd({ code, signal }: End, sent: NodeJS.Signals, folder: st
 
 async function expectNothingElse(folder: string): Promise<void> {
   expect(readdirSync(join(folder, 'tmp'))).toEqual([])
-  // The system takes a moment to end what was killed.
+  // Killed processes take a moment to end.
   await expect.poll(() => processesWith(folder), { timeout: 60_000 }).toEqual([])
 }
 
@@ -163,7 +163,7 @@ function filesOf(folder: string): string[] {
   return readdirSync(join(folder, 'out'), { recursive: true }).map(String).sort()
 }
 
-/** Command lines of the processes that work in a folder, such as a browser with its profile there. */
+/** Returns command lines of processes that work in a folder, such as a browser with its profile there. */
 function processesWith(folder: string): string[] {
   if (process.platform !== 'linux') return []
   return readdirSync('/proc').flatMap((id) => {

@@ -11,7 +11,7 @@ import { writeAvatars } from './avatars.ts'
 import { openBrowser, openPage } from './browser.ts'
 import { waitUntilReady } from './studio-page.ts'
 
-/** Serves the studio on its sources, and with more plugins of Vite; the caller closes the server. */
+/** Serves the studio from its sources, optionally with more Vite plugins. The caller must close the server. */
 export async function serveStudio(
   plugins: Plugin[] = [],
 ): Promise<{ server: ViteDevServer; address: string }> {
@@ -30,15 +30,15 @@ export async function serveStudio(
 interface OpenedStudio {
   page: Page
   complaints: string[]
-  /** Has the avatars that were asked for. */
+  /** Holds the requested avatars. */
   folder: string
 }
 
 /**
  * Opens the studio for all tests of a file, which must not cause errors.
  *
- * @param write makes the avatars that the tests bring.
- * @returns what is there once the tests begin.
+ * @param write writes the avatars of the tests.
+ * @returns objects that are set when the tests begin.
  */
 export function openStudio(
   viewport: { width: number; height: number },

@@ -4,24 +4,24 @@ import { type CanvasPixels, makeCanvasReadable, readCanvas } from './read-canvas
 
 export const SECOND = 1000
 
-/** Milliseconds until the face of each example starts to look surprised, and for which it then stays so. */
+/** Milliseconds until each example's face looks surprised, and for which it stays surprised. */
 const SURPRISE_DELAY = 1.5 * SECOND
 
-/** Opens a page with its time paused: its canvas is there, and nothing is drawn yet. */
+/** Opens a page with its time paused. The canvas exists, and nothing is drawn yet. */
 export async function openPaused(page: Page, url: string): Promise<void> {
   await makeCanvasReadable(page)
   await page.clock.install({ time: 0 })
   await page.clock.pauseAt(SECOND)
   await page.goto(url)
-  // The page adds it after loading.
+  // The page adds its canvas after loading.
   await page.waitForSelector('canvas')
 }
 
-/** Resizes a page, and waits until it has heard of it: a frame of another size may split meshes for relief, which stay split for a while. */
+/** Resizes a page and waits for its resize event. A frame of another size could split meshes for relief, which stay split for a while. */
 export async function resize(page: Page, size: { width: number; height: number }): Promise<void> {
   await page.evaluate(() => {
     const heard = new Promise((resolve) => addEventListener('resize', resolve, { once: true }))
-    // Not awaited here.
+    // Awaited later.
     Object.assign(window, { heard: () => heard })
   })
   await page.setViewportSize(size)
@@ -31,14 +31,13 @@ export async function resize(page: Page, size: { width: number; height: number }
 /** Advances a paused example to the moment of surprise. */
 export async function playSurprise(page: Page): Promise<void> {
   await firstPicture(page)
-  // Two steps with a frame each: the transition begins, and has ended.
+  // Two steps with one frame each: start and end of the transition.
   await page.clock.fastForward(SURPRISE_DELAY + SECOND / 10)
   await page.clock.fastForward(SECOND / 2)
 }
 
 /**
- * Draws a page as it is in the end: with relief, for which meshes are split first, and with blood that has come after its delay. The
- * page's import map finds the modules.
+ * Draws a page in its final state: with relief, after meshes were split, and with delayed blood. Modules come from the page's import map.
  */
 export async function drawSettled(page: Page): Promise<void> {
   const imports = await page.locator('script[type=importmap]').textContent()
@@ -57,7 +56,7 @@ export async function drawSettled(page: Page): Promise<void> {
   await page.clock.runFor(SECOND / 30)
 }
 
-/** Switches the wrinkles of all meshes off, or on again, from the next frame on. The page's import map finds the modules. */
+/** Switches the wrinkles of all meshes off or on from the next frame on. Modules come from the page's import map. */
 export async function switchWrinkles(page: Page, mode: 'off' | 'default'): Promise<void> {
   const imports = await page.locator('script[type=importmap]').textContent()
   const furrow = imports!.includes('furrow/three') ? 'furrow/three' : 'furrow/webgpu'
@@ -71,18 +70,18 @@ export async function switchWrinkles(page: Page, mode: 'off' | 'default'): Promi
     })`)
 }
 
-/** Reads the frame after next: what was changed for the next one is seen. */
+/** Reads the frame after next, which shows changes made before the next one. */
 export async function readNextFrame(page: Page): Promise<CanvasPixels> {
   await page.clock.runFor(SECOND / 30)
   return readCanvas(page)
 }
 
-/** Steps the page's paused time until something is drawn, so that every run draws the same picture. */
+/** Advances the page's paused time until something is drawn, so that every run draws the same picture. */
 export async function firstPicture(page: Page): Promise<void> {
   for (;;) {
     await page.clock.runFor(SECOND / 60)
     if (contrast(await readCanvas(page)) > 0) return
-    // Waits in real time for a renderer that is still starting.
+    // Waits in real time while the renderer starts.
     await page.waitForTimeout(SECOND / 4)
   }
 }

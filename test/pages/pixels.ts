@@ -1,6 +1,6 @@
 import type { CanvasPixels } from './read-canvas.ts'
 
-/** A rectangle of a picture in fractions of its width and height, from the top left corner. */
+/** Rectangle of a picture in fractions of width and height, from the top left. */
 export interface Region {
   left: number
   top: number
@@ -8,14 +8,14 @@ export interface Region {
   bottom: number
 }
 
-/** A whole picture. */
+/** Complete picture. */
 export const WHOLE: Region = { left: 0, top: 0, right: 1, bottom: 1 }
 
-/** The shipped face's forehead from the front, and a region that its wrinkles do not reach. */
+/** Forehead of the shipped face from the front, and a region without wrinkles. */
 export const FOREHEAD: Region = { left: 0.42, top: 0.18, right: 0.58, bottom: 0.34 }
 export const CHIN: Region = { left: 0.42, top: 0.62, right: 0.58, bottom: 0.74 }
 
-/** Largest difference in any channel of two pictures of equal size within a region. */
+/** Returns the largest difference in any channel of two pictures of equal size within a region. */
 export function largestDifference(a: CanvasPixels, b: CanvasPixels, region: Region): number {
   let largest = 0
   forEachByte(a, region, (i) => {
@@ -24,7 +24,7 @@ export function largestDifference(a: CanvasPixels, b: CanvasPixels, region: Regi
   return largest
 }
 
-/** Mean difference over all channels of two pictures of equal size within a region. */
+/** Returns the mean difference over all channels of two pictures of equal size within a region. */
 export function meanDifference(a: CanvasPixels, b: CanvasPixels, region: Region): number {
   let [sum, count] = [0, 0]
   forEachByte(a, region, (i) => {
@@ -34,7 +34,7 @@ export function meanDifference(a: CanvasPixels, b: CanvasPixels, region: Region)
   return sum / count
 }
 
-/** Difference of the brightest and the darkest byte: 0 for a blank picture. */
+/** Returns the difference of the brightest and the darkest byte: 0 for a blank picture. */
 export function contrast(picture: CanvasPixels): number {
   let [low, high] = [255, 0]
   forEachByte(picture, WHOLE, (i) => {

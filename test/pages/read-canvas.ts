@@ -8,7 +8,7 @@ export interface CanvasPixels {
   data: Uint8Array
 }
 
-// TypeScript has the types of WebGPU, but not its constants yet.
+// TypeScript has the types of WebGPU, but not its constants.
 declare const GPUTextureUsage: Record<'RENDER_ATTACHMENT' | 'COPY_SRC', number>
 declare const GPUBufferUsage: Record<'COPY_DST' | 'MAP_READ', number>
 declare const GPUMapMode: Record<'READ', number>
@@ -20,8 +20,8 @@ declare global {
 }
 
 /**
- * Makes the canvas of a page readable at any time; call it before navigation. WebGPU then draws into a separate texture
- * instead of the canvas: without a GPU, headless Chromium loses the device when it presents one.
+ * Makes the canvas of a page readable at any time. Call before navigation. WebGPU then draws into a separate texture, because headless
+ * Chromium without a GPU loses the device when it presents a canvas.
  */
 export async function makeCanvasReadable(page: Page): Promise<void> {
   await page.addInitScript(() => {
@@ -43,7 +43,7 @@ export async function makeCanvasReadable(page: Page): Promise<void> {
       return contexts.get(this)
     } as HTMLCanvasElement['getContext']
 
-    /** The part of GPUCanvasContext that three.js uses. */
+    /** Creates the part of GPUCanvasContext that three.js uses. */
     function offscreenContext(canvas: HTMLCanvasElement): object {
       let configuration: GPUCanvasConfiguration
       let texture: GPUTexture | undefined

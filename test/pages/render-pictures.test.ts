@@ -27,17 +27,17 @@ beforeAll(async () => {
 
 afterAll(() => rm(folder, { recursive: true, force: true }))
 
-/** Options of the pictures that are compared. Relief, which makes a face ready for seconds, is tested with a set. */
+/** Options of the compared pictures. Relief takes seconds to prepare, and is tested with a set. */
 const FLAT = { width: 200, height: 152, relief: 'off' } as const
 const SURPRISED = { ...FLAT, expression: 'surprised' } as const
-/** Here a millimetre is more than a pixel. */
+/** Size at which a millimetre exceeds a pixel. */
 const NEAR = { width: 480, height: 360 }
 const HAPPY = { ...FLAT, expression: 'happy' } as const
 
-/** Brows that the file's drivers read. */
+/** Raised brows, which the file's drivers read. */
 const RAISED = { ...FLAT, targets: { browInnerUp: 1 } }
 
-/** Every option that the other requests do not set. */
+/** Options that the other requests leave unset. */
 const ANGRY: Partial<PictureRequest> = {
   mode: 'composed',
   view: 'close',
@@ -47,7 +47,7 @@ const ANGRY: Partial<PictureRequest> = {
 }
 
 describe('pictures of furrow render', () => {
-  /** Pictures of faces. Those of one face follow each other: another one takes a new page, which takes most of the time. */
+  /** Pictures in order of faces, because opening another face takes most of the time. */
   const drawn = new Map<string, Picture>()
 
   beforeAll(async () => {
@@ -99,7 +99,7 @@ describe('pictures of furrow render', () => {
     for (const [i, name] of names.entries()) drawn.set(name, pictures[i])
   })
 
-  test('shows wrinkles on webgpu too', () => {
+  test('show wrinkles on webgpu too', () => {
     expect(largestDifference(opaque('webgpu images'), opaque('webgpu off'), FOREHEAD)).toBeGreaterThan(20)
     expect(largestDifference(opaque('webgpu images'), opaque('webgpu off'), CHIN)).toBe(0)
   })
@@ -107,7 +107,7 @@ describe('pictures of furrow render', () => {
   test.each([
     ['webgl', 'KTX 2 arrays and Draco'],
     ['webgpu', 'KTX 2 arrays'],
-  ])('shows on %s a face with %s like one with PNG images', (renderer, form) => {
+  ])('show on %s a face with %s like one with PNG images', (renderer, form) => {
     const [plain, smooth] = [opaque(`${renderer} images`), opaque(`${renderer} off`)]
     const compressed = drawn.get(`${renderer} ${form}`)!
     expect(compressed.warnings).toEqual([])
@@ -115,14 +115,14 @@ describe('pictures of furrow render', () => {
     expect(difference).toBeLessThan(meanDifference(plain, smooth, FOREHEAD) / 3)
   })
 
-  test('draws a face without wrinkles as if they were off, and says so', () => {
+  test('show a face without wrinkles as if they were off, and report it', () => {
     expect(drawn.get('webgl plain')!.warnings).toEqual([
       expect.stringMatching(/plain\.vrm has no wrinkles; add them with furrow auto$/),
     ])
     expect(largestDifference(opaque('webgl plain'), opaque('webgl off'), WHOLE)).toBeLessThanOrEqual(2)
   })
 
-  test('draws a wrinkle set with all its maps, its drivers in place of an expression that needs other areas', () => {
+  test('show a wrinkle set with all its maps, driven by its drivers if an expression needs other areas', () => {
     expect(drawn.get('webgl set')!.warnings).toEqual([])
     const [left, right] = [
       { ...FOREHEAD, left: 0.51 },
@@ -135,47 +135,47 @@ describe('pictures of furrow render', () => {
     expect(differences[1]).toBeLessThan(differences[0] / 2)
   })
 
-  test('shows where delays end', () => {
+  test('show the state after delays', () => {
     expect(opaque('webgl delayed')).toEqual(opaque('webgl driven'))
     expect(largestDifference(opaque('webgl driven'), opaque('webgl off'), FOREHEAD)).toBeGreaterThan(20)
   })
 
-  test('shows the age of a face in an expression too, as at rest', () => {
+  test("show the face's age in an expression as at rest", () => {
     expect(opaque('webgl aged neutral')).toEqual(opaque('webgl aged'))
     expect(
       largestDifference(opaque('webgl aged neutral'), opaque('webgl aged off'), FOREHEAD),
     ).toBeGreaterThan(20)
   })
 
-  test('draws a .gltf and the files beside it like the .glb', () => {
+  test('show a .gltf and its separate files like the .glb', () => {
     expect(opaque('webgl text')).toEqual(opaque('webgl images'))
   })
 
-  test('draws the same picture, whatever its page has drawn before', () => {
+  test('do not depend on what the page drew before', () => {
     expect(drawn.get('webgl angry')!.pixels.length).toBe(4 * 96 * 96)
     expect(opaque('webgl again')).toEqual(opaque('webgl images'))
   })
 
-  test('activates the existing areas of an expression if the face has no drivers', () => {
+  test("show an expression's existing areas if the face has no drivers", () => {
     const { warnings } = drawn.get('webgl bare')!
     expect(warnings).toEqual([expect.stringContaining('underEyeLeft, underEyeRight')])
     expect(largestDifference(opaque('webgl bare'), opaque('webgl bare off'), FOLDS)).toBeGreaterThan(20)
   })
 
-  test('moves the surface by the heights of a set, if relief is on', () => {
+  test('show a surface moved by the heights of a set if relief is on', () => {
     const [flat, raised] = [opaque('webgl set'), opaque('webgl relief')]
     expect(drawn.get('webgl relief')!.warnings).toEqual([])
-    // Pictures of one scene are equal to the bit.
+    // Pictures of one scene are equal bit for bit.
     expect(largestDifference(raised, flat, FOREHEAD)).toBeGreaterThan(3)
     expect(largestDifference(raised, flat, CHIN)).toBe(0)
   })
 
-  test('moves it by size on screen by default', () => {
+  test('show relief by size on screen by default', () => {
     expect(opaque('webgl relief by size')).toEqual(opaque('webgl set'))
     expect(drawn.get('webgl near')!.pixels).not.toEqual(drawn.get('webgl near flat')!.pixels)
   })
 
-  test('draws a picture larger than one tile without a seam', async () => {
+  test('have no seam if larger than one tile', async () => {
     const { data, width, height } = opaque('webgl large')
     const large = sharp(data, { raw: { width, height, channels: 3 } })
     const reduced = await large.resize(1056, 48, { kernel: 'linear' }).raw().toBuffer()
@@ -184,14 +184,14 @@ describe('pictures of furrow render', () => {
     expect(mean).toBeLessThan(1)
   })
 
-  /** A picture without alpha. */
+  /** Returns a picture without alpha. */
   function opaque(name: string): CanvasPixels {
     const { width, height, pixels } = drawn.get(name)!
     return { width, height, data: pixels.filter((_, i) => i % 4 < 3) }
   }
 })
 
-/** The left half of the human's forehead, driven by one blendshape, with a second map and heights. */
+/** Writes a set for the left half of the human's forehead: one blendshape, a second map and heights. */
 async function writeSet(): Promise<string> {
   const own = join(folder, 'set')
   await cp(join(ROOT, 'faces/human'), own, { recursive: true })
@@ -227,7 +227,7 @@ function removeWrinkles({
   for (const { extensions } of materials) delete extensions?.FURROW_wrinkle_maps
 }
 
-/** Writes a .glb as a .gltf with its buffer beside it. */
+/** Writes a .glb as a .gltf with a separate buffer. */
 async function writeGltf(glb: string): Promise<string> {
   const bytes = await readFile(glb)
   const end = 20 + bytes.readUInt32LE(12)
@@ -238,7 +238,7 @@ async function writeGltf(glb: string): Promise<string> {
   return join(folder, 'text.gltf')
 }
 
-/** Removes the drivers and the areas under the eyes, as in a face from an early version. */
+/** Removes the drivers and the areas under the eyes, like an early version. */
 function strip(json: { materials: { extensions?: { FURROW_wrinkle_maps?: WrinkleMapsJson } }[] }): void {
   for (const { extensions } of json.materials) {
     const wrinkled = extensions?.FURROW_wrinkle_maps
@@ -248,7 +248,7 @@ function strip(json: { materials: { extensions?: { FURROW_wrinkle_maps?: Wrinkle
   }
 }
 
-/** Makes the forehead of a face old at rest. */
+/** Makes the forehead of a face look old at rest. */
 function age(json: { materials: { extensions?: { FURROW_wrinkle_maps?: WrinkleMapsJson } }[] }): void {
   const curve = [
     [20, 0],
@@ -259,7 +259,7 @@ function age(json: { materials: { extensions?: { FURROW_wrinkle_maps?: WrinkleMa
       extensions?.FURROW_wrinkle_maps?.drivers?.push({ type: 'age', area, curve, initial: 70 })
 }
 
-/** Lets all areas take a minute to crease. */
+/** Makes all areas take a minute to crease. */
 function delay(json: { materials: { extensions?: { FURROW_wrinkle_maps?: WrinkleMapsJson } }[] }): void {
   for (const { extensions } of json.materials) {
     const wrinkled = extensions?.FURROW_wrinkle_maps

@@ -37,7 +37,7 @@ function paint(json: any): void {
   }
 }
 
-describe.each(['webgl', 'webgpu'] as const)('on %s, furrow render draws', (renderer) => {
+describe.each(['webgl', 'webgpu'] as const)('furrow render on %s', (renderer) => {
   let folder: string
   const drawn = new Map<string, Picture>()
 
@@ -58,7 +58,7 @@ describe.each(['webgl', 'webgpu'] as const)('on %s, furrow render draws', (rende
 
   afterAll(() => rm(folder, { recursive: true, force: true }))
 
-  test.each(Object.keys(AVATARS))('%s, as three-vrm does, with its wrinkles', (kind) => {
+  test.each(Object.keys(AVATARS))('draws %s as three-vrm does, with wrinkles', (kind) => {
     const [wrinkled, plain] = [drawn.get(kind)!, drawn.get(`${kind} off`)!]
     expect([...wrinkled.warnings, ...plain.warnings]).toEqual([])
     expect(greenPixels(plain)).toBeGreaterThan(1000)
@@ -100,7 +100,7 @@ function greenPixels({ pixels }: Picture): number {
   return count
 }
 
-/** Pictures of one scene are equal to the bit. */
+/** Counts the differing pixels, because pictures of one scene are equal bit for bit. */
 function changedPixels({ pixels }: Picture, { pixels: others }: Picture): number {
   let count = 0
   for (let i = 0; i < pixels.length; i += 4) if (pixels[i] !== others[i]) count++

@@ -25,11 +25,11 @@ beforeEach(async () => {
 
 afterAll(() => rm(folder, { recursive: true, force: true }))
 
-/** Of the pictures that are compared. Relief makes a face ready for seconds, and has tests of its own. */
+/** Options of the compared pictures. Relief takes seconds to prepare, and has its own tests. */
 const SMALL = ['--size', '200x152', '--relief', 'off']
 
 describe('furrow render', () => {
-  test('shows wrinkles, and none when they are off', async () => {
+  test('shows wrinkles only if they are on', async () => {
     const [file, plain] = [join(out, 'on.png'), join(out, 'off.png')]
     const options = ['--expression', 'surprised', ...SMALL]
     const result = await furrow('render', FACE, '-o', file, ...options, '--json')
@@ -59,7 +59,7 @@ describe('furrow render', () => {
 })
 
 describe('furrow render refuses', () => {
-  test('to write over an image of its wrinkles', async () => {
+  test('an output over an image of its wrinkles', async () => {
     const file = join(out, 'map.png')
     const image = await sharp({ create: { width: 4, height: 4, channels: 3, background: 'gray' } })
       .png()
@@ -74,7 +74,7 @@ describe('furrow render refuses', () => {
     expect(await readFile(file)).toEqual(image)
   })
 
-  // How the program reports errors; the errors themselves are tested with the other commands.
+  // Checks how the program reports errors. Tests of other commands check the errors.
   test.each<[string, string[], RegExp]>([
     ['a missing face', ['missing.glb'], /cannot read the face missing\.glb/],
     ['wrinkles of no set', [FACE, '--wrinkles', 'no-set.json'], /no-set\.json: layers must be an array/],
@@ -127,7 +127,7 @@ function expectRefusal({ code, stdout, stderr }: CommandResult, message: RegExp)
   expect(code).toBe(1)
 }
 
-/** All files in a folder and its subfolders. */
+/** Lists all files in a folder and its subfolders. */
 async function listing(path: string): Promise<string[]> {
   return (await readdir(path, { recursive: true })).sort()
 }

@@ -1,13 +1,13 @@
 import { spawn } from 'node:child_process'
 import { fileURLToPath } from 'node:url'
 
-/** The built command. */
+/** Built command. */
 export const BIN = fileURLToPath(new URL('../../packages/cli/bin/furrow.js', import.meta.url))
 
-// The build, since its page is built too.
+// Built module, because its page is built too.
 const RENDER_MODULE = '../../packages/cli/dist/render/render-pictures.js'
 
-/** The function with which `furrow render` draws. */
+/** Function that draws for `furrow render`. */
 export const { renderPictures }: typeof import('../../packages/cli/src/render/render-pictures.ts') =
   await import(RENDER_MODULE)
 
@@ -26,7 +26,7 @@ export function startFurrow(cwd: string, env: NodeJS.ProcessEnv, ...args: string
   })
 }
 
-/** Runs the built command without a terminal, to its end. */
+/** Runs the built command to its end without a terminal. */
 export function runFurrow(cwd: string, env: NodeJS.ProcessEnv, ...args: string[]): Promise<CommandResult> {
   return new Promise((resolve, reject) => {
     const child = startFurrow(cwd, env, ...args)

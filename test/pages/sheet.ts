@@ -1,6 +1,6 @@
 import { Document, NodeIO } from '@gltf-transform/core'
 
-/** A flat sheet of 2 x side x side triangles with one blendshape, which is no face, as a .glb. */
+/** Makes a .glb of a flat sheet, which is no face, with 2 x side x side triangles and one blendshape. */
 export async function sheet(side: number): Promise<Uint8Array> {
   const document = new Document()
   const buffer = document.createBuffer()

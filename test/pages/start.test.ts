@@ -9,7 +9,7 @@ const EXAMPLES = readdirSync(`${ROOT}examples`).filter((name) => name.endsWith('
 let server: ViteDevServer
 let origin: string
 
-/** Serves as `npm start` does. */
+/** Serves the studio like `npm start`. */
 beforeAll(async () => {
   const configFile = `${ROOT}studio/vite.config.ts`
   server = await createServer({ configFile, logLevel: 'silent', server: { host: '127.0.0.1', port: 0 } })
@@ -18,7 +18,7 @@ beforeAll(async () => {
 })
 afterAll(() => server.close())
 
-it.each(EXAMPLES)('serves %s and everything that it imports', async (name) => {
+it.each(EXAMPLES)('serves %s and everything it imports', async (name) => {
   const page = await (await fetch(new URL(`examples/${name}`, origin))).text()
   const [, script] = /src="([^"]*html-proxy[^"]*)"/.exec(page)!
   const response = await fetch(new URL(script.replaceAll('&amp;', '&'), origin))

@@ -16,9 +16,9 @@ const TYPES: Record<string, string> = {
 const REPOSITORY = fileURLToPath(new URL('../../', import.meta.url))
 
 /**
- * Starts a static server for a folder, by default the root of the repository.
+ * Starts a static server for a folder, by default the repository's root.
  *
- * @param changeHtml changes the text of pages.
+ * @param changeHtml edits the text of pages.
  */
 export async function startStaticServer(
   root = REPOSITORY,

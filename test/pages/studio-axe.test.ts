@@ -1,4 +1,4 @@
-/** axe-core finds nothing on the studio's page in any of its main states, light or dark, in a window or on a phone. */
+/** axe-core finds no violation on the studio's page in any of its main states, light or dark, in a window or on a phone. */
 
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
@@ -15,11 +15,11 @@ const PHONE = { width: 390, height: 844 }
 
 const RULES = {
   runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'],
-  // Off by default.
+  // Disabled by default.
   rules: { 'target-size': { enabled: true } },
   resultTypes: ['violations'],
 }
-/** What the light page has of its own. */
+/** Rules that depend on the colour scheme. */
 const OF_COLOURS = { runOnly: ['color-contrast'], resultTypes: ['violations'] }
 
 const studio = openStudio(WINDOW)
@@ -30,7 +30,7 @@ beforeAll(async () => {
   await page.evaluate(AXE)
 })
 
-/** Each rule that is broken, with the elements that break it. */
+/** Lists violated rules with the violating elements. */
 async function violations(rules: object): Promise<string[]> {
   const results = await page.evaluate(
     (options) => (globalThis as unknown as { axe: { run: Run } }).axe.run(document, options),
@@ -68,19 +68,19 @@ function unfoldAll(): Promise<void> {
   })
 }
 
-test('as it opens', expectNone)
+test('no violation on opening', expectNone)
 
-test('with an avatar whose wrinkles are made', async () => {
+test('no violation with an avatar whose wrinkles are made', async () => {
   await dropPaths(page, [join(studio.folder, 'turned.vrm')], 'Turned')
   await page.locator('#areas .row').first().waitFor()
   await page.getByText('Making wrinkles').waitFor({ state: 'detached' })
   await unfoldAll()
-  // Shapes are recognised when they are unfolded.
+  // Unfolding the section starts recognising shapes.
   await page.locator('.shape').first().waitFor()
   await expectNone()
 })
 
-test('with every type of driver, unfolded', async () => {
+test('no violation with every type of driver unfolded', async () => {
   await page
     .getByRole('radio', { name: /^Edit area / })
     .first()
@@ -100,7 +100,7 @@ test('with every type of driver, unfolded', async () => {
   await expectNone()
 })
 
-test('while it is painted, by brush and by polygon', async () => {
+test('no violation while painting, by brush and by polygon', async () => {
   await button('Paint').click()
   await expectNone()
   await page.getByText('Polygon', { exact: true }).click()
@@ -108,25 +108,25 @@ test('while it is painted, by brush and by polygon', async () => {
   await button('Paint').click()
 })
 
-test('with the texture beside the face', async () => {
+test('no violation with the texture next to the face', async () => {
   await button('Texture').click()
   await page.locator('#texture canvas').waitFor()
   await expectNone()
   await button('Texture').click()
 })
 
-test('while lines are edited', async () => {
+test('no violation while editing lines', async () => {
   await page.getByText('Edit', { exact: true }).click()
   await expectNone()
 })
 
-test('with a file made', async () => {
+test('no violation with an exported file', async () => {
   await button('Make the file').click()
   await button('Copy the code').waitFor()
   await expectNone()
 })
 
-test('with a message, and an expression that is played', async () => {
+test('no violation with a message and an expression that plays', async () => {
   await dropPaths(page, [join(studio.folder, 'model.fbx')])
   await page.getByRole('alert').filter({ hasText: 'fbx' }).waitFor()
   await button('Surprised').click()
@@ -134,13 +134,13 @@ test('with a message, and an expression that is played', async () => {
   await page.getByRole('button', { name: 'Dismiss' }).click()
 })
 
-test('with the list of shortcuts', async () => {
+test('no violation with the list of shortcuts', async () => {
   await button('Shortcuts').click()
   await expectNone()
   await button('Close').last().click()
 })
 
-test('with recent work', async () => {
+test('no violation with recent work', async () => {
   await page.reload()
   await page.getByRole('heading', { name: 'Recent work' }).click()
   await page.evaluate(AXE)

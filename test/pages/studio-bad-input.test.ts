@@ -1,4 +1,4 @@
-/** What goes wrong with files and disks: the page says it in a line, and the work goes on. */
+/** Invalid files and failing disks: the page reports them in one line, and work continues. */
 
 import { closeSync, openSync, readFileSync, truncateSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -43,8 +43,8 @@ beforeAll(async () => {
   closeSync(openSync(at('empty.glb'), 'w'))
 })
 
-// The first: Chromium heeds another quota only where nothing is stored yet.
-test('a disk that is full keeps the work in memory, and saves it when there is room', async () => {
+// Runs first, because Chromium applies another quota only before anything is stored.
+test('a full disk keeps the work in memory, and saves it once there is room', async () => {
   const session = await page.context().newCDPSession(page)
   const { origin } = new URL(page.url())
   await session.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: 1000 })
@@ -57,19 +57,19 @@ test('a disk that is full keeps the work in memory, and saves it when there is r
   await page.getByText('Kept in this browser').waitFor()
 })
 
-test('an avatar without blendshapes says so, and can be painted', async () => {
+test('an avatar without blendshapes is reported, and can be painted', async () => {
   await dropPaths(page, [at('still.glb')], 'Still')
   await note('has no blendshapes: it can be painted, but no expression moves it')
   await button('New area').click()
   await expect.poll(areas, SOON).toEqual(['area'])
 })
 
-test('one without texture coordinates says so', async () => {
+test('an avatar without texture coordinates is reported', async () => {
   await dropPaths(page, [at('unwrapped.glb')], 'Unwrapped')
   await note('it has no texture coordinates: unwrap it, and export it again')
 })
 
-test('what is no face says so, and can be painted', async () => {
+test('a model that is no face is reported, and can be painted', async () => {
   await dropPaths(page, [at('sheet.glb')])
   await page
     .getByRole('alert')
@@ -80,17 +80,17 @@ test('what is no face says so, and can be painted', async () => {
   await expect.poll(areas, SOON).toEqual(['area'])
 })
 
-test('a file that is too large says so, unread', async () => {
+test('an oversized file is reported without being read', async () => {
   await dropPaths(page, [at('large.glb')])
   await dismiss(page, 'large.glb is too large, got "600 MiB", allowed: 512 MiB')
 })
 
-test('an empty file says so', async () => {
+test('an empty file is reported', async () => {
   await dropPaths(page, [at('empty.glb')])
   await dismiss(page, 'empty.glb is not usable')
 })
 
-test('two million triangles are shown, and told to be too many', async () => {
+test('two million triangles are shown, with a warning', async () => {
   await dropPaths(page, [at('millions.glb')], 'Millions')
   await note('it has 2,004,002 triangles, more than 2,000,000: decimate it')
 })

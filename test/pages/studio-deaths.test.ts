@@ -1,4 +1,4 @@
-/** What ends under an artist's hands: the graphics in the middle of a stroke, workers in the middle of their work. Nothing is lost. */
+/** Lost graphics in the middle of a stroke, and workers that end during their work. No work is lost. */
 
 import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
@@ -18,15 +18,15 @@ import {
 } from './studio-page.ts'
 
 const AREA = 'foreheadInnerLeft'
-/** Mean difference of pictures of the same work, in 0..255. */
+/** Largest mean difference of two pictures of the same work, 0..255. */
 const SAME = 0.01
 const SOON = { timeout: 60_000 }
 
-/** What the page has for these tests. */
+/** Functions that the page has for these tests. */
 interface Ending {
-  /** Ends the workers of this name as a browser does that runs out of memory, without any event; returns how many. */
+  /** Ends all workers with this name without an event, as a browser does when memory runs out. Returns their number. */
   endWorker(name: string): number
-  /** Ends the next worker of this name as soon as it has begun. */
+  /** Ends the next worker with this name as soon as it starts. */
   endNextWorker(name: string): void
   lost: WEBGL_lose_context
 }
@@ -59,7 +59,7 @@ beforeAll(async () => {
           workers.set(this, String(url))
           if (next === null || !String(url).includes(next)) return
           next = null
-          // The first message says that it lives.
+          // The first message proves that the worker runs.
           this.addEventListener('message', () => this.terminate(), { once: true })
         }
         override terminate() {
@@ -90,7 +90,7 @@ async function loseGraphics(): Promise<void> {
 
 const restoreGraphics = () => page.evaluate(() => window.lost.restoreContext())
 
-/** Drags over the forehead; what happens in the middle of it happens with the button down. */
+/** Drags over the forehead, and calls `inTheMiddle` with the button down. */
 async function stroke(inTheMiddle: () => Promise<void> = async () => {}): Promise<void> {
   const { x, y, width, height } = (await page.locator('#viewport').boundingBox())!
   const at = (u: number) => [x + u * width, y + 0.27 * height] as const
@@ -102,7 +102,7 @@ async function stroke(inTheMiddle: () => Promise<void> = async () => {}): Promis
   await page.mouse.up()
 }
 
-/** The stage once it stays as it is: relief is split, and blood comes, some time after an expression. */
+/** Returns the stage once it is still. Relief and blood follow an expression with a delay. */
 async function settled(): Promise<Buffer> {
   for (let last = await shootAside(page); ; ) {
     await page.waitForTimeout(500)
@@ -112,7 +112,7 @@ async function settled(): Promise<Buffer> {
   }
 }
 
-/** Makes a stroke with whole graphics, and the same one while they are lost: both make the same. */
+/** Makes the same stroke with and without losing the graphics, and expects equal results. */
 async function expectSameStroke(label: string): Promise<void> {
   const before = await settled()
   await stroke()
@@ -133,18 +133,18 @@ async function expectSameStroke(label: string): Promise<void> {
   await button(page, 'Undo').click()
 }
 
-test('a brush stroke during which the graphics are lost is painted whole, and the next one too', async () => {
+test('a brush stroke is complete if the graphics are lost during it, and so is the next one', async () => {
   await areaChoice(page, 'chin').check()
   await button(page, 'Paint').click()
   await expectSameStroke('Paint chin')
   await button(page, 'Paint').click()
 })
 
-test('a line during which the graphics are lost is drawn whole, and the next one too', async () => {
+test('a line is complete if the graphics are lost while drawing it, and so is the next one', async () => {
   const pointer = page.getByRole('group', { name: 'Pointer' })
   const neutral = await shootAside(page)
   await page.getByRole('button', { name: 'Surprised' }).click()
-  // It is drawn in a frame to come.
+  // Drawn in a later frame.
   await expect
     .poll(async () => meanPngDifference(neutral, await shootAside(page)), SOON)
     .toBeGreaterThan(50 * SAME)
@@ -153,7 +153,7 @@ test('a line during which the graphics are lost is drawn whole, and the next one
   await pointer.getByText('Off', { exact: true }).click()
 })
 
-test('a worker that ends while it makes wrinkles is told; the work stays, and the next try works', async () => {
+test('a worker that ends while making wrinkles is reported; the work stays, and the next try succeeds', async () => {
   const [names, before] = [await areas(), await shootAside(page)]
   await page.evaluate(() => window.endNextWorker('auto/worker'))
   await button(page, 'Draw others').click()
@@ -166,7 +166,7 @@ test('a worker that ends while it makes wrinkles is told; the work stays, and th
   await expectPicture(page, before, SAME)
 })
 
-test('a worker that ends while it draws is told, and started again', async () => {
+test('a worker that ends while drawing is reported and restarted', async () => {
   await button(page, 'New area').click()
   await expect.poll(areas, SOON).toContain('area')
   expect(await page.evaluate(() => window.endWorker('draw/worker'))).toBeGreaterThan(0)
@@ -175,7 +175,7 @@ test('a worker that ends while it draws is told, and started again', async () =>
   await expect.poll(areas, SOON).not.toContain('area')
 })
 
-test('a worker that ends while it packs is told; the next try makes the file', async () => {
+test('a worker that ends while packing is reported, and the next try makes the file', async () => {
   await page.getByRole('heading', { name: 'Export' }).click()
   await page.evaluate(() => window.endNextWorker('export/worker'))
   await button(page, 'Make the file').click()

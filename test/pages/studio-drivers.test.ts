@@ -1,4 +1,4 @@
-/** What moves an area: recorded from a pose, bent by curves, held apart by conflicts. */
+/** Drivers of an area: recorded from a pose, shaped by curves, separated by conflicts. */
 
 import type { Locator, Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
@@ -24,7 +24,7 @@ const undo = () => page.getByRole('button', { name: 'Undo' }).click()
 const redo = () => page.getByRole('button', { name: 'Redo' }).click()
 const cards = () => page.locator('.driver')
 const lastCard = () => cards().last()
-/** A point of the last driver's curve. */
+/** Returns a point of the last driver's curve. */
 const point = (name: string) => lastCard().getByRole('slider', { name })
 const given = async () => Number(await lip().inputValue())
 
@@ -50,7 +50,7 @@ async function dragBy(handle: Locator, x: number, y: number): Promise<void> {
   await page.mouse.up()
 }
 
-test('a pose that is recorded fully shows the area, and undo takes that back', async () => {
+test('a recorded pose shows the area, and undo removes the recording', async () => {
   const raised = { browInnerUp: 0.6, jawOpen: 0.3 }
   await pose(raised)
   const before = await given()
@@ -70,7 +70,7 @@ test('a pose that is recorded fully shows the area, and undo takes that back', a
   await expectValue(lip(), 1)
 })
 
-test('a point of the curve follows the mouse, in one step', async () => {
+test('a point of the curve follows the mouse in one undo step', async () => {
   await lastCard().locator('summary').click()
   const last = point('Point 2 of 2')
   const width = (await lastCard().locator('svg.curve-plot').boundingBox())!.width
@@ -83,7 +83,7 @@ test('a point of the curve follows the mouse, in one step', async () => {
   await expect.poll(given, { timeout: 60_000 }).toBeLessThan(0.95)
 })
 
-test('a finger drags a point, in one step', async () => {
+test('a finger drags a point in one undo step', async () => {
   const last = point('Point 2 of 2')
   const text = () => last.getAttribute('aria-valuetext')
   await last.scrollIntoViewIfNeeded()
@@ -106,7 +106,7 @@ test('a finger drags a point, in one step', async () => {
   await expect.poll(text).toBe(before)
 })
 
-test('arrow keys move a point, Delete removes one, and buttons add them', async () => {
+test('arrow keys move a point, Delete removes one, and buttons add points', async () => {
   const first = point('Point 1 of 2')
   await first.focus()
   for (const key of ['ArrowRight', 'ArrowRight', 'Shift+ArrowUp']) await first.press(key)
@@ -118,7 +118,7 @@ test('arrow keys move a point, Delete removes one, and buttons add them', async 
   expect(await first.getAttribute('aria-valuetext')).toBe('Together 0.02 gives 0.1')
 })
 
-test('a marker stands where the input is, and numbers say what a driver gives', async () => {
+test('a marker shows the input on the curve, and numbers show what a driver contributes', async () => {
   const marker = lastCard().locator('.curve-now line')
   const at = () => marker.evaluate((line) => line.getBoundingClientRect().x)
   await pose({})
@@ -129,11 +129,11 @@ test('a marker stands where the input is, and numbers say what a driver gives', 
   expect(await lastCard().locator('summary output').textContent()).toBe('1.00')
 })
 
-test('the reasons of an area that the mouse is on follow the face', async () => {
+test('the reasons shown for the area under the mouse follow the face', async () => {
   await page.locator('#areas label', { hasText: 'lowerLip' }).hover()
   await page.locator('.explanation', { hasText: '1.00 of lowerLip' }).waitFor()
   for (const name of ['browInnerUp', 'jawOpen']) {
-    // Without a focus, which would scroll the area away from the mouse.
+    // Not focused: focusing would scroll the area away from the mouse.
     await slider(page, name).evaluate((input: HTMLInputElement) => {
       input.value = '0'
       input.dispatchEvent(new Event('input', { bubbles: true }))
@@ -142,7 +142,7 @@ test('the reasons of an area that the mouse is on follow the face', async () => 
   await page.locator('.explanation', { hasText: '0.10 of lowerLip' }).waitFor()
 })
 
-test('blendshapes in conflict cancel each other, and removing the conflict ends that', async () => {
+test('conflicting blendshapes cancel each other until the conflict is removed', async () => {
   await pose({ browInnerUp: 0.6, jawOpen: 0.3, browDownLeft: 0.6 })
   await expectValue(lip(), 1)
   await page.locator('.conflicts summary').click()
@@ -155,7 +155,7 @@ test('blendshapes in conflict cancel each other, and removing the conflict ends 
   await expectValue(lip(), 1)
 })
 
-test('an age drives the area, and what is wrong with a driver is said with a remedy', async () => {
+test('an age drives the area, and an invalid driver shows its problem with a remedy', async () => {
   await neutral()
   await addDriver('Age')
   await lastCard().getByLabel('Age now').fill('80')
@@ -169,7 +169,7 @@ test('an age drives the area, and what is wrong with a driver is said with a rem
   await expect.poll(() => page.getByText('A later delay of this area counts').count()).toBe(0)
 })
 
-test('every type that this face may have is added and undone', async () => {
+test('every available type of driver can be added and undone', async () => {
   const types = await page.getByLabel('Driver to add').locator('option:not([disabled])').allTextContents()
   expect(types).toEqual(
     expect.arrayContaining(['Blendshapes', 'Other areas', 'Skin tension', 'Number', 'Muscle', 'Expression']),

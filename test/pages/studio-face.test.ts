@@ -1,4 +1,4 @@
-/** What the studio does with a face, switched to WebGPU and back; on WebGL `studio.test.ts` does the same. */
+/** The studio with a face, switched to WebGPU and back. `studio.test.ts` checks the same on WebGL. */
 
 import { expect, test } from 'vitest'
 import { openStudio } from './opened-studio.ts'
@@ -7,7 +7,7 @@ import { brightnessDeviation, expectValue, shootStage, slider, waitUntilReady } 
 
 const studio = openStudio({ width: 800, height: 400 })
 
-test('keeps the settings when it is switched to WebGPU', async () => {
+test('switching to WebGPU keeps the settings', async () => {
   const { page } = studio
   await page.getByRole('button', { name: 'Surprised' }).click()
   await slider(page, 'glabella').fill('0.7')
@@ -17,13 +17,13 @@ test('keeps the settings when it is switched to WebGPU', async () => {
   await expectValue(slider(page, 'foreheadLeft'), 1)
 })
 
-test('shows the face in every look', () => showsLooks(studio.page, 'WebGPU'))
+test('every look shows the face', () => showsLooks(studio.page, 'WebGPU'))
 
-test('moves the face by expressions and sliders', () => movesFace(studio.page))
+test('expressions and sliders move the face', () => movesFace(studio.page))
 
-test('saves the picture as a PNG', () => savesPicture(studio.page))
+test('the picture is saved as a PNG', () => savesPicture(studio.page))
 
-test('shows on WebGL again what it showed before', async () => {
+test('switching back to WebGL shows the same as before', async () => {
   const { page } = studio
   await page.getByText('WebGL', { exact: true }).click()
   await waitUntilReady(page, 'WebGL 2')

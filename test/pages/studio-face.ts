@@ -1,11 +1,11 @@
-/** What the studio does with the shipped face, on either renderer. */
+/** Checks of the studio with the shipped face, for either renderer. */
 
 import type { Page } from 'playwright-core'
 import sharp from 'sharp'
 import { expect } from 'vitest'
 import { brightnessDeviation, expectValue, meanPngDifference, shootStage, slider } from './studio-page.ts'
 
-/** Expects that each look is another picture, and that they leave nothing behind. */
+/** Expects a different picture for each look, and the first picture again after them. */
 export async function showsLooks(page: Page, backend: string): Promise<void> {
   expect(await page.textContent('#backend')).toBe(backend)
   expect(await page.textContent('#adapter')).not.toBe('')
@@ -24,7 +24,7 @@ export async function showsLooks(page: Page, backend: string): Promise<void> {
   expect(await meanPngDifference(shaded, await shootStage(page)), 'shaded again').toBe(0)
 }
 
-/** Expects that expressions and sliders move the face, and areas what follows them. */
+/** Expects expressions and sliders to move the face, and the areas to follow. */
 export async function movesFace(page: Page): Promise<void> {
   await page.getByRole('button', { name: 'Surprised' }).click()
   const surprised = await shootStage(page)
@@ -55,7 +55,7 @@ export async function movesFace(page: Page): Promise<void> {
   expect(await meanPngDifference(surprised, await shootStage(page)), 'surprised again').toBe(0)
 }
 
-/** Expects that the picture is saved as it is shown. */
+/** Expects the saved picture to equal the shown one. */
 export async function savesPicture(page: Page): Promise<void> {
   const [download] = await Promise.all([
     page.waitForEvent('download'),

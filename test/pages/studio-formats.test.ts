@@ -5,7 +5,7 @@ import { dropPaths, meanPngDifference, shootPlainHuman, shootStage } from './stu
 
 const studio = openStudio({ width: 800, height: 400 })
 
-test('avatars in other formats are shown when they are dropped, framed at the face', async () => {
+test('avatars in other formats are shown when dropped, framed at the face', async () => {
   const { page, folder } = studio
   const human = await shootPlainHuman(page)
   const dropped = [

@@ -1,4 +1,4 @@
-/** What an artist takes from the page and brings back: projects as files and folders, links, the page itself without a network. */
+/** Keeping work: projects as files and folders, links, and the page without a network. */
 
 import { execFileSync } from 'node:child_process'
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
@@ -58,7 +58,7 @@ async function download(name: string | RegExp): Promise<Download> {
   return file
 }
 
-/** What `furrow pack` makes of a folder of the workshop. */
+/** Packs a folder of the workshop with `furrow pack`. */
 async function pack(name: string): Promise<Buffer> {
   await shop.run('pack', shop.path(name), '-o', shop.path(`${name}.glb`))
   return readFileSync(shop.path(`${name}.glb`))
@@ -66,7 +66,7 @@ async function pack(name: string): Promise<Buffer> {
 
 let names: string[]
 
-test('a project is saved as a .zip, which furrow pack packs to the bytes of the export', async () => {
+test('a project is saved as a .zip that furrow pack packs to the bytes of the export', async () => {
   await dropPaths(page, [join(folder, 'plain.glb')], 'Plain')
   await page.locator('#areas .row').first().waitFor()
   await made()
@@ -85,7 +85,7 @@ test('a project is saved as a .zip, which furrow pack packs to the bytes of the 
   expect((await pack('plain')).equals(exported)).toBe(true)
 })
 
-test.each(['plain.zip', 'plain'])('%s is opened again as what was worked on', async (path) => {
+test.each(['plain.zip', 'plain'])('%s opens with the same work', async (path) => {
   await page.reload()
   await waitUntilReady(page)
   await dropPaths(page, [join(folder, path)], 'Plain')
@@ -95,20 +95,20 @@ test.each(['plain.zip', 'plain'])('%s is opened again as what was worked on', as
   const again = unzipSync(readFileSync(await (await download('Save project (.zip)')).path()))
   const before = unzipSync(readFileSync(join(folder, 'plain.zip')))
   expect(Object.keys(again)).toEqual(Object.keys(before))
-  // Maps are drawn again, from the strokes alone.
+  // Maps are redrawn from the strokes alone.
   const kept = Object.keys(before).filter((name) => !name.startsWith('plain/layers/'))
   const contentOf = (bytes: Uint8Array, name: string) =>
     name.endsWith('.json') ? JSON.parse(strFromU8(bytes)) : Buffer.from(bytes).toString('base64')
   for (const name of kept) {
-    // Not the order of fields.
+    // Fields may be in another order.
     const isSame = isDeepStrictEqual(contentOf(again[name], name), contentOf(before[name], name))
     expect(isSame, name).toBe(true)
   }
   expect(await errors()).toBe('')
 })
 
-test('a project is written to a folder, and again with one click, on the next day too', async () => {
-  // The browser's own folder stands in for one of the disk, whose dialog no test can use.
+test('a project is saved to a folder, and again with one click, on the next day too', async () => {
+  // The browser's private folder replaces one on disk, because tests cannot use the file dialog.
   await context.addInitScript(() => {
     Object.assign(globalThis, {
       showDirectoryPicker: async () =>
@@ -151,7 +151,7 @@ test('a project is written to a folder, and again with one click, on the next da
   expect(await errors()).toBe('')
 })
 
-/** The files in the folder that was chosen, as base64. */
+/** Reads the files in the picked folder as base64. */
 function readProject(): Promise<Record<string, string>> {
   return page.evaluate(async () => {
     const files: Record<string, string> = {}
@@ -173,14 +173,14 @@ function readProject(): Promise<Record<string, string>> {
   })
 }
 
-test('a folder of wrinkles made by hand is edited, at the size of its maps', async () => {
+test('a hand-made folder of wrinkles can be edited at the size of its maps', async () => {
   await page.reload()
   await waitUntilReady(page)
   await dropPaths(page, [join(folder, 'wrinkles')], 'Face')
   await button('Edit wrinkles').click()
   await button('Edit wrinkles').waitFor({ state: 'detached' })
   expect(await areas()).toEqual(['everywhere'])
-  // A line is drawn over its normal map, which must have the size of the others.
+  // A line is drawn over the folder's normal map, which must have the size of the other maps.
   await page.getByRole('heading', { name: 'Lines' }).waitFor()
   await page.locator('label', { hasText: /^Draw$/ }).click()
   const { x, y, width, height } = (await page.locator('#viewport').boundingBox())!
@@ -193,7 +193,7 @@ test('a folder of wrinkles made by hand is edited, at the size of its maps', asy
   expect(await errors()).toBe('')
 })
 
-test('a link carries expression, camera and avatar', async () => {
+test('a link contains expression, camera and avatar', async () => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write'])
   await page.goto(address)
   await waitUntilReady(page)
@@ -216,7 +216,7 @@ test('a link carries expression, camera and avatar', async () => {
   await other.close()
 })
 
-test('a link that is wrong costs one message', async () => {
+test('an invalid link costs one message', async () => {
   const other = await openStudio(`${address}#model=javascript:alert(1)&pose=jawOpen:9`)
   await other.getByRole('alert').getByText('the link cannot be used: the address of its model').waitFor()
   await button('Dismiss', other).click()
@@ -228,7 +228,7 @@ test('a link that is wrong costs one message', async () => {
   await other.close()
 })
 
-test('a link has the options of automatic wrinkles', async () => {
+test('a link contains the options of automatic wrinkles', async () => {
   writeFileSync(join(folder, 'public.glb'), readFileSync(join(folder, 'plain.glb')))
   await context.route('**/faces/public.glb', (route) => route.fulfill({ path: join(folder, 'public.glb') }))
   const other = await openStudio(`${address}#model=faces/public.glb&auto=63,0.5,512,7`)
@@ -241,7 +241,7 @@ test('a link has the options of automatic wrinkles', async () => {
   await other.close()
 })
 
-test('shortcuts are listed, by a key and by a button', async () => {
+test('a key and a button list the shortcuts', async () => {
   await page.keyboard.press('?')
   const list = page.getByRole('dialog', { name: 'Shortcuts' })
   await list.waitFor()
@@ -253,7 +253,7 @@ test('shortcuts are listed, by a key and by a button', async () => {
   await list.waitFor({ state: 'hidden' })
 })
 
-test('of two tabs on one project the second says so, keeps a copy or goes on with it', async () => {
+test('the second of two tabs on one project says so, and can keep a copy or take over', async () => {
   await page.reload()
   await waitUntilReady(page)
   await dropPaths(page, [join(folder, 'plain.zip')], 'Plain')
@@ -273,7 +273,7 @@ test('of two tabs on one project the second says so, keeps a copy or goes on wit
   await second.getByText('Kept in this browser').waitFor()
   await expect.poll(() => areas(second), { timeout: 60_000 }).toEqual(await areas())
   await page.getByText('Open in another tab, which alone keeps it').waitFor()
-  // What is changed in a tab that does not keep it is kept as a copy.
+  // Changes in a tab without the project are kept as a copy.
   await button('New area').click()
   expect(await button('Go on here').count()).toBe(0)
   await button('Keep a copy').click()
@@ -285,7 +285,7 @@ test('of two tabs on one project the second says so, keeps a copy or goes on wit
 
 test('the built page works without a network', async () => {
   const dist = join(folder, 'dist')
-  // Not in this process, which is in the mode of tests.
+  // In a separate process, because this one has NODE_ENV=test.
   const vite = join(ROOT, 'node_modules/vite/bin/vite.js')
   const env = { ...process.env, NODE_ENV: 'production' }
   execFileSync(process.execPath, [vite, 'build', join(ROOT, 'studio'), '--outDir', dist], { env })

@@ -1,4 +1,4 @@
-/** An artist's way with the keyboard alone: all but painting. The focus is always seen, and never lost. */
+/** An artist's work by keyboard alone, except painting. The focus is always visible and never lost. */
 
 import { join } from 'node:path'
 import type { Page } from 'playwright-core'
@@ -6,30 +6,30 @@ import { beforeAll, expect, test } from 'vitest'
 import { openStudio } from './opened-studio.ts'
 import { DRAWING, waitUntilReady } from './studio-page.ts'
 
-/** Keys until something is given up: more than the page has controls. */
+/** Largest number of key presses before a search fails: more than the page's controls. */
 const MOST_KEYS = 500
 
 const studio = openStudio({ width: 1280, height: 800 })
 let page: Page
-/** What is chosen where a file is asked for. */
+/** File to choose in file dialogs. */
 let file = 'plain.glb'
-/** Areas before anything is changed. */
+/** Areas at the start. */
 let names: string[]
 
 beforeAll(async () => {
   ;({ page } = studio)
-  // Listened for from the start: the browser is told so only after a while.
+  // Registered early, because the browser learns of listeners with a delay.
   page.on('filechooser', (chooser) => chooser.setFiles(join(studio.folder, file)))
   await page.context().grantPermissions(['clipboard-read', 'clipboard-write'])
 })
 
-/** What has the focus, as a user knows it; `body` where nothing has. */
+/** Returns the focused element as a user sees it; `body` if nothing has the focus. */
 async function focused(): Promise<{ name: string; value: string; isSeen: boolean }> {
   return page.evaluate(() => {
     const element = document.activeElement as HTMLInputElement
     if (element === document.body) return { name: 'body', value: '', isSeen: false }
     const text = element.ariaLabel ?? element.labels?.[0]?.textContent ?? element.textContent ?? ''
-    // The focus of what is drawn by its neighbour, its parts or itself.
+    // Elements whose focus ring is drawn by a neighbour, a part or themselves.
     const drawn: [Element | null, string?][] = [
       [element],
       [element, '::after'],
@@ -52,7 +52,7 @@ async function focused(): Promise<{ name: string; value: string; isSeen: boolean
   })
 }
 
-/** Presses Tab until a control has the focus, which must be seen all the way. */
+/** Presses Tab until a control has the focus, which must be completely visible. */
 async function tabTo(name: string | RegExp, key: 'Tab' | 'Shift+Tab' = 'Tab'): Promise<void> {
   const isIt = (text: string) => (typeof name === 'string' ? text === name : name.test(text))
   const passed: string[] = []
@@ -72,7 +72,7 @@ async function press(...keys: string[]): Promise<void> {
   for (const key of keys) await page.keyboard.press(key)
 }
 
-/** Unfolds a part of the page, which has the focus afterwards. */
+/** Unfolds a part of the page and keeps the focus there. */
 async function unfold(name: string | RegExp, go = tabTo): Promise<void> {
   await go(name)
   const isOpen = () => page.evaluate(() => (document.activeElement!.parentElement as HTMLDetailsElement).open)
@@ -86,7 +86,7 @@ const areMade = () => page.getByText('Making wrinkles').waitFor({ state: 'detach
 const isUndoable = () => page.getByRole('button', { name: 'Undo' }).isEnabled()
 const shown = () => page.evaluate(() => document.querySelector<HTMLElement>('.lines')?.hidden === false)
 
-test('opens an avatar, which gets wrinkles', async () => {
+test('opens an avatar, and wrinkles are made for it', async () => {
   await tabTo('Open…')
   await press('Enter')
   await page.locator('#face option:checked', { hasText: /^Plain$/ }).waitFor({ state: 'attached' })
@@ -113,7 +113,7 @@ test('makes the wrinkles older', async () => {
   await areMade()
 })
 
-test('chooses a line, moves its points and deletes one, and the line', async () => {
+test('picks a line, moves its points, and deletes a point and the line', async () => {
   await tabTo('Off')
   await press('ArrowRight')
   expect((await focused()).name).toBe('Edit')
@@ -156,7 +156,7 @@ test('sets a blendshape', async () => {
   expect(await value()).toBe('1')
 })
 
-test('chooses an area, renames it, and changes its layer and how it overlaps', async () => {
+test('picks an area, renames it, and changes its layer and how it overlaps', async () => {
   await backTo(/^Edit area/)
   const name = (await focused()).name
   await press('ArrowDown', 'ArrowUp', 'Space')
@@ -172,7 +172,7 @@ test('chooses an area, renames it, and changes its layer and how it overlaps', a
   expect(await value()).toBe('max')
 })
 
-test('records the pose, and bends the curve of its driver', async () => {
+test('records the pose, and edits the curve of its driver', async () => {
   await tabTo('This pose fully shows this area')
   await press('Enter')
   await expect
@@ -187,7 +187,7 @@ test('records the pose, and bends the curve of its driver', async () => {
   await tabTo('Remove this driver')
   await press('Enter')
   await expect.poll(drivers).toBe(before - 1)
-  // The next driver, that of age, or what adds one.
+  // The next driver, which is the age, or the control that adds one.
   expect((await focused()).name).toMatch(/^Age|Driver to add|Add driver/)
   await press('Control+z')
   await expect.poll(drivers).toBe(before)
@@ -245,14 +245,14 @@ test('turns the light, the camera and the divider', async () => {
   await expect.poll(() => front.getAttribute('aria-pressed')).toBe('false')
 })
 
-test('reads the shortcuts, and closes them', async () => {
+test('reads the shortcuts and closes them', async () => {
   await press('?')
   await expect.poll(async () => (await focused()).name).toBe('Close')
   await press('Escape')
   await expect.poll(async () => (await focused()).name).toMatch(/^The face/)
 })
 
-test('undoes all, and does all again', async () => {
+test('undoes and redoes everything', async () => {
   const after = await areas()
   await tabTo('Undo')
   for (let i = 0; (await isUndoable()) && i < MOST_KEYS; i++) await press('Enter')
@@ -265,7 +265,7 @@ test('undoes all, and does all again', async () => {
   await expect.poll(areas).toEqual(after)
 })
 
-test('removes an area, and the focus is on the next one', async () => {
+test('removes an area, which focuses the next one', async () => {
   await tabTo(/^Remove area/)
   const first = (await focused()).name
   await press('Enter')
@@ -275,7 +275,7 @@ test('removes an area, and the focus is on the next one', async () => {
   expect(next).not.toBe(first)
 })
 
-test('dismisses a message, and the focus is where it was', async () => {
+test('dismisses a message, which returns the focus', async () => {
   file = 'model.fbx'
   await backTo('Open…')
   await press('Enter')

@@ -27,7 +27,7 @@ beforeAll(async () => {
   await dropPlain(page, folder, 'foreheadInnerLeft')
 })
 
-test('layers are added, renamed, moved and undone; a map is imported, and saved as an image', async () => {
+test('layers can be added, renamed, moved and undone; a map can be imported, and saved as an image', async () => {
   await page.locator('summary', { hasText: /^Layers$/ }).click()
   await button(page, 'New layer').click()
   await page.locator('.layer summary', { hasText: 'layer' }).click()
@@ -48,7 +48,7 @@ test('layers are added, renamed, moved and undone; a map is imported, and saved 
     button(page, 'Save roughness of sweat').click(),
   ])
   expect(download.suggestedFilename()).toBe('plain-sweat-roughness.png')
-  // Of the size of the other maps.
+  // Same size as the other maps.
   expect(await sharp(await download.path()).metadata()).toMatchObject({
     width: 1024,
     height: 1024,
@@ -61,7 +61,7 @@ test('layers are added, renamed, moved and undone; a map is imported, and saved 
   expect(await layerNames()).not.toContain('sweat')
 })
 
-test('an imported blood map reddens or pales the skin where an area shows, and is in the exported file', async () => {
+test('an imported blood map reddens or pales the skin where an area shows, and is exported', async () => {
   await page.locator('#filter').fill('browInnerUp')
   await slider(page, 'browInnerUp').fill('1')
   const before = await shootAside(page)
@@ -107,7 +107,7 @@ test('an imported blood map reddens or pales the skin where an area shows, and i
   await page.locator('#filter').fill('')
 })
 
-test('a sculpt is baked into a layer, and the bake can be cancelled', async () => {
+test('a sculpt is baked into a layer, and baking can be cancelled', async () => {
   const [layer] = await page.locator('.layer summary').allInnerTexts()
   await page.locator('.layer summary').first().click()
   const sculpt = page.getByLabel(/^Bake a sculpt into/).first()

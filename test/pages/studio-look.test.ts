@@ -1,4 +1,4 @@
-/** The studio's page is light or dark as the system is or as the user chooses, and nothing on it is cut at any width. */
+/** The studio's page follows the system or the user's choice of light or dark, and shows all of its content at every width. */
 
 import type { Page } from 'playwright-core'
 import sharp from 'sharp'
@@ -18,7 +18,7 @@ beforeAll(() => {
 
 const choose = (name: string) => page.getByRole('group', { name: 'Page' }).getByText(name).click()
 
-/** Mean brightness of an element with what is drawn over it, 0..255. */
+/** Mean brightness of an element including everything on top, 0..255. */
 async function brightness(selector: string): Promise<number> {
   const picture = sharp(await page.locator(selector).screenshot()).grayscale()
   return (await picture.stats()).channels[0].mean
@@ -27,7 +27,7 @@ async function brightness(selector: string): Promise<number> {
 const isLight = async () => (await brightness('#panel')) > 180
 
 describe('light and dark', () => {
-  test('the page follows the system, and the stage stays dark', async () => {
+  test('follow the system, and the stage stays dark', async () => {
     for (const colorScheme of ['dark', 'light'] as const) {
       await page.emulateMedia({ colorScheme })
       expect(await isLight()).toBe(colorScheme === 'light')
@@ -37,7 +37,7 @@ describe('light and dark', () => {
     }
   })
 
-  test('a choice decides instead, also on the next visit, until the system is chosen again', async () => {
+  test('are fixed by a choice, also on the next visit, until the system is chosen again', async () => {
     await page.emulateMedia({ colorScheme: 'light' })
     await choose('Dark')
     expect(await isLight()).toBe(false)
@@ -52,7 +52,7 @@ describe('light and dark', () => {
     expect(await isLight()).toBe(false)
   })
 
-  test('where the system replaces all colours, what is chosen is seen', async () => {
+  test('keep selections visible in forced colours mode', async () => {
     await page.emulateMedia({ forcedColors: 'active' })
     const colours = await page.evaluate(() =>
       ['true', 'false'].map((pressed) => {
@@ -65,14 +65,14 @@ describe('light and dark', () => {
   })
 })
 
-test('on a dense screen the texture fills its view', async () => {
+test('on a high-density screen the texture fills its view', async () => {
   const session = await page.context().newCDPSession(page)
   await session.send('Emulation.setDeviceMetricsOverride', { ...WINDOW, deviceScaleFactor: 2, mobile: false })
   const toggle = page.getByRole('button', { name: 'Texture' })
   await toggle.click()
   const canvas = page.locator('#texture canvas')
   const [view, picture] = [await page.locator('#texture').boundingBox(), await canvas.boundingBox()]
-  // But for the border of the view.
+  // Except for the view's border.
   expect(picture!.width).toBeCloseTo(view!.width, -1)
   expect(picture!.height).toBeCloseTo(view!.height, -1)
   await toggle.click()
@@ -80,7 +80,7 @@ test('on a dense screen the texture fills its view', async () => {
   await session.detach()
 })
 
-test.each([390, 640, 768, 1280, 1920, 2560])('nothing is cut at %i pixels', async (width) => {
+test.each([390, 640, 768, 1280, 1920, 2560])('all content is in view at %i pixels', async (width) => {
   await page.setViewportSize({ width, height: 800 })
   const edit = page.getByRole('button', { name: 'Edit wrinkles' })
   if (await edit.isVisible()) await edit.click()

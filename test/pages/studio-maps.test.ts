@@ -1,4 +1,4 @@
-/** Maps in the studio: the texture's view, area tools, views of the stage, and what performs under the pointer. */
+/** Maps in the studio: the texture's view, area tools, views of the stage, and the preview under the pointer. */
 
 import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
@@ -31,7 +31,7 @@ beforeAll(async () => {
 
 const texture = () => page.getByRole('application', { name: /^Texture/ })
 
-test('the texture is shown beside the face, moved by keys and wheel, and shown whole again', async () => {
+test('the texture is shown next to the face, moves by keys and wheel, and resets', async () => {
   const { width } = (await page.locator('#stage').boundingBox())!
   await button(page, 'Texture').click()
   await areaChoice(page, AREA).check()
@@ -52,7 +52,7 @@ test('the texture is shown beside the face, moved by keys and wheel, and shown w
   await texture().press('0')
 })
 
-test('a stroke on the texture paints the same place of the face, and its thumbnail', async () => {
+test('a stroke on the texture paints the same place on the face and in the thumbnail', async () => {
   await button(page, 'Paint').click()
   const thumbnail = () =>
     areaChoice(page, AREA).evaluate((radio) => (radio.nextElementSibling as HTMLCanvasElement).toDataURL())
@@ -72,7 +72,7 @@ test('a stroke on the texture paints the same place of the face, and its thumbna
   await button(page, 'Paint').click()
 })
 
-test('a polygon that is drawn on the texture paints its inside on the face, and is outlined where it is drawn', async () => {
+test('a polygon on the texture paints its inside on the face, and is outlined while drawn', async () => {
   await button(page, 'Paint').click()
   await page.getByText('Polygon', { exact: true }).click()
   const [face, map] = [await shootAside(page), await shootTexture()]
@@ -92,7 +92,7 @@ test('a polygon that is drawn on the texture paints its inside on the face, and 
       expect(Math.hypot(seen[i][0] - u * width, seen[i][1] - v * height)).toBeLessThan(1)
     }
   })
-  // The first point again closes it.
+  // Clicking the first point again closes the polygon.
   await page.mouse.click(x + corners[0][0] * width, y + corners[0][1] * height)
   await undoIs(page, `Paint ${AREA}`)
   expect(await meanPngDifference(face, await shootAside(page))).toBeGreaterThan(0.1)
@@ -175,7 +175,7 @@ test('the face is shown as clay, and by its strain, which follows the pose', asy
   await expectPicture(page, shaded)
 })
 
-test('the light is turned by keys and dragged over its ball; nothing turns by itself where less motion is wanted', async () => {
+test('the light turns by keys and by dragging its ball; nothing turns on its own with reduced motion', async () => {
   const before = await shootAside(page)
   const ball = page.getByRole('slider', { name: 'Light', exact: true })
   const turned = async () =>
@@ -196,8 +196,8 @@ test('the light is turned by keys and dragged over its ball; nothing turns by it
   expect(await page.getByLabel('Turntable').isDisabled()).toBe(true)
 })
 
-test('the face performs for the area under the pointer or the focus, lit from the side, and relaxes', async () => {
-  // Unfolds the groups of what is found.
+test('the face performs for the hovered or focused area, lit from the side, and relaxes', async () => {
+  // Unfolds the groups of the search results.
   await page.locator('#filter').fill('o')
   await slider(page, 'jawOpen').fill('0.3')
   await slider(page, 'noseLeft').fill('0.4')
@@ -206,19 +206,19 @@ test('the face performs for the area under the pointer or the focus, lit from th
     Promise.all(names.map(async (name) => Number(await slider(page, name).inputValue())))
   await page.locator('#areas label', { hasText: 'crowsFeetLeft' }).hover()
   await eventually(async () => expect((await values('crowsFeetLeft'))[0]).toBeGreaterThan(0.5))
-  // As the happy expression has it.
+  // Weight in the happy expression.
   expect(await values('jawOpen')).toEqual([0.12])
   expect(await meanPngDifference(before, await shootStage(page))).toBeGreaterThan(2)
   await expectPicture(page, before)
   expect(await values('jawOpen', 'noseLeft', 'crowsFeetLeft')).toEqual([0.3, 0.4, 0])
-  // Tab goes to the one of the list that is chosen.
+  // Tab reaches the selected radio button of the list.
   await areaChoice(page, 'noseLeft').check()
   await shootAside(page)
   await areaChoice(page, 'noseLeft').focus()
   await page.keyboard.press('Shift+Tab')
   await page.keyboard.press('Tab')
   await eventually(async () => expect((await values('jawOpen'))[0]).toBe(0))
-  // What moves the face by hand begins from the pose before.
+  // Moving the face by hand starts from the previous pose.
   await slider(page, 'mouthPucker').fill('0.5')
   expect(await values('jawOpen', 'noseLeft', 'mouthPucker')).toEqual([0.3, 0.4, 0.5])
   expect(await button(page, 'Undo').isDisabled()).toBe(true)

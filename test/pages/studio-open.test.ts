@@ -21,7 +21,7 @@ const SCAN = fileURLToPath(new URL('../../../shared/real-face/ict-face.glb', imp
 const studio = openStudio({ width: 800, height: 400 })
 const { folder } = studio
 let page: Page
-/** The shipped face at rest, without wrinkles: as its plain copies look. */
+/** Shipped face at rest without wrinkles, like its plain copies. */
 let human: Buffer
 
 beforeAll(async () => {
@@ -32,12 +32,12 @@ beforeAll(async () => {
 test.each([
   ['a .glb', 'plain.glb', 'Plain'],
   ['a VRM that looks along -Z', 'turned.vrm', 'Turned'],
-])('%s is shown when it is dropped, framed at the face', async (_, path, name) => {
+])('%s is shown when dropped, framed at the face', async (_, path, name) => {
   await dropPaths(page, [join(folder, path)], name)
   expect(await meanPngDifference(human, await shootStage(page))).toBeLessThan(1)
 })
 
-test('a dropped avatar without wrinkles moves by expressions, its own too', async () => {
+test('a dropped avatar without wrinkles moves by expressions, including its own', async () => {
   await page.getByRole('button', { name: 'Surprised' }).click()
   await page.getByLabel('Filter blendshapes').fill('jawOpen')
   await expectValue(slider(page, 'jawOpen'), 0.25)
@@ -59,8 +59,8 @@ test.each([
   expect(await page.getByRole('combobox', { name: 'Face' }).inputValue()).toBe('turned')
 })
 
-test('a folder of wrinkles is shown on the face in it', async () => {
-  // The avatar before it has its automatic wrinkles by now.
+test('a folder of wrinkles is shown on its face', async () => {
+  // The previous avatar has its automatic wrinkles by now.
   await expectValue(slider(page, 'foreheadInnerLeft'), 0)
   await dropPaths(page, [join(folder, 'wrinkles')], 'Face')
   await page.getByRole('slider', { name: /^Divider/ }).press('Home')
@@ -69,7 +69,7 @@ test('a folder of wrinkles is shown on the face in it', async () => {
   expect(await meanPngDifference(human, await shootStage(page))).toBeGreaterThan(1)
 })
 
-test('areas are added to it', async () => {
+test('areas can be added to a folder of wrinkles', async () => {
   await page.getByRole('button', { name: 'Reset all areas' }).click()
   const before = await shootStage(page)
   const image = join(folder, 'forehead.png')
@@ -79,7 +79,7 @@ test('areas are added to it', async () => {
   expect(await meanPngDifference(before, await shootStage(page))).toBeGreaterThan(1)
 })
 
-test('a face of the list comes back as it was', async () => {
+test('a face of the list is restored as it was', async () => {
   await page.getByRole('combobox', { name: 'Face' }).selectOption('human')
   await waitUntilReady(page)
   expect(

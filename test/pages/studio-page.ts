@@ -1,4 +1,4 @@
-/** Actions on the studio's page, and what its tests read from it. */
+/** Actions on the studio's page, and values that tests read from it. */
 
 import { join } from 'node:path'
 import type { Locator, Page } from 'playwright-core'
@@ -6,7 +6,7 @@ import sharp from 'sharp'
 import { expect, vi } from 'vitest'
 import { dropPaths as dropOnPage } from '../../scripts/lib/drop-paths.mjs'
 
-/** How long the page may take to compute and draw where no GPU is. */
+/** Time limit for pages that compute and draw without a GPU. */
 export const DRAWING = { timeout: 120_000, interval: 200 }
 
 /** Waits until a face is shown. */
@@ -15,7 +15,7 @@ export async function waitUntilReady(page: Page, backend = ''): Promise<void> {
   await page.locator('#stage[aria-busy=false]').waitFor()
 }
 
-/** Unfolds the panel; the HTML of its controls that are cut off, as an expression of the page. */
+/** Page expression that unfolds the panel and returns the HTML of clipped controls. */
 export const CUT_CONTROLS = `(() => {
   for (const details of document.querySelectorAll('details')) details.open = true
   const isCut = (element) =>
@@ -39,23 +39,23 @@ export function button(page: Page, name: string): Locator {
   return page.getByRole('button', { name, exact: true })
 }
 
-/** What chooses an area in the list. */
+/** Radio button that selects an area in the list. */
 export function areaChoice(page: Page, area: string): Locator {
   return page.getByRole('radio', { name: `Edit area ${area}`, exact: true })
 }
 
-/** Lets the pointer draw lines, and waits until the face shows the present ones: a worker reads the skin for them. */
+/** Switches the pointer to drawing lines, and waits until the face shows the current lines: a worker reads the skin first. */
 export async function startDrawingLines(page: Page): Promise<void> {
   await page.getByRole('group', { name: 'Pointer' }).getByText('Draw', { exact: true }).click()
   await page.locator('canvas.lines').waitFor()
 }
 
-/** What undo would take back. */
+/** Returns the label of the step that undo would revert. */
 export async function undoLabel(page: Page): Promise<string | undefined> {
   return (await button(page, 'Undo').getAttribute('title'))?.replace('Undo: ', '')
 }
 
-/** Waits until undo would take back this. */
+/** Waits until undo would revert this step. */
 export function undoIs(page: Page, label: string): Promise<void> {
   return eventually(async () => expect(await undoLabel(page)).toBe(label))
 }
@@ -65,10 +65,10 @@ export function expectValue(input: Locator, value: number): Promise<void> {
   return vi.waitFor(check, { timeout: 300_000, interval: 100 })
 }
 
-/** Picture of the stage, once two in a row are equal. */
+/** Takes pictures of the stage until two in a row are equal. */
 export async function shootStage(page: Page): Promise<Buffer> {
   const { width, height } = (await page.locator('#viewport').boundingBox())!
-  // Between the toolbar and the readout, whose numbers change, and without the overlays.
+  // Between the toolbar and the readout, whose numbers change, and without overlays.
   const clip = { x: 0, y: 60, width, height: height - 180 }
   const shoot = () => page.screenshot({ clip, style: '.messages, .divider, .sides { opacity: 0 }' })
   for (let before = await shoot(); ; ) {
@@ -81,7 +81,7 @@ export async function shootStage(page: Page): Promise<Buffer> {
   }
 }
 
-/** The shipped face at rest, without wrinkles: as its plain copies look. */
+/** Takes a picture of the shipped face at rest without wrinkles, like its plain copies. */
 export async function shootPlainHuman(page: Page): Promise<Buffer> {
   await page.getByRole('button', { name: 'Neutral' }).click()
   await expectValue(slider(page, 'foreheadLeft'), 0)
@@ -89,7 +89,7 @@ export async function shootPlainHuman(page: Page): Promise<Buffer> {
   return shootStage(page)
 }
 
-/** The stage without the outlines of the brush and of the focus, nor what is hovered. */
+/** Takes a picture of the stage without the outlines of brush and focus, and without hover effects. */
 export async function shootAside(page: Page): Promise<Buffer> {
   await page.mouse.move(page.viewportSize()!.width - 10, 5)
   await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur())
@@ -97,9 +97,9 @@ export async function shootAside(page: Page): Promise<Buffer> {
 }
 
 /**
- * Waits until the stage is as a picture shows it.
+ * Waits until the stage looks like a picture.
  *
- * @param most mean difference of the two in 0..255; by default they are equal.
+ * @param most largest mean difference, 0..255; by default the pictures must be equal.
  */
 export function expectPicture(page: Page, picture: Buffer, most = 0): Promise<void> {
   const check = async () =>
@@ -107,19 +107,19 @@ export function expectPicture(page: Page, picture: Buffer, most = 0): Promise<vo
   return eventually(check)
 }
 
-/** Waits until a check passes, as long as drawing may take. */
+/** Waits until a check passes, within the time limit of drawing. */
 export function eventually<T>(check: () => T | Promise<T>): Promise<T> {
   return vi.waitFor(check, DRAWING)
 }
 
-/** Mean difference of two pictures, in 0..255. */
+/** Returns the mean difference of two pictures, 0..255. */
 export async function meanPngDifference(a: Buffer, b: Buffer): Promise<number> {
   const [one, other] = await Promise.all([a, b].map((png) => sharp(png).removeAlpha().raw().toBuffer()))
   expect(other.length).toBe(one.length)
   return one.reduce((sum, value, i) => sum + Math.abs(value - other[i]), 0) / one.length
 }
 
-/** Standard deviation of a picture's brightness: 0 if it is blank. */
+/** Returns the standard deviation of a picture's brightness: 0 if blank. */
 export async function brightnessDeviation(png: Buffer): Promise<number> {
   const { channels } = await sharp(png).grayscale().stats()
   return channels[0].stdev
@@ -131,7 +131,7 @@ export async function dismiss(page: Page, text: string): Promise<void> {
   await page.getByRole('button', { name: 'Dismiss' }).click()
 }
 
-/** An area with full weight everywhere, in the paper's convention. */
+/** Makes an area of full weight in the paper's convention. */
 export function blackPng(): Promise<Buffer> {
   return sharp({ create: { width: 32, height: 32, channels: 3, background: '#000' } })
     .png()
@@ -153,13 +153,13 @@ export async function drop(page: Page, name: string, content: Buffer): Promise<v
   await page.dispatchEvent('#stage', 'drop', { dataTransfer: files })
 }
 
-/** The distinct values of a slider from pressing an expression's button until nothing moves. */
+/** Collects the distinct values of a slider from pressing an expression's button until nothing moves. */
 export async function transitionValues(page: Page, expression: string, name: string): Promise<number[]> {
   const input = await slider(page, name).elementHandle()
   return page.getByRole('button', { name: expression }).evaluate(async (button, sliderInput) => {
     ;(button as HTMLElement).click()
     const values = new Set<number>()
-    // At least 12 frames: a slow machine draws few of them in a second, in steps of 0.1 s.
+    // At least 12 frames, because a slow machine draws few per second, in steps of 0.1 s.
     for (let frame = 0, start = performance.now(); frame < 12 || performance.now() - start < 1000; frame++) {
       values.add((sliderInput as HTMLInputElement).valueAsNumber)
       await new Promise(requestAnimationFrame)
@@ -169,9 +169,9 @@ export async function transitionValues(page: Page, expression: string, name: str
 }
 
 /**
- * Drops files and folders of the disk as the system does.
+ * Drops files and folders from disk as the system does.
  *
- * @param name of the face that is then shown; by default the page has done nothing yet when this returns.
+ * @param name face to wait for; by default returns immediately.
  */
 export async function dropPaths(page: Page, files: string[], name?: string): Promise<void> {
   await dropOnPage(page, files)

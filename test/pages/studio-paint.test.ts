@@ -23,9 +23,9 @@ const AREA = 'foreheadInnerLeft'
 const studio = openStudio({ width: 900, height: 600 }, writePlain)
 const { folder } = studio
 let page: Page
-/** Addresses of the workers that the page has started. */
+/** URLs of the workers that the page has started. */
 const workers: string[] = []
-/** The cheek on the page. */
+/** Position of the cheek on the page. */
 let cheek: { x: number; y: number }
 
 beforeAll(async () => {
@@ -36,12 +36,12 @@ beforeAll(async () => {
   cheek = { x: x + 0.62 * width, y: y + 0.58 * height }
 })
 
-test('a worker makes the skin ready before it is painted', async () => {
+test('a worker prepares the skin before painting', async () => {
   const ofSkin = () => workers.filter((url) => url.includes('/paint/worker'))
   await eventually(() => expect(ofSkin().length).toBe(1))
 })
 
-test('a stroke on the cheek paints the chosen area there; undo takes it back without a trace', async () => {
+test('a stroke on the cheek paints the selected area there, and undo removes it completely', async () => {
   await areaChoice(page, AREA).check()
   await button(page, 'Paint').click()
   const before = await shootAside(page)
@@ -59,7 +59,7 @@ test('a stroke on the cheek paints the chosen area there; undo takes it back wit
   await expectPicture(page, before)
 })
 
-test('Escape takes back a stroke that is under way', async () => {
+test('Escape cancels a stroke in progress', async () => {
   const before = await shootAside(page)
   await stroke()
   await page.keyboard.press('Escape')
@@ -87,7 +87,7 @@ test('keys change the brush, and Alt leaves the pointer to the camera', async ()
   await expectCameraMoved(before)
 })
 
-test('two fingers move the camera, though the first one had begun a stroke', async () => {
+test('two fingers move the camera, even after the first one began a stroke', async () => {
   await button(page, 'Paint').click()
   const before = await shootAside(page)
   const session = await page.context().newCDPSession(page)
@@ -106,7 +106,7 @@ test('two fingers move the camera, though the first one had begun a stroke', asy
   await expectCameraMoved(before)
 })
 
-test('an area gets another name, and its own back by undo', async () => {
+test('an area can be renamed, and undo restores its name', async () => {
   await page.getByLabel('Name', { exact: true }).fill('brow')
   await page.keyboard.press('Enter')
   await areaChoice(page, 'brow').waitFor()
@@ -119,7 +119,7 @@ test('an area gets another name, and its own back by undo', async () => {
   await areaChoice(page, AREA).waitFor()
 })
 
-test('an area is deleted, and comes back by undo', async () => {
+test('an area can be deleted, and undo restores it', async () => {
   await areaChoice(page, AREA).check()
   await button(page, 'Delete').click()
   await areaChoice(page, AREA).waitFor({ state: 'detached' })
@@ -134,7 +134,7 @@ test('an area is deleted, and comes back by undo', async () => {
   await areaChoice(page, AREA).waitFor()
 })
 
-test('a muted area is left out of the picture only', async () => {
+test('a muted area is hidden only in the picture', async () => {
   await page.getByRole('slider', { name: /^Divider/ }).press('Home')
   const before = await shootAside(page)
   await slider(page, AREA).fill('1')
@@ -148,14 +148,14 @@ test('a muted area is left out of the picture only', async () => {
   expect(await meanPngDifference(before, await shootAside(page))).toBeGreaterThan(0.05)
 })
 
-/** Presses the mouse on the cheek and drags it, as often as a hand that is seen in every frame. */
+/** Drags the mouse over the cheek in small steps, like a hand. */
 async function stroke(): Promise<void> {
   await page.mouse.move(cheek.x, cheek.y)
   await page.mouse.down()
   await page.mouse.move(cheek.x + 20, cheek.y + 12, { steps: 4 })
 }
 
-/** Expects a picture that differs by its camera only; goes back to the brush. */
+/** Expects a picture that differs only by its camera, then selects the brush. */
 async function expectCameraMoved(before: Buffer): Promise<void> {
   expect(await button(page, 'Undo').isDisabled()).toBe(true)
   expect(await meanPngDifference(before, await shootAside(page))).toBeGreaterThan(1)
@@ -164,7 +164,7 @@ async function expectCameraMoved(before: Buffer): Promise<void> {
   await button(page, 'Paint').click()
 }
 
-/** Mean difference of two pictures of the stage within 10 pixels of a point of the page, in 0..255. */
+/** Returns the mean difference of two pictures of the stage within 10 pixels of a point of the page, 0..255. */
 async function differenceAt(a: Buffer, b: Buffer, { x, y }: { x: number; y: number }): Promise<number> {
   const rectangle = { left: Math.round(x - 5), top: Math.round(y - 65), width: 20, height: 20 }
   const [one, other] = await Promise.all([a, b].map((png) => sharp(png).extract(rectangle).png().toBuffer()))

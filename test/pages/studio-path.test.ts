@@ -2,14 +2,14 @@ import { simplify, weld } from '@gltf-transform/functions'
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier'
 import { io, plainHuman } from './avatars.ts'
 import { cutTexture } from './cut-texture.ts'
-import { describeWay, OF_HUMAN } from './studio-way.ts'
+import { describeWay, HUMAN_HEIGHTS } from './studio-way.ts'
 
 const LOW_POLY = 0.12
 
 describeWay({
   kind: 'a low-polygon avatar',
   file: 'low.glb',
-  heights: OF_HUMAN,
+  heights: HUMAN_HEIGHTS,
   make: async () => {
     await MeshoptSimplifier.ready
     const document = await plainHuman()

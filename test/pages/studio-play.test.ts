@@ -1,4 +1,4 @@
-/** Key frames of a file and captures of an iPhone, played in the studio. */
+/** Key frames of a file and iPhone captures, played in the studio. */
 
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -10,7 +10,7 @@ import { openStudio } from './opened-studio.ts'
 import { dropPaths, expectValue, meanPngDifference, shootStage, slider } from './studio-page.ts'
 
 const HUMAN = fileURLToPath(new URL('../../faces/human.glb', import.meta.url))
-/** Of the key frames, in seconds. */
+/** Length of the key frame animation, seconds. */
 const DURATION = 2
 
 const studio = openStudio({ width: 800, height: 500 })
@@ -43,7 +43,7 @@ beforeAll(async () => {
   await page.getByRole('slider', { name: /^Divider/ }).press('Home')
 })
 
-/** Blendshapes that rise from 0 to 1, on every mesh. */
+/** Adds an animation that raises blendshapes from 0 to 1 on every mesh. */
 function animate(file: Uint8Array, rising: readonly string[]): Uint8Array {
   return editGlb(file, (json) => {
     const add = (values: number[]) => {
@@ -76,7 +76,7 @@ const expression = (name: string) => page.locator('#expressions button', { hasTe
 let rest: Buffer
 let raised: Buffer
 
-test('nothing plays by itself; scrubbed to a time, the forehead is creased', async () => {
+test('nothing plays on its own, and scrubbing to a time creases the forehead', async () => {
   await expectValue(time(), 0)
   expect(await button('Play').isVisible()).toBe(true)
   expect(await button('Stop').isDisabled()).toBe(true)
@@ -86,7 +86,7 @@ test('nothing plays by itself; scrubbed to a time, the forehead is creased', asy
   await expectValue(forehead(), 1)
   raised = await shootStage(page)
   expect(await meanPngDifference(rest, raised)).toBeGreaterThan(0.5)
-  // The brows move without wrinkles too: what is left is the creases.
+  // The brows also move without wrinkles, so only the creases remain.
   const divider = page.getByRole('slider', { name: /^Divider/ })
   await divider.press('End')
   const smooth = await shootStage(page)
@@ -94,14 +94,14 @@ test('nothing plays by itself; scrubbed to a time, the forehead is creased', asy
   expect(await meanPngDifference(smooth, raised)).toBeGreaterThan(0.1)
 })
 
-test('stopped, the face has the pose that it had before', async () => {
+test('stopping restores the previous pose', async () => {
   await button('Stop').click()
   await expectValue(forehead(), 0)
   await expectValue(time(), 0)
   expect(await meanPngDifference(rest, await shootStage(page))).toBe(0)
 })
 
-test('it plays to its end and pauses by the keyboard, and an expression ends it', async () => {
+test('plays to the end and pauses by keyboard, and an expression stops it', async () => {
   await page.getByRole('checkbox', { name: 'Loop' }).uncheck()
   await button('Play').focus()
   await page.keyboard.press('Enter')
@@ -118,7 +118,7 @@ test('it plays to its end and pauses by the keyboard, and an expression ends it'
   await expression('Neutral').click()
 })
 
-test('a take of Live Link Face is played by the same controls', async () => {
+test('a Live Link Face take plays with the same controls', async () => {
   await dropPaths(page, [join(studio.folder, 'take.csv')])
   await page.getByText('Added take to Animation').waitFor()
   expect(await page.locator('#clip option').allTextContents()).toEqual(['raise', 'take'])

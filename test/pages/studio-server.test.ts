@@ -12,7 +12,7 @@ import { HOSTILE_BYTES, HOSTILE_PATHS, request, send, statusOf } from '../hostil
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 const SECRET = 'not to be served'
 
-/** A checkout with damaged files in `faces/`, and a folder beside it to which links lead. */
+/** Checkout with damaged files in `faces/`, and a folder outside it that links point to. */
 const folder = mkdtempSync(join(tmpdir(), 'furrow-studio-'))
 const checkout = join(folder, 'checkout')
 const warnings: string[] = []
@@ -90,24 +90,27 @@ async function expectAlive(): Promise<void> {
   expect((await fetch(new URL('faces/good.glb', origin))).status).toBe(200)
 }
 
-test('faces that cannot be read are left out of the list, each with one line', async () => {
+test('unreadable faces are left out of the list, with one line each', async () => {
   await expectAlive()
   const left = warnings.map((text) => /^faces: "(.*)" is left out, .*\(.*\)$/.exec(text)?.[1])
   expect([...new Set(left)].sort()).toEqual(['cut-off.glb', 'empty.glb', 'header.glb', 'text.glb'])
 })
 
-test.each(HOSTILE_PATHS.map((path) => [path.slice(0, 40), path]))('GET %s ends nothing', async (_, path) => {
-  for (const prefix of ['', '/faces', '/examples', '/@fs', `/@fs${checkout}/faces`, '/@id']) {
-    const response = await request(origin, `${prefix}${path}`)
-    expect(response).not.toContain(SECRET)
-    expect(response).not.toContain('root:')
-    if (prefix === '/faces') expect(statusOf(response)).toBeGreaterThanOrEqual(400)
-  }
-  await expectAlive()
-})
+test.each(HOSTILE_PATHS.map((path) => [path.slice(0, 40), path]))(
+  'the server survives GET %s',
+  async (_, path) => {
+    for (const prefix of ['', '/faces', '/examples', '/@fs', `/@fs${checkout}/faces`, '/@id']) {
+      const response = await request(origin, `${prefix}${path}`)
+      expect(response).not.toContain(SECRET)
+      expect(response).not.toContain('root:')
+      if (prefix === '/faces') expect(statusOf(response)).toBeGreaterThanOrEqual(400)
+    }
+    await expectAlive()
+  },
+)
 
 test.each(HOSTILE_BYTES.map((bytes, i) => [i, bytes] as const))(
-  'bytes of number %d end nothing',
+  'the server survives the bytes of number %d',
   async (_, bytes) => {
     await send(origin, bytes)
     await expectAlive()
@@ -133,13 +136,13 @@ test.each([
   [`/@fs${folder}/elsewhere/missing.json`, 404],
   ['/__open-in-editor?file=package.json', 404],
   ['/__OPEN-in-editor/?file=package.json', 404],
-] as const)('GET %s gives %d', async (path, status) => {
+] as const)('GET %s returns %d', async (path, status) => {
   const response = await request(origin, path)
   expect(statusOf(response)).toBe(status)
   expect(response).not.toContain(SECRET)
 })
 
-test('an example and the files beside it are served', async () => {
+test('an example and its files are served', async () => {
   expect(await (await fetch(new URL('examples/page.html', origin))).text()).toContain('An example')
   expect((await fetch(new URL(`@fs${checkout}/faces/good.glb`, origin))).status).toBe(200)
 })

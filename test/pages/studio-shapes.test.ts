@@ -1,4 +1,4 @@
-/** An artist sees what the blendshapes of a face without their names are, and corrects it, to the file that others load. */
+/** Identifying the blendshapes of a face without names, correcting them, and exporting the corrections. */
 
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -32,7 +32,7 @@ const studio = openStudio({ width: 1120, height: 700 }, async (folder) => {
   writeFileSync(join(folder, 'nameless.glb'), await io.writeBinary(document))
 })
 let page: Page
-/** Names that the blendshapes had. */
+/** Original names of the blendshapes. */
 let names: string[]
 
 beforeAll(async () => {
@@ -61,13 +61,13 @@ async function correct(name: string, shape: string): Promise<void> {
   await choiceOf(name).selectOption(shape)
 }
 
-test('the section lists the blendshapes by what they move, once it is unfolded', async () => {
+test('the unfolded section lists the blendshapes by what they move', async () => {
   await unfold()
   expect(await rows().count()).toBe(names.length)
   const row = rowOf(indexOf('mouthSmileLeft'))
   expect(await row.textContent()).toMatch(/\d\d%motion/)
   expect(await row.locator('option:checked').textContent()).toBe('mouthSmileLeft (automatic)')
-  // A tongue inside of the mouth moves no skin.
+  // A tongue inside the mouth moves no skin.
   await page.getByLabel('Unknown only').check()
   expect(await rows().count()).toBe(1)
   expect(await rows().textContent()).toContain('unknown')
@@ -77,7 +77,7 @@ test('the section lists the blendshapes by what they move, once it is unfolded',
   await page.getByLabel('Filter shapes').fill('')
 })
 
-test('the face shows the blendshape that is pointed at or focused', async () => {
+test('the face shows the hovered or focused blendshape', async () => {
   const before = await shootAside(page)
   const name = indexOf('jawOpen')
   const show = page.getByRole('button', { name, exact: true })
@@ -96,7 +96,7 @@ test('the face shows the blendshape that is pointed at or focused', async () => 
   await expectPicture(page, before)
 })
 
-test('a correction is undone and done again, and wrinkles are made of it when the artist says so', async () => {
+test('a correction can be undone and redone, and changes wrinkles when the artist asks', async () => {
   const name = indexOf('browInnerUp')
   await correct(name, '-')
   await undoIs(page, `Correct ${name}`)
@@ -112,12 +112,12 @@ test('a correction is undone and done again, and wrinkles are made of it when th
   await button(page, 'Make them again').click()
   await noteOf().waitFor({ state: 'detached' })
   await made()
-  // Nothing raises the brows now.
+  // Now nothing raises the brows.
   await eventually(async () => expect(await areaChoice(page, 'foreheadInnerLeft').count()).toBe(0))
   expect(await areaChoice(page, 'mouthCornerLeft').count()).toBe(1)
 })
 
-test('two corrections are kept in this browser', async () => {
+test('two corrections are stored in this browser', async () => {
   await correct(indexOf('mouthSmileLeft'), 'mouthFrownLeft')
   await page.getByText('Kept in this browser').waitFor()
   await page.reload()
@@ -133,7 +133,7 @@ test('two corrections are kept in this browser', async () => {
   await noteOf().waitFor()
 })
 
-test('the exported file has them, and gives them to who opens it', async () => {
+test('the exported file contains them for the next reader', async () => {
   await page.getByRole('heading', { name: 'Export' }).click()
   await button(page, 'Make the file').click()
   const save = page.getByRole('button', { name: /^Save .*-wrinkled\./ })

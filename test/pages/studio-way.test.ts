@@ -4,7 +4,7 @@ import { turnScene } from '../avatar.ts'
 import { asVrm0 } from '../vrm.ts'
 import { io, plainHuman } from './avatars.ts'
 import { cutTexture } from './cut-texture.ts'
-import { describeWay, OF_HUMAN } from './studio-way.ts'
+import { describeWay, HUMAN_HEIGHTS } from './studio-way.ts'
 
 const SCAN = fileURLToPath(new URL('../../../shared/real-face/ict-face.glb', import.meta.url))
 
@@ -23,7 +23,7 @@ describeWay({
 describeWay({
   kind: 'a VRM',
   file: 'avatar.vrm',
-  heights: OF_HUMAN,
+  heights: HUMAN_HEIGHTS,
   make: async () => {
     const document = await plainHuman()
     await cutTexture(document, 'skin')

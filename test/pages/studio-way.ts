@@ -1,4 +1,4 @@
-/** An artist's whole way by mouse: from an avatar of her own, by changes of each kind and another day, to the file that others load. */
+/** An artist's complete path by mouse: from her avatar, through every kind of change and another day, to the file that others load. */
 
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -22,7 +22,7 @@ import {
   waitUntilReady,
 } from './studio-page.ts'
 
-/** Small: frames take most of the time. */
+/** Small, because frames take most of the time. */
 const WINDOW = { width: 1120, height: 700 }
 /** Sizes of the pictures in `docs/studio.md`. */
 const PICTURES = [
@@ -35,23 +35,23 @@ let page: Page
 
 const area = (name: string) => page.getByRole('slider', { name, exact: true })
 
-/** Heights on the stage, as fractions of it: the middle of the forehead's lines, and of the chin. */
+/** Heights on the stage, as fractions of it: middle of the forehead's lines, and chin. */
 export interface Heights {
   forehead: number
   chin: number
 }
 
 /** Heights of the shipped face. */
-export const OF_HUMAN: Heights = { forehead: 0.23, chin: 0.67 }
+export const HUMAN_HEIGHTS: Heights = { forehead: 0.23, chin: 0.67 }
 
-/** Mean difference of pictures of the same work, in 0..255. */
+/** Largest mean difference of two pictures of the same work, 0..255. */
 const SAME = 0.01
 
 beforeAll(() => {
   ;({ page } = studio)
 })
 
-/** Avatars whose texture has a seam along the middle of the face; `make` gives null for one that is not here. */
+/** Avatar whose texture has a seam along the middle of the face. `make` returns null if the avatar is missing. */
 export interface Avatar {
   kind: string
   file: string
@@ -59,10 +59,7 @@ export interface Avatar {
   make: () => Promise<Uint8Array | null>
 }
 
-/**
- * Describes an artist's whole way by mouse, with an avatar of her own: by changes of each kind and another day, to the file that others
- * load. The studio is open for all tests of the file.
- */
+/** Describes an artist's complete path by mouse with an avatar. The studio is open for all tests of the file. */
 export function describeWay({ kind, file, heights, make }: Avatar): void {
   describe(kind, () => walk(file, heights, make))
 }
@@ -72,7 +69,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
   const chin: Box = [0.45, heights.chin - 0.04, 0.55, heights.chin + 0.04]
   let bytes: Uint8Array | null
   const name = file.replace(/\..*/, '')
-  /** Steps that were taken, by what undo calls them. */
+  /** Steps so far, by their undo labels. */
   const steps: string[] = []
   let made: Buffer
   let changed: Buffer
@@ -87,7 +84,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     if (bytes) writeFileSync(join(studio.folder, file), bytes)
   })
 
-  step('gets wrinkles when it is dropped, and raised brows crease its forehead', async () => {
+  step('the dropped avatar gets wrinkles, and raised brows crease its forehead', async () => {
     await dropPaths(page, [join(studio.folder, file)], title(name))
     await areaChoice(page, 'foreheadInnerLeft').waitFor()
     await vi.waitFor(async () => expect(await page.getByText('Making wrinkles').count()).toBe(0), DRAWING)
@@ -104,13 +101,13 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     await mode.getByText('Off', { exact: true }).click()
     const plainFace = await shootAside(page)
     await mode.getByText('Default', { exact: true }).click()
-    // The forehead, and nothing else: the mouth does not move.
+    // Only the forehead changes: the mouth does not move.
     expect(await differenceIn(made, plainFace, forehead)).toBeGreaterThan(0.5)
     expect(await differenceIn(made, plainFace, chin)).toBeLessThan(0.1)
     await expectPicture(page, made, SAME)
   })
 
-  step('one of its lines is bent', async () => {
+  step('a line can be bent', async () => {
     await linesTo('Edit')
     const line = await lineIn(forehead)
     await page.mouse.click(line.x, line.y)
@@ -126,7 +123,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     steps.push('Move a point')
   })
 
-  step('an area is painted', async () => {
+  step('an area can be painted', async () => {
     await areaChoice(page, 'chin').check()
     await button(page, 'Paint').click()
     const { x, y } = await placeOf([0.5, heights.chin])
@@ -141,7 +138,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     steps.push('Paint chin')
   })
 
-  step("a line is drawn across the texture's seam", async () => {
+  step("a line can be drawn across the texture's seam", async () => {
     await linesTo('Off')
     const before = await shootAside(page)
     await linesTo('Draw')
@@ -156,7 +153,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     await linesTo('Off')
     await expectChange(before, forehead, 0.02)
     const drawn = await shootAside(page)
-    // On both sides of it.
+    // On both sides of the seam.
     for (const side of [-1, 1]) {
       const near = boxAround(0.5 + side * 0.018, heights.forehead)
       expect(await differenceIn(before, drawn, near), `side ${side}`).toBeGreaterThan(0.3)
@@ -164,7 +161,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     steps.push('Draw a line')
   })
 
-  step('a pose is recorded as what drives an area', async () => {
+  step('a recorded pose drives an area', async () => {
     await button(page, 'Neutral').click()
     await puff(1)
     await areaChoice(page, 'chin').check()
@@ -179,7 +176,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     changed = await shootAside(page)
   })
 
-  step('all is undone, and done again', async () => {
+  step('everything can be undone and redone', async () => {
     for (const label of steps.toReversed()) {
       await undoIs(page, label)
       await button(page, 'Undo').click()
@@ -191,7 +188,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     await expectPicture(page, changed, SAME)
   })
 
-  step('it is as it was after its tab was closed', async () => {
+  step('the work is unchanged after its tab was closed', async () => {
     await page.getByText('Kept in this browser').waitFor()
     const context = page.context()
     const address = page.url()
@@ -213,7 +210,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     await expectPicture(page, changed, SAME)
   })
 
-  step('furrow validate and furrow render find in its file what was made', async () => {
+  step('furrow validate and furrow render agree with the exported file', async () => {
     await page.getByRole('heading', { name: 'Export' }).click()
     await button(page, 'Make the file').click()
     const save = page.getByRole('button', { name: /^Save .*-wrinkled\./ })
@@ -226,14 +223,14 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     expect({ code, stdout }).toEqual({ code: 0, stdout: expect.stringContaining(': 0 errors') })
     const withWrinkles = await rendered(exported, 'default')
     const without = await rendered(exported, 'off')
-    // Edges of the face are smoothed otherwise on the page.
+    // The page antialiases the edges of the face differently.
     expect(await meanPngDifference(changed, withWrinkles)).toBeLessThan(0.2)
     const apart = await differenceIn(changed, withWrinkles, chin)
     expect(await differenceIn(changed, without, chin)).toBeGreaterThan(3 * apart)
   })
 }
 
-/** What `furrow render` draws of an exported face in the pose of the stage, cut out as `shootStage` does. */
+/** Renders an exported face with `furrow render` in the stage's pose, cropped like `shootStage`. */
 async function rendered(face: string, mode: string): Promise<Buffer> {
   const { width, height } = (await page.locator('#viewport').boundingBox())!
   const puffed = (await blendshapes(PUFF)).map(({ name }) => `${name}=1`)
@@ -247,14 +244,14 @@ async function rendered(face: string, mode: string): Promise<Buffer> {
     .toBuffer()
 }
 
-/** Regions of the stage in fractions of the viewport: left, top, right, bottom. */
+/** Region of the stage in fractions of the viewport: left, top, right, bottom. */
 type Box = [number, number, number, number]
 
 function boxAround(x: number, y: number): Box {
   return [x - 0.015, y - 0.03, x + 0.015, y + 0.03]
 }
 
-/** As the list of faces shows the name of a file. */
+/** Converts a file name to its label in the list of faces. */
 function title(name: string): string {
   return name[0]!.toUpperCase() + name.slice(1)
 }
@@ -264,7 +261,7 @@ async function placeOf([x, y]: readonly [number, number]): Promise<{ x: number; 
   return { x: box.x + x * box.width, y: box.y + y * box.height }
 }
 
-/** Drags a slider's handle to a value from 0 to 1, as a mouse does. */
+/** Drags a slider's handle to a value from 0 to 1. */
 async function dragSlider(input: Locator, value: number): Promise<void> {
   await input.scrollIntoViewIfNeeded()
   if ((await input.getAttribute('aria-orientation')) === 'horizontal') {
@@ -277,7 +274,7 @@ async function dragSlider(input: Locator, value: number): Promise<void> {
   }
   const { x, y, width, height } = (await input.boundingBox())!
   const now = Number(await input.inputValue())
-  // The handle's middle stays inside of the track.
+  // The middle of the handle stays inside the track.
   const at = (fraction: number) => x + height / 2 + fraction * (width - height)
   await page.mouse.move(at(now), y + height / 2)
   await page.mouse.down()
@@ -287,7 +284,7 @@ async function dragSlider(input: Locator, value: number): Promise<void> {
   await page.mouse.up()
 }
 
-/** Sliders of blendshapes: avatars have one for both sides, or one per side. */
+/** Finds sliders of blendshapes: avatars have one for both sides, or one per side. */
 async function blendshapes(names: RegExp): Promise<{ name: string; input: Locator }[]> {
   await page.getByLabel('Filter blendshapes').fill(names.source.match(/[a-z]+/)![0])
   const rows = await page.locator('#targets .row:visible').all()
@@ -310,7 +307,7 @@ async function linesTo(mode: 'Off' | 'Edit' | 'Draw'): Promise<void> {
   await page.getByRole('group', { name: 'Pointer' }).getByText(mode, { exact: true }).click()
 }
 
-/** Of the canvas with the lines: the pixel of a colour that is nearest to the middle of a box. */
+/** Finds the pixel of a colour nearest to the middle of a box, on the canvas with the lines. */
 async function overlayPixel(
   box: Box,
   colour: readonly [number, number, number],
@@ -344,15 +341,15 @@ async function overlayPixel(
   return { x: origin.x + x, y: origin.y + y }
 }
 
-/** A place on a line, by the colour of lines. */
+/** Finds a place on a line, by the colour of lines. */
 const lineIn = (box: Box) => overlayPixel(box, [255, 207, 155])
-/** A point of the chosen line. */
+/** Finds a point of the selected line. */
 const knotIn = (box: Box) => overlayPixel(box, [255, 255, 255])
 
 /**
- * Saves the page as `docs/studio.md` shows it, at the sizes of a window and a phone, where that is asked for.
+ * Saves the page as `docs/studio.md` shows it, at the sizes of a window and a phone, if requested.
  *
- * @param shown what the panel is scrolled to.
+ * @param shown element to scroll the panel to.
  */
 async function picture(name: string, shown?: Locator): Promise<void> {
   const folder = process.env.FURROW_STUDIO_PICTURES
@@ -374,7 +371,7 @@ async function expectChange(before: Buffer, box: Box, least: number): Promise<vo
   await vi.waitFor(check, DRAWING)
 }
 
-/** Mean difference of two pictures of the stage within a box of the viewport, in 0..255. */
+/** Returns the mean difference of two pictures of the stage within a box of the viewport, 0..255. */
 async function differenceIn(a: Buffer, b: Buffer, [left, top, right, bottom]: Box): Promise<number> {
   const { width, height } = (await page.locator('#viewport').boundingBox())!
   const region = {

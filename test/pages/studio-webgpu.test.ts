@@ -1,4 +1,4 @@
-/** What an artist works with, on WebGPU; the looks as on WebGL. */
+/** An artist's tools on WebGPU, and looks that equal those on WebGL. */
 
 import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
@@ -41,7 +41,7 @@ async function shootLook(name: string): Promise<Buffer> {
   return picture
 }
 
-/** A point of an element in fractions of its size. */
+/** Returns a point of an element, given in fractions of its size. */
 async function pointIn(selector: string, u: number, v: number): Promise<[x: number, y: number]> {
   const { x, y, width, height } = (await page.locator(selector).boundingBox())!
   return [x + u * width, y + v * height]
@@ -55,7 +55,7 @@ async function drag(selector: string, ...points: [u: number, v: number][]): Prom
   await page.mouse.up()
 }
 
-/** Takes a step that changes the picture, and back: undo leaves nothing of it. */
+/** Makes a step that changes the picture, and expects undo to restore it. */
 async function changesPicture(change: () => Promise<void>, label: string, least: number): Promise<void> {
   const before = await shootStage(page)
   await change()
@@ -69,12 +69,12 @@ async function changesPicture(change: () => Promise<void>, label: string, least:
     .toBe(0)
 }
 
-test.each(LOOKS)('%s is as on WebGL', async (name) => {
+test.each(LOOKS)('%s looks like WebGL', async (name) => {
   const picture = await shootLook(name)
   expect(await meanPngDifference(expected.get(name)!, picture)).toBeLessThan(3)
 })
 
-test('an area is painted on the face, and shows where it lies', async () => {
+test('an area is painted on the face, and shows its extent', async () => {
   await button(page, 'Neutral').click()
   await areaChoice(page, AREA).check()
   await button(page, 'Paint').click()
@@ -87,7 +87,7 @@ test('an area is painted on its texture', async () => {
   await button(page, 'Texture').click()
 })
 
-test('a line that is drawn creases the skin, and its area shows it', async () => {
+test('a drawn line creases the skin, and its area shows it', async () => {
   await startDrawingLines(page)
   await slider(page, 'Depth, mm').fill('1')
   await changesPicture(() => drag('#viewport', [0.38, 0.58], [0.4, 0.66]), 'Draw a line', 0.01)

@@ -1,4 +1,4 @@
-/** The way of an artist with an avatar of her own: wrinkles, changes, the next day, a file. */
+/** An artist's path with an avatar: wrinkles, changes, the next day, a file. */
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { dirname, join } from 'node:path'
@@ -22,7 +22,7 @@ beforeAll(async () => {
 
 const age = () => page.getByRole('slider', { name: 'Age' })
 const areas = () => page.locator('#areas .row label').allTextContents()
-/** Nothing is made any more. */
+/** Waits until no wrinkles are being made. */
 const made = () => page.getByText('Making wrinkles').waitFor({ state: 'detached' })
 const areMade = (names: string[]) =>
   vi.waitFor(async () => expect(await areas()).toEqual(names), { timeout: 300_000 })
@@ -46,7 +46,7 @@ test('an avatar without wrinkles gets them, and its forehead creases', async () 
   await divider.press('Home')
 })
 
-test('another age changes them, and undo brings the old ones back', async () => {
+test('another age changes them, and undo restores the old ones', async () => {
   await age().press('End')
   await expect
     .poll(() => page.getByRole('button', { name: 'Undo' }).isEnabled(), { timeout: 300_000 })
@@ -65,7 +65,7 @@ test('another age changes them, and undo brings the old ones back', async () => 
   await expectValue(age(), 80)
 })
 
-test('the work is there after the page was closed', async () => {
+test('the work is still there after the page was closed', async () => {
   await page.getByText('Kept in this browser').waitFor()
   const before = await areas()
   await page.reload()
@@ -76,7 +76,7 @@ test('the work is there after the page was closed', async () => {
   await expectValue(age(), 80)
 })
 
-test('what is exported is what furrow pack makes of the saved project, and is valid', async () => {
+test('the export equals what furrow pack makes of the saved project, and is valid', async () => {
   await page.getByRole('heading', { name: 'Export' }).click()
   await page.getByRole('button', { name: 'Make the file' }).click()
   const [face] = await Promise.all([
@@ -101,7 +101,7 @@ test('what is exported is what furrow pack makes of the saved project, and is va
   expect({ code, stdout }).toEqual({ code: 0, stdout: 'packed.glb: 0 errors, 0 warnings\n' })
 })
 
-test('its maps, heights too, are those that furrow auto makes with these options', async () => {
+test("the export's maps and heights equal those of furrow auto with the same options", async () => {
   const settings = ['--age', '80', '--size', '1024', '--seed', '1']
   await runFurrow(folder, {}, 'auto', 'plain.glb', '-o', 'auto.glb', ...settings)
   await runFurrow(folder, {}, 'unpack', 'auto.glb', '-o', 'auto')

@@ -49,7 +49,7 @@ describe('the studio on WebGL', () => {
     await expectValue(slider(page, 'foreheadLeft'), 1)
   })
 
-  test('hovering over an area shows what drives it, and over a blendshape the areas it drives', async () => {
+  test('shows the drivers of a hovered area, and the areas of a hovered blendshape', async () => {
     const { page } = studio
     await page.getByRole('button', { name: 'Happy' }).click()
     await expectValue(slider(page, 'mouthSmileLeft'), 0.8)
@@ -79,7 +79,7 @@ describe('the studio on WebGL', () => {
     await expectValue(slider(page, 'foreheadLeft'), 1)
   })
 
-  test('the divider moves by keyboard and pointer', async () => {
+  test('moves the divider by keyboard and pointer', async () => {
     const { page } = studio
     const divider = page.getByRole('slider', { name: /^Divider/ })
     const middle = await shootStage(page)
@@ -101,7 +101,7 @@ describe('the studio on WebGL', () => {
     expect(Number(await divider.getAttribute('aria-valuenow'))).toBeGreaterThan(20)
   })
 
-  test('a dropped image becomes an area, which can be removed', async () => {
+  test('turns a dropped image into an area that can be removed', async () => {
     const { page } = studio
     const before = await shootStage(page)
     await drop(page, 'everywhere.png', await blackPng())
@@ -113,7 +113,7 @@ describe('the studio on WebGL', () => {
     expect(await meanPngDifference(before, await shootStage(page))).toBe(0)
   })
 
-  test('an image in the other convention is added with the box cleared', async () => {
+  test('adds an image in the other convention if the box is cleared', async () => {
     const { page } = studio
     const before = await shootStage(page)
     await page.getByLabel('White = no wrinkles').uncheck()
@@ -123,7 +123,7 @@ describe('the studio on WebGL', () => {
     expect(await meanPngDifference(before, await shootStage(page))).toBe(0)
   })
 
-  test('a bad file and a duplicate name are refused with a message', async () => {
+  test('refuses an invalid file and a duplicate name with a message', async () => {
     const { page } = studio
     await drop(page, 'bad.png', Buffer.from('no image'))
     await dismiss(page, 'bad.png: not a readable image')
@@ -136,7 +136,7 @@ describe('the studio on WebGL', () => {
 
   test('saves the UV layout as a PNG to paint over', () => savesUvLayout(studio.page))
 
-  test('an idle page draws nothing', async () => {
+  test('draws nothing while idle', async () => {
     const { page } = studio
     await shootStage(page)
     const frames = await page.evaluate(async () => {
@@ -153,7 +153,7 @@ describe('the studio on WebGL', () => {
     expect(frames).toBe(0)
   })
 
-  test('every control has a name and is reached by Tab in order', () => checkControls(studio.page))
+  test('names every control, and reaches all of them by Tab in order', () => checkControls(studio.page))
 
   test('fits a phone without horizontal scrolling, with large touch targets', () => fitsPhone(studio.page))
 })
@@ -169,7 +169,7 @@ describe('the studio without WebGPU', () => {
   })
 })
 
-/** A template as that of `furrow uv`: islands with lines over the base colour, nothing round them. */
+/** Checks a template like that of `furrow uv`: islands with lines over the base colour, and transparency around them. */
 async function savesUvLayout(page: Page): Promise<void> {
   const [download] = await Promise.all([
     page.waitForEvent('download'),
@@ -206,7 +206,7 @@ async function checkControls(page: Page): Promise<void> {
   expect(nameless).toEqual([])
   const expected = await page.evaluate(() => {
     const controls = [...document.querySelectorAll<HTMLElement>('button, input, select, summary, [tabindex]')]
-    // Tab reaches only the chosen radio button of a group.
+    // Tab reaches only the selected radio button of a group.
     const reachable = controls.filter(
       (control) =>
         control.checkVisibility() &&
@@ -249,7 +249,7 @@ async function fitsPhone(page: Page): Promise<void> {
   await page.setViewportSize(DESKTOP)
 }
 
-/** Opens the studio, surprised and at rest; no test may cause errors. */
+/** Opens the studio, surprised and at rest. Tests must not cause errors. */
 function openStudio(): { page: Page } {
   const studio = {} as Awaited<ReturnType<typeof openPage>>
   beforeAll(async () => {

@@ -1,21 +1,21 @@
-/** Spells one of ARKit's names as a rig does: undefined where the rig lacks the shape, two names where it has one for each side. */
+/** Translates an ARKit name to a rig's: undefined if the rig lacks the shape, two names if it has one per side. */
 export type Spell = (shape: string) => string | [left: string, right: string] | undefined
 
-/** The side at the end of a name, and the rest. */
+/** Splits the side off the end of a name. */
 function sideOf(shape: string): [stem: string, side: '' | 'Left' | 'Right'] {
   const [, stem, side] = /^(.*?)(Left|Right)?$/.exec(shape)!
   return /^(jaw|mouth)(Left|Right)$/.test(shape) ? [shape, ''] : [stem!, (side as 'Left' | 'Right') ?? '']
 }
 
-/** A rig with names of its own: `*` stands for the side, which the rig spells as given. */
+/** Rig with its own names. `*` stands for the side, in the rig's spelling. */
 function rig(sides: [left: string, right: string], names: Readonly<Record<string, string>>): Spell {
   return (shape) => {
     const [stem, side] = sideOf(shape)
     const name = names[stem]
     if (name === undefined) return undefined
-    const spelled = sides.map((one) => name.replace('*', one)) as [string, string]
+    const names = sides.map((one) => name.replace('*', one)) as [string, string]
     if (!name.includes('*')) return name
-    return side === '' ? spelled : spelled[side === 'Left' ? 0 : 1]
+    return side === '' ? names : names[side === 'Left' ? 0 : 1]
   }
 }
 
@@ -52,17 +52,17 @@ const prefixed = (prefix: string, names: Readonly<Record<string, string>>) =>
 
 const OPPOSITE: Readonly<Record<string, string>> = { Left: 'Right', Right: 'Left', _L: '_R', _R: '_L' }
 
-/** The name of the other side: the file has left and right swapped. */
+/** Returns the name of the other side, as if the file had left and right swapped. */
 export function swapSide(name: string): string {
   return name.replace(/(Left|Right|_L|_R)$/, (side) => OPPOSITE[side]!)
 }
 
-/** A name that tells nothing. */
+/** Name without meaning. */
 export function noName(index: number): string {
   return `target_${index}`
 }
 
-/** Naming schemes of published avatars, which have ARKit's shapes under other names. */
+/** Naming schemes of published avatars that have ARKit's shapes under other names. */
 export const SCHEMES: Readonly<Record<string, Spell>> = {
   MetaHuman: rig(['L', 'R'], METAHUMAN),
   'MetaHuman with CTRL_expressions_': rig(['L', 'R'], prefixed('CTRL_expressions_', METAHUMAN)),
@@ -221,7 +221,7 @@ export const SCHEMES: Readonly<Record<string, Spell>> = {
   'L and R last': (shape) => shape.replace(/(?<!jaw|mouth)(Left|Right)$/, (side) => side.charAt(0)),
 }
 
-/** Rigs with other shapes, which stand in for ARKit's: several of ARKit's shapes have one name. */
+/** Rigs with other shapes in place of ARKit's. Several of ARKit's shapes share one name. */
 export const STAND_INS: Readonly<Record<string, Spell>> = {
   VRoid: rig(['L', 'R'], {
     browDown: 'Fcl_BRW_Angry',

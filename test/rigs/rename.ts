@@ -1,16 +1,16 @@
 import type { Skin } from 'furrow/author'
 import type { Spell } from './naming-schemes.ts'
 
-/** Metres to either side of the middle over which a shape passes from one side's part to the other's. */
+/** Half width of the blend between the two sides of a shape, metres. */
 const MIDDLE = 0.01
 
 /**
- * A face with ARKit's names under the names of a rig, with the shapes that the rig has. Shapes of one name are added up. Where the rig has a
- * name for each side of a shape, each gets the motion of its side.
+ * Renames ARKit's shapes to a rig's, and keeps only shapes that the rig has. Shapes with equal names are summed. A shape with a name per
+ * side is split into the motion of each side.
  *
- * @param nameOf replaces a rig's name; it is also given ARKit's name, with a side where the rig splits the shape.
+ * @param nameOf replaces a rig's name. It also receives ARKit's name, with a side if the rig splits the shape.
  */
-export function spelled(
+export function respelled(
   face: Skin,
   spell: Spell,
   nameOf: (own: string, shape: string) => string = (own) => own,

@@ -3,12 +3,12 @@ import { AUTO_REGIONS, autoWrinkles, type Skin } from 'furrow/author'
 import { findSkin } from 'furrow-files'
 import { readDocument } from 'furrow-files/node'
 import { noName, SCHEMES, type Spell, STAND_INS, swapSide } from './naming-schemes.ts'
-import { spelled } from './rename.ts'
+import { respelled } from './rename.ts'
 
-/** A blendshape that nearly all rigs have: the table shows its name. */
+/** Blendshape that nearly all rigs have; the table shows its name. */
 const EXAMPLE = 'mouthSmileLeft'
 
-/** Gives each shape a name that tells nothing. */
+/** Gives each shape a name without meaning. */
 function unnamed(): Spell {
   const shapes: string[] = []
   return (shape) => {
@@ -17,7 +17,7 @@ function unnamed(): Spell {
   }
 }
 
-/** Rows of the table: how the names of a face's blendshapes are spelled. */
+/** Rows of the table: spellings of a face's blendshapes. */
 export const ROWS: Readonly<Record<string, Spell>> = {
   ARKit: (shape) => shape,
   ...SCHEMES,
@@ -26,16 +26,16 @@ export const ROWS: Readonly<Record<string, Spell>> = {
   'no names': unnamed(),
 }
 
-/** The face that the rows rename: it has all of ARKit's shapes that move skin. */
+/** Reads the face that the rows rename. It has all of ARKit's shapes that move skin. */
 export async function readFace(root: string): Promise<Skin> {
   const path = join(root, 'faces/human.glb')
   return findSkin(await readDocument(path, 'rig table'), path, 'rig table').skin
 }
 
-/** Makes a row: the rig, its name of a smile, the number of blendshapes, and which sides of each region get areas. */
+/** Makes a row: rig, name of a smile, number of blendshapes, and sides of each region that get areas. */
 export function rowOf(name: string, face: Skin): string {
   const spell = ROWS[name]!
-  const skin = spelled(face, spell)
+  const skin = respelled(face, spell)
   const areas = autoWrinkles(skin, { size: 64, areaSize: 64 }).areas.map((area) => area.name)
   const cells = AUTO_REGIONS.map((region) => {
     const [first, second] = areas.filter((area) => area.replace(/(Left|Right)$/, '') === region)
@@ -46,7 +46,7 @@ export function rowOf(name: string, face: Skin): string {
   return lineOf([name, example, String(skin.targets.length), ...cells])
 }
 
-/** The first two lines of the table. */
+/** Header of the table. */
 export const HEAD = [
   lineOf(['rig', `\`${EXAMPLE}\``, 'shapes', ...AUTO_REGIONS]),
   lineOf(Array.from({ length: AUTO_REGIONS.length + 3 }, () => '---')),

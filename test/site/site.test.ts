@@ -1,4 +1,4 @@
-// The built site, opened from a folder that it was not built for: `npm run test:all -- --project site`.
+// The built site, served from another path than it was built for: `npm run test:all -- --project site`.
 
 import { spawnSync } from 'node:child_process'
 import { existsSync, readdirSync, readFileSync } from 'node:fs'
@@ -16,7 +16,7 @@ const DIST = new URL('../../site/dist/', import.meta.url)
 const PHONE = { width: 390, height: 844 }
 const DESKTOP = { width: 960, height: 640 }
 
-/** One of each kind. */
+/** One page of each kind. */
 const PAGES = [
   'index.html',
   'overview.html',
@@ -30,7 +30,7 @@ const PAGES = [
   'faces/human/index.html',
 ]
 
-/** The forehead of the first page's face, as fractions of the picture of its square. */
+/** Forehead of the first page's face, as fractions of the square picture. */
 const FOREHEAD: Region = { left: 0.35, top: 0.2, right: 0.65, bottom: 0.38 }
 
 const browser = useBrowser()
@@ -45,7 +45,7 @@ afterAll(async () => {
   await site?.close()
 })
 
-/** Opens a page of the site; whatever it asks for must be there, and on the site. */
+/** Opens a page of the site. All of its requests must succeed and stay on the site. */
 async function withPage(path: string, options: object, work: (page: Page) => Promise<void>): Promise<void> {
   const { page, complaints } = await openPage(browser(), options)
   page.on('request', (request) => {
@@ -62,17 +62,17 @@ async function withPage(path: string, options: object, work: (page: Page) => Pro
   }
 }
 
-/** Waits until the page answers: until then it is only text and pictures. */
+/** Waits until the page is interactive. */
 async function mounted(page: Page): Promise<void> {
   await page.waitForFunction(() => '__vue_app__' in document.getElementById('app')!)
 }
 
-/** Picture of the face's square on the first page. */
+/** Takes a picture of the face's square on the first page. */
 async function faceOf(page: Page): Promise<CanvasPixels> {
   return pixelsOf(await page.locator('.stage .face').screenshot())
 }
 
-/** Picture of the face once it rests: whatever moves it does so between frames. */
+/** Takes a picture of the face at rest, once two frames are equal. */
 async function settled(page: Page): Promise<CanvasPixels> {
   let last = await faceOf(page)
   for (;;) {
@@ -88,7 +88,7 @@ async function threeFrames(): Promise<void> {
 }
 
 describe('the built site, under another path', () => {
-  it.each(PAGES)('%s asks for nothing that is missing or elsewhere, and fits a phone', async (path) => {
+  it.each(PAGES)('requests nothing missing or external, and fits a phone: %s', async (path) => {
     await withPage(path, { viewport: PHONE }, async (page) => {
       await page.waitForLoadState('networkidle')
       expect(await page.locator('h1').first().innerText()).not.toBe('404')
@@ -96,12 +96,12 @@ describe('the built site, under another path', () => {
     })
   })
 
-  it('has no address in its pages that begins at the host', () => {
+  it('has no host-absolute links', () => {
     const pages = readdirSync(DIST, { recursive: true, encoding: 'utf8' }).filter((path) =>
       path.endsWith('.html'),
     )
     expect(pages.length).toBeGreaterThan(50)
-    // A page that is not found may be anywhere: its own addresses cannot be relative.
+    // The not-found page may be served at any path, so its links must be absolute.
     const wrong = pages
       .filter((path) => path !== '404.html')
       .flatMap((path) => {
@@ -132,7 +132,7 @@ describe('the built site, under another path', () => {
 describe('the first page', () => {
   it('shows a face that wrinkles under the pointer', async () => {
     await withPage('', { viewport: DESKTOP }, async (page) => {
-      // Until then the poster is seen, and nothing is drawn.
+      // Until then the poster is shown, and nothing is drawn.
       expect(await page.locator('canvas.drawn').count()).toBe(0)
       await mounted(page)
       const { x, y, width, height } = (await page.locator('.stage .face').boundingBox())!
@@ -145,14 +145,14 @@ describe('the first page', () => {
       expect(contrast(surprised)).toBeGreaterThan(100)
       expect(largestDifference(surprised, smooth, FOREHEAD)).toBeGreaterThan(20)
       await page.getByLabel('wrinkles', { exact: true }).check()
-      // The middle of the face: neutral.
+      // The middle of the face is neutral.
       await page.mouse.move(x + width / 2, y + height / 2)
       const neutral = await settled(page)
       expect(largestDifference(surprised, neutral, FOREHEAD)).toBeGreaterThan(20)
     })
   })
 
-  it('makes wrinkles for an avatar of the visitor, with the keyboard alone', async () => {
+  it("makes wrinkles for a visitor's avatar, by keyboard alone", async () => {
     await withPage('', { viewport: DESKTOP }, async (page) => {
       await mounted(page)
       await page.getByLabel('Open an avatar of your own').setInputFiles(BARE_FACES[0].path)
@@ -164,12 +164,12 @@ describe('the first page', () => {
       const wrinkled = await settled(page)
       await page.getByLabel('wrinkles', { exact: true }).focus()
       await page.keyboard.press('Space')
-      // This one is white, and its wrinkles are faint.
+      // This avatar is white, and its wrinkles are faint.
       expect(largestDifference(wrinkled, await settled(page), WHOLE)).toBeGreaterThan(4)
     })
   })
 
-  it('says what is wrong with a file that is no avatar, and keeps the face', async () => {
+  it('says what is wrong with an invalid file, and keeps the face', async () => {
     await withPage('', { viewport: DESKTOP }, async (page) => {
       const file = { name: 'notes.glb', mimeType: 'model/gltf-binary', buffer: Buffer.from('not a face') }
       await mounted(page)
@@ -179,7 +179,7 @@ describe('the first page', () => {
     })
   })
 
-  it('keeps the poster, and says so, where there is no WebGL', async () => {
+  it('keeps the poster, and says so, without WebGL', async () => {
     const { page } = await openPage(browser(), { viewport: DESKTOP })
     await page.addInitScript(() => {
       HTMLCanvasElement.prototype.getContext = () => null
@@ -201,7 +201,7 @@ describe('the first page', () => {
 })
 
 describe('the pages', () => {
-  it('run an example beside its source', async () => {
+  it('run an example next to its source', async () => {
     await withPage('examples/minimal.html', { viewport: DESKTOP }, async (page) => {
       expect(await page.locator('.language-html').innerText()).toContain('WrinkleLoaderPlugin')
       const canvas = page.frameLocator('.live iframe').locator('canvas')
@@ -220,7 +220,7 @@ describe('the pages', () => {
     })
   })
 
-  it('start the benchmark, and cancel it', async () => {
+  it('start and cancel the benchmark', async () => {
     await withPage('bench/', { viewport: DESKTOP }, async (page) => {
       const run = page.getByRole('button', { name: 'Run the benchmark here' })
       await run.click()

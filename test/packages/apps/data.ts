@@ -1,4 +1,4 @@
-// `furrow`, `furrow/author` and `furrow/auto`, where nothing else is installed.
+// Uses `furrow`, `furrow/author` and `furrow/auto` with nothing else installed.
 import { EXPRESSIONS, FurrowError, parseWrinkleSetDocument, type WrinkleSetDocument } from 'furrow'
 import { bumpToNormal, type NormalMap } from 'furrow/author'
 import { autoWrinklesInWorker } from 'furrow/auto'

@@ -1,4 +1,4 @@
-// `furrow/gltf`, where only glTF-Transform is installed beside it.
+// Uses `furrow/gltf` with only glTF-Transform installed.
 import { Document, WebIO } from '@gltf-transform/core'
 import { FurrowWrinkleMaps, type MaterialWrinkles } from 'furrow/gltf'
 

@@ -1,4 +1,4 @@
-// `furrow/three` and `furrow/webgpu`, where only three.js is installed beside them.
+// Uses `furrow/three` and `furrow/webgpu` with only three.js installed.
 import { ExpressionPlayer, WrinkleLoaderPlugin, Wrinkles, wrinklesOf } from 'furrow/three'
 import { WrinkleLoaderPlugin as WebgpuLoaderPlugin, Wrinkles as WebgpuWrinkles } from 'furrow/webgpu'
 import type { Mesh, Object3D } from 'three'

@@ -1,4 +1,4 @@
-// One surprised face: `?webgpu` draws it on WebGPU; a click without its wrinkles.
+// Shows one surprised face. `?webgpu` draws it on WebGPU; a click removes its wrinkles.
 import { FreeCamera } from '@babylonjs/core/Cameras/freeCamera.js'
 import { Engine } from '@babylonjs/core/Engines/engine.js'
 import { WebGPUEngine } from '@babylonjs/core/Engines/webgpuEngine.js'

@@ -1,5 +1,5 @@
-// Loads a face that a blendshape drives, then one that an input drives, and splits the second for relief; the title says what they came to,
-// and whether relief took more files.
+// Loads a face driven by a blendshape, then one driven by an input, and splits the second for relief. The title reports the activations,
+// and whether relief loaded more files.
 import { WrinkleLoaderPlugin, wrinklesOf } from 'furrow/three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
@@ -7,13 +7,13 @@ const POSITIONS = [0, 0, 0, 1, 0, 0, 0, 1, 0]
 const NORMALS = [0, 0, 1, 0, 0, 1, 0, 0, 1]
 const UVS = [0, 0, 1, 0, 0, 1]
 
-/** Images of 4 x 4 pixels without alpha, which takes more: the normal map of a flat surface, and white. */
+/** Images of 4 x 4 pixels without alpha, which would need more bytes: a flat normal map, and white. */
 const FLAT =
   'iVBORw0KGgoAAAANSUhEUgAAAAQAAAAECAIAAAAmkwkpAAAACXBIWXMAAAPoAAAD6AG1e1JrAAAAEElEQVQImWNoaPgPRwzEcQA20R/xBjeDNgAAAABJRU5ErkJggg=='
 const WHITE =
   'iVBORw0KGgoAAAANSUhEUgAAAAQAAAAECAIAAAAmkwkpAAAACXBIWXMAAAPoAAAD6AG1e1JrAAAAD0lEQVQImWP4jwQYiOMAANuQL9HsugRzAAAAAElFTkSuQmCC'
 
-/** A triangle with one area and one blendshape, `jawOpen`. */
+/** Returns a triangle with one area and one blendshape, `jawOpen`. */
 function file(driver) {
   const data = new Float32Array([...POSITIONS, ...NORMALS, ...UVS])
   const uri = `data:application/octet-stream;base64,${btoa(String.fromCharCode(...new Uint8Array(data.buffer)))}`

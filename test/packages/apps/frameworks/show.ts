@@ -1,9 +1,10 @@
-// Shared by the apps of all frameworks: shows the face once the scene has it. A click raises the brows, the next removes the wrinkles.
+// Shared by the apps of all frameworks: shows the face once the scene has it. The first click raises the brows, the second removes the
+// wrinkles.
 
 import { frameFace, wrinklesOf } from 'furrow/three'
 import type { Camera, Mesh, Object3D, PerspectiveCamera } from 'three'
 
-/** Waits for the face; then the title of the page says how many areas it has. */
+/** Waits for the face, then sets the page's title to the number of areas. */
 export async function showFace(scene: Object3D, camera: () => Camera | undefined): Promise<void> {
   let face: Mesh | undefined
   while (!face) {

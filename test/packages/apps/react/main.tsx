@@ -1,4 +1,4 @@
-// One surprised face: `?webgpu` draws it on WebGPURenderer, `?gltf` by drei's <Gltf>; a click without its wrinkles.
+// Shows one surprised face. `?webgpu` draws it on WebGPURenderer, `?gltf` with drei's <Gltf>; a click removes its wrinkles.
 import { type ComponentType, StrictMode } from 'react'
 import { createRoot } from 'react-dom/client'
 

@@ -1,4 +1,4 @@
-// Draws the shipped face with `WebGLRenderer` on one release of three.js, in steps; `?step=influence` picks single ones.
+// Draws the shipped face with `WebGLRenderer` on one release of three.js, in steps. `?step=influence` runs single ones.
 
 import {
   frameFace,
@@ -30,7 +30,7 @@ const MORPHS = ['browInnerUp', 'browOuterUpLeft', 'browOuterUpRight', 'mouthSmil
 
 const warnings = []
 for (const name of ['warn', 'error']) {
-  // biome-ignore lint/suspicious/noConsole: the test reads what it is told
+  // biome-ignore lint/suspicious/noConsole: the test reads the messages
   const write = console[name]
   console[name] = (...words) => {
     warnings.push(words.join(' '))
@@ -42,7 +42,7 @@ const renderer = new WebGLRenderer({ antialias: true })
 renderer.setSize(SIZE, SIZE)
 document.body.append(renderer.domElement)
 
-/** A scene with the face, seen from the front, its brows up and its mouth smiling. */
+/** Opens a scene with the face from the front, with raised brows and a smile. */
 async function openFace() {
   const loader = new GLTFLoader().register((parser) => new WrinkleLoaderPlugin(parser))
   const file = await loader.loadAsync('/wrinkled.glb')
@@ -58,12 +58,12 @@ async function openFace() {
   const camera = new PerspectiveCamera(22, 1)
   frameFace(camera, file.scene)
   const [wrinkles] = wrinklesOf(file)
-  // By default it comes by size, once it was fetched: not on each release, nor in each frame.
+  // By default relief appears by size once it is fetched, in a frame that varies.
   wrinkles.relief = 'off'
   return { scene, camera, wrinkles }
 }
 
-/** Draws twice, since the first frame tells what becomes of a shader, and reads the picture in RGB. */
+/** Draws twice, because the first frame reveals whether a shader compiles, and reads the picture in RGB. */
 async function picture(scene, camera) {
   const target = new WebGLRenderTarget(SIZE, SIZE)
   for (let frame = 0; frame < 2; frame++) {
@@ -78,7 +78,7 @@ async function picture(scene, camera) {
   return Array.from(pixels.filter((_, i) => i % 4 < 3))
 }
 
-/** Makes a material write its normals in view space instead of light. */
+/** Makes a material write its view-space normals instead of light. */
 function showNormals(material) {
   const { onBeforeCompile, customProgramCacheKey } = material
   material.onBeforeCompile = (shader, ...rest) => {
@@ -94,7 +94,7 @@ function showNormals(material) {
   material.needsUpdate = true
 }
 
-/** Hides all but the mesh that wrinkles. */
+/** Hides everything but the wrinkled mesh. */
 function showAlone(scene, mesh) {
   scene.traverse((object) => {
     if (object.isMesh) object.visible = object === mesh
@@ -103,7 +103,7 @@ function showAlone(scene, mesh) {
 
 const gray = (size, value) => ({ width: size, height: size, data: new Uint8Array(size * size).fill(value) })
 
-/** The influence map on the moving skin, before and after an area is repainted. */
+/** Draws the influence map on the moving skin before and after an area is repainted. */
 async function influence() {
   const { scene, camera, wrinkles } = await openFace()
   showAlone(scene, wrinkles.mesh)
@@ -113,7 +113,7 @@ async function influence() {
   return { drawn, painted: await picture(scene, camera) }
 }
 
-/** Normals of the skin, before and after a layer is repainted. */
+/** Draws the normals of the skin before and after a layer is repainted. */
 async function normals() {
   const { scene, camera, wrinkles } = await openFace()
   showAlone(scene, wrinkles.mesh)
@@ -126,7 +126,7 @@ async function normals() {
   return { drawn, painted }
 }
 
-/** Light, in several modes: what each draws depends on the release. */
+/** Draws light in several modes. The result depends on the release. */
 async function light() {
   const { scene, camera, wrinkles } = await openFace()
   const modes = {}
@@ -138,12 +138,12 @@ async function light() {
   await picture(scene, camera)
   await wrinkles.reliefReady()
   modes.relief = await picture(scene, camera)
-  // Into the page itself, for those who look at it.
+  // Draws into the page for people who look at it.
   renderer.render(scene, camera)
   return modes
 }
 
-/** Normals of two faces of a batch, of which the second one wrinkles. */
+/** Draws the normals of two faces of a batch, the second with wrinkles. */
 async function batch() {
   const plane = new PlaneGeometry(1, 1)
   const { wrinkles: source } = await openFace()
@@ -160,7 +160,7 @@ async function batch() {
     mesh.setMatrixAt(id, place.matrix)
   }
   const wrinkles = new Wrinkles(mesh, source)
-  // The planes have no blendshapes for the face's drivers.
+  // The planes lack blendshapes for the face's drivers.
   setDrivers(wrinkles, [])
   wrinkles.setActivation('foreheadLeft', 1, ids[1])
   showNormals(material)

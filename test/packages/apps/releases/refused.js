@@ -1,4 +1,4 @@
-// Loads the shipped face with a plugin on a release of three.js that is too old for it, and tells what the console says.
+// Loads the shipped face with a plugin on a release of three.js that is too old, and reports the console's messages.
 
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 

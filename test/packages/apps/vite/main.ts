@@ -1,4 +1,4 @@
-// One surprised face: `?webgpu` draws it on WebGPURenderer, a click without its wrinkles.
+// Shows one surprised face. `?webgpu` draws it on WebGPURenderer; a click removes its wrinkles.
 import { ExpressionPlayer, frameFace, wrinklesOf } from 'furrow/three'
 import { DirectionalLight, PerspectiveCamera, Scene } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'

@@ -1,4 +1,4 @@
-// Makes wrinkles for a small sheet that a blendshape squashes; the title says what came of it.
+// Makes wrinkles for a small sheet squashed by a blendshape. The title reports the result.
 import { autoWrinklesInWorker } from 'furrow/auto'
 
 const N = 16

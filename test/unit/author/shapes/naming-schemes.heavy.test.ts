@@ -1,7 +1,7 @@
 import { autoWrinkles, type Skin } from 'furrow/author'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { SCHEMES } from '../../../rigs/naming-schemes.ts'
-import { spelled } from '../../../rigs/rename.ts'
+import { respelled } from '../../../rigs/rename.ts'
 import { FACES, skinAt } from '../auto/faces.ts'
 import { overlap } from './overlap.ts'
 
@@ -28,8 +28,8 @@ function reference(skin: Skin): ReturnType<typeof make> {
 
 describe("a face has the same areas under the names of any rig as under ARKit's", () => {
   test.each(Object.entries(SCHEMES))('%s', (_, spell) => {
-    const arkit = reference(spelled(human, spell, (_, shape) => shape))
-    const other = make(spelled(human, spell))
+    const arkit = reference(respelled(human, spell, (_, shape) => shape))
+    const other = make(respelled(human, spell))
     const names = (areas: typeof arkit.areas) => areas.map(({ name }) => name).sort()
     expect(names(other.areas)).toEqual(names(arkit.areas))
     expect(other.areas.length).toBeGreaterThan(5)
