@@ -13,9 +13,9 @@ function rig(sides: [left: string, right: string], names: Readonly<Record<string
     const [stem, side] = sideOf(shape)
     const name = names[stem]
     if (name === undefined) return undefined
-    const names = sides.map((one) => name.replace('*', one)) as [string, string]
+    const sideNames = sides.map((one) => name.replace('*', one)) as [string, string]
     if (!name.includes('*')) return name
-    return side === '' ? names : names[side === 'Left' ? 0 : 1]
+    return side === '' ? sideNames : sideNames[side === 'Left' ? 0 : 1]
   }
 }
 

@@ -6,7 +6,7 @@ const read = (path: string) => JSON.parse(readFileSync(new URL(`../../${path}`, 
 it.each([
   ['@babylonjs/core', 'babylon-oldest'],
   ['@babylonjs/loaders', 'babylon-loaders-oldest'],
-])('the oldest %s that users may install is the one that tests run on', (name, alias) => {
+])('the oldest %s that users may install is the one under test', (name, alias) => {
   const [, oldest] = /^>=(\S+)$/.exec(read('packages/furrow/package.json').peerDependencies[name])!
   expect(read('package.json').devDependencies[alias]).toBe(`npm:${name}@${oldest}`)
 })

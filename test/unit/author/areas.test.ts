@@ -10,7 +10,7 @@ const line = (v: number, group?: string) => ({
   ...(group && { group }),
 })
 
-// 128 mm in 128 texels: the centre of texel i lies at i + 0.5 mm.
+// 128 mm in 128 texels: the centre of texel i is at i + 0.5 mm.
 const canvas = flatCanvas(128, 128, 128)
 const square = [
   [0.25, 0.25],
@@ -60,14 +60,14 @@ describe('paintAreas', () => {
     expect(column[64 + 6]).toBeLessThan(127)
   })
 
-  it('takes the larger of overlapping shapes', () => {
+  it('takes the maximum of overlapping shapes', () => {
     const shape = { polygon: square, feather: 8 }
     const [once] = paint([{ name: 'a', shapes: [shape] }])
     const [twice] = paint([{ name: 'a', shapes: [shape, shape] }])
     expect(same(twice.weights.data, once.weights.data)).toBe(true)
   })
 
-  it('splits into halves that sum to the whole, each zero beyond the blend', () => {
+  it('splits into halves that sum to the original, each zero beyond the blend', () => {
     const half = (from: number, to: number) => ({
       polygon: [
         [from, 0],
@@ -83,7 +83,7 @@ describe('paintAreas', () => {
       { name: 'right', shapes, within: half(0, 0.5) },
       { name: 'whole', shapes },
     ])
-    // At the border of the map the outline of a half is softened too.
+    // The map's border also softens the outline of a half.
     const wrong = texels.filter(({ i, x }) => {
       if (x < 10 || x > 118) return false
       const [l, r] = [left.weights.data[i], right.weights.data[i]]
@@ -94,7 +94,7 @@ describe('paintAreas', () => {
     expect(left.weights.data[64 * 128 + 70]).toBe(255)
   })
 
-  it('makes one area per group where the document describes none', () => {
+  it('makes one area per group if the document describes none', () => {
     const document = parseStrokes({
       version: 1,
       strokes: [line(0.3, 'upper'), line(0.7, 'lower'), line(0.5), line(0.32, 'upper')],

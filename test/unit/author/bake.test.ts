@@ -2,7 +2,7 @@ import { type BakeMesh, type BakeSource, bakeMaps } from 'furrow/author'
 import { sharedNormals } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 
-/** A square of 100 mm in the plane z = 0 with u along x and v against y: two triangles, six corners. */
+/** Square of 100 mm in the plane z = 0 with u along +x and v along -y: two triangles, six corners. */
 function square(): BakeMesh {
   const corners = [0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1]
   const positions: number[] = []
@@ -20,7 +20,7 @@ function square(): BakeMesh {
   }
 }
 
-/** A surface z = f(x) in metres, seen by rays that go straight down; `slope` is its derivative. */
+/** Surface z = f(x), metres, hit by vertical rays; `slope` is its derivative. */
 function ridge(f: (x: number) => number, slope: (x: number) => number): BakeSource {
   return {
     closestHit(x, _y, z, _dx, _dy, dz, far, hit) {
@@ -51,7 +51,7 @@ describe('bakeMaps', () => {
     )
     expect(rest.occlusion).toBeUndefined()
     expect([misses, emptyTexels]).toEqual([0, 0])
-    // Samples on the diagonal belong to both triangles.
+    // Samples on the diagonal count for both triangles.
     expect(rest.samples).toBeGreaterThanOrEqual(256 * samples)
     expect(rest.samples).toBeLessThanOrEqual(256 * samples + 16 * Math.sqrt(samples))
     expect(told.at(-1)).toBe(1)
@@ -63,8 +63,8 @@ describe('bakeMaps', () => {
     }
   })
 
-  it('averages what is finer than a texel', () => {
-    // Stripes of slope 1 and -1, two to a texel.
+  it('averages detail finer than a texel', () => {
+    // Stripes of slope 1 and -1, two per texel.
     const stripes = ridge(
       () => 0,
       (x) => (Math.floor(320 * x) % 2 === 0 ? 1 : -1),
@@ -75,7 +75,7 @@ describe('bakeMaps', () => {
     expect(coarse.normal.data[0]).not.toBe(128)
   })
 
-  it('leaves texels without a hit flat and open, counts them, and fills them from their neighbours', () => {
+  it('counts texels without a hit, leaves them flat and unoccluded, and fills them from their neighbours', () => {
     const half = ridge(
       (x) => (x < 0.05 ? 0.002 : -1),
       () => 0,
@@ -120,7 +120,7 @@ describe('bakeMaps', () => {
     expect(() => bakeMaps(square(), nothing, { size: 4, cage: 0.01, ...options })).toThrow(message)
   })
 
-  it('refuses arrays that do not fit together', () => {
+  it('refuses arrays of inconsistent lengths', () => {
     const options = { size: 4, cage: 0.01 }
     expect(() => bakeMaps({ ...square(), uvs: new Float32Array(10) }, incline, options)).toThrow(
       'differ in length',
@@ -137,7 +137,7 @@ describe('bakeMaps', () => {
 })
 
 describe('sharedNormals', () => {
-  it('gives corners at the same position their mean, and keeps the rest', () => {
+  it('averages normals of corners at the same position, and keeps the others', () => {
     const positions = Float32Array.from([0, 0, 0, 1, 0, 0, 0, 0, 0])
     const normals = Float32Array.from([1, 0, 0, 0, 0, 1, 0, 1, 0])
     const root = Math.fround(Math.SQRT1_2)

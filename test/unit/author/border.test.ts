@@ -7,7 +7,7 @@ import {
 } from '../../../packages/furrow/src/author/border.ts'
 import { seeded } from '../../random.ts'
 
-/** A map of 7 x 5 texels in which only the middle is known. */
+/** Map of 7 x 5 texels in which only the middle is known. */
 function dot() {
   const known = new Uint8Array(35)
   const data = new Float32Array(70)
@@ -20,7 +20,7 @@ const rows = (known: Uint8Array) =>
   Array.from({ length: 5 }, (_, y) => known.slice(7 * y, 7 * y + 7).join(''))
 
 describe('dilate', () => {
-  it('goes as many rings as it is told, in all directions', () => {
+  it('grows by the given number of rings in all directions', () => {
     const { known, maps } = dot()
     dilate(known, 7, maps, 1)
     expect(rows(known)).toEqual(['0000000', '0011100', '0011100', '0011100', '0000000'])
@@ -31,7 +31,7 @@ describe('dilate', () => {
     ).toBe(true)
   })
 
-  it('stops at the border, and does nothing where nothing or all is known', () => {
+  it('stops at the border, and does nothing if nothing or everything is known', () => {
     const { known, maps } = dot()
     dilate(known, 7, maps, 100)
     expect(known.every((value) => value === 1)).toBe(true)
@@ -43,7 +43,7 @@ describe('dilate', () => {
     expect(nothing.every((value) => value === 0)).toBe(true)
   })
 
-  it('takes the mean of what was there before the ring, whatever the order', () => {
+  it('averages values from before the ring, in any order', () => {
     const known = Uint8Array.from([1, 0, 1, 0, 0])
     const data = Float32Array.from([2, 0, 6, 0, 0])
     dilate(known, 5, [{ data, channels: 1 }], 1)
@@ -54,7 +54,7 @@ describe('dilate', () => {
 })
 
 describe('copyNearest', () => {
-  it('gives every texel the value of the nearest known one', () => {
+  it('gives every texel the value of the nearest known texel', () => {
     const known = Uint8Array.of(1, 0, 0, 0, 0, 0, 0, 0, 0, 1)
     const map = Float32Array.of(5, 0, 0, 0, 0, 0, 0, 0, 0, -3)
     copyNearest(known, 5, [map])
@@ -64,7 +64,7 @@ describe('copyNearest', () => {
 })
 
 describe('extendPlanes', () => {
-  /** Owners of 8 x 8 texels, of which triangles 0 and 1 cover the columns 0 and 7. */
+  /** Owners of 8 x 8 texels; triangles 0 and 1 cover columns 0 and 7. */
   const extended = (margin: number) => {
     const owners = Int8Array.from({ length: 64 }, (_, texel) =>
       texel % 8 === 0 ? 0 : texel % 8 === 7 ? 1 : -1,
@@ -91,7 +91,7 @@ describe('extendPlanes', () => {
     }
   })
 
-  /** Edges at random places, some of them beyond a map of 64 x 64 texels. */
+  /** Makes edges at random places, some beyond the map of 64 x 64 texels. */
   const edgesOf = (count: number, length: number, random = seeded(3)): BorderEdge[] =>
     Array.from({ length: count }, (_, triangle) => {
       const [x, y] = [72 * random() - 4, 72 * random() - 4]

@@ -7,7 +7,7 @@ const heights = (width: number, height: number, f: (x: number, y: number) => num
   data: Float64Array.from({ length: width * height }, (_, i) => f(i % width, Math.floor(i / width))),
 })
 
-/** Largest angle in degrees between the map, decoded, and the slopes `exact` gives, over the whole map. */
+/** Returns the largest angle between the decoded map and the slopes of `exact`, degrees. */
 function worst(
   map: ReturnType<typeof heights>,
   options: BumpOptions,
@@ -40,7 +40,7 @@ describe('bumpToNormal', () => {
     expect(worst(bowl, { bits: 16 }, slopes)).toBeLessThan(0.002)
   })
 
-  it('goes on at the other side where edges wrap, and not where they are clamped', () => {
+  it('continues on the other side at wrapped edges, and not at clamped ones', () => {
     const k = (2 * Math.PI) / 32
     const wave = heights(32, 32, (x, y) => 2 * Math.sin(k * x + 0.7) + Math.cos(2 * k * y))
     const slopes = (x: number, y: number): [number, number] => [
@@ -52,11 +52,11 @@ describe('bumpToNormal', () => {
     expect(worst(plane, { edges: 'wrap', bits: 16 }, () => [0.5, -0.25])).toBeGreaterThan(30)
   })
 
-  it('has one green convention the mirror of the other', () => {
+  it('mirrors green between the two conventions', () => {
     const up = bumpToNormal(plane).data
     const down = bumpToNormal(plane, { green: 'down' }).data
     for (let i = 0; i < up.length; i++) {
-      // Rounding halves upwards can tell the two apart by one step.
+      // Rounding halves up can differ by one step.
       expect(Math.abs(i % 3 === 1 ? up[i] + down[i] - 255 : up[i] - down[i])).toBeLessThanOrEqual(1)
     }
     expect(up[1]).toBeLessThan(128)
@@ -67,12 +67,12 @@ describe('bumpToNormal', () => {
     [2, 1, [3, 0]],
     [1, 2, [0, 5]],
     [3, 2, [3, 5]],
-  ])('knows the slope of %d x %d texels', (width, height, slope) => {
+  ])('computes the slope of %d x %d texels', (width, height, slope) => {
     const tiny = heights(width, height, (x, y) => 3 * x + 5 * y)
     expect(worst(tiny, { bits: 16 }, () => slope as [number, number])).toBeLessThan(0.01)
   })
 
-  it('is the flat colour on a level, and tells its progress to the last row', () => {
+  it('is flat on a level, and reports progress to the last row', () => {
     const told: string[] = []
     const level = heights(3, 130, () => 7)
     const { data } = bumpToNormal(level, {}, (done, total) => told.push(`${done}/${total}`))
@@ -80,7 +80,7 @@ describe('bumpToNormal', () => {
     expect(told).toEqual(['64/130', '128/130', '130/130'])
   })
 
-  it('refuses data that does not fit its size', () => {
+  it('refuses data that does not match its size', () => {
     expect(() => bumpToNormal({ width: 4, height: 4, data: [1, 2, 3] })).toThrow(
       'bumpToNormal: wrong number of heights, got 3, allowed: 16 for 4 x 4; give one height per texel',
     )

@@ -14,7 +14,7 @@ import { cylinder, RADIUS, uvOf } from './skins.ts'
 
 const canvas = skinCanvas(cylinder(), 64)
 
-/** Rises over the front, crosses the seam at +x, and falls on the back. */
+/** Stroke that rises on the front, crosses the seam at +x, and falls on the back. */
 const wave: Stroke = {
   group: 'cheekLeft',
   curve: 'spline',
@@ -34,7 +34,7 @@ const wave: Stroke = {
   waviness: 0,
 }
 
-/** The farthest that the line of a stroke is from those of others, in millimetres. */
+/** Returns the largest distance of a stroke's line from those of others, millimetres. */
 function farthest(stroke: Stroke, others: readonly Stroke[]): number {
   const curves = others.flatMap((other) => strokeCurves(other, canvas))
   return Math.max(
@@ -47,13 +47,13 @@ function farthest(stroke: Stroke, others: readonly Stroke[]): number {
   )
 }
 
-/** A document takes the strokes as they are. */
+/** Expects a document to accept the strokes unchanged. */
 function expectValid(...strokes: Stroke[]): void {
   expect(parseStrokes({ version: 1, strokes: JSON.parse(JSON.stringify(strokes)) }).strokes).toEqual(strokes)
 }
 
 describe('a stroke as a line in space', () => {
-  it('lies on the skin in the coordinates of the mesh, from its start to its end', () => {
+  it('lies on the skin in mesh coordinates, from start to end', () => {
     const [{ points, normals, along }, ...others] = strokeCurves(wave, canvas)
     expect(others).toEqual([])
     expect([along[0], along.at(-1)]).toEqual([0, 1])
@@ -64,7 +64,7 @@ describe('a stroke as a line in space', () => {
     }
   })
 
-  it('counts on over its parts where the texture interrupts it', () => {
+  it('measures length continuously across seams', () => {
     const points = [0.2, 0.8].map((u): [number, number] => [u, 0.5])
     const curves = strokeCurves({ ...wave, curve: 'polyline', points }, canvas)
     expect(curves.length).toBe(2)
@@ -72,7 +72,7 @@ describe('a stroke as a line in space', () => {
     expect(curves[1].along.at(-1)).toBe(1)
   })
 
-  it('is found by its point that is nearest to a position', () => {
+  it('is found by the point nearest to a position', () => {
     const [{ points, along }] = strokeCurves(wave, canvas)
     const i = Math.floor(along.length / 3)
     const [x, y, z] = points.subarray(3 * i, 3 * i + 3)
@@ -84,7 +84,7 @@ describe('a stroke as a line in space', () => {
 })
 
 describe('points of a stroke', () => {
-  it.each([0.1, 0.4, 0.6, 0.95])('are added at %d of its line, which stays where it is', (along) => {
+  it.each([0.1, 0.4, 0.6, 0.95])('are inserted at %d of the line without moving it', (along) => {
     const { stroke, index } = insertPoint(wave, along, canvas)
     expect(stroke.points.length).toBe(6)
     expect(stroke.points.toSpliced(index, 1)).toEqual(wave.points)
@@ -95,19 +95,19 @@ describe('points of a stroke', () => {
     expectValid(stroke)
   })
 
-  it('are not added where one is, or where the stroke is not on the skin', () => {
+  it('are not inserted at existing ones, or where the stroke is off the skin', () => {
     expect(insertPoint(wave, 0, canvas)).toEqual({ stroke: wave, index: -1 })
     const beside: Stroke = { ...wave, points: [[0.01, 0.01], [0.02, 0.02]] } // biome-ignore format: one line
     expect(insertPoint(beside, 0.5, canvas)).toEqual({ stroke: beside, index: -1 })
   })
 
-  it('are removed but for two', () => {
+  it('are removed down to two', () => {
     const short = { ...wave, points: wave.points.slice(0, 2) }
     expect(() => removePoint(short, 0, canvas)).toThrow('removePoint: a stroke needs two points')
     expect(() => removePoint(wave, 5, canvas)).toThrow('removePoint: point index out of range')
   })
 
-  it('are smoothed over the skin and across the seam, but for the ends', () => {
+  it('are smoothed over the skin and across the seam, except for the ends', () => {
     const zigzag = {
       ...wave,
       points: [0.7, 0.8, 0.9, 1.1, 1.2].map((turn, i) => uvOf(turn, i % 2 ? 34 : 26)),
@@ -123,8 +123,8 @@ describe('points of a stroke', () => {
   })
 })
 
-describe('a stroke of another kind', () => {
-  it.each(['polyline', 'bezier'] as const)('becomes a spline where it was: a %s', (curve) => {
+describe('splineOf', () => {
+  it.each(['polyline', 'bezier'] as const)('converts a %s in place', (curve) => {
     const points: [number, number][] = [[0.1, 0.3], [0.2, 0.7], [0.3, 0.2], [0.4, 0.6]] // biome-ignore format: one line
     const spline = splineOf({ ...wave, curve, points }, canvas)
     expect(spline.curve).toBe('spline')
@@ -133,13 +133,13 @@ describe('a stroke of another kind', () => {
   })
 })
 
-describe('a stroke that is split', () => {
+describe('a split stroke', () => {
   const at = (stroke: Stroke, along: number) => {
     const [{ depths }] = layOutStroke(stroke, canvas)
     return depths[Math.round(along * (depths.length - 1))]
   }
 
-  it.each([1, 2, 3])('at point %d lies where it did, and is as deep', (index) => {
+  it.each([1, 2, 3])('has two parts that follow it and keep its depth, at point %d', (index) => {
     const parts = splitStroke(wave, index, canvas)
     expectValid(...parts)
     for (const part of parts) expect(farthest(part, [wave])).toBeLessThan(0.1)
@@ -156,20 +156,20 @@ describe('a stroke that is split', () => {
     }
   })
 
-  it('keeps an even depth without factors', () => {
+  it('keeps a constant depth without factors', () => {
     const { depths: _, ...even } = wave
     for (const part of splitStroke<Stroke>({ ...even, taper: [0.1, 0.1] }, 2, canvas))
       expect(part.depths).toBeUndefined()
   })
 
-  it('is cut at inner points only', () => {
+  it('can be cut only at inner points', () => {
     for (const index of [0, 4, 1.5])
       expect(() => splitStroke(wave, index, canvas)).toThrow(/splitStroke: point index out of range/)
   })
 })
 
-describe('a stroke that is mirrored', () => {
-  it('lies on the other side, with its banks and its group', () => {
+describe('a mirrored stroke', () => {
+  it('lies on the other side, with its banks and group', () => {
     const mirrored = mirrorStroke(wave, canvas)
     expect(mirrored).toMatchObject({ shoulder: [0.2, 1], group: 'cheekRight' })
     const [[own], [other]] = [strokeCurves(wave, canvas), strokeCurves(mirrored, canvas)]
@@ -181,7 +181,7 @@ describe('a stroke that is mirrored', () => {
     expectValid(mirrored)
   })
 
-  it('is mirrored across any plane', () => {
+  it('can use any plane', () => {
     const mirrored = mirrorStroke(wave, canvas, { origin: [0, 0, 0], normal: [0, 0, 1] })
     const [{ points }] = strokeCurves(mirrored, canvas)
     const [start] = strokeCurves(wave, canvas)
@@ -189,7 +189,7 @@ describe('a stroke that is mirrored', () => {
     expect(points[2]).toBeCloseTo(-start.points[2], 4)
   })
 
-  it('has the middle of a face only where there is a face', () => {
+  it('finds the middle only on a face', () => {
     const { positions, uvs, indices = [] } = cylinder()
     expect(middleOf({ positions, uvs, indices, targets: [] })).toBeUndefined()
   })

@@ -3,7 +3,7 @@ import { fileNamesOf, isFileName } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 
 describe('fileNamesOf', () => {
-  it('keeps a name that every file system takes', () => {
+  it('keeps a name that every file system accepts', () => {
     const names = ['foreheadLeft', 'brow 2 #1', 'v1.2', '額', 'a%20b', "artist's", '-x']
     expect(fileNamesOf(names)).toEqual(names)
     expect(names.every(isFileName)).toBe(true)
@@ -28,7 +28,7 @@ describe('fileNamesOf', () => {
     expect(name).toBe('額'.repeat(33))
   })
 
-  it('keeps apart what some file system takes for the same', () => {
+  it('distinguishes names that some file system considers equal', () => {
     expect(fileNamesOf(['Brow', 'brow', 'brow-2', 'caf\u00e9', 'cafe\u0301', 'straße', 'STRASSE'])).toEqual([
       'Brow',
       'brow-3',
@@ -40,11 +40,11 @@ describe('fileNamesOf', () => {
     ])
   })
 
-  it('gives a name to the one that has it already', () => {
+  it('keeps an existing name', () => {
     expect(fileNamesOf(['a/b', 'a_b'])).toEqual(['a_b-2', 'a_b'])
   })
 
-  it('gives any names different and valid file names', () => {
+  it('makes different and valid file names of any names', () => {
     const character = fc.oneof(fc.constantFrom(...'aA.:/ -_2\u0301\u200d'), fc.string({ unit: 'binary' }))
     const name = fc.array(character, { minLength: 1, maxLength: 120 }).map((parts) => parts.join(''))
     fc.assert(
@@ -53,7 +53,7 @@ describe('fileNamesOf', () => {
         expect(new Set(files.map((file) => file.normalize('NFKC').toLowerCase())).size).toBe(names.length)
         for (const file of files) {
           expect(Buffer.byteLength(file)).toBeLessThan(110)
-          // biome-ignore lint/suspicious/noControlCharactersInRegex: they are what is excluded.
+          // biome-ignore lint/suspicious/noControlCharactersInRegex: the characters to exclude.
           expect(/[<>:"/\\|?*\x00-\x1f\x7f]|^[ .]|[ .]$|^$/.test(file), JSON.stringify(file)).toBe(false)
         }
       }),

@@ -7,11 +7,11 @@ import { flatCanvas, joined, same, sheet } from './planes.ts'
 
 const SIDE = 40
 const SIZE = 400
-/** In a millimetre. */
+/** Texels per millimetre. */
 const TEXELS = SIZE / SIDE
 const FURROWS = { ...FINE_FURROW_DEFAULTS, size: 2, depth: 0.1 }
 
-/** A line across the middle of the sheet, without depth: it gives directions alone. */
+/** Line across the middle of the sheet, without depth, so that it only gives directions. */
 const level = parseStrokes({
   version: 1,
   strokes: [
@@ -23,15 +23,15 @@ const level = parseStrokes({
   ],
 }).strokes
 
-/** Texels that are in a furrow of half the depth, about. */
+/** Counts texels in a furrow of about half depth. */
 const between = (data: Float32Array) => data.filter((height) => height < -0.03 && height > -0.05).length
 
 const lowestOf = (data: Float32Array) => data.reduce((low, height) => Math.min(low, height))
 
-/** Fraction of the greatest depth that furrows of the small cells do not reach. */
+/** Fraction of the greatest depth that small cells' furrows do not reach. */
 const LARGE = 0.46
 
-/** Millimetres from furrow to furrow of the large cells, along rows or columns near the middle of a sheet. */
+/** Returns the distance between furrows of large cells, millimetres, along rows or columns near the middle. */
 function spacing(data: Float32Array, along: 'rows' | 'columns'): number {
   let [length, count] = [0, 0]
   for (let line = 150; line < 250; line++) {
@@ -46,7 +46,7 @@ function spacing(data: Float32Array, along: 'rows' | 'columns'): number {
   return length / count
 }
 
-/** Texels of each connected patch of a sheet whose heights pass a test. */
+/** Returns the texel counts of connected patches whose heights pass a test. */
 function patches(data: Float32Array, isIn: (height: number) => boolean): number[] {
   const left = new Set([...data.keys()].filter((texel) => isIn(data[texel])))
   const sizes: number[] = []
@@ -66,7 +66,7 @@ describe('furrowHeights', () => {
   const canvas = flatCanvas(SIDE, SIDE, SIZE)
   const { data } = furrowHeights(canvas, FURROWS)
 
-  test('covers the skin with furrows about a cell apart, no deeper than stated', () => {
+  test('covers the skin with furrows about a cell apart, within the stated depth', () => {
     expect(lowestOf(data)).toBeCloseTo(-0.1, 2)
     expect(data.every((height) => height <= 0)).toBe(true)
     for (const along of ['rows', 'columns'] as const) {
@@ -75,16 +75,16 @@ describe('furrowHeights', () => {
     }
   })
 
-  test('is the same on every run, and another net with another seed', () => {
+  test('is deterministic, and differs with another seed', () => {
     expect(same(furrowHeights(canvas, FURROWS).data, data)).toBe(true)
     expect(same(furrowHeights(canvas, { ...FURROWS, seed: 2 }).data, data)).toBe(false)
   })
 
-  test('divides large cells by smaller ones, whose furrows are shallower', () => {
+  test('divides large cells by smaller ones with shallower furrows', () => {
     expect(between(data) / data.length).toBeGreaterThan(0.05)
   })
 
-  test('is broken: where all of its cells were closed, it would be scales', () => {
+  test('is broken, because closed cells would look like scales', () => {
     const cell = (FURROWS.size * TEXELS) ** 2
     const closed = patches(data, (height) => height > -LARGE * FURROWS.depth).filter(
       (texels) => texels > cell / 4 && texels < 2 * cell,
@@ -92,15 +92,15 @@ describe('furrowHeights', () => {
     expect(closed.length / (SIDE / FURROWS.size) ** 2).toBeLessThan(0.2)
   })
 
-  test('has cells that are longer along the lines of the skin', () => {
+  test('has cells elongated along the lines of the skin', () => {
     const heights = strokesToHeight(level, canvas)
     addFurrows(heights, canvas, { ...FURROWS, stretch: 2 }, level)
     expect(spacing(heights.data, 'rows') / spacing(heights.data, 'columns')).toBeGreaterThan(1.25)
     expect(spacing(data, 'rows') / spacing(data, 'columns')).toBeLessThan(1.15)
   })
 
-  test('runs across seams of the texture', () => {
-    // The left half of the sheet keeps its texels, the right half is moved up by a quarter in an island of its own.
+  test('continues across seams of the texture', () => {
+    // The left half of the sheet keeps its texels. The right half is a separate island, moved up by a quarter.
     const left = sheet([SIDE, 0, 0], [0, -SIDE, 0], [0, 0.5, 0.5, 1])
     const right = sheet([SIDE, 0, 0], [0, -SIDE, 0], [0.5, 0.5, 1, 1])
     const uvs = Array.from(right.uvs, (value, k) => (k % 2 === 1 ? value - 0.25 : value))
@@ -117,8 +117,8 @@ describe('furrowHeights', () => {
     expect(lowestOf(coarse)).toBeGreaterThan(-0.05)
   })
 
-  test('leaves furrows out that are less than two texels wide, and those alone', () => {
-    // A furrow of the large cells is 0.6 mm wide, of the small ones 0.27 mm.
+  test('leaves out exactly the furrows narrower than two texels', () => {
+    // Furrows of large cells are 0.6 mm wide, of small ones 0.27 mm.
     expect(lowestOf(furrowHeights(flatCanvas(SIDE, SIDE, 100), FURROWS).data)).toBe(0)
     const { data } = furrowHeights(flatCanvas(SIDE, SIDE, 150), FURROWS)
     expect(lowestOf(data)).toBeCloseTo(-0.1, 2)
@@ -136,7 +136,7 @@ describe('furrowHeights', () => {
     const column = (column: number) =>
       Float32Array.from({ length: SIZE }, (_, row) => drawn[row * SIZE + column])
 
-    test('there is a net in these alone, as deep as they say', () => {
+    test('the net covers only these regions, as deep as each states', () => {
       expect(lowestOf(drawn.filter((_, texel) => texel % SIZE < 160))).toBeCloseTo(-0.05, 2)
       expect(lowestOf(drawn)).toBeCloseTo(-0.1, 2)
       const outside: number[] = []
@@ -152,7 +152,7 @@ describe('furrowHeights', () => {
       expect(outside.filter((depth) => depth > 1e-9)).toEqual([])
     })
 
-    test('the cells of each are of its size', () => {
+    test('each region has cells of its size', () => {
       const [fine, coarse] = regions.map(({ at: [u], depth }) => {
         const middle = u * SIZE
         let count = 0

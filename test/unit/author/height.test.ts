@@ -5,7 +5,7 @@ import { flatCanvas, same, sheet } from './planes.ts'
 
 const strokes = (...list: object[]): Stroke[] => parseStrokes({ version: 1, strokes: list }).strokes
 
-/** A level line across the middle of the map, without ends. */
+/** Horizontal line across the middle of the map, without tapered ends. */
 const level = {
   points: across(0.5, 0.05, 0.95),
   width: 4,
@@ -13,12 +13,12 @@ const level = {
   taper: 0,
 }
 
-/** Height at x, y in millimetres on an upright sheet, interpolated between texels. */
+/** Returns the height at x, y in millimetres on an upright sheet, interpolated between texels. */
 function sample(data: Float32Array, canvas: SkinCanvas, x: number, y: number): number {
   return texelAt(data, canvas, x / Math.sqrt(canvas.metric.uu[0]), y / Math.sqrt(canvas.metric.vv[0]))
 }
 
-/** Height at (u, v), interpolated between texels. */
+/** Returns the height at (u, v), interpolated between texels. */
 function texelAt(
   data: Float32Array,
   { metric: { width, height } }: SkinCanvas,
@@ -48,17 +48,17 @@ describe('strokesToHeight', () => {
     expect(lowestOf(data)).toBeGreaterThanOrEqual(-0.6001)
   })
 
-  it('has banks only with shoulders, and exactly nothing far away', () => {
+  it('has banks only with shoulders, and is exactly 0 far away', () => {
     const bare = strokesToHeight(strokes({ ...level, shoulder: 0 }), canvas).data
     expect(highestOf(bare)).toBe(0)
     const full = strokesToHeight(strokes({ ...level, shoulder: 1 }), canvas).data
-    // Of a softness of 0.4, about two half widths from the bottom.
+    // For a softness of 0.4, about two half widths from the bottom.
     expect(highestOf(full)).toBeCloseTo(0.6 * 0.2798, 3)
     expect(sample(full, canvas, 50, 50 + 7 * 2 + 0.5)).toBe(0)
     expect(sample(full, canvas, 50, 50 - 7 * 2 - 0.5)).toBe(0)
   })
 
-  it('keeps the volume: with full shoulders the banks hold what the valley lost, however far they reach', () => {
+  it('keeps the volume: full shoulders put into the banks what the valley lost, at any reach', () => {
     for (const bank of [10, 17, 30]) {
       const { data } = strokesToHeight(
         strokes({ ...level, width: 8, shoulder: 1, softness: 0, bank }),
@@ -71,12 +71,12 @@ describe('strokesToHeight', () => {
         else banks += h
       }
       expect(banks / valley).toBeGreaterThan(0.98)
-      // The fade at the valley's far end takes a twentieth of it.
+      // The fade at the valley's far end takes a twentieth of the volume.
       expect(banks / valley).toBeLessThan(1.07)
     }
   })
 
-  it('has one convex bulge between two lines whose banks reach from one to the other', () => {
+  it('has one convex bulge between two lines whose banks meet', () => {
     const line = (v: number) => ({
       ...level,
       points: across(v, 0.05, 0.95),
@@ -87,7 +87,7 @@ describe('strokesToHeight', () => {
     })
     const { data } = strokesToHeight(strokes(line(0.45), line(0.55)), canvas)
     const profile = Array.from({ length: 41 }, (_, i) => sample(data, canvas, 50, 45 + i / 4))
-    // From 1 mm beside one bottom to 1 mm beside the other, it bends downwards everywhere.
+    // Convex everywhere from 1 mm beside one bottom to 1 mm beside the other.
     for (let i = 4; i <= 36; i++) {
       expect(profile[i - 1] + profile[i + 1] - 2 * profile[i]).toBeLessThan(1e-4)
     }
@@ -97,7 +97,7 @@ describe('strokesToHeight', () => {
     expect(profile[crest]).toBeGreaterThan(0.15)
   })
 
-  it('has no rim: a bank falls nowhere a tenth as steeply as it rises from the bottom', () => {
+  it('has no rim: a bank falls less than a tenth as steeply as it rises from the bottom', () => {
     const { data } = strokesToHeight(strokes({ ...level, width: 2, depth: 1, shoulder: 1, bank: 9 }), canvas)
     const profile = Array.from({ length: 45 }, (_, i) => sample(data, canvas, 50, 50 + i / 4))
     const slopes = profile.slice(1).map((height, i) => 4 * (height - profile[i]))
@@ -106,7 +106,8 @@ describe('strokesToHeight', () => {
   })
 
   describe('on texels as wide as a fine line', () => {
-    // 100 mm in 201 texels, as a face of 1024 texels has them at the temples. It crosses them at a slant, now on a centre and now between two.
+    // 100 mm in 201 texels, like the temples of a face at 1024 texels. The slanted line crosses some texels at their centres and others
+    // between them.
     const coarse = flatCanvas(100, 100, 201)
     const slanting = {
       points: [
@@ -118,7 +119,7 @@ describe('strokesToHeight', () => {
       shoulder: 1,
       softness: 0.4,
     }
-    /** The steepest slope between neighbouring texels of some columns. */
+    /** Returns the steepest slope between neighbouring texels of some columns. */
     const steepest = (data: Float32Array, from: number, to: number) => {
       let most = 0
       for (let x = from; x < to; x++)
@@ -135,9 +136,9 @@ describe('strokesToHeight', () => {
       expect(Math.max(...depths) / Math.min(...depths)).toBeLessThan(1.5)
     })
 
-    it('has ends that run out, much less steep than its middle', () => {
+    it('has ends that fade out, much less steep than its middle', () => {
       const { data } = strokesToHeight(strokes({ ...slanting, width: 1.6, taper: 0.5 }), coarse)
-      // The line covers columns 20 to 181; the last fifth of it ends there.
+      // The line covers columns 20 to 181, and its last fifth tapers.
       expect(steepest(data, 149, 181) / steepest(data, 80, 120)).toBeLessThan(0.35)
     })
 
@@ -150,15 +151,15 @@ describe('strokesToHeight', () => {
     })
   })
 
-  it('is steeper on the left with lean, and as deep', () => {
+  it('is steeper on the left with lean, and equally deep', () => {
     const { data } = strokesToHeight(strokes({ ...level, shoulder: 0, lean: 0.5 }), canvas)
     expect(sample(data, canvas, 50, 50)).toBeCloseTo(-0.6, 3)
-    // The line runs to the right; half widths of 2 mm times 0.5 on its left, which is up, and 1.5 on its right.
+    // The line runs to the right. Its half width is 2 mm times 0.5 on its left (up), and times 1.5 on its right.
     expect(sample(data, canvas, 50, 49)).toBeCloseTo(-0.6 / Math.E, 2)
     expect(sample(data, canvas, 50, 53)).toBeCloseTo(-0.6 / Math.E, 2)
   })
 
-  it('raises the left and the right side apart', () => {
+  it('raises the left and the right side separately', () => {
     const { data } = strokesToHeight(strokes({ ...level, shoulder: [1, 0] }), canvas)
     // The line runs to the right, so its left side is the upper one: smaller v.
     expect(sample(data, canvas, 50, 46)).toBeGreaterThan(0.05)
@@ -177,8 +178,8 @@ describe('strokesToHeight', () => {
     })
   })
 
-  it('measures width on the skin where the texture is sheared', () => {
-    // P = u (100, 0, 0) + v (50, -80, 0) mm; the strokes run across and down on the skin, through (75, -40).
+  it('measures width on the skin on a sheared texture', () => {
+    // P = u (100, 0, 0) + v (50, -80, 0) mm. The strokes run across and down on the skin, through (75, -40).
     const sheared = skinCanvas(sheet([100, 0, 0], [50, -80, 0]), 401)
     const uv = (x: number, y: number) => [(x + (50 / 80) * y) / 100, -y / 80]
     for (const ends of [
@@ -197,18 +198,18 @@ describe('strokesToHeight', () => {
     }
   })
 
-  it('tapers to nothing at both ends and is full between', () => {
+  it('tapers to nothing at both ends and has full depth between', () => {
     const { data } = strokesToHeight(strokes({ ...level, taper: [0.2, 0.4] }), canvas)
     expect(sample(data, canvas, 5.2, 50)).toBeGreaterThan(-0.01)
     expect(sample(data, canvas, 94.8, 50)).toBeGreaterThan(-0.01)
-    // Half way along a taper smoothstep is 0.5.
+    // Smoothstep is 0.5 halfway along a taper.
     expect(sample(data, canvas, 5 + 0.1 * 90, 50)).toBeCloseTo(-0.3, 2)
     expect(sample(data, canvas, 95 - 0.2 * 90, 50)).toBeCloseTo(-0.3, 2)
     expect(sample(data, canvas, 5 + 0.4 * 90, 50)).toBeCloseTo(-0.6, 2)
     expect(sample(data, canvas, 2, 50)).toBe(0)
   })
 
-  it('takes the deeper of two valleys where they cross, in any order', () => {
+  it('takes the deeper of two crossing valleys, in any order', () => {
     const down = { ...level, points: level.points.map(([u, v]) => [v, u]), depth: 0.4 }
     const { data } = strokesToHeight(strokes(level, down), canvas)
     const crossing = sample(data, canvas, 50, 50)
@@ -243,7 +244,7 @@ describe('strokesToHeight', () => {
     }
   })
 
-  it('meanders with waviness, the same on every run and never deeper than stated', () => {
+  it('meanders with waviness, deterministically and within the stated depth', () => {
     const wavy = strokes({ ...level, waviness: 1 })
     const { data } = strokesToHeight(wavy, canvas)
     expect(same(strokesToHeight(wavy, canvas).data, data)).toBe(true)
@@ -253,13 +254,13 @@ describe('strokesToHeight', () => {
       const column = Array.from({ length: 81 }, (_, y) => sample(data, canvas, 5 + i, 46 + y / 10))
       return 46 + column.indexOf(Math.min(...column)) / 10
     }).slice(2, -2)
-    // Aside by at most 0.4 of the width, 1.6 mm.
+    // Offset by at most 0.4 of the width, 1.6 mm.
     expect(Math.max(...lowest)).toBeLessThan(51.7)
     expect(Math.min(...lowest)).toBeGreaterThan(48.3)
     expect(Math.max(...lowest) - Math.min(...lowest)).toBeGreaterThan(0.5)
   })
 
-  it('tells its progress', () => {
+  it('reports its progress', () => {
     const told: number[] = []
     strokesToHeight(strokes(level, level), flatCanvas(100, 100, 128), (done, total) =>
       told.push(done / total),

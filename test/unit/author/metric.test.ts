@@ -13,14 +13,14 @@ describe('surfaceMetric', () => {
     }
   })
 
-  it('takes a mesh without indices three vertices at a time', () => {
+  it('reads a mesh without indices as triples of vertices', () => {
     const positions = [0, 0, 0, 0, -0.05, 0, 0.1, 0, 0]
     const metric = surfaceMetric({ positions, uvs: [0, 0, 0, 1, 1, 0] }, 8)
     expect(metric.uu[0]).toBeCloseTo(10_000, 1)
     expect(metric.vv[0]).toBeCloseTo(2500, 1)
   })
 
-  it('carries the nearest values outside the islands and marks them', () => {
+  it('extends the nearest values outside the islands and marks them', () => {
     const left = sheet([100, 0, 0], [0, -100, 0], [0, 0, 0.25, 1])
     const right = sheet([300, 0, 0], [0, -100, 0], [0.75, 0, 1, 1])
     const metric = surfaceMetric(joined(left, right), 32)
@@ -32,7 +32,7 @@ describe('surfaceMetric', () => {
     expect(metric.uu[row + 17]).toBeCloseTo(300 * 300, 0)
   })
 
-  it('gives texels that several islands use the form of the last', () => {
+  it('uses the last island where islands overlap', () => {
     const [first, last] = [sheet([100, 0, 0], [0, -100, 0]), sheet([300, 0, 0], [0, -100, 0], [0, 0, 0.5, 1])]
     const metric = surfaceMetric(joined(first, last), 8)
     expect(Math.sqrt(metric.uu[8 + 1])).toBeCloseTo(300, 3)

@@ -31,7 +31,7 @@ function worstAngle(map: HeightMap, metric: Metric, expected: (u: number, v: num
 }
 
 describe('heightToNormal', () => {
-  it('is flat where there is no slope, and nowhere else', () => {
+  it('is flat exactly where there is no slope', () => {
     const side = 24
     const next = seeded(3)
     for (let round = 0; round < 40; round++) {
@@ -53,7 +53,7 @@ describe('heightToNormal', () => {
   })
 
   it('gives the slopes of a sine in both directions on a stretched sheet', () => {
-    // 200 x 80 mm; 8 waves along u and 5 along v, steepest slopes 0.3 and 0.5 mm per mm.
+    // 200 x 80 mm, with 8 waves along u and 5 along v, and steepest slopes of 0.3 and 0.5 mm per mm.
     const metric = flatMetric(200, 80, SIDE)
     const [ku, kv] = [2 * Math.PI * 8, 2 * Math.PI * 5]
     const [au, av] = [(0.3 * 200) / ku, (0.5 * 80) / kv]
@@ -67,13 +67,13 @@ describe('heightToNormal', () => {
     expect(worst).toBeLessThan(0.5)
   })
 
-  it('gives the slope of a cone all round', () => {
+  it('gives the slope of a cone in all directions', () => {
     const metric = flatMetric(100, 100, SIDE)
     const map = heights((u, v) => -0.7 * Math.hypot(100 * (u - 0.5), 100 * (v - 0.5)))
     const { data } = heightToNormal(map, metric)
     const worst = worstAngle(map, metric, (u, v) => {
       const r = Math.hypot(u - 0.5, v - 0.5)
-      // The tip itself has no normal.
+      // The tip has no normal.
       if (r < 0.02) {
         const i = 4 * (Math.floor(v * SIDE) * SIDE + Math.floor(u * SIDE))
         return [data[i] - 127.5, data[i + 1] - 127.5, data[i + 2] - 127.5]
@@ -83,15 +83,15 @@ describe('heightToNormal', () => {
     expect(worst).toBeLessThan(0.5)
   })
 
-  it('works in the orthonormal frame of a sheared texture', () => {
-    // P = u (100, 0, 0) + v (50, -80, 0) mm: +u is x, and smaller v at a right angle to it is y.
+  it('uses the orthonormal frame of a sheared texture', () => {
+    // P = u (100, 0, 0) + v (50, -80, 0) mm. The frame is x (+u) and y (perpendicular, towards smaller v).
     const metric = surfaceMetric(sheet([100, 0, 0], [50, -80, 0]), SIDE)
-    // A plane that falls 0.4 mm per mm along x and rises 0.3 along y, written in u and v.
+    // Plane that falls 0.4 mm per mm along x and rises 0.3 along y, in u and v.
     const map = heights((u, v) => -0.4 * (100 * u + 50 * v) + 0.3 * (-80 * v))
     expect(worstAngle(map, metric, () => [0.4, -0.3, 1])).toBeLessThan(0.3)
   })
 
-  it('writes what the derivative frame of three.js turns back into the slope', () => {
+  it("writes normals that three.js's derivative frame turns back into the slope", () => {
     // P = u (100, 0, 0) + v (50, -80, 0) mm has the gradients grad u = (1, 0.625) / 100, grad v = (0, -1) / 80.
     const metric = surfaceMetric(sheet([100, 0, 0], [50, -80, 0]), SIDE)
     const map = heights((u, v) => -0.4 * (100 * u + 50 * v) + 0.3 * (-80 * v))
@@ -107,7 +107,7 @@ describe('heightToNormal', () => {
     expect((x * tangent[1] + y * bitangent[1]) / z).toBeCloseTo(-0.3, 1.7)
   })
 
-  it('gives the same map for both frames where the texture is square', () => {
+  it('gives the same map for both frames on a square texture', () => {
     const metric = flatMetric(100, 100, 64)
     const map = heights((u, v) => Math.sin(40 * u) + Math.cos(30 * v), 64)
     expect(heightToNormal(map, metric, 'derivative')).toEqual(heightToNormal(map, metric, 'orthonormal'))

@@ -5,7 +5,7 @@ import { seeded } from '../../random.ts'
 
 const ORIGIN = [0, 0, 0]
 
-/** Random unit vectors, and the six along the axes, where making a basis can go wrong. */
+/** Random unit vectors, and the six axes, where building a basis can fail. */
 const NORMALS = [
   ...[0, 1, 2].flatMap((k) => [1, -1].map((sign) => [0, 0, 0].with(k, sign))),
   ...Array.from({ length: 20 }, (_, i) => {
@@ -16,7 +16,7 @@ const NORMALS = [
 ]
 
 describe('ambientVisibility', () => {
-  it('is the squared sine of the cone that is open, for any normal', () => {
+  it('is the squared sine of the open cone, for any normal', () => {
     for (const n of NORMALS) {
       for (const angle of [0.3, 0.8, 1.2]) {
         const outside: AnyHit = (_x, _y, _z, dx, dy, dz) =>
@@ -28,7 +28,7 @@ describe('ambientVisibility', () => {
     }
   })
 
-  it('is one half beside a wall without end, and all or nothing without walls', () => {
+  it('is one half beside an endless wall, and all or nothing without walls', () => {
     for (const n of NORMALS) {
       const side = n.map((_, k) => n[(k + 1) % 3] - n[(k + 2) % 3])
       const level = side[0] * n[0] + side[1] * n[1] + side[2] * n[2]
@@ -42,7 +42,7 @@ describe('ambientVisibility', () => {
     }
   })
 
-  it('sends unit vectors from the point of the given length, the same for one seed and others for another', () => {
+  it('casts unit vectors from the point with the given length, deterministic per seed', () => {
     const rays = (seed: number) => {
       const seen: number[][] = []
       ambientVisibility((...ray) => seen.push(ray) > 0, [1, 2, 3], [0, 0.6, 0.8], 16, 5, seed)

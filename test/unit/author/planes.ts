@@ -1,7 +1,7 @@
 import { type MetricMesh, type SkinCanvas, skinCanvas } from 'furrow/author'
 import { type Metric, surfaceMetric } from 'furrow/internal'
 
-/** A flat sheet P(u, v) = u a + v b, a and b in millimetres, over a rectangle of the texture. */
+/** Flat sheet P(u, v) = u a + v b, with a and b in millimetres, over a rectangle of the texture. */
 export function sheet(
   a: [number, number, number],
   b: [number, number, number],
@@ -15,7 +15,7 @@ export function sheet(
   return { positions, uvs, indices: [0, 3, 2, 0, 2, 1] }
 }
 
-/** Sheets as one mesh. */
+/** Merges sheets into one mesh. */
 export function joined(...sheets: MetricMesh[]): MetricMesh {
   return {
     positions: sheets.flatMap(({ positions }) => Array.from(positions)),
@@ -24,7 +24,7 @@ export function joined(...sheets: MetricMesh[]): MetricMesh {
   }
 }
 
-/** An upright sheet of `width` x `height` millimetres to draw on, with `texels` x `texels` texels. */
+/** Upright sheet of `width` x `height` millimetres to draw on, with `texels` x `texels` texels. */
 export function flatCanvas(width: number, height: number, texels: number): SkinCanvas {
   return skinCanvas(sheet([width, 0, 0], [0, -height, 0]), texels)
 }
@@ -34,6 +34,6 @@ export function flatMetric(width: number, height: number, texels: number): Metri
   return surfaceMetric(sheet([width, 0, 0], [0, -height, 0]), texels)
 }
 
-/** Whether two maps are the same, byte for byte. */
+/** Tells whether two maps are equal, byte for byte. */
 export const same = (a: ArrayBufferView, b: ArrayBufferView) =>
   Buffer.from(a.buffer, a.byteOffset, a.byteLength).equals(Buffer.from(b.buffer, b.byteOffset, b.byteLength))

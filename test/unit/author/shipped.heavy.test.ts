@@ -35,7 +35,7 @@ const DRAWN = [...both('forehead'), 'glabella', 'nose']
 const MADE = [...both('crowsFeet'), ...both('nasolabial'), ...both('underEye'), 'upperLip', 'lowerLip']
 const AREAS = [...DRAWN, ...MADE]
 
-/** What `furrow auto` is told in faces/human/README.md. */
+/** Options of `furrow auto` in faces/human/README.md. */
 const OPTIONS = {
   age: 50,
   strength: 1.3,
@@ -44,7 +44,7 @@ const OPTIONS = {
   regions: ['glabella', 'nose', 'crowsFeet', 'nasolabial', 'underEye', 'upperLip', 'lowerLip'],
 } as const satisfies AutoOptions
 
-/** Weights of a committed area, 255 = fully visible. */
+/** Returns the weights of a committed area, 255 = fully visible. */
 async function committed(name: string, face = 'human'): Promise<Uint8Array> {
   const { width, height, data } = await grayOf(`${face}/areas/${name}.png`)
   expect([width, height]).toEqual([128, 128])
@@ -69,7 +69,7 @@ describe.each(FACES)('faces/%s', (name) => {
   const set = parseWrinkleSetDocument(json(`${name}/wrinkles.json`))
   const [layer] = set.layers
   let made: AutoWrinkles
-  /** What is made where nothing is drawn, and what is drawn. */
+  /** Computed strokes, with hand-drawn ones at glabella and nose. */
   let document: StrokesDocument
   let lines: StrokeLayer
 
@@ -90,14 +90,14 @@ describe.each(FACES)('faces/%s', (name) => {
     }
   })
 
-  it('has the areas that its blendshapes give, up to rounding', async () => {
+  it('has the areas computed from its blendshapes, up to rounding', async () => {
     for (const { name: area, weights } of made.areas) {
       if (!MADE.includes(area)) continue
       expect(largestDifference(await committed(area, name), weights.data), area).toBeLessThanOrEqual(1)
     }
   })
 
-  it('has the strokes that its blendshapes give, and those that are drawn', () => {
+  it('has the strokes computed from its blendshapes, and the hand-drawn ones', () => {
     const stored = parseStrokes(json(`${name}/strokes.json`))
     expect(stored.scale).toBeCloseTo(made.scale, 3)
     expect(stored.strokes.map(({ group, points }) => [group, points.length])).toEqual(
@@ -105,7 +105,7 @@ describe.each(FACES)('faces/%s', (name) => {
     )
   })
 
-  it('has the normals and the occlusion of its strokes, up to rounding', async () => {
+  it('has normals and occlusion of its strokes, up to rounding', async () => {
     const file = path(`${name}/layers/expression/normal.png`)
     const shipped = await decodeNormalMap(readFileSync(file), file, 'test')
     expect(largestDifference(shipped.data, lines.normal.data)).toBeLessThanOrEqual(1)
@@ -113,7 +113,7 @@ describe.each(FACES)('faces/%s', (name) => {
     expect(largestDifference(occlusion.data, halfSide(lines.occlusion).data)).toBeLessThanOrEqual(1)
   })
 
-  it('has their heights, by which relief moves the skin', async () => {
+  it('has the heights of its strokes, which move the skin with relief', async () => {
     const { levels, amplitude } = heightLevels(lines.heights.data)
     expect(layer.heightAmplitude).toBeCloseTo(amplitude, 6)
     const heights = await grayOf(`${name}/layers/expression/height.png`)
@@ -122,7 +122,7 @@ describe.each(FACES)('faces/%s', (name) => {
     ).toBeLessThanOrEqual(1)
   })
 
-  it('has valleys that are deeper in tone', async () => {
+  it('has darker skin in valleys', async () => {
     const { width, height, data } = lines.heights
     const { levels, amplitude } = heightLevels(data)
     const half = halfSide({ width, height, data: levels })
@@ -136,8 +136,8 @@ describe.each(FACES)('faces/%s', (name) => {
   })
 })
 
-describe('the areas that ship', () => {
-  it('are what their document gives, up to rounding', async () => {
+describe('shipped areas', () => {
+  it('equal those of their document, up to rounding', async () => {
     const { mesh } = await readFaceMesh(path('human.glb'), 'test')
     const painted = paintAreas(strokes(), skinCanvas(mesh, 128))
     expect(painted.map((area) => area.name)).toEqual(DRAWN)
@@ -149,7 +149,7 @@ describe('the areas that ship', () => {
   it('keep to their side of the face', async () => {
     for (const name of AREAS) {
       const weights = await committed(name)
-      // 14 mm of blend for the forehead, half of it on either side: under 0.02 of the texture.
+      // 14 mm of blend on the forehead, half on either side: less than 0.02 of the texture.
       for (let i = 0; i < weights.length; i++) {
         const u = ((i % 128) + 0.5) / 128
         if (name.endsWith('Left') && u < 0.475) expect(weights[i], name).toBe(0)
@@ -159,7 +159,7 @@ describe('the areas that ship', () => {
     }
   })
 
-  it('leave the openings of the eyes alone', async () => {
+  it('leave out the openings of the eyes', async () => {
     const { mesh } = await readFaceMesh(path('human.glb'), 'test')
     const { inside } = surfaceMetric(mesh, 128)
     const openings = [...inside.keys()].filter((i) => {
@@ -173,7 +173,7 @@ describe('the areas that ship', () => {
     }
   })
 
-  it('sum to the whole forehead at the middle', async () => {
+  it('sum to the complete forehead at the middle', async () => {
     const [left, right] = [await committed('foreheadLeft'), await committed('foreheadRight')]
     for (let y = Math.round(0.3 * 128); y < 0.39 * 128; y++) {
       for (let x = 60; x < 68; x++) {
@@ -184,7 +184,7 @@ describe('the areas that ship', () => {
     }
   })
 
-  it('cover every stroke: no height is left uncovered', async () => {
+  it('cover every stroke, and leave no height uncovered', async () => {
     const total = new Float64Array(128 * 128)
     for (const name of AREAS) {
       const weights = await committed(name)

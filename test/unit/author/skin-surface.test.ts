@@ -7,10 +7,10 @@ import { describe, expect, it } from 'vitest'
 const HUMAN = fileURLToPath(new URL('../../../faces/human.glb', import.meta.url))
 
 describe('the surface of a skin', () => {
-  it('of a face is in the frame of the face, however it is turned and scaled', async () => {
+  it("of a face is in the face's frame, however the face is turned and scaled", async () => {
     const { skin } = findSkin(await readDocument(HUMAN, 'test'), HUMAN, 'test')
     const { surface, scale } = skinSurface(skin)
-    // A quarter turn about y, twice as large, elsewhere.
+    // A quarter turn about y, twice as large, moved.
     const turned = (vectors: ArrayLike<number>, [x, y, z]: readonly number[]) =>
       Float64Array.from({ length: vectors.length }, (_, i) => {
         const first = i - (i % 3)
@@ -39,7 +39,7 @@ describe('the surface of a skin', () => {
     expect([...surface.points.slice(3, 6)]).toEqual([100, 0, 0])
   })
 
-  it('has texels that several triangles use, each told once for each other triangle', () => {
+  it('lists a texel shared by several triangles once for each other triangle', () => {
     const { surface } = skinSurface(sheet)
     const { texels } = mapSkin(sheet, surface, 16)
     const own: number[] = []
@@ -55,8 +55,8 @@ describe('the surface of a skin', () => {
     expect(own.length).toBeGreaterThan(80)
   })
 
-  it('is drawn on both sides but where a part has its mirror image on the same texels', () => {
-    // A sheet from left to right, and two limbs: each a triangle on the same half of the texture.
+  it('is drawn on both sides unless a part shares texels with its mirror image', () => {
+    // A sheet from left to right, and two limbs: triangles on the same half of the texture.
     const body = {
       positions: [
         [-0.1, 0, 0, 0.1, 0, 0, -0.1, 0.1, 0, 0.1, 0.1, 0],

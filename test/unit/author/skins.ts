@@ -1,14 +1,14 @@
 import type { MetricMesh } from 'furrow/author'
 
-/** Radius and height of the cylinder in millimetres. */
+/** Radius and height of the cylinder, millimetres. */
 export const RADIUS = 20
 export const HEIGHT = 60
-/** Round the cylinder. */
+/** Columns around the cylinder. */
 const COLUMNS = 96
 
 /**
- * A cylinder, seen from outside, whose texture is cut into two islands at x < 0, z = 0 and x > 0, z = 0: the front (z > 0) is on the left of the
- * texture, the back on its right and upside down.
+ * Cylinder with two UV islands, cut at x < 0, z = 0 and x > 0, z = 0. Seen from outside, the front (z > 0) is on the left of the texture.
+ * The back is on the right, upside down.
  */
 export function cylinder(): MetricMesh {
   const [positions, uvs, indices]: number[][] = [[], [], []]
@@ -30,14 +30,14 @@ export function cylinder(): MetricMesh {
   return { positions: positions.map((value) => Math.round(1e6 * value) / 1e9), uvs, indices }
 }
 
-/** Where in the texture the cylinder is at an angle from -x (0..2, in half turns), and a height in millimetres. */
+/** Returns the UV at an angle from -x, in half turns 0..2, and a height in millimetres. */
 export function uvOf(turn: number, y: number): [number, number] {
   return turn <= 1
     ? [0.05 + 0.4 * turn, 0.9 - (0.8 * y) / HEIGHT]
     : [0.95 - 0.4 * (turn - 1), 0.1 + (0.8 * y) / HEIGHT]
 }
 
-/** A sheet of 100 x 50 mm whose texture is folded at x = 0. */
+/** Sheet of 100 x 50 mm whose texture is folded at x = 0. */
 export function folded(): MetricMesh {
   const [positions, uvs, indices]: number[][] = [[], [], []]
   for (let row = 0; row <= 4; row++) {

@@ -16,18 +16,18 @@ import { cylinder, folded } from './skins.ts'
 
 const SIZE = 96
 
-/** All maps of a layer, as bytes. */
+/** Returns all maps of a layer as bytes. */
 const bytesOf = ({ heights, occlusion, normal }: Pick<StrokeLayer, 'heights' | 'occlusion' | 'normal'>) =>
   [heights, occlusion, normal].map(({ data }) => Buffer.from(data.buffer.slice(0)))
 
-function drawnAnew(strokes: readonly Stroke[], canvas: SkinCanvas, base?: RgbaImage): Buffer[] {
+function redrawn(strokes: readonly Stroke[], canvas: SkinCanvas, base?: RgbaImage): Buffer[] {
   const laid = strokes.flatMap((stroke) => layOutStroke(stroke, canvas))
   const drawn = drawStrokes(laid, canvas)
   const detail = heightToNormal(drawn.heights, canvas.metric, 'derivative')
   return bytesOf({ ...drawn, normal: base ? combineNormals(base, detail) : detail })
 }
 
-/** Pores. */
+/** Noise like pores. */
 function pores(): RgbaImage {
   const data = new Uint8Array(4 * SIZE * SIZE)
   for (let i = 0; i < data.length; i++) data[i] = i % 4 === 3 ? 0 : i % 4 === 2 ? 250 : 120 + (i % 17)
@@ -46,7 +46,7 @@ const stroke: fc.Arbitrary<Stroke> = fc.record({
   waviness: fc.constantFrom(0, 0.5),
 })
 
-/** An edit of a list of strokes; `at` is where, as a fraction of the list, and `steps` how far one there is prepared before it. */
+/** Edit of a list of strokes. `at` is a fraction of the list; `steps` tells how far a stroke there is prepared before. */
 const edit = fc.record({
   steps: fc.constantFrom(0, 5, 40, 200),
   kind: fc.constantFrom('add', 'remove', 'replace', 'bend', 'bend', 'move', 'repeat', 'clear'),
@@ -61,7 +61,7 @@ function edited(strokes: readonly Stroke[], { kind, at, stroke }: Edit): readonl
   if (kind === 'clear') return at > 0.7 ? [] : strokes
   if (kind === 'add' || strokes.length === 0) return strokes.toSpliced(i, 0, stroke)
   if (kind === 'replace') return strokes.with(i, { ...strokes[i], points: stroke.points })
-  // The same one each time, with others before and behind it.
+  // Always the same stroke, with others before and after it.
   const middle = Math.floor(strokes.length / 2)
   if (kind === 'bend') return strokes.with(middle, { ...strokes[middle], points: stroke.points })
   if (kind === 'repeat') return [...strokes, strokes[i]]
@@ -73,15 +73,15 @@ describe.each([
   ['a cylinder with two seams', () => skinCanvas(cylinder(), SIZE), undefined],
   ['a sheet that fills its texture, with pores', () => flatCanvas(60, 60, SIZE), pores()],
   ['a sheet whose halves use the same texels', () => skinCanvas(folded(), SIZE), undefined],
-] as const)('strokes that are edited on %s', (_, make, base) => {
+] as const)('edited strokes on %s', (_, make, base) => {
   const canvas = make()
 
-  it('give the maps of drawing them all anew, bit for bit, and change nothing beside what they tell', () => {
+  it('give the same maps, bit for bit, as redrawing everything, and change nothing outside the reported rectangles', () => {
     const sequence = fc.array(edit, { minLength: 1, maxLength: 12 })
     const follow = (edits: readonly Edit[]) => {
       const layer = new StrokeLayer(canvas, { frame: 'derivative', ...(base && { base }) })
       let strokes: readonly Stroke[] = []
-      expect(bytesOf(layer)).toEqual(drawnAnew(strokes, canvas, base))
+      expect(bytesOf(layer)).toEqual(redrawn(strokes, canvas, base))
       for (const each of edits) {
         const prepared = strokes[Math.floor(each.at * strokes.length)]
         const steps = prepared && layer.prepare(prepared)
@@ -90,8 +90,8 @@ describe.each([
         const before = bytesOf(layer)
         const changed = layer.draw(strokes)
         const after = bytesOf(layer)
-        const anew = drawnAnew(strokes, canvas, base)
-        expect(after.map((map, i) => map.equals(anew[i]))).toEqual([true, true, true])
+        const expected = redrawn(strokes, canvas, base)
+        expect(after.map((map, i) => map.equals(expected[i]))).toEqual([true, true, true])
         const told = new Uint8Array(SIZE * SIZE)
         for (const { x0, y0, x1, y1 } of changed) {
           expect(x0 >= 0 && y0 >= 0 && x1 <= SIZE && y1 <= SIZE && x0 < x1 && y0 < y1).toBe(true)

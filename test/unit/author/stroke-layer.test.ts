@@ -3,7 +3,7 @@ import { describe, expect, it, vi } from 'vitest'
 import { LineGrid } from '../../../packages/furrow/src/author/strokes/line-grid.ts'
 import { cylinder, uvOf } from './skins.ts'
 
-/** How often lines were looked for round a texel. */
+/** Counts searches for lines around a texel. */
 function searchesOf(action: () => unknown): number {
   const visit = vi.spyOn(LineGrid.prototype, 'visit')
   action()
@@ -25,34 +25,34 @@ describe('a layer of strokes', () => {
     waviness: 0,
   })
 
-  it('tells a rectangle on each side of a seam that a changed stroke crosses, and none where nothing changed', () => {
+  it('reports a rectangle on each side of a seam that a changed stroke crosses, and none without changes', () => {
     const layer = new StrokeLayer(canvas)
     const own = line([0.8, 0.95, 1.05, 1.2], 12)
     const changed = layer.draw([own]).sort((a, b) => a.x0 - b.x0)
     expect(changed.length).toBe(2)
-    // The islands end and begin at 115 and 141; both go on for 14 texels, and slopes are taken over two more.
+    // The islands end and begin at 115 and 141. Both are extended by 14 texels, and slopes take two more.
     expect(changed[0].x1).toBeLessThanOrEqual(115 + 17)
     expect(changed[1].x0).toBeGreaterThanOrEqual(141 - 17)
     expect(layer.draw([own])).toEqual([])
     expect(layer.draw([{ ...own }])).toEqual([])
   })
 
-  it('draws only what is within reach of a changed stroke again', () => {
+  it('redraws only texels within reach of a changed stroke', () => {
     const layer = new StrokeLayer(canvas)
     const others = [5, 15, 45, 55].map((y) => line([0.2, 0.8], y))
     const own = line([0.3, 0.5], 30)
     layer.draw([...others, own])
-    // Reach 7 mm, in texels of 60 mm / (0.8 * 256), with slopes over two more.
+    // Reach of 7 mm, in texels of 60 mm / (0.8 * 256), plus two for slopes.
     const most = 30 + 2 * (7 * (205 / 60) + 4)
     for (const { y0, y1 } of layer.draw([...others, { ...own, depth: 0.5 }]))
       expect(y1 - y0).toBeLessThan(most)
-    // What was spoilt elsewhere is still there: it was not drawn again.
+    // Overwritten texels elsewhere stay, so they were not redrawn.
     layer.heights.data.fill(9)
     layer.draw([...others, own])
     expect(layer.heights.data.filter((value) => value === 9).length).toBeGreaterThan(200 * 200)
   })
 
-  it('looks for the lines round one that is bent only once', () => {
+  it('searches the lines around a bent one only once', () => {
     const layer = new StrokeLayer(canvas)
     const others = [27, 29, 31, 33].map((y) => line([0.3, 0.6], y))
     const bent = (depth: number) => [
@@ -63,14 +63,14 @@ describe('a layer of strokes', () => {
     const searches = (strokes: readonly Stroke[]) => searchesOf(() => layer.draw(strokes))
     layer.draw(bent(1))
     const first = searches(bent(0.8))
-    // In each texel the bent line and all others; then the bent line alone.
+    // First the bent line and all others in each texel, then only the bent line.
     expect(searches(bent(0.6))).toBe(first / 2)
-    // Others that changed meanwhile are looked for again.
+    // Others that changed in between are searched again.
     layer.draw(bent(0.6).slice(1))
     expect(searches([...bent(0.5)].slice(1))).toBe(first)
   })
 
-  it('looks for the lines round a new one only once: it is bent, removed and drawn again with what was found', () => {
+  it('searches the lines around a new one only once, also when it is bent, removed and drawn again', () => {
     const layer = new StrokeLayer(canvas)
     const others = [27, 29, 31, 33].map((y) => line([0.3, 0.6], y))
     const own = line([0.3, 0.5], 30)
@@ -84,7 +84,7 @@ describe('a layer of strokes', () => {
       searches(others.with(2, own)),
     ]
     expect(later.slice(0, 3)).toEqual([first / 2, first / 2, first / 2])
-    // Two changes at once: all lines are looked for anew.
+    // After two changes at once all lines are searched again.
     expect(later[3]).toBeGreaterThan(first / 2)
   })
 
@@ -98,11 +98,11 @@ describe('a layer of strokes', () => {
       return layer
     }
 
-    it('has found the lines round it when it is first bent', () => {
+    it('has searched the lines around it before it is first bent', () => {
       const [layer, plain] = [layerOf(others), layerOf(others)]
       const found = searchesOf(() => [...layer.prepare(others[2])])
       const first = draw(plain, bent(2))
-      // Only texels within reach of it are looked at.
+      // Only texels within the line's reach are searched.
       expect(found).toBe(first / 2)
       expect(draw(layer, bent(2))).toBe(first / 2)
       for (const map of ['heights', 'normal', 'occlusion'] as const) {
@@ -111,7 +111,7 @@ describe('a layer of strokes', () => {
       }
     })
 
-    it('does so in steps of a tile, which go on where the line was bent meanwhile', () => {
+    it('prepares in steps of a tile, and continues if the line is bent between steps', () => {
       const layer = layerOf(others)
       const steps = layer.prepare(others[2])
       const first = [1, 2, 3].map(() => searchesOf(() => steps.next()))
@@ -123,7 +123,7 @@ describe('a layer of strokes', () => {
       expect(searchesOf(() => [...steps])).toBe(0)
     })
 
-    it('ends when another line is prepared or edited, and does nothing for one that is not drawn', () => {
+    it('stops when another line is prepared or edited, and ignores lines that are not drawn', () => {
       const layer = layerOf(others)
       const steps = layer.prepare(others[2])
       steps.next()

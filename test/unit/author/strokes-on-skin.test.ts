@@ -19,7 +19,7 @@ describe('a stroke on a cylinder', () => {
   const height = (data: Float32Array, [u, v]: [number, number]) =>
     data[Math.floor(v * SIZE) * SIZE + Math.floor(u * SIZE)]
 
-  it('crosses a seam of the texture as if there were none', () => {
+  it('crosses a seam of the texture without a visible break', () => {
     const { data } = strokesToHeight(strokesOf(ring), canvas)
     for (let turn = 0.42; turn < 1.58; turn += 0.01) {
       expect(height(data, uvOf(turn, 30))).toBeLessThan(-0.93)
@@ -32,7 +32,7 @@ describe('a stroke on a cylinder', () => {
     expect(height(data, uvOf(0.05, 30))).toBe(0)
   })
 
-  it('is laid on the skin, at most half a millimetre from point to point', () => {
+  it('is laid on the skin in steps of at most half a millimetre', () => {
     const [line, ...others] = layOutStroke(strokesOf(ring)[0], canvas)
     expect(others).toEqual([])
     for (let i = 0; i < line.points.length; i += 3) {
@@ -53,16 +53,16 @@ describe('a stroke on a cylinder', () => {
     expect(length).toBeLessThan(1.2 * Math.PI * RADIUS + 0.6)
   })
 
-  it('has its left and right as seen from outside, however the texture is turned', () => {
+  it('has left and right as seen from outside, however the texture is turned', () => {
     const { data } = strokesToHeight(strokesOf({ ...ring, shoulder: [1, 0] }), canvas)
-    // From -x over the front to the right: its left is up.
+    // From -x over the front to the right, so its left is up.
     for (const turn of [0.6, 0.9, 1.2, 1.5]) {
       expect(height(data, uvOf(turn, 36))).toBeGreaterThan(0.02)
       expect(height(data, uvOf(turn, 26))).toBeLessThan(-0.02)
     }
   })
 
-  it('follows the factors on its depth', () => {
+  it('follows its depth factors', () => {
     const { data } = strokesToHeight(strokesOf({ ...ring, depths: [0, 1, 0.5] }), canvas)
     for (const [turn, depth] of [
       [0.7, -0.5],
@@ -81,7 +81,7 @@ describe('a stroke on a cylinder', () => {
     expect(height(data, [0.7, 0.5])).toBeLessThan(-0.9)
   })
 
-  it('is not drawn where none of it is on the skin', () => {
+  it('is not drawn if it is completely off the skin', () => {
     for (const curve of ['polyline', 'spline']) {
       const points = [
         [0.01, 0.01],
@@ -92,7 +92,7 @@ describe('a stroke on a cylinder', () => {
     }
   })
 
-  it('counts millimetres by the scale of the document', () => {
+  it("measures millimetres by the document's scale", () => {
     const mesh = cylinder()
     const inCentimetres = { ...mesh, positions: Array.from(mesh.positions, (value) => 100 * value) }
     const scaled = skinCanvas(inCentimetres, SIZE, SIZE, 10)
@@ -102,7 +102,7 @@ describe('a stroke on a cylinder', () => {
   })
 })
 
-it('where two halves use the same texels, the left one is drawn on', () => {
+it('is drawn on the left half if both halves share texels', () => {
   const canvas = skinCanvas(folded(), 256)
   const stroke = strokesOf({
     ...ring,
@@ -115,7 +115,7 @@ it('where two halves use the same texels, the left one is drawn on', () => {
   for (let column = 60; column < 200; column++) expect(data[128 * 256 + column]).toBeLessThan(-0.8)
 })
 
-it('no mesh of any size makes a stroke hang', () => {
+it('does not hang on a mesh of any size', () => {
   for (const scale of [1e-6, 1, 1e6]) {
     const mesh = cylinder()
     const canvas = skinCanvas(mesh, 64, 64, 1000 * scale)

@@ -10,14 +10,14 @@ const page = readFileSync('docs/strokes-format.md', 'utf8')
 const schema = JSON.parse(readFileSync('docs/schema/strokes.schema.json', 'utf8'))
 const validate = new Ajv2020().compile(schema)
 
-/** Names and defaults in the table below a heading of the page; a table of two columns has no defaults. */
+/** Reads names and defaults from the table below a heading of the page. Tables of two columns have no defaults. */
 function tableOf(heading: string): [name: string, usual: string | undefined][] {
   const [, section] = page.split(`\n### ${heading}\n`)
   const rows = section.split(/\n##/)[0].matchAll(/^\| `(\w+)` +\| (.*?) +\|(?: .*\|)?$/gm)
   return [...rows].map(([, name, usual]) => [name, usual.trim()])
 }
 
-describe('the schema of a document of strokes', () => {
+describe('the schema of strokes documents', () => {
   it.each([
     ['The document', schema],
     ['A stroke', schema.$defs.stroke],
@@ -50,10 +50,10 @@ describe('the schema of a document of strokes', () => {
     }
   })
 
-  it('accepts everything that the parser accepts, and refuses most of what it refuses', () => {
+  it('accepts everything that the parser accepts, and refuses most of what the parser refuses', () => {
     const { accepted, missed } = compareWithParser(STROKES, validate, parseStrokes, 6)
     expect(accepted).toBeGreaterThan(MUTATED / 100)
-    // A schema cannot check groups, names of files and the number of points of Bezier curves.
+    // A schema cannot check groups, file names and the number of points of Bezier curves.
     expect(missed).toBeLessThan(0.25)
   })
 })

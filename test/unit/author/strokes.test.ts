@@ -19,7 +19,7 @@ const area = (shape: object, more: object = {}) =>
   document({ ...plain, group: 'brow' }, { areas: [{ name: 'a', shapes: [shape], ...more }] })
 
 describe('parseStrokes', () => {
-  it('fills in the defaults and keeps the rest', () => {
+  it('fills in defaults and keeps everything else', () => {
     expect(parseStrokes(document(plain))).toEqual({
       version: 1,
       scale: 1000,
@@ -50,7 +50,7 @@ describe('parseStrokes', () => {
     })
   })
 
-  it('leaves its input alone', () => {
+  it('does not modify its input', () => {
     const json = Object.freeze(document(Object.freeze({ ...plain })))
     expect(parseStrokes(json).strokes[0]).not.toBe(plain)
   })
@@ -189,7 +189,7 @@ describe('parseStrokes', () => {
     expect(attempt).toThrow(`parseStrokes: ${message}`)
   })
 
-  it('refuses two areas of one name', () => {
+  it('refuses two areas with one name', () => {
     const sketch = { name: 'a', shapes: [{ group: 'brow', radius: 1, feather: 1 }] }
     expect(() => parseStrokes(document({ ...plain, group: 'brow' }, { areas: [sketch, sketch] }))).toThrow(
       'parseStrokes: areas[1].name is already used, got "a"; give every area its own name',
@@ -205,7 +205,7 @@ describe('parseStrokes', () => {
       }
     }
     fc.assert(fc.property(fc.jsonValue(), only))
-    // Documents that are right but for one field reach every reader.
+    // Documents valid except for one field, to reach every reader.
     const fields = [
       'group',
       'layer',

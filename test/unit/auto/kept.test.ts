@@ -7,7 +7,7 @@ const DATA = {
   nested: [{ floats: Float32Array.of(0.5, -1) }, { doubles: new Float64Array(3), curve: [[0.1, 1]] }],
 }
 
-/** As much of Cache Storage as is used. */
+/** Fake of the used parts of Cache Storage. */
 class FakeCache {
   readonly entries = new Map<string, ArrayBuffer>()
   async match(url: string) {
@@ -41,22 +41,22 @@ afterEach(() => {
   vi.unstubAllGlobals()
 })
 
-describe('what is kept', () => {
-  it('is found again under its key, and under no other', async () => {
+describe('a cached result', () => {
+  it('is found under its key only', async () => {
     await keep('v1', 'a', DATA, () => {})
     expect(await recall('v1', 'a')).toEqual(DATA)
     expect(await recall('v1', 'b')).toBeUndefined()
     expect(await recall('v2', 'a')).toBeUndefined()
   })
 
-  it('may be taken once it is copied', async () => {
+  it('may be transferred after it was copied', async () => {
     const data = structuredClone(DATA)
     await keep('v1', 'a', data, () => structuredClone(data.bytes, { transfer: [data.bytes.buffer] }))
     expect(data.bytes.length).toBe(0)
     expect(await recall('v1', 'a')).toEqual(DATA)
   })
 
-  it('is of one version, and at most 32', async () => {
+  it('belongs to one version, and at most 32 are kept', async () => {
     stored.set('of-the-page', new FakeCache())
     await keep('v1', 'a', DATA, () => {})
     for (let i = 0; i < 40; i++) await keep('v2', String(i), DATA, () => {})
@@ -66,7 +66,7 @@ describe('what is kept', () => {
     expect(await recall('v2', '0')).toBeUndefined()
   })
 
-  it('is nothing where it is damaged', async () => {
+  it('is ignored if damaged', async () => {
     await keep('v1', 'a', DATA, () => {})
     const { entries } = stored.get('furrow-auto-v1')!
     for (const [url, body] of entries) entries.set(url, body.slice(0, body.byteLength / 2))
@@ -80,7 +80,7 @@ describe('what is kept', () => {
       'the disk is full',
       { keys: async () => [], open: async () => ({ keys: async () => [], put: refuse, match: refuse }) },
     ],
-  ])('is nothing where %s, and nothing fails', async (_, storage) => {
+  ])('is skipped without an error if %s', async (_, storage) => {
     vi.stubGlobal('caches', storage)
     const copied = vi.fn()
     await keep('v1', 'a', DATA, copied)
@@ -89,8 +89,8 @@ describe('what is kept', () => {
   })
 })
 
-describe('a key', () => {
-  it('is that of the content', async () => {
+describe('a cache key', () => {
+  it('depends on the content', async () => {
     const key = await keyOf(DATA)
     expect(key).toMatch(/^[0-9a-f]{64}$/)
     expect(await keyOf(structuredClone(DATA))).toBe(key)
@@ -98,7 +98,7 @@ describe('a key', () => {
     expect(await keyOf({ ...DATA, name: 'b' })).not.toBe(key)
   })
 
-  it('is none on a page over plain HTTP, where nothing is kept', async () => {
+  it('is undefined on pages over plain HTTP, where nothing is cached', async () => {
     vi.stubGlobal('crypto', {})
     expect(await keyOf(DATA)).toBeUndefined()
     await keep('v1', undefined, DATA, () => {})

@@ -27,7 +27,7 @@ describe('bench cases', () => {
 })
 
 describe('bench areas', () => {
-  /** A bar of eight columns and a dot. */
+  /** Bar of eight columns, and a dot. */
   const bar = { width: 16, height: 2, data: new Uint8Array(32).fill(200, 4, 12) }
   const dot = { width: 16, height: 2, data: new Uint8Array(32).fill(255, 20, 21) }
 

@@ -3,7 +3,7 @@ import { promisify } from 'node:util'
 import { DRIVER_TYPES } from 'furrow/internal'
 import { expect, it } from 'vitest'
 
-/** Runs in a process of its own, as the benchmark does: in a test process, code is compiled and optimised differently. */
+/** Runs in a separate process like the benchmark, because a test process compiles and optimises code differently. */
 const SCRIPT = `
   import { measureCpu, OTHER_DRIVERS } from './bench/cpu.mjs'
   const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1]
@@ -12,7 +12,7 @@ const SCRIPT = `
   console.log(JSON.stringify({ measured, types: Object.keys(OTHER_DRIVERS) }))
 `
 
-// On a busy machine code is optimised late, now and then; what allocates in every frame does so each time.
+// A busy machine sometimes optimises late. Code that allocates per frame does so every time.
 it('drivers allocate nothing per frame, except the number that the default clock returns', {
   retry: 2,
 }, async () => {

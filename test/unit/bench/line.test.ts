@@ -26,7 +26,7 @@ function resultOf(changes: Partial<Result>): Result {
   }
 }
 
-/** Cells by the title of their column. */
+/** Returns cells by column title. */
 function read(line: string): Record<string, string> {
   const [titles, , cells] = [...LINE_HEADING.split('\n'), line].map((row) =>
     row
@@ -38,7 +38,7 @@ function read(line: string): Record<string, string> {
   return Object.fromEntries(titles.map((title, i) => [title, cells[i]]))
 }
 
-it('has a value of each renderer, moving and still', () => {
+it('has a value per renderer, moving and still', () => {
   const results = [
     resultOf({}),
     resultOf({ renderer: 'webgpu', adapter: 'GPU', medianMs: 2, timing: 'fence' }),
@@ -61,7 +61,7 @@ it('has a value of each renderer, moving and still', () => {
   })
 })
 
-it('is of 8 areas and one layer, whatever else a run has', () => {
+it('covers 8 areas and one layer, whatever else a run contains', () => {
   const others = [{ areas: 16, active: 16 }, { layers: 4 }, { areas: 256 }]
   const results = [...others, {}].map((changes, i) =>
     resultOf({ variant: 'furrow', ratioToPlain: 1 + i, ...changes }),
@@ -69,13 +69,13 @@ it('is of 8 areas and one layer, whatever else a run has', () => {
   expect(read(toLine(results, machine)).furrow).toBe('4.000, -; -, -')
 })
 
-it('stays one row, whatever an adapter is called', () => {
+it('stays one row for any adapter name', () => {
   const line = toLine([resultOf({ adapter: 'a | b\n  c' })], machine)
   expect(line).not.toContain('\n')
   expect(read(line).adapter).toBe('a \\| b c')
 })
 
-it('has the variants that it asks for', () => {
+it('has the variants that it needs', () => {
   expect([...LINE_VARIANTS].sort().join(' ')).toBe('furrow jimenez o3de plain stripped')
 })
 

@@ -4,19 +4,19 @@ import { readFigures, warnings } from '../../../bench/ratios.mjs'
 describe('the guard of the frame', () => {
   const name = 'webgl, composed, moving'
 
-  it('warns where a ratio to the plain face has grown by more than 0.05, with both', () => {
+  it('warns with old and new ratio if a ratio to the plain face grew by more than 0.05', () => {
     expect(warnings({ [name]: 1.251 }, { [name]: 1.2 })).toEqual([
       expect.stringContaining('webgl, composed, moving has grown from 1.20 to 1.25 of the plain face'),
     ])
   })
 
-  it('says nothing of less, of what shrinks, and of what is new', () => {
+  it('ignores smaller growth, decreases and new cases', () => {
     expect(warnings({ [name]: 1.249 }, { [name]: 1.2 })).toEqual([])
     expect(warnings({ [name]: 1 }, { [name]: 1.2 })).toEqual([])
     expect(warnings({ new: 9 }, {})).toEqual([])
   })
 
-  it('has figures of both renderers and all modes that are watched', () => {
+  it('watches figures of both renderers and all modes', () => {
     const names = Object.keys(readFigures())
     for (const renderer of ['webgl', 'webgpu']) {
       for (const variant of ['furrow', 'composed']) {

@@ -30,7 +30,7 @@ describe('bench results', () => {
     expect(results[0].ratioToPlain).toBe(1)
   })
 
-  it('have no ratio to the paper if it cannot show the case', () => {
+  it("have no ratio to the paper if the paper's material cannot show the case", () => {
     const [plain, , furrow] = measured
     expect(toResults(benchCase, setup, [plain, furrow]).map(({ ratioToPaper }) => ratioToPaper)).toEqual([
       null,
@@ -44,7 +44,7 @@ describe('bench results', () => {
 })
 
 describe('bench table', () => {
-  it('has a row per result, and all cells of a column are equally wide', () => {
+  it('has a row per result, and columns of equal width', () => {
     const lines = toTable(toResults(benchCase, setup, measured)).split('\n')
     expect(lines).toHaveLength(5)
     expect(new Set(lines.map(({ length }) => length)).size).toBe(1)

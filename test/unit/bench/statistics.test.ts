@@ -20,7 +20,7 @@ describe('bench statistics', () => {
     expect(rounds.map(([first]) => first)).toEqual([0, 1, 2])
   })
 
-  it('ratio ignores rounds in which everything was slow, and those in which one was compiled badly', () => {
+  it('ratio ignores rounds in which everything was slow, and rounds with one badly compiled variant', () => {
     expect(ratio([11, 110, 11], [10, 100, 10])).toBeCloseTo(1.1, 12)
     expect(ratio([13, 11, 13], [10, 12, 12])).toBeCloseTo(1.1, 12)
   })

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest'
 import { type Result, toTable } from '../../../bench/studio/table.ts'
 
-it('has a row per figure, with the goal that its name begins with', () => {
+it('has a row per figure, with the goal named by its prefix', () => {
   const rows: Result[] = [
     {
       figure: 'stroke to heights: 500 lines',

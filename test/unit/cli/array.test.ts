@@ -19,7 +19,7 @@ const { file, run } = at
 
 const [WIDE, HIGH] = [24, 16]
 
-/** Smooth colours that differ per layer, so that block compression has a fair chance; alpha as said. */
+/** Makes smooth colours that differ per layer and compress well. */
 function paint(layer: number, channels: 1 | 3 | 4): Uint8Array {
   const random = seeded(layer)
   const [a, b, c] = [random(), random(), random()]
@@ -44,7 +44,7 @@ async function pixels(path: string) {
 
 const open = (name: string) => read(new Uint8Array(readFileSync(file(name))))
 
-/** What three.js makes of a file on a GPU without compressed textures. */
+/** Loads a file with three.js as on a GPU without compressed textures. */
 async function load(name: string) {
   const loader = new KTX2Loader() as unknown as {
     workerConfig: object
@@ -77,7 +77,7 @@ interface ThreeTranscoder {
   }
 }
 
-/** The WebAssembly that KTX2Loader runs in its workers, which Node has not. */
+/** Loads the WebAssembly transcoder that KTX2Loader runs in workers, which Node lacks. */
 async function transcoder(): Promise<ThreeTranscoder> {
   const folder = new URL('../../../node_modules/three/examples/jsm/libs/basis/', import.meta.url)
   const script = readFileSync(new URL('basis_transcoder.js', folder), 'utf8')
@@ -97,7 +97,7 @@ beforeAll(async () => {
 })
 
 describe('furrow array', () => {
-  it.each(['none', 'zstd'])('gives gray images back bit for bit, %s', async (compress) => {
+  it.each(['none', 'zstd'])('returns gray images bit for bit, %s', async (compress) => {
     await run(...gray, '-o', file(`${compress}.ktx2`), '--compress', compress)
     expect(at.printed).toContain(`${compress}.ktx2: 3 layers of 24 x 16, gray, ${compress}, `)
     const { vkFormat, layerCount, pixelDepth, levelCount } = open(`${compress}.ktx2`)
@@ -111,7 +111,7 @@ describe('furrow array', () => {
     }
   })
 
-  it('gives colours, transparency and gray among colours back, and keeps their kind', async () => {
+  it('returns colours, transparency and gray images among them, and keeps their kind', async () => {
     await run(...colour, '-o', file('colour.ktx2'), '--srgb', '--json')
     expect(JSON.parse(at.printed)).toMatchObject({
       layers: ['skin', 'veil', 'brow 0'],
@@ -130,7 +130,7 @@ describe('furrow array', () => {
     expect(await pixels(file('colour/veil.png'))).toEqual({ data: paint(4, 4), channels: 4 })
     const { data } = await pixels(file('colour/brow 0.png'))
     expect(data.filter((_, i) => i % 3 === 1)).toEqual(paint(0, 1))
-    // A second array of what came out is the same file.
+    // Packing the output again gives the same file.
     const again = ['skin', 'veil', 'brow 0'].map((name) => file(`colour/${name}.png`))
     await run(...again, '-o', file('again.ktx2'), '--srgb')
     expect(readFileSync(file('again.ktx2')).equals(readFileSync(file('colour.ktx2')))).toBe(true)
@@ -139,7 +139,7 @@ describe('furrow array', () => {
   it.each([
     ['uastc', 3],
     ['etc1s', 10],
-  ] as const)('compresses for the GPU with %s and gives nearly the same back', async (compress, error) => {
+  ] as const)('compresses for the GPU with %s, with little loss', async (compress, error) => {
     const images = [colour[0]!, gray[1]!, gray[2]!]
     await run(...images, '-o', file(`${compress}.ktx2`), '--compress', compress)
     expect(open(`${compress}.ktx2`)).toMatchObject({
@@ -166,7 +166,7 @@ describe('furrow array', () => {
   })
 
   it.each(['none', 'zstd'])(
-    'opens in the KTX2Loader of three.js, %s: all layers one after the other',
+    "opens in three.js's KTX2Loader, %s, with its layers in order",
     async (compress) => {
       await run(...gray, '-o', file('three.ktx2'), '--compress', compress)
       const { image } = await load('three.ktx2')
@@ -177,7 +177,7 @@ describe('furrow array', () => {
   )
 
   it.each(['uastc', 'etc1s'])(
-    '%s: the transcoder of three.js finds every layer and every mipmap',
+    "has layers and mipmaps that three.js's transcoder finds: %s",
     async (compress) => {
       await run(...gray, '-o', file('basis.ktx2'), '--compress', compress)
       await run(file('basis.ktx2'), '--extract', file(`basis-${compress}`))
@@ -200,7 +200,7 @@ describe('furrow array', () => {
     },
   )
 
-  it('reads arrays of others, without names', async () => {
+  it("reads other tools' arrays, without names", async () => {
     await run(...gray, '-o', file('foreign.ktx2'))
     const container = open('foreign.ktx2')
     delete container.keyValue[NAMES_KEY]
@@ -210,7 +210,7 @@ describe('furrow array', () => {
   })
 })
 
-describe('furrow array says what is wrong and writes nothing:', () => {
+describe('furrow array fails and writes nothing for', () => {
   beforeAll(async () => {
     await run(...gray, '-o', file('good.ktx2'))
     await run(...gray, '-o', file('good-none.ktx2'), '--compress', 'none')
@@ -258,7 +258,7 @@ describe('furrow array says what is wrong and writes nothing:', () => {
     }),
   ])('%s', (_, files, options, message) => at.fails(message, ...files.map(file), ...options))
 
-  it.each(['good', 'good-none', 'good-uastc', 'good-etc1s'])('%s cut short anywhere', async (name) => {
+  it.each(['good', 'good-none', 'good-uastc', 'good-etc1s'])('%s truncated anywhere', async (name) => {
     const whole = readFileSync(file(`${name}.ktx2`))
     for (let percent = 0; percent < 100; percent += 4) {
       writeFileSync(file('short.ktx2'), whole.subarray(0, Math.floor((whole.length * percent) / 100)))

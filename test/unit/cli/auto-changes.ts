@@ -5,7 +5,7 @@ import { MeshoptEncoder } from 'meshoptimizer/encoder'
 import { Matrix3, Vector2 } from 'three'
 import { mapAttribute, meshOf, targetNamesOf } from './auto-variants.ts'
 
-/** Ways to store the shipped face that change neither its shape nor where it is: those of docs/auto-formats.md. */
+/** Ways to store the shipped face that change neither its shape nor its position: those of docs/auto-formats.md. */
 export const FORMATS = {
   'named with _L and _R, behind a prefix': prefix,
   'with visemes and shapes of its own': addShapes,
@@ -23,12 +23,12 @@ export const FORMATS = {
   'without a normal map, with coordinates that only the base colour dequantises': quantiseCoordinates,
 } as const satisfies Record<string, (document: Document) => unknown>
 
-/** The skin of the shipped face. */
+/** Returns the skin of the shipped face. */
 export function skinOf(document: Document): Mesh {
   return meshOf(document, 'skin')
 }
 
-/** Primitives, each with its targets. */
+/** Returns primitives, each followed by its targets. */
 export function withTargets(primitives: readonly Primitive[]) {
   return primitives.flatMap((one) => [one, ...one.listTargets()])
 }
@@ -38,17 +38,17 @@ export function rename(mesh: Mesh, change: (name: string) => string): void {
   mesh.setExtras({ ...mesh.getExtras(), targetNames: targetNamesOf(mesh).map(change) })
 }
 
-/** Names as many exporters write them. */
+/** Names targets like many exporters. */
 function prefix(document: Document): void {
   rename(skinOf(document), (name) => `head.${name.replace(/Left$/, '_L').replace(/Right$/, '_R')}`)
 }
 
-/** Drops how targets are stored, not what they hold. */
+/** Stores targets densely instead of sparsely. */
 function dense(document: Document): void {
   for (const accessor of document.getRoot().listAccessors()) accessor.setSparse(false)
 }
 
-/** Visemes as sums of other targets, shapes of names that say nothing, and one that moves nothing. */
+/** Adds visemes as sums of other targets, shapes with meaningless names, and one that moves nothing. */
 function addShapes(document: Document): void {
   const mesh = skinOf(document)
   const names = targetNamesOf(mesh)
@@ -78,7 +78,7 @@ function addShapes(document: Document): void {
   mesh.setWeights([])
 }
 
-/** Coordinates that the normal map's transform brings back to where they were; three.js's matrix says where that is. */
+/** Changes coordinates so that the normal map's transform, computed by three.js's matrix, restores them. */
 export function transformCoordinates(document: Document): void {
   const [scale, rotation, offset] = [2, 0.7, [0.3, -0.6]] as const
   const mesh = skinOf(document)
@@ -95,7 +95,7 @@ export function transformCoordinates(document: Document): void {
   )
 }
 
-/** Texture coordinates as gltfpack writes them: 12 bits, which the transform of each map scales. The skin has no normal map. */
+/** Stores texture coordinates like gltfpack: 12 bits, scaled by each map's transform. The skin has no normal map. */
 export function quantiseCoordinates(document: Document): void {
   const [primitive] = skinOf(document).listPrimitives()
   const material = primitive!.getMaterial()!.setNormalTexture(null)
@@ -109,7 +109,7 @@ export function quantiseCoordinates(document: Document): void {
     .setExtension(KHRTextureTransform.EXTENSION_NAME, transform.setScale([1 / 4095, 1 / 4095]))
 }
 
-/** Every other triangle in a primitive of its own. */
+/** Moves every other triangle to a second primitive. */
 function split(document: Document): void {
   const mesh = skinOf(document)
   const first = mesh.listPrimitives()[0]!
@@ -123,7 +123,7 @@ function split(document: Document): void {
   mesh.addPrimitive(second)
 }
 
-/** In centimetres, turned and moved; the node makes up for it. */
+/** Converts to centimetres, turned and moved, which the node compensates. */
 function placeByNode(document: Document): void {
   const mesh = skinOf(document)
   const node = nodeOf(mesh)
@@ -139,7 +139,7 @@ function placeByNode(document: Document): void {
     .setTranslation([-0.07, 0.2, 0])
 }
 
-/** In centimetres, skinned to one joint whose inverse bind matrix makes up for it; the node itself is moved, which must not matter. */
+/** Converts to centimetres, skinned to one joint whose inverse bind matrix compensates. The node is moved, which must have no effect. */
 export function placeBySkeleton(document: Document): void {
   const mesh = skinOf(document)
   const node = nodeOf(mesh)

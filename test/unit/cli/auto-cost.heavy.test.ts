@@ -15,7 +15,7 @@ async function write(name: string, edit: Parameters<typeof editGlb>[1] = () => {
 test.each([
   ['PNG', []],
   ['KTX 2', ['--ktx2']],
-])('the cost is what inspect counts, as %s', async (_, options) => {
+])('the printed cost equals that of inspect, as %s', async (_, options) => {
   const path = await write('plain.glb')
   await at.run(path, '-o', file('out.glb'), '--size', '512', '--json', '--force', ...options)
   const { cost } = JSON.parse(at.printed)
@@ -30,7 +30,7 @@ test.each([
   })
 })
 
-test('an avatar takes at most 2 MB on the GPU at 1024 texels, compressed, as inspect counts them', async () => {
+test('a compressed avatar at 1024 texels takes at most 2 MB on the GPU, as counted by inspect', async () => {
   await at.run('faces/human.glb', '-o', file('small.glb'), '--replace', '--ktx2', '--json')
   const { cost, layers } = JSON.parse(at.printed)
   expect(cost.gpu).toBeLessThanOrEqual(2 * 1024 * 1024)
@@ -42,7 +42,7 @@ test('an avatar takes at most 2 MB on the GPU at 1024 texels, compressed, as ins
   expect(imageBytes + strokes.bytes).toBe(cost.file)
 })
 
-test('what wrinkles cost, how they cost less and what drops them is printed', async () => {
+test('the cost of wrinkles, ways to reduce it, and tools that drop wrinkles are printed', async () => {
   await at.run(await write('plain.glb'), '-o', file('out.glb'), '--size', '512')
   expect(at.printed).toMatch(
     /wrinkles: [\d.]+ kB in the file, [\d.]+ kB on the GPU; --ktx2 or a smaller --size/,
@@ -50,15 +50,15 @@ test('what wrinkles cost, how they cost less and what drops them is printed', as
   expect(at.printed).toContain('register FurrowWrinkleMaps')
 })
 
-test('what compressed wrinkles cost on a phone is printed too', async () => {
+test('the cost of compressed wrinkles on a phone is printed too', async () => {
   await at.run(await write('plain.glb'), '-o', file('out.glb'), '--size', '512', '--ktx2', '--force')
   const [, desktop, phone] = /([\d.]+) kB on the GPU \(([\d.]+) kB on a phone, as ASTC\)/.exec(at.printed)!
-  // Maps take twice as much, areas and the influence map the same.
+  // Maps take twice as much. Areas and the influence map take the same.
   expect(Number(phone)).toBeGreaterThan(1.5 * Number(desktop))
   expect(Number(phone)).toBeLessThan(2 * Number(desktop))
 })
 
-test('maps that are too large to compress are refused before the work', async () => {
+test('maps too large to compress are refused before the work', async () => {
   await fails('too many texels', 'never-read.glb', '-o', file('x.glb'), '--ktx2', '--size', '4096')
 })
 
@@ -78,7 +78,7 @@ test.each<[string, (json: Json) => void, string]>([
     },
     'is MToon: wrinkles are drawn as lines',
   ],
-])('a material that is %s is told of', async (_, edit, warning) => {
+])('a warning names a material that is %s', async (_, edit, warning) => {
   await at.run(await write('odd.glb', edit as never), '-o', file('out.glb'), '--size', '512', '--force')
   expect(at.warned).toContain(warning)
 })
@@ -99,7 +99,7 @@ test('an unlit material is refused before the work', async () => {
   await fails(message, face, '-o', file('unlit-out.glb'), '--size', '512')
 })
 
-test('a lit material is preferred to an unlit one that moves as much', async () => {
+test('a lit material is preferred to an unlit one that moves equally', async () => {
   const face = await write('two.glb', ((json: Json) => {
     const [primitive] = json.meshes[0]!.primitives
     unlit(json.materials[0]!)

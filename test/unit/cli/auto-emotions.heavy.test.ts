@@ -5,20 +5,20 @@ import { Workshop } from './workshop.ts'
 
 const workshop = new Workshop()
 
-/** What `furrow auto --json` told. */
-interface Told {
+/** Output of `furrow auto --json`. */
+interface AutoReport {
   areas: { name: string; compression: number }[]
   missing: { name: string; reason: string }[]
 }
 
-async function made(name: string, shapes: typeof EMOTIONS): Promise<{ made: Made; told: Told }> {
+async function made(name: string, shapes: typeof EMOTIONS): Promise<{ made: Made; told: AutoReport }> {
   const document = await plainFace()
   toVRoid(document, shapes)
   const made = await makeWrinkles(workshop, name, document, '--json')
   return { made, told: JSON.parse(made.printed) }
 }
 
-test('an avatar with emotions alone creases by them, and is told why it has no lines on the nose', async () => {
+test('an avatar that only has emotions creases by them, with the reason why its nose has no lines', async () => {
   const { made: face, told } = await made('emotions', EMOTIONS)
   const activation = (shape: string, area: string) => activationsOf(face, { [shape]: 1 }).get(area)
   for (const side of ['Left', 'Right']) {
@@ -36,7 +36,7 @@ test('an avatar with emotions alone creases by them, and is told why it has no l
   )
 })
 
-test('an avatar whose brows float before the skin is told that nothing moves its forehead', async () => {
+test('for an avatar with brows floating in front of the skin, a message says that nothing moves its forehead', async () => {
   const { told } = await made('floating', FLOATING_BROWS)
   const reasons = new Map(told.missing.map(({ name, reason }) => [name, reason]))
   expect(reasons.get('foreheadInnerLeft')).toContain('shortens the skin across its lines by 0.0%')

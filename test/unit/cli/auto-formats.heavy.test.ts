@@ -26,16 +26,16 @@ import { Workshop } from './workshop.ts'
 const workshop = new Workshop()
 const face = plainWrinkles(workshop)
 
-/** How far the wrinkles may be from those of the plain face: grey levels of the areas, degrees of the normals. */
+/** Tolerance against the plain face: gray levels of the areas, degrees of the normals. */
 interface Tolerance {
   levels: number
   degrees: number
 }
 
-/** How far activations may be from those of the plain face. */
+/** Tolerance of activations against the plain face. */
 const ACTIVATIONS = 0.05
 
-/** Texels at the border of lines differ where coordinates are rounded. */
+/** Texels at the border of lines differ if coordinates are rounded. */
 const ROUNDED = { levels: 1, degrees: 1 }
 const QUANTISED = { levels: 5, degrees: 4 }
 
@@ -48,7 +48,7 @@ const TOLERANCES: Partial<Record<keyof typeof FORMATS, Tolerance>> = {
   'without a normal map, with coordinates that only the base colour dequantises': QUANTISED,
 }
 
-/** Each is the same face: the wrinkles must be the same too. */
+/** Variants of the same face, whose wrinkles must be equal. */
 const VARIANTS = Object.entries({
   ...FORMATS,
   'facing backwards': (document: Document) =>
@@ -60,7 +60,7 @@ const VARIANTS = Object.entries({
 describe.each(VARIANTS)('a face %s', (name, change) => {
   const { levels, degrees } = TOLERANCES[name as keyof typeof FORMATS] ?? { levels: 0.1, degrees: 0.2 }
 
-  test('gets the wrinkles of the plain one, in a file that is valid', async () => {
+  test('gets the same wrinkles as the plain one, in a valid file', async () => {
     const document = await plainFace()
     await change(document)
     const made = await makeWrinkles(workshop, name, document)
@@ -77,7 +77,7 @@ test.each([
   ['quantised', 'KHR_mesh_quantization', quantize()],
   ['meshopt', 'EXT_meshopt_compression', meshopt({ encoder: MeshoptEncoder })],
   ['draco', 'KHR_draco_mesh_compression', draco()],
-])('a file that is %s stays so, and holds the same meshes', async (name, extension, transform) => {
+])('a %s file stays so, with the same meshes', async (name, extension, transform) => {
   await MeshoptEncoder.ready
   const made = await makeWrinkles(workshop, `stays ${name}`, await (await plainFace()).transform(transform))
   const [before, after] = await Promise.all(
@@ -93,7 +93,7 @@ test.each([
   expect(activationsApart(face(), made)).toBeLessThan(ACTIVATIONS)
 })
 
-describe('a face in the manner of VRoid Studio', () => {
+describe("a face like VRoid Studio's", () => {
   let made: Made
 
   beforeAll(async () => {
@@ -117,7 +117,7 @@ describe('a face in the manner of VRoid Studio', () => {
       expect(names).toEqual(expect.arrayContaining([`${region}Left`, `${region}Right`]))
   })
 
-  test('has its left on its left, though it looks backwards', () => {
+  test('has its left on its left, although it faces backwards', () => {
     for (const region of ['foreheadInner', 'foreheadOuter', 'glabella', 'crowsFeet', 'nasolabial'])
       for (const [side, other] of [
         ['Left', 'Right'],
@@ -144,7 +144,7 @@ describe('a face in the manner of VRoid Studio', () => {
   })
 })
 
-test.each(BARE_FACES)('$name gets the wrinkles that it has under names of ARKit', async ({ name, path }) => {
+test.each(BARE_FACES)("$name has the same wrinkles as under ARKit's names", async ({ name, path }) => {
   const bare = await wrinklesOf(workshop, await copyOf(await plainFace(path), name))
   const renamed = await plainFace(path)
   rename(meshOf(renamed, 'face'), (name) => name.replace(/_L$/, 'Left').replace(/_R$/, 'Right'))
@@ -154,7 +154,7 @@ test.each(BARE_FACES)('$name gets the wrinkles that it has under names of ARKit'
   expect(areasApart(bare, made)).toBe(0)
 })
 
-/** The part of an area's weight that another one has too. */
+/** Returns the part of an area's weight that another area shares. */
 function sharedBy(area: Uint8Array, other: Uint8Array): number {
   let [common, all] = [0, 0]
   for (let i = 0; i < area.length; i++) {
@@ -164,7 +164,7 @@ function sharedBy(area: Uint8Array, other: Uint8Array): number {
   return common / all
 }
 
-/** Positions and indices of all primitives, as they are read. */
+/** Returns positions and indices of all primitives. */
 function shapesOf(document: Document): string[] {
   return document
     .getRoot()
@@ -179,7 +179,7 @@ function shapesOf(document: Document): string[] {
     )
 }
 
-/** Errors that `furrow validate` finds. */
+/** Returns errors of `furrow validate`. */
 async function errorsOf(path: string): Promise<unknown[]> {
   workshop.printed = ''
   await workshop.run('validate', path, '--json')

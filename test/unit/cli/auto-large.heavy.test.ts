@@ -18,13 +18,13 @@ const areasOf = (path: string) => {
   return parseWrinkleMaps(json.materials[0].extensions.FURROW_wrinkle_maps, json.textures.length).areas
 }
 
-test('400,000 triangles are worked on', async () => {
+test('400,000 triangles are processed', async () => {
   await run(await writeSheet(file('fine.glb'), undefined, 448), '-o', file('out.glb'))
   expect(areasOf(file('out.glb')).length).toBeGreaterThan(0)
 })
 
 describe('the shipped face', () => {
-  test('has wrinkles, which are replaced; --areas keeps those that are shortened most', async () => {
+  test('has its wrinkles replaced, and --areas keeps those with the most compression', async () => {
     await fails('the material already has wrinkles', FACE, '-o', file('x.glb'))
     await run(FACE, '-o', file('all.glb'), '--replace', '--json')
     const all = JSON.parse(at.printed)
@@ -37,7 +37,7 @@ describe('the shipped face', () => {
     expect(compressions(few)).toEqual(compressions(all).slice(-5))
   })
 
-  test('creases only in the regions that are named', async () => {
+  test('creases only in the named regions', async () => {
     await run(FACE, '-o', file('some.glb'), '--replace', '--regions', 'upperLip', 'crowsFeet')
     const names = areasOf(file('some.glb')).map(({ name }) => name)
     expect(names).toEqual(['crowsFeetLeft', 'crowsFeetRight', 'upperLip', 'paleLips'])

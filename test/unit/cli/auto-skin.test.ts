@@ -6,11 +6,11 @@ import { skinOf } from './auto-changes.ts'
 import { meshOf, plainFace, targetNamesOf } from './auto-variants.ts'
 import { toVRoid, VROID_SKIN } from './vroid.ts'
 
-describe('the skin that is taken', () => {
+describe('the chosen skin', () => {
   test.each([
     ['the shipped face', () => plainFace(), 'skin', 'skin'],
     [
-      'one in the manner of VRoid Studio',
+      "a face like VRoid Studio's",
       async () => {
         const document = await plainFace()
         toVRoid(document)
@@ -20,7 +20,7 @@ describe('the skin that is taken', () => {
       VROID_SKIN,
     ],
     [
-      'clothes, eyes and teeth that have all shapes, though they move little or with none that tell',
+      'a face whose clothes, eyes and teeth have many shapes too',
       async () => {
         const document = await plainFace()
         for (const name of ['eye-left', 'teeth-lower', 'brows', 'lashes']) lendShapes(document, name)
@@ -38,7 +38,7 @@ describe('the skin that is taken', () => {
     expect(Number.parseInt(found.reason, 10)).toBeGreaterThan(50)
   })
 
-  test('is named by indices where mesh and material have no names', async () => {
+  test('is identified by indices if mesh and material have no names', async () => {
     const document = await plainFace()
     for (const named of [...document.getRoot().listMeshes(), ...document.getRoot().listMaterials()])
       named.setName('')
@@ -47,7 +47,7 @@ describe('the skin that is taken', () => {
   })
 })
 
-describe('the skin of a face whose shapes have names that nobody knows', () => {
+describe('the skin of a face with unknown shape names', () => {
   const unnamed = async (isKept = (_: string) => true) => {
     const document = await plainFace()
     for (const mesh of document.getRoot().listMeshes()) {
@@ -60,26 +60,26 @@ describe('the skin of a face whose shapes have names that nobody knows', () => {
     }
     return document
   }
-  /** Without the shapes that tell a face by their motion. */
+  /** Without the shapes that identify a face by motion. */
   const untold = () => unnamed((name) => /^(jaw|mouth(Funnel|Pucker))/.test(name))
   const find = (document: Document) => {
     const { meshName, reason } = findSkin(document, 'face.glb', 'test')
     return [meshName, reason.replace(/^\d+% of what /, '')]
   }
 
-  test('is what brows, lids and mouth move', async () => {
+  test('is the mesh moved by brows, lids and mouth', async () => {
     const document = await unnamed()
     lendShapes(document, 'shirt', 'shape 99', 0.1)
     expect(find(document)).toEqual(['skin', 'brows, lids and mouth move'])
   })
 
-  test('is not clothes that body sliders move most', async () => {
+  test('is not clothes, even if body sliders move them most', async () => {
     const document = await untold()
     for (const name of ['Fat', 'male', 'female']) lendShapes(document, 'shirt', name, 0.1)
     expect(find(document)).toEqual(['skin', 'the blendshapes move'])
   })
 
-  test('is where the skeleton has its head, whatever moves more', async () => {
+  test("is the mesh on the skeleton's head, whatever moves more", async () => {
     const document = await untold()
     lendShapes(document, 'shirt', 'shape 99', 0.1)
     skinTo(document, 'skin', 'mixamorig:Head')
@@ -87,14 +87,14 @@ describe('the skin of a face whose shapes have names that nobody knows', () => {
     expect(find(document)).toEqual(['skin', 'the blendshapes of the head move'])
   })
 
-  test('is not what the names of meshes and materials tell to be clothes', async () => {
+  test('is no mesh whose name or material says clothes', async () => {
     const document = await untold()
     lendShapes(document, 'shirt', 'shape 99', 0.012)
     expect(find(document)).toEqual(['skin', 'the blendshapes move'])
   })
 })
 
-/** Lets a joint of that name move a mesh. */
+/** Makes a joint with this name move a mesh. */
 function skinTo(document: Document, name: string, joint: string): void {
   const mesh = meshOf(document, name)
   const node = document
@@ -113,7 +113,7 @@ function skinTo(document: Document, name: string, joint: string): void {
   }
 }
 
-/** Gives a mesh all shapes of the skin, or one; each moves it by a millimetre, or more. */
+/** Gives a mesh one or all shapes of the skin. Each moves the mesh by `distance`, metres. */
 function lendShapes(document: Document, name: string, only?: string, distance = 0.0005): void {
   const mesh = meshOf(document, name)
   const names = only ? [only] : targetNamesOf(skinOf(document))

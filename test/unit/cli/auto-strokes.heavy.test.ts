@@ -9,7 +9,7 @@ const { file } = at
 test.each([
   ['PNG', []],
   ['KTX 2', ['--ktx2']],
-])('auto keeps its lines in the file, with maps as %s', async (kind, options) => {
+])('auto stores its lines in the file, with maps as %s', async (kind, options) => {
   await writeSheet(file('sheet.glb'))
   const [out, lines, folder] = [file(`${kind}.glb`), file(`${kind}.json`), file(kind)]
   await at.run(file('sheet.glb'), '-o', out, '--size', '512', '--strokes', lines, ...options)
@@ -18,7 +18,7 @@ test.each([
   expect(readFileSync(`${folder}/strokes.json`)).toEqual(readFileSync(lines))
 })
 
-test('furrow strokes draws them again as the same maps, byte for byte', async () => {
+test('furrow strokes draws the same maps from them, byte for byte', async () => {
   const [out, folder] = [file('human.glb'), file('human')]
   await at.run('faces/human.glb', '-o', out, '--replace', '--size', '512', '--layers', '2')
   await at.shop.run('unpack', out, '-o', folder)
@@ -38,9 +38,9 @@ test('furrow strokes draws them again as the same maps, byte for byte', async ()
   }
 })
 
-test('the strokes of a skin whose texture is another tile, and sticks out of it, are readable', async () => {
+test('strokes are valid on a skin in another texture tile that exceeds the tile', async () => {
   await writeSheet(file('tile.glb'), (shape) => {
-    // Down to 1 mm beyond the edges of the tile.
+    // Up to 1 mm beyond the edges of the tile.
     shape.uvs = shape.uvs!.map((value) => 1 + 1.006 * value - 0.003)
   })
   await at.run(file('tile.glb'), '-o', file('out.glb'), '--size', '512', '--age', '80', '--strength', '2')

@@ -15,15 +15,15 @@ import { Workshop } from './workshop.ts'
 const workshop = new Workshop()
 const face = plainWrinkles(workshop)
 
-describe('a texture that is used twice', () => {
-  test('by left and right: both sides have one area, driven by both', async () => {
+describe('a shared texture', () => {
+  test('of left and right gives one area for both, driven by both', async () => {
     const document = await plainFace()
     foldUvs(document)
     const made = await makeWrinkles(workshop, 'mirrored', document)
     expect(made.warned).toContain('left and right use the same texels')
     expect([...made.areas.keys()].filter((name) => /Left$|Right$/.test(name))).toEqual([])
     for (const region of ['foreheadOuter', 'crowsFeet', 'underEye', 'nasolabial', 'mouthCorner']) {
-      // Drawn once, where the left side of the plain face has it.
+      // Drawn once, at the plain face's left side.
       expect(levelsApart(face().areas.get(`${region}Left`)!.data, made.areas.get(region)!.data)).toBeLessThan(
         2,
       )
@@ -35,7 +35,7 @@ describe('a texture that is used twice', () => {
     }
   })
 
-  test('by the limbs of the body alone: each side of the face has its own areas', async () => {
+  test('of only the limbs keeps separate areas for both sides of the face', async () => {
     const document = await plainFace()
     mapAttribute(skinOf(document).listPrimitives(), 'TEXCOORD_0', ([u, v]) => [0.5 * u!, v!])
     addLimbs(document)
@@ -44,14 +44,14 @@ describe('a texture that is used twice', () => {
     expect([...made.areas.keys()]).toEqual([...face().areas.keys()])
   })
 
-  test('beyond the edge of its tile: it is said', async () => {
+  test('beyond its tile is reported', async () => {
     const document = await plainFace()
     mapAttribute(skinOf(document).listPrimitives(), 'TEXCOORD_0', ([u, v]) => [u! + 0.3, v!])
     const made = await makeWrinkles(workshop, 'crossing', document)
     expect(made.warned).toMatch(/\d+% of the skin crosses the edges of its texture/)
   })
 
-  test('by other parts: it is said', async () => {
+  test('of other parts is reported', async () => {
     const document = await plainFace()
     mapAttribute(skinOf(document).listPrimitives(), 'TEXCOORD_0', ([u, v]) => [u!, 0.5 + Math.abs(v! - 0.5)])
     const made = await makeWrinkles(workshop, 'overlapping', document)
@@ -87,7 +87,7 @@ function addLimbs(document: Document): void {
   }
 }
 
-/** What creases a region on a side. */
+/** Shape that creases a region on a side. */
 const POSE_OF: Readonly<Record<string, string>> = {
   foreheadOuter: 'browOuterUp',
   crowsFeet: 'cheekSquint',

@@ -31,7 +31,7 @@ const POSES: readonly Readonly<Record<string, number>>[] = [
 
 let io: NodeIO | undefined
 
-/** Reads and writes whatever is compressed. */
+/** Returns an IO for all compressed formats. */
 export async function anyIO(): Promise<NodeIO> {
   if (io) return io
   await Promise.all([MeshoptDecoder.ready, MeshoptEncoder.ready])
@@ -47,12 +47,12 @@ export async function anyIO(): Promise<NodeIO> {
   return io
 }
 
-/** The shipped face, or another, as it was before it had wrinkles. */
+/** Reads the shipped face, or another, without its wrinkles. */
 export async function plainFace(path = HUMAN): Promise<Document> {
   return (await anyIO()).readBinary(new Uint8Array(readFileSync(path)))
 }
 
-/** The mesh of that name. */
+/** Finds a mesh by name. */
 export function meshOf(document: Document, name: string): Mesh {
   return document
     .getRoot()
@@ -64,7 +64,7 @@ export function targetNamesOf(mesh: Mesh): string[] {
   return mesh.getExtras().targetNames as string[]
 }
 
-/** Changes every element of an attribute, of the base or of all targets. */
+/** Changes every element of an attribute, in the base or in all targets. */
 export function mapAttribute(
   primitives: readonly (Primitive | ReturnType<Primitive['listTargets']>[number])[],
   semantic: string,
@@ -79,19 +79,19 @@ export function mapAttribute(
   }
 }
 
-/** What `furrow auto` made of a file. */
+/** File made by `furrow auto`. */
 export interface Made {
   /** The file before and after. */
   plain: string
   path: string
   file: WrinkledFile
   areas: ReadonlyMap<string, GrayImage>
-  /** What the command printed. */
+  /** Output of the command. */
   printed: string
   warned: string
 }
 
-/** Writes a document, makes its wrinkles, and reads them back from what was written. */
+/** Writes a document, makes its wrinkles, and reads the result. */
 export async function makeWrinkles(
   workshop: Workshop,
   name: string,
@@ -103,7 +103,7 @@ export async function makeWrinkles(
   return wrinklesOf(workshop, plain, ...options)
 }
 
-/** Makes the wrinkles of a file, and reads them back from what was written. */
+/** Makes the wrinkles of a file, and reads the result. */
 export async function wrinklesOf(workshop: Workshop, plain: string, ...options: string[]): Promise<Made> {
   const path = plain.replace(/\.glb$/, '-wrinkled.glb')
   workshop.printed = ''
@@ -115,7 +115,7 @@ export async function wrinklesOf(workshop: Workshop, plain: string, ...options: 
   return { plain, path, file, areas, printed: workshop.printed, warned: workshop.warned }
 }
 
-/** Makes the wrinkles of the plain face before the first test of a file, for others to be compared with. */
+/** Makes the wrinkles of the plain face before the first test of a file, for comparison. */
 export function plainWrinkles(workshop: Workshop): () => Made {
   let made: Made
   beforeAll(async () => {
@@ -124,7 +124,7 @@ export function plainWrinkles(workshop: Workshop): () => Made {
   return () => made
 }
 
-/** Activations of a pose, by area. */
+/** Returns activations of a pose by area. */
 export function activationsOf({ file }: Made, pose: Readonly<Record<string, number>>): Map<string, number> {
   const { meshes = [] } = file.glb.json
   const mesh = meshes.find(({ primitives }) => primitives.some(({ material }) => material === file.material))!
@@ -138,7 +138,7 @@ export function activationsOf({ file }: Made, pose: Readonly<Record<string, numb
   )
 }
 
-/** The largest difference of an activation in any pose. */
+/** Returns the largest difference of an activation over all poses. */
 export function activationsApart(a: Made, b: Made): number {
   return Math.max(
     ...POSES.flatMap((pose) => {
@@ -148,7 +148,7 @@ export function activationsApart(a: Made, b: Made): number {
   )
 }
 
-/** The mean difference of each area's weights, in levels of 255, where either face has any; the largest of all areas. */
+/** Returns the largest difference of any area's weights, averaged over texels where either face has weight, in levels of 255. */
 export function areasApart(a: Made, b: Made, names = [...a.areas.keys()]): number {
   return Math.max(...names.map((name) => levelsApart(a.areas.get(name)!.data, b.areas.get(name)!.data)))
 }
@@ -163,7 +163,7 @@ export function levelsApart(first: ArrayLike<number>, second: ArrayLike<number>)
   return count > 0 ? sum / count : 0
 }
 
-/** The mean angle between the normals of two layers, in degrees, where either is not flat. */
+/** Returns the mean angle between the normals of two layers where either is not flat, degrees. */
 export async function normalsApart(a: Made, b: Made): Promise<number> {
   const angles = await Promise.all(
     a.file.maps.layers.map(async (_, layer) => {
@@ -179,7 +179,7 @@ async function normalsOf(file: WrinkledFile, layer: number): Promise<Uint8Array>
   return (await decodeImage(image.bytes, 'normals', 'test')).data
 }
 
-/** Of three bytes each. */
+/** Returns the mean angle between normals of three bytes each. */
 function meanAngle(first: Uint8Array, second: Uint8Array): number {
   let [sum, count] = [0, 0]
   for (let i = 0; i < first.length; i += 3) {

@@ -12,7 +12,7 @@ const NAME = 'FURROW_wrinkle_maps'
 const at = bench('auto')
 const { file, fails } = at
 
-/** At the smallest size: what is tested here does not hang on it. */
+/** Smallest size, because these tests do not depend on it. */
 const run = (...args: string[]) => at.run(...args, '--size', '512')
 
 const write = (name: string, spoil?: (shape: Sheet) => void) => writeSheet(file(name), spoil)
@@ -33,12 +33,12 @@ describe('a body without a face', () => {
     expect(await at.shop.output('validate', file('out.glb'))).toContain('0 errors')
   })
 
-  test('has no regions to choose from', async () => {
+  test('has no regions to choose', async () => {
     const body = await write('body.glb')
     await fails('regions require a face', body, '-o', file('x.glb'), '--regions', 'neck', 'chin')
   })
 
-  test('is told as JSON', async () => {
+  test('is described as JSON', async () => {
     await run(await write('body.glb'), '-o', file('out.glb'), '--json')
     const told = JSON.parse(at.printed)
     expect(told).toEqual({
@@ -66,7 +66,7 @@ describe('a body without a face', () => {
 })
 
 describe('bytes', () => {
-  test('the same seed gives the same, another others', async () => {
+  test('depend only on the seed', async () => {
     const face = await write('body.glb')
     for (const [name, seed] of [
       ['a', '1'],
@@ -79,7 +79,7 @@ describe('bytes', () => {
     expect(a!.equals(c!)).toBe(false)
   })
 
-  test('nothing else of the file changes', async () => {
+  test('of the rest of the file stay the same', async () => {
     const face = await write('body.glb')
     const odd = editGlb(readFileSync(face), (json) => {
       json.extensions = { ODD_thing: { texture: 0 } }
@@ -92,7 +92,7 @@ describe('bytes', () => {
     const [before, after] = [odd, readFileSync(file('out.glb'))]
     const json = jsonOf(after)
     const old = jsonOf(before)
-    // What was there stands first in every list; what came after it is the wrinkles'.
+    // Existing items come first in every list, followed by those of the wrinkles.
     for (const list of ['images', 'textures', 'samplers', 'bufferViews']) {
       expect(json[list].length).toBeGreaterThan((old[list] ?? []).length)
       json[list] = json[list].slice(0, (old[list] ?? []).length)
@@ -110,7 +110,7 @@ describe('bytes', () => {
 describe('the report', () => {
   const page = (folder: string) => readFileSync(join(folder, 'index.html'), 'utf8')
 
-  /** Where there is no browser it is written all the same. */
+  /** Must work without a browser. */
   beforeEach(() => void vi.stubEnv('FURROW_CHROMIUM', '/nowhere/chromium'))
   afterEach(() => void vi.unstubAllEnvs())
 
@@ -132,7 +132,7 @@ describe('the report', () => {
       expect((await sharp(join(file('report'), source)).metadata()).format).toBe('webp')
   })
 
-  test('escapes what others named, and needs no script', async () => {
+  test('escapes names from the file, and needs no script', async () => {
     const face = await write('odd.glb', ({ targets }) => {
       targets['<img src=x onerror=alert(1)>"&\n\''] = targets.bend!
       delete targets.bend
@@ -144,7 +144,7 @@ describe('the report', () => {
     expect([...html.matchAll(/<img [^>]*>/g)].every(([tag]) => /alt="[^"]+"/.test(tag))).toBe(true)
   })
 
-  test('has the name of the face where that is written to stdout, and its messages go to stderr', async () => {
+  test("has the face's name if the face goes to stdout, and messages go to stderr", async () => {
     const stderr = vi.spyOn(process.stderr, 'write').mockReturnValue(true)
     const chunks: Buffer[] = []
     vi.spyOn(process.stdout, 'write').mockImplementation(((bytes: Buffer, done: () => void) => {
@@ -162,7 +162,7 @@ describe('the report', () => {
     expect(page(file('piped'))).toContain('<title>body.glb')
   })
 
-  test('replaces an older one and leaves the files of others', async () => {
+  test("replaces an older one and keeps others' files", async () => {
     mkdirSync(file('old'))
     writeFileSync(file('old/index.html'), 'old')
     writeFileSync(file('old/notes.txt'), 'mine')
@@ -171,7 +171,7 @@ describe('the report', () => {
     expect(readFileSync(file('old/notes.txt'), 'utf8')).toBe('mine')
   })
 
-  test('the bar names each step in its order, and parts of the long ones, from start to end', async () => {
+  test('the progress bar shows each step in order, and parts of long ones, from start to end', async () => {
     const start = vi.spyOn(SingleBar.prototype, 'start')
     const update = vi.spyOn(SingleBar.prototype, 'update')
     await run(await write('body.glb'), '-o', file('out.glb'), '--report', file('report'))
@@ -187,10 +187,10 @@ describe('the report', () => {
   })
 })
 
-describe('blendshapes that are of no use', () => {
+describe('unusable blendshapes', () => {
   const zeros = (shape: Sheet) => new Float32Array(shape.positions.length)
 
-  test('one that moves nothing stays, and drives nothing', async () => {
+  test('stay in the file and drive nothing if they move nothing', async () => {
     const face = await write('zero.glb', (shape) => {
       shape.targets = { nothing: zeros(shape), ...shape.targets }
     })
@@ -205,7 +205,7 @@ describe('blendshapes that are of no use', () => {
     ['one that goes too far', 1e6, 'moves vertices farther than 2 times the size of the face'],
     ['one with NaN', Number.NaN, 'has offsets that are NaN or infinite'],
     ['one with Infinity', Number.POSITIVE_INFINITY, 'has offsets that are NaN or infinite'],
-  ])('%s is left out, and named', async (_, value, problem) => {
+  ])('are left out and named: %s', async (_, value, problem) => {
     const face = await write('odd.glb', (shape) => {
       const odd = zeros(shape)
       odd[100] = value
@@ -219,7 +219,7 @@ describe('blendshapes that are of no use', () => {
   })
 })
 
-describe('geometry that is partly broken', () => {
+describe('partly invalid geometry', () => {
   test.each<[string, (shape: Sheet) => void]>([
     [
       'triangles without surface',
@@ -246,14 +246,14 @@ describe('geometry that is partly broken', () => {
         shape.targets = { bend: more(shape.targets.bend!) }
       },
     ],
-  ])('%s are passed over', async (_, spoil) => {
+  ])('is skipped: %s', async (_, spoil) => {
     await run(await write('spoilt.glb', spoil), '-o', file('out.glb'))
     expect(at.warned).toMatch(/^furrow auto: no face was found .*\n$/)
     expect(areasOf(file('out.glb')).length).toBeGreaterThan(0)
   })
 })
 
-describe('what no wrinkles can be made from is refused in one line', () => {
+describe('input without possible wrinkles is refused in one line:', () => {
   test.each<[string, (shape: Sheet) => void, string]>([
     [
       'no blendshapes',
@@ -336,7 +336,7 @@ describe('what no wrinkles can be made from is refused in one line', () => {
       'two million triangles and one',
       ({ asset, accessors, meshes }) => {
         Object.assign(accessors[meshes[0].primitives[0].indices], { count: 6_000_003 })
-        // A smaller file is not believed to have so many.
+        // A smaller file cannot claim that many.
         asset.extras = ' '.repeat(2_000_001)
       },
       'the mesh "torso" has too many triangles, got 2000001, allowed: 2,000,000',
@@ -346,7 +346,7 @@ describe('what no wrinkles can be made from is refused in one line', () => {
     await fails(message, file('bad.glb'), '-o', file('x.glb'))
   })
 
-  test('a mesh that is not there', async () => {
+  test('a missing mesh', async () => {
     const face = await write('body.glb')
     await fails('got "head"', face, '-o', file('x.glb'), '--mesh', 'head')
     await run(face, '-o', file('out.glb'), '--mesh', 'body')
@@ -354,7 +354,7 @@ describe('what no wrinkles can be made from is refused in one line', () => {
 })
 
 describe('files', () => {
-  test('wrinkles that are there are replaced only if the user says so', async () => {
+  test('existing wrinkles are replaced only on request', async () => {
     const face = await write('body.glb')
     await run(face, '-o', file('once.glb'))
     await fails('the material already has wrinkles, got "cloth"', file('once.glb'), '-o', file('x.glb'))
@@ -372,7 +372,7 @@ interface Json {
   accessors: { count: number }[]
 }
 
-/** The binary part of a `.glb`. */
+/** Returns the binary chunk of a `.glb`. */
 function binOf(bytes: Uint8Array): Buffer {
   const file = Buffer.from(bytes)
   const begin = 20 + file.readUInt32LE(12)

@@ -65,7 +65,7 @@ describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
   ] as const)('%s: within 0.5 degrees of the exact normal', async (name, shape, tangents, frame) => {
     const out = file(`${name}-${tangents[0]}.png`)
     const kind = tangents === 'of the mesh' ? [] : ['--tangents', tangents]
-    // The derivative frame jumps from triangle to triangle, so a texel across an edge is right for neither.
+    // Texels across an edge fit neither triangle, because the derivative frame jumps between triangles.
     if (tangents === 'derivative') kind.push('--samples', '1')
     await run(file('ball.glb'), file(`${name}.glb`), '-o', out, ...CLOSE, ...kind, '--json')
     expect(report()).toMatchObject({
@@ -79,11 +79,11 @@ describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
     })
     const { angle, tilted } = await worst(out, shape, frame)
     expect(angle).toBeLessThan(0.5)
-    // The map has something to say where the mesh's own normals are off.
+    // The map matters where the mesh's own normals are off.
     if (name !== 'plain') expect(tilted).toBeGreaterThan(10)
   })
 
-  it('gets closer with 16 bits, and says so of the heights', async () => {
+  it('is closer with 16 bits, and prints the height range', async () => {
     const outputs = ['-o', file('wide.png'), '--height', file('height.png'), '--bits', '16']
     await run(file('ball.glb'), file('tilted.glb'), ...outputs, ...CLOSE)
     expect((await worst(file('wide.png'), tilted, mikkFrame(1))).angle).toBeLessThan(0.15)
@@ -103,17 +103,17 @@ describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
     }
   })
 
-  it('carries the islands outwards and no further', async () => {
+  it('extends the islands outwards, and no further', async () => {
     await run(file('ball.glb'), file('tilted.glb'), '-o', file('edge.png'), '--size', '128', '--margin', '3')
     const { values } = await readPixels(file('edge.png'))
     const texel = (x: number) => [...values.subarray(3 * (64 * 128 + x), 3 * (64 * 128 + x) + 3)]
-    // The island begins in texel 6.
+    // The island begins at texel 6.
     expect(texel(3)[0]! - texel(6)[0]!).toBeLessThan(4)
     expect(texel(3)).not.toEqual([128, 128, 255])
     expect(texel(2)).toEqual([128, 128, 255])
   })
 
-  it('counts the rays that met nothing', async () => {
+  it('counts the rays without a hit', async () => {
     const args = [file('half.glb'), file('plain.glb'), '-o', file('half.png'), '--size', '64', ...CAGE]
     await run(...args, '--json')
     const { samples, misses, emptyTexels } = report()
@@ -124,7 +124,7 @@ describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
     expect(at.printed).toMatch(/; \d+ of \d+ rays missed \((49|50|51|52)\.\d\d%\), \d+ texels without a hit/)
   })
 
-  it('shows the facets of a sculpt without normals and says so', async () => {
+  it('shows the facets of a sculpt without normals, and says so', async () => {
     await run(file('facets.glb'), file('plain.glb'), '-o', file('facets.png'), '--size', '32')
     expect(at.warned).toContain('has no normals, so its facets are visible')
   })
@@ -143,7 +143,7 @@ describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
     }
     expect(readFileSync(again).equals(readFileSync(ao))).toBe(true)
     const { values } = await readPixels(ao)
-    // Distance from the wall grows along b, that is upwards in the texture.
+    // Distance from the wall grows along b, upwards in the texture.
     for (const row of [4, 16, 27]) {
       const d = 0.2 * (1 - (row + 0.5) / 32)
       const open = 1 - (1 - d / Math.hypot(d, 0.1)) / 2
@@ -156,8 +156,8 @@ describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
   })
 })
 
-describe('of several meshes', () => {
-  it('takes the one that blendshapes move, as furrow auto does', async () => {
+describe('with several meshes', () => {
+  it('bakes the one that blendshapes move, like furrow auto', async () => {
     await writeGlb(file('several.glb'), { teeth: tilted, face: plain })
     const document = await new NodeIO().read(file('several.glb'))
     const root = document.getRoot()
@@ -175,7 +175,7 @@ describe('of several meshes', () => {
   })
 })
 
-describe('furrow bake says what is wrong and writes nothing:', () => {
+describe('furrow bake fails and writes nothing for', () => {
   beforeAll(async () => {
     const { uvs: _, ...bare } = plain
     await writeGlb(file('bare.glb'), { bare })

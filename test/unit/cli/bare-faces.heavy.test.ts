@@ -10,7 +10,7 @@ describe.each(BARE_FACES)('$name with drawn wrinkles', (face) => {
   it.each([
     ['png', []],
     ['ktx2', ['--ktx2', '--size', '512']],
-  ])('is valid to the last warning once it is packed as %s', async (name, options) => {
+  ])('is valid without warnings after packing as %s', async (name, options) => {
     const folder = shop.path(`${face.name} ${name}`)
     mkdirSync(folder)
     const packed = await drawAndPack(face, folder, (...words) => shop.run(...words), ...options)

@@ -46,11 +46,11 @@ const line = (input: string, more: Partial<ResultLine> = {}): ResultLine => ({
   ...more,
 })
 
-describe('the key of a job', () => {
+describe('a job key', () => {
   const job = { command: 'auto', identity: 'sha256:1', options: options('--age', '40') } as const
   const key = keyOf('1.0.0', job)
 
-  it('follows from version, command, content and options', () => {
+  it('depends on version, command, content and options', () => {
     const others = [
       keyOf('1.0.1', job),
       keyOf('1.0.0', { ...job, command: 'inspect' }),
@@ -61,7 +61,7 @@ describe('the key of a job', () => {
     expect(new Set([key, ...others]).size).toBe(6)
   })
 
-  it('is the same however the options are written', () => {
+  it('does not depend on how the options are written', () => {
     const [a, b] = [options('--age', '40.0', '--furrows'), options('--furrows', '--age=40')]
     expect(keyOf('1', { ...job, options: a })).toBe(keyOf('1', { ...job, options: b }))
     expect(wordsOf(options('--regions', 'neck', 'chin', '--size', '512'))).toEqual([
@@ -73,7 +73,7 @@ describe('the key of a job', () => {
     ])
   })
 
-  it('needs options that the command has', () => {
+  it('refuses options that the command lacks', () => {
     expect(() => options('--agee', '40')).toThrow(
       /^furrow batch: unknown option '--agee'; did you mean "--age"/,
     )
@@ -82,7 +82,7 @@ describe('the key of a job', () => {
   })
 })
 
-describe('what a path holds', () => {
+describe('the content of a path', () => {
   it('is its bytes, and those of the files that a .gltf refers to', async () => {
     const [a, b] = [write('a.glb', 'one'), write('b.glb', 'one')]
     expect(await files.identify(a, 'file')).toBe(await files.identify(b, 'file'))
@@ -94,7 +94,7 @@ describe('what a path holds', () => {
     expect(new Set([without, first, await files.identify(gltf, 'file')]).size).toBe(3)
   })
 
-  it.each([1, 30])('of %i files is read without a warning of Node', async (count) => {
+  it.each([1, 30])('is read from %i files without a warning of Node', async (count) => {
     const warned = vi.fn()
     process.on('warning', warned)
     const images = Array.from({ length: count }, (_, i) => ({
@@ -103,20 +103,20 @@ describe('what a path holds', () => {
     const gltf = write('many/face.gltf', JSON.stringify({ images }))
     await files.identify(gltf, 'file')
     await files.identify(join(root, 'many'), 'folder')
-    // Warnings come in the next turn.
+    // Warnings arrive in the next tick.
     await new Promise((done) => setTimeout(done))
     process.off('warning', warned)
     expect(warned).not.toHaveBeenCalled()
   })
 
-  it('is all in a folder, by names too', async () => {
+  it('includes everything in a folder, with names', async () => {
     write('d/x.png', '1')
     const first = await files.identify(join(root, 'd'), 'folder')
     write('e/y.png', '1')
     expect(await files.identify(join(root, 'e'), 'folder')).not.toBe(first)
   })
 
-  it('is not read where it has changed since', async () => {
+  it('is refused if it changed since the batch began', async () => {
     const path = write('f.glb', 'one')
     const identity = await files.identify(path, 'file')
     expect(await files.fetch(path, identity, 'file', root)).toBe(path)
@@ -141,7 +141,7 @@ describe('inputs', () => {
     ['nothing.glb', 'it does not exist'],
     ['none/*.glb', 'no match'],
     [tmpdir(), 'it is a folder'],
-  ])('%s is none', async (pattern, problem) => {
+  ])('are refused: %s', async (pattern, problem) => {
     await expect(listInputs([pattern], 'file')).rejects.toThrow(problem)
   })
 
@@ -156,7 +156,7 @@ describe('inputs', () => {
     await checkEntries([entry('a', 'x'), entry('b', 'y')], 'auto')
   })
 
-  it('may not do so by links either', async () => {
+  it('may not share an output through links either', async () => {
     const input = write('linked/in/a.glb', 'a')
     const link = join(root, 'linked/link')
     symlinkSync(join(root, 'linked/in'), link)
@@ -168,7 +168,7 @@ describe('inputs', () => {
     await expect(checkEntries(twice, 'auto')).rejects.toThrow('have the same output')
   })
 
-  it('may not have outputs over files that they refer to', async () => {
+  it('may not be overwritten through files that they refer to', async () => {
     write('parts/face.gltf', '{"buffers": [{"uri": "face.glb"}], "images": [{"uri": "../outside.glb"}]}')
     for (const name of ['parts/face.glb', 'parts/wrinkles.glb', 'outside.glb', 'other.gltf'])
       write(name, name)
@@ -189,12 +189,12 @@ describe('inputs', () => {
     await checkEntries([{ input: auto, output: at('parts/new.glb'), options: {} }], 'auto')
   })
 
-  it('must be addresses where they look like some', async () => {
+  it('must be valid URLs if they look like URLs', async () => {
     for (const input of ['http://', 'https://[a/b.glb'])
       await expect(listInputs([input], 'file')).rejects.toThrow(`no input at ${input} (invalid URL)`)
   })
 
-  it('fall into shards without overlap', () => {
+  it('are split into shards without overlap', () => {
     const inputs = Array.from({ length: 1000 }, (_, i) => `avatars/${i}.glb`)
     const shards = Array.from({ length: 8 }, (_, i) =>
       inputs.filter((one) => isInShard(one, parseShard(`${i + 1}/8`))),
@@ -206,7 +206,7 @@ describe('inputs', () => {
 })
 
 describe('a manifest', () => {
-  it('gives each line its own options over those of all', async () => {
+  it('gives each line its own options on top of the common ones', async () => {
     const path = write(
       'jobs.jsonl',
       '\ufeff{"input": "a.glb", "output": "x/a.glb", "options": {"age": 60, "furrows": true}}\r\n\n{"input": "s3://b/c.glb"}\n',
@@ -225,7 +225,7 @@ describe('a manifest', () => {
     ['{"input": "a", "options": {"age": {}}}', 'line 2: invalid value of the option age'],
     ['{"input": "a", "options": 40}', 'line 2: "options" is not an object'],
     ['{"input": "a", "options": {"years": 40}}', "unknown option '--years'"],
-  ])('with %s says so', async (text, problem) => {
+  ])('with %s is refused', async (text, problem) => {
     const path = write('wrong.jsonl', `{"input": "a"}\n${text}\n`)
     await expect(readManifest(path, 'auto', {})).rejects.toThrow(problem)
   })
@@ -246,33 +246,33 @@ describe('a job', () => {
     return { outcome: await runJob(job, { pool, limits, scratch: root }), pool }
   }
 
-  it('that ends well is done', async () => {
+  it('is done if its process succeeds', async () => {
     const { outcome, pool } = await run(done)
     expect(outcome).toMatchObject({ status: 'done', attempts: 1, result: { errors: 0 }, memory: 1 })
     expect(pool.run).toHaveBeenCalledWith({ command: 'validate', words: [join(root, 'job.glb'), '--json'] })
   })
 
   it.each([{ end: 'memory' }, { end: 'crash', reason: 'SIGSEGV' }] as const)(
-    'whose process ends by $end is tried once more',
+    'is retried once if its process ends by $end',
     async (end) => {
       expect((await run(end, done)).outcome).toMatchObject({ status: 'done', attempts: 2 })
       expect((await run(end, end)).outcome).toMatchObject({ status: 'failed', kind: end.end, attempts: 2 })
     },
   )
 
-  it('that takes too long is not', async () => {
+  it('is not retried if it takes too long', async () => {
     const { outcome } = await run({ end: 'time' })
     expect(outcome).toMatchObject({ status: 'failed', kind: 'time', attempts: 1 })
     expect(outcome.reason).toMatch(/limit of 60 s; raise --timeout/)
   })
 
-  it('whose file is refused is not either, and its reason names the input', async () => {
+  it('is not retried if its file is refused, and its reason names the input', async () => {
     const failure = `furrow validate: ${join(root, 'job.glb')} is empty; name another`
     const { outcome } = await run({ ...done, report: { ...done.report, exitCode: 1, failure } })
     expect(outcome).toMatchObject({ status: 'failed', kind: 'file', attempts: 1, reason: failure })
   })
 
-  it('leaves nothing behind, whatever came of it', async () => {
+  it('leaves nothing behind, whatever its outcome', async () => {
     const scratch = mkdtempSync(join(root, 'scratch-'))
     const identity = await files.identify(input(), 'file')
     const job: Job = { key: 'k', command: 'auto', input: input(), identity, output: 'out.glb', options: {} }
@@ -287,7 +287,7 @@ describe('a job', () => {
     expect(readdirSync(scratch)).toEqual([])
   })
 
-  it('whose input is gone fails without a process', async () => {
+  it('fails without a process if its input is missing', async () => {
     const job: Job = { key: 'k', command: 'auto', input: 'gone.glb', identity: 'sha256:0', options: {} }
     const pool = { run: vi.fn() }
     const outcome = await runJob(job, { pool, limits: { memory: 1, seconds: 1 }, scratch: root })
@@ -296,7 +296,7 @@ describe('a job', () => {
   })
 })
 
-it('only what can pass is tried again', async () => {
+it('only errors that can pass are retried', async () => {
   const reset = Object.assign(new Error('reset'), { code: 'ECONNRESET' })
   expect(isTransient(new Error('outer', { cause: reset }))).toBe(true)
   for (const status of [429, 503]) expect(isTransient({ status })).toBe(true)
@@ -333,7 +333,7 @@ describe('a plan', () => {
   const source = { command: 'auto', version: '1', progress: () => {} } as const
   const entry = (name: string) => ({ input: join(root, name), output: join(root, 'out', name), options: {} })
 
-  it('has one job for inputs that are the same, and copies what it makes', async () => {
+  it('has one job for identical inputs, and copies the output', async () => {
     for (const name of ['p/a.glb', 'p/b.glb']) write(name, 'same')
     write('p/c.glb', 'other')
     const plan = await makePlan([entry('p/a.glb'), entry('p/b.glb'), entry('p/c.glb'), entry('p/gone.glb')], {
@@ -361,7 +361,7 @@ describe('a plan', () => {
     const results = openResults(join(root, 'results.jsonl'))
     for (const one of lines) results.add(one)
     results.close()
-    // The batch was ended in the middle of a line.
+    // The batch was interrupted in the middle of a line.
     writeFileSync(join(root, 'results.jsonl'), '{"key": "cut', { flag: 'a' })
     const earlier = readResults(join(root, 'results.jsonl'))
     writeFileSync(join(root, 'out/p/c.glb'), 'res')
@@ -379,14 +379,14 @@ describe('a plan', () => {
     expect([...readResults(join(root, 'results.jsonl')).values()].at(-1)!.input).toBe('later')
   })
 
-  // A device of Linux that is always full.
-  it.runIf(existsSync('/dev/full'))('ends with one line where the results cannot be written', () => {
+  // Linux device that is always full.
+  it.runIf(existsSync('/dev/full'))('ends with one line if the results cannot be written', () => {
     const results = openResults('/dev/full')
     expect(() => results.add(line('a'))).toThrow(/^furrow batch: cannot write \/dev\/full \(.*full/)
     results.close()
   })
 
-  it('leaves alone what was refused, and tries again what failed otherwise', async () => {
+  it('skips refused inputs, and retries other failures', async () => {
     write('p/a.glb', 'same')
     const first = await makePlan([entry('p/a.glb')], { ...source, earlier: new Map() })
     const { key, input, output } = first.tasks[0].job
@@ -404,7 +404,7 @@ describe('a plan', () => {
   })
 })
 
-describe('results that were read back', () => {
+describe('stored results', () => {
   const good = line('a.glb')
 
   it.each<[unknown, string]>([
@@ -418,7 +418,7 @@ describe('results that were read back', () => {
     [{ ...good, bytes: -1 }, 'bytes is out of range'],
     [{ ...good, result: [] }, 'result must be an object'],
     [{ ...good, status: 'failed' }, 'reason must be text'],
-  ])('and are %j are ignored, with one line for all', (wrong, problem) => {
+  ])('are ignored if they are %j, with one line for all', (wrong, problem) => {
     const lines = [good, wrong, line('b.glb'), wrong]
     const path = write('bad.jsonl', `${lines.map((each) => JSON.stringify(each)).join('\n')}\n{"cut`)
     const warned = vi.spyOn(console, 'error').mockImplementation(() => {})
@@ -431,17 +431,17 @@ describe('results that were read back', () => {
     warned.mockRestore()
   })
 
-  it('keep no field that is unknown, and any text', () => {
+  it('lose unknown fields, and keep any text', () => {
     const known = line('f\u00e4ce \u{1f600}.glb'.repeat(5000))
     const path = write('more.jsonl', JSON.stringify({ ...known, place: '../../etc', __proto__: null }))
     expect([...readResults(path).values()]).toEqual([known])
   })
 })
 
-describe('a job in a queue', () => {
+describe('a queued job', () => {
   const job: Job = { key: 'k', command: 'auto', input: 'a', identity: 'i', output: 'a.glb', options: {} }
 
-  it('is read as it was put', () => {
+  it('is read as it was queued', () => {
     const options = parseJobOptions('auto', ['--age', '40', '--furrows', '--regions', 'neck', 'chin'])
     expect(parseJob(JSON.parse(JSON.stringify({ ...job, options })), 'test')).toEqual({ ...job, options })
   })
@@ -460,7 +460,7 @@ describe('a job in a queue', () => {
   })
 })
 
-describe('the page', () => {
+describe('the results page', () => {
   const page = (lines: ResultLine[]) =>
     batchPage({
       ...{ command: 'auto', lines, summary: 'all', results: 'results.jsonl', notes: ['no browser'] },
@@ -468,7 +468,7 @@ describe('the page', () => {
       thumbnails: ({ key, status }) => (status === 'done' ? [`${key}-1.webp`, `${key}-2.webp`] : undefined),
     })
 
-  it('shows failures, then warnings, then the others, with pictures and reasons', () => {
+  it('shows failures, then warnings, then other inputs, with pictures and reasons', () => {
     const text = page([
       line('c.glb'),
       line('b.glb', { warnings: ['<odd>'] }),
@@ -490,7 +490,7 @@ describe('the page', () => {
   })
 })
 
-it('counts what came of it', () => {
+it('counts the outcomes', () => {
   const lines = [
     line('a'),
     line('b', { sameAs: 'a' }),

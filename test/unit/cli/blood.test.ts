@@ -9,7 +9,7 @@ import { noise } from '../../noise.ts'
 import { loadInNode } from '../three/node-loader.ts'
 import { faceBytes, grayOf, grayPng, Workshop, wrinklesIn } from './workshop.ts'
 
-// Node has no WebGL to read pixels with; its stand-in for a bitmap has them.
+// Node has no WebGL to read pixels with. The bitmap stand-in has pixels.
 vi.mock(import('../../../packages/furrow/src/runtime/file/read-image.ts'), async (original) => ({
   ...(await original()),
   readImage: (bitmap) => bitmap as unknown as RgbaImage,
@@ -20,14 +20,14 @@ const shop = new Workshop()
 
 const mapsOf = (path: string) => parseWrinkleMaps(wrinklesIn(path), 99)
 
-/** A gray PNG file whose texels are `value(i)` of 255. */
+/** Makes a gray PNG file whose texels are `value(i)` of 255. */
 const gray = (value: (i: number) => number, size = SIZE) =>
   grayPng(
     Uint8Array.from({ length: size * size }, (_, i) => value(i)),
     size,
   )
 
-/** The image that a texture of a packed file has, decoded. */
+/** Decodes a texture of a packed file. */
 async function imageOf(path: string, texture: number) {
   const bytes = readFileSync(path)
   const { textures, images, bufferViews } = jsonOf(bytes)
@@ -41,7 +41,7 @@ const BLOOD = (i: number) => (i % 3 === 0 ? 128 : i % 256)
 const OCCLUSION = (i: number) => 255 - (i % 100)
 const texels = Array.from({ length: SIZE * SIZE }, (_, i) => i)
 
-/** A folder with a layer that has blood and occlusion, and one that has blood only. */
+/** Makes a folder with a layer that has blood and occlusion, and one that has only blood. */
 async function makeFolder(name: string, more: object = {}) {
   shop.write(`${name}/face.glb`, await faceBytes())
   for (const layer of ['up', 'down']) {
@@ -85,7 +85,7 @@ describe('the blood map of a folder', () => {
     expect([...alone.bytes.subarray(3, 6)]).toEqual([255, 255, BLOOD(1)])
   })
 
-  it('comes back as a gray image, beside the occlusion', async () => {
+  it('is unpacked as a gray image next to the occlusion', async () => {
     await shop.run('unpack', out, '-o', shop.path('again'))
     expect(await grayOf(shop.path('again/layers/up/blood.png'))).toEqual(texels.map(BLOOD))
     expect(await grayOf(shop.path('again/layers/up/occlusion.png'))).toEqual(texels.map(OCCLUSION))
@@ -97,7 +97,7 @@ describe('the blood map of a folder', () => {
     expect(readFileSync(shop.path('twice.glb')).equals(readFileSync(out))).toBe(true)
   })
 
-  it('may have 16 bits, of which 32768 is as at rest', async () => {
+  it('may have 16 bits, with 32768 as neutral', async () => {
     const deep = await makeFolder('deep')
     const values = [32768, 0, 65535, 33025]
     shop.write(
@@ -131,7 +131,7 @@ describe('the blood map of a folder', () => {
     ])
   })
 
-  it('leaves roughness in the image that it shares with the occlusion', async () => {
+  it('keeps roughness in the image that roughness and occlusion share', async () => {
     const orm = await makeFolder('orm', { roughness: 'layers/up/occlusion.png' })
     shop.write('orm/layers/up/occlusion.png', await noise(5, 3, SIZE))
     await shop.run('pack', orm, '-o', shop.path('orm.glb'))
@@ -142,7 +142,7 @@ describe('the blood map of a folder', () => {
     expect([...bytes.subarray(6, 9)]).toEqual([painted[6], painted[7], BLOOD(2)])
   })
 
-  it('becomes a channel of the KTX 2 array of the occlusion', async () => {
+  it("becomes a channel of the occlusion's KTX 2 array", async () => {
     await shop.run('pack', folder, '-o', shop.path('ktx2.glb'), '--ktx2')
     const { layers } = mapsOf(shop.path('ktx2.glb'))
     const { index } = layers[0].occlusionTexture!
@@ -165,7 +165,7 @@ describe('the blood map of a folder', () => {
     expect(down).not.toHaveProperty('occlusion')
   })
 
-  it('is inspected as a map of its own, which costs nothing beside the occlusion', async () => {
+  it('is inspected as a separate map, which costs nothing next to the occlusion', async () => {
     await shop.run('inspect', out, '--sheet', shop.path('sheet.png'), '--json')
     const { layers, gpu } = JSON.parse(shop.printed)
     const [up] = layers

@@ -13,7 +13,7 @@ import {
 
 const bytes = fc.uint8Array({ maxLength: 40 })
 
-it('bytes and texts become each other as Node converts them', () => {
+it('bytes and texts are converted like Node converts them', () => {
   fc.assert(
     fc.property(bytes, fc.string({ unit: 'grapheme' }), (data, text) => {
       expect(latin1(data)).toBe(Buffer.from(data).toString('latin1'))
@@ -24,7 +24,7 @@ it('bytes and texts become each other as Node converts them', () => {
   )
 })
 
-it('base64 is read in both alphabets, padded or not, with line breaks, and cut off', () => {
+it('base64 is read in both alphabets, with or without padding, with line breaks, and truncated', () => {
   fc.assert(
     fc.property(bytes, fc.nat(60), (data, end) => {
       for (const encoding of ['base64', 'base64url'] as const) {
@@ -37,7 +37,7 @@ it('base64 is read in both alphabets, padded or not, with line breaks, and cut o
   )
 })
 
-it('bytes are joined, and compared', () => {
+it('bytes are joined and compared', () => {
   fc.assert(
     fc.property(fc.array(bytes, { maxLength: 4 }), (parts) => {
       const joined = concat(parts)
@@ -55,7 +55,7 @@ it('bytes are joined, and compared', () => {
   )
 })
 
-it('relative paths are normalised as the Khronos validator asks for them', () => {
+it('relative paths are normalised like those requested by the Khronos validator', () => {
   const part = fc.constantFrom('a', 'b c', '..', '.', '', '..x')
   fc.assert(
     fc.property(fc.array(part, { minLength: 1, maxLength: 6 }), (parts) => {

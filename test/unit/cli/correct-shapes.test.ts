@@ -22,7 +22,7 @@ async function makeFolder(name: string, shapes: unknown): Promise<string> {
   return folder
 }
 
-/** A file with other corrections. */
+/** Returns a file with other corrections. */
 function withShapes(file: string, shapes: unknown): string {
   const edited = editGlb(readFileSync(file), ({ materials }) => {
     materials[0].extensions[NAME].shapes = shapes
@@ -34,11 +34,11 @@ beforeAll(async () => {
   await shop.run('pack', await makeFolder('face', SHAPES), '-o', packed)
 })
 
-describe('corrections of shapes', () => {
+describe('shape corrections', () => {
   it.each([
     ['PNG', []],
     ['KTX 2', ['--ktx2']],
-  ])('come back from the file, with maps as %s', async (kind, args) => {
+  ])('are unpacked from the file, with maps as %s', async (kind, args) => {
     const [file, again, folder] = ['.glb', '-again.glb', ''].map((end) => shop.path(`${kind}${end}`))
     await shop.run('pack', shop.path('face'), '-o', file, ...args)
     expect(shop.warned).toBe('')
@@ -49,7 +49,7 @@ describe('corrections of shapes', () => {
     expect(wrinklesIn(again).shapes).toEqual(SHAPES)
   })
 
-  it('are gone where a set without them replaces them', async () => {
+  it('are removed if a set without corrections replaces theirs', async () => {
     await shop.run('pack', await makeFolder('none', []), '--face', packed, '-o', shop.path('none.glb'))
     expect(wrinklesIn(shop.path('none.glb'))).not.toHaveProperty('shapes')
     await shop.run('unpack', shop.path('none.glb'), '-o', shop.path('none-again'))
@@ -58,13 +58,13 @@ describe('corrections of shapes', () => {
     )
   })
 
-  it('are refused in a folder where they are malformed', async () => {
+  it('are refused in a folder if malformed', async () => {
     const folder = await makeFolder('malformed', [{ target: 'a' }, { target: 'b', shape: 'jawOpn' }])
     const message = 'wrinkles.json: shapes[1].shape is unknown, got "jawOpn"'
     await shop.fails(message, 'pack', folder, '-o', shop.path('malformed.glb'))
   })
 
-  it('cost nothing but themselves where they are malformed in a file', async () => {
+  it('are skipped in a file if malformed', async () => {
     const file = withShapes(packed, [SHAPES[0], { target: 7 }, { target: 'x', shape: 'joy' }])
     await shop.run('validate', file)
     expect(process.exitCode).toBeUndefined()
@@ -74,7 +74,7 @@ describe('corrections of shapes', () => {
     expect(JSON.parse(readFileSync(shop.path('rest/wrinkles.json'), 'utf8')).shapes).toEqual([SHAPES[0]])
   })
 
-  it('of blendshapes that do not exist are kept, with a warning', async () => {
+  it('are kept, with a warning, if their blendshapes are missing', async () => {
     const shapes = [
       { mesh: 'body', target: 'browInnerUp' },
       { target: 'other', shape: 'jawOpen' },
@@ -99,7 +99,7 @@ describe('corrections of shapes', () => {
     expect(shapes[0].by === 'correction').toBe(isFound)
   })
 
-  it('are shown by furrow inspect, the first of two alike', async () => {
+  it('are shown by furrow inspect, the first of two equal ones', async () => {
     await shop.run('inspect', packed)
     expect(shop.printed).toMatch(/^browInnerUp +cheekPuff +1\.00 +correction$/m)
     await shop.run('inspect', withShapes(packed, [{ target: 'browInnerUp' }]))
@@ -114,7 +114,7 @@ describe('corrections of shapes', () => {
 describe('furrow auto', () => {
   const NAMES: Record<string, string> = { noseSneerLeft: 'fat', noseSneerRight: 'male' }
 
-  /** Weight of a blendshape in the driver of an area. */
+  /** Returns the weight of a blendshape in an area's driver. */
   function weightOf(file: string, area: string, target: string): number {
     const driver = wrinklesIn(file).drivers.find(
       (one: { type: string; area: string }) => one.type === 'morph' && one.area === area,
@@ -141,7 +141,7 @@ describe('furrow auto', () => {
     expect(areasOf(before)).not.toContain('noseLeft')
     expect(areasOf(after)).toEqual(expect.arrayContaining(['noseLeft', 'noseRight']))
     expect(weightOf(after, 'noseLeft', 'fat')).toBeGreaterThan(0.5)
-    // Other shapes cause these lines; the skin that it compresses still takes part.
+    // Other shapes cause these lines, and the skin compressed by the blendshape still takes part.
     const [full, half] = [before, after].map((file) => weightOf(file, 'lowerLip', 'mouthPucker'))
     expect(full).toBeGreaterThan(0.5)
     expect(half).toBe(0.5)

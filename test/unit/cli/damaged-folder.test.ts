@@ -23,7 +23,7 @@ it.each([
   await expect(shop.run('pack', folder, '-o', shop.path('out.glb'))).rejects.toThrow(`${path}${problem}`)
 })
 
-it('pack names a damaged layer also where it scales it', async () => {
+it('pack names a damaged layer also if it scales the layer', async () => {
   const folder = await shop.makeFolder('damaged')
   const layer = `${folder}/layers/age/normal.png`
   const png = readFileSync(layer)

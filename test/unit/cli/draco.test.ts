@@ -10,7 +10,7 @@ import { Workshop } from './workshop.ts'
 
 const shop = new Workshop()
 
-/** A mesh without blendshapes, which Draco does not compress. */
+/** Makes a mesh without blendshapes, which Draco does not compress. */
 async function compressed(method: 'sequential' | 'edgebreaker'): Promise<Buffer> {
   const io = new NodeIO()
     .registerExtensions([KHRDracoMeshCompression])
@@ -20,7 +20,7 @@ async function compressed(method: 'sequential' | 'edgebreaker'): Promise<Buffer>
   return Buffer.from(await io.writeBinary(document))
 }
 
-/** Puts a number in the place of one byte, or two, of the header of the Draco data. */
+/** Replaces one or two bytes in the header of the Draco data by a number. */
 async function withCount(method: 'sequential' | 'edgebreaker', at: number, count: number): Promise<Buffer> {
   const { json, bin } = splitGlb(await compressed(method))
   const start = bin.indexOf('DRACO')
@@ -43,23 +43,23 @@ const problemOf = (glb: Buffer) => {
 }
 
 describe('meshes in Draco', () => {
-  it.each(['sequential', 'edgebreaker'] as const)('are taken as they are encoded: %s', async (method) => {
+  it.each(['sequential', 'edgebreaker'] as const)('are decoded as encoded: %s', async (method) => {
     expect(problemOf(await compressed(method))).toBeUndefined()
   })
 
-  // 13 x 13 vertices and 288 triangles: the counts of faces take two bytes.
+  // 13 x 13 vertices and 288 triangles. Triangle counts take two bytes.
   it.each<[string, 'sequential' | 'edgebreaker', number, RegExp]>([
     ['2 million vertices', 'sequential', 13, /meshes\[0\] holds 2000000 vertices, its accessors 169/],
     ['2 million triangles', 'sequential', 11, /meshes\[0\] holds 6000000 indices, its accessor 864/],
     ['2 million triangles', 'edgebreaker', 14, /meshes\[0\] holds 6000000 indices, its accessor 864/],
-  ])('that claim %s are not decoded: %s', async (_, method, at, message) => {
+  ])('are not decoded if they claim %s: %s', async (_, method, at, message) => {
     const path = shop.write('hostile.glb', await withCount(method, at, 2_000_000))
     const error = await shop.failure('auto', path, '-o', shop.path('out.glb'))
     expect(error.name).toBe('FurrowError')
     expect(error.message).toMatch(message)
   })
 
-  it('of another version, or with metadata, are not decoded', async () => {
+  it('are not decoded in another version or with metadata', async () => {
     for (const [at, value] of [
       [5, 1],
       [10, 0x80],

@@ -6,7 +6,7 @@ import { createCommand } from '../../../packages/cli/src/command.ts'
 import { numberParser, parseWeight } from '../../../packages/cli/src/options.ts'
 import { runCommand } from '../../commands.ts'
 
-/** What `work` throws or rejects with. */
+/** Returns the value that `work` throws or rejects with. */
 async function failure(work: () => unknown): Promise<unknown> {
   try {
     return await work()
@@ -15,7 +15,7 @@ async function failure(work: () => unknown): Promise<unknown> {
   }
 }
 
-describe('errors of the library in a command', () => {
+describe('library errors in a command', () => {
   const parts = {
     code: 'out-of-range',
     problem: 'too large',
@@ -24,7 +24,7 @@ describe('errors of the library in a command', () => {
     remedy: 'scale it',
   } as const
 
-  it('are reported by the command, with all other parts and the original as their cause', async () => {
+  it('are reported by the command, with all other parts, and the original as cause', async () => {
     const original = new FurrowError({ who: 'bakeMaps', ...parts })
     const error = await failure(() =>
       withCommandErrors('furrow bake', () => {
@@ -34,13 +34,13 @@ describe('errors of the library in a command', () => {
     expect(error).toMatchObject({ who: 'furrow bake', ...parts, cause: original })
   })
 
-  it('about memory name what helps', async () => {
+  it('about memory name a remedy', async () => {
     const error = await failure(() => withCommandErrors('furrow bake', () => new Float64Array(2 ** 52)))
     expect(error).toMatchObject({ name: 'FurrowError', code: 'unsupported', who: 'furrow bake' })
     expect((error as Error).message).toContain('choose a smaller --size')
   })
 
-  it('that are bugs stay what they are', async () => {
+  it('are rethrown unchanged if they are bugs', async () => {
     const bug = new TypeError('x is not a function')
     const error = await failure(() =>
       withCommandErrors('furrow bake', () => {
@@ -50,12 +50,12 @@ describe('errors of the library in a command', () => {
     expect(error).toBe(bug)
   })
 
-  it('give their result where there are none', () => {
+  it('are absent on success, and the result is returned', () => {
     expect(withCommandErrors('furrow bake', () => 7)).toBe(7)
   })
 })
 
-describe('errors of files', () => {
+describe('file errors', () => {
   it('have a code, and the first line of their cause', async () => {
     const cause = new Error('broken header\n  at decoder')
     expect(cannotRead('furrow pack', 'the face a.glb', cause)).toMatchObject({
@@ -94,7 +94,7 @@ describe('the command line', () => {
     })
   })
 
-  it('has no empty values, as of variables that are not set', async () => {
+  it('has no empty values, such as those of unset variables', async () => {
     const problem = (...args: string[]) =>
       failure(() => run(...args)).then((error) => (error as FurrowError).problem)
     expect(await problem('', '-o', 'x')).toBe("argument 'yarn' is empty")
@@ -102,7 +102,7 @@ describe('the command line', () => {
     expect(await problem('wool', '--output=')).toBe("option '-o, --output <file>' is empty")
   })
 
-  it('takes files before options with several values, and says so', async () => {
+  it('asks for files before options with several values', async () => {
     const command = createCommand('knit')
       .argument('<yarn>')
       .addOption(new Option('--colours <names...>').choices(['red', 'blue']))

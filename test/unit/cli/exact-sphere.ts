@@ -1,4 +1,4 @@
-/** What a map of a sphere baked onto a coarser one has to be, computed exactly, in the frames of those who draw it. */
+/** Exact map of a sphere baked onto a coarser one, in the frames of different renderers. */
 
 import sharp from 'sharp'
 import { cross, degreesBetween, dot, minus, unit, type Vector } from '../../vectors.ts'
@@ -6,7 +6,7 @@ import type { globe } from './spheres.ts'
 
 const add = (...terms: [number, Vector][]): Vector =>
   [0, 1, 2].map((k) => terms.reduce((sum, [share, v]) => sum + share * v[k]!, 0)) as Vector
-/** Radii in metres: the sculpt lies 3 mm outside the corners of the mesh. */
+/** Radii in metres. The sculpt is 3 mm outside the corners of the mesh. */
 export const [LOW, HIGH] = [0.1, 0.103]
 export const [COLUMNS, ROWS, TILT] = [24, 12, 0.2]
 
@@ -23,7 +23,7 @@ const mix = (values: number[], { triangle, weights }: Place, of = (v: Vector, _:
     ),
   )
 
-/** The frame of tangents made by `tangent` from position and normal of a vertex, as glTF has it. */
+/** Returns glTF's frame of tangents made by `tangent` from position and normal of a vertex. */
 const vertexFrame =
   (sign: number, tangent: (p: Vector, n: Vector) => Vector): Frame =>
   (shape, place) => {
@@ -33,17 +33,17 @@ const vertexFrame =
     return [t, b, unit(mix(shape.normals, place))]
   }
 
-/** The tangents written into own.glb: level, at a right angle to the normal. */
+/** Tangents of own.glb: horizontal, perpendicular to the normal. */
 export const ownFrame = (sign: number) => vertexFrame(sign, (_, n) => [n[2], 0, -n[0]])
 
-/** MikkTSpace: the way of u on the surface, here due east, laid into the plane of the normal. */
+/** MikkTSpace tangents: the direction of u on the surface, here due east, projected into the normal's plane. */
 export const mikkFrame = (sign: number) =>
   vertexFrame(sign, (p, n) => {
     const east: Vector = unit([p[2], 0, -p[0]])
     return add([1, east], [-dot(east, n), n])
   })
 
-/** What three.js's shader does without tangents, on a screen whose pixels are 0.3 and 0.2 mm steps on the triangle. */
+/** Frame of three.js's shader without tangents, on a screen whose pixels are steps of 0.3 and 0.2 mm on the triangle. */
 export const screenFrame: Frame = (shape, place) => {
   const [p0, p1, p2] = place.triangle.map((i) => corner(shape.positions, i)) as [Vector, Vector, Vector]
   const [s0, s1, s2] = place.triangle.map((i) => shape.uvs.slice(2 * i, 2 * i + 2)) as [
@@ -64,11 +64,11 @@ export const screenFrame: Frame = (shape, place) => {
   const t = add([st0![0]!, q1perp], [st1![0]!, q0perp])
   const b = add([st0![1]!, q1perp], [st1![1]!, q0perp])
   const scale = 1 / Math.sqrt(Math.max(dot(t, t), dot(b, b)))
-  // GLTFLoader turns normalScale.y for such meshes.
+  // GLTFLoader negates normalScale.y for such meshes.
   return [add([scale, t]), add([-scale, b]), n]
 }
 
-/** The triangle of the globe that lies at (u, v) of the texture. */
+/** Finds the triangle of the globe at (u, v) of the texture. */
 export function placeOf({ indices, uvs }: Globe, u: number, v: number): Place | undefined {
   for (let i = 0; i < indices.length; i += 3) {
     const triangle = indices.slice(i, i + 3) as Vector
@@ -81,7 +81,7 @@ export function placeOf({ indices, uvs }: Globe, u: number, v: number): Place | 
   return undefined
 }
 
-/** Where the ray of a place meets the sphere: how far above the mesh, and the exact normal there. */
+/** Intersects the ray of a place with the sphere. Returns the height above the mesh and the exact normal. */
 export function exact(shape: Globe, place: Place): { height: number; normal: Vector } {
   const p = mix(shape.positions, place)
   const n = unit(mix(shape.normals, place))
@@ -102,10 +102,10 @@ export async function readPixels(path: string) {
   return { ...info, values, full: wide ? 65535 : 255 }
 }
 
-/** Share of the texture left out all round: at the rim MikkTSpace sees triangles on one side only. */
+/** Margin of the texture to leave out: at the rim MikkTSpace sees triangles on one side only. */
 const RIM = 0.05 + 0.9 / ROWS
 
-/** Largest angle in degrees between a map, decoded in a frame, and the sphere; over every third texel each way. */
+/** Returns the largest angle between a map, decoded in a frame, and the sphere, degrees, over every third texel in both directions. */
 export async function worst(path: string, shape: Globe, frame: Frame) {
   const { values, width, full } = await readPixels(path)
   let angle = 0

@@ -7,7 +7,7 @@ import type { BufferView } from '../../../packages/files/src/json/gltf-json.ts'
 
 const BYTES = Uint8Array.from({ length: 100 }, (_, i) => i)
 
-/** The views and the buffer of a file with an image in its first view, written as `.gltf`. */
+/** Writes a file with an image in its first view as `.gltf`. Returns its views and buffer. */
 async function written(...views: Omit<BufferView, 'buffer'>[]) {
   const bufferViews = views.map((view) => ({ buffer: 0, ...view }))
   const json: GltfJson = {
@@ -28,7 +28,7 @@ async function written(...views: Omit<BufferView, 'buffer'>[]) {
 
 const range = (start: number, end: number) => [...BYTES.subarray(start, end)]
 
-it('moves views together where an image was, aligned as they were', async () => {
+it('moves views together after removing an image, with equal alignment', async () => {
   const { bin, moved, contents } = await written(
     { byteOffset: 20, byteLength: 21 },
     { byteOffset: 44, byteLength: 8 },
@@ -40,7 +40,7 @@ it('moves views together where an image was, aligned as they were', async () => 
   expect(bin.length).toBeLessThan(40)
 })
 
-it('writes bytes once that many views have in common', async () => {
+it('writes bytes shared by several views once', async () => {
   const many = Array.from({ length: 1000 }, (_, i) => ({ byteOffset: 40 + (i % 4), byteLength: 50 }))
   const { bin, contents } = await written({ byteLength: 40 }, ...many)
   expect(bin.length).toBe(53)

@@ -12,14 +12,14 @@ const HUGE = 1900 * MIB
 const shop = new Workshop()
 const at = (name: string) => shop.path(name)
 
-/** A file that takes no room on the disk: some first bytes, and zeros. */
+/** Creates a sparse file of some first bytes and zeros. */
 function sparse(name: string, bytes: number, begin: Uint8Array = Buffer.alloc(0)): string {
   const path = shop.write(name, begin)
   truncateSync(path, bytes)
   return path
 }
 
-/** The first bytes of a binary glTF file of a length, with as much JSON in it. */
+/** Returns the first bytes of a binary glTF file with a length and a JSON length. */
 function header(length: number, jsonLength: number): Buffer {
   const head = Buffer.alloc(20)
   for (const [i, value] of [0x46546c67, 2, length, jsonLength, 0x4e4f534a].entries()) {
@@ -28,7 +28,7 @@ function header(length: number, jsonLength: number): Buffer {
   return head
 }
 
-/** Expects one line, for which little more than the header was read. */
+/** Expects a one-line error after reading little more than the header. */
 async function expectRefusal(message: string | RegExp, command: CommandName, args: string[]): Promise<void> {
   const before = process.resourceUsage().fsRead
   const { rss } = process.memoryUsage()
@@ -62,7 +62,7 @@ describe('a file of 1.9 GB is refused before it is read', () => {
     ['unpack', () => [at('huge.glb'), '-o', at('x')]],
     ['uv', () => [at('huge.glb'), '-o', at('x.png')]],
     ['validate', () => [at('huge.glb')]],
-  ])('as a face: %#', async (command, args) => {
+  ])('for a face: %#', async (command, args) => {
     const message = /huge\.glb is too large, got "1900 MiB", allowed: 512 MiB; make it smaller$/
     await expectRefusal(message, command, args())
   })
@@ -78,7 +78,7 @@ describe('a file of 1.9 GB is refused before it is read', () => {
     ],
     ['strokes', 'strokes', () => [at('huge.json'), '--face', at('face.glb'), '-o', at('x.png')]],
     ['a wrinkle set', 'render', () => [at('face.glb'), '--wrinkles', at('huge.json'), '-o', at('x.png')]],
-  ])('as %s', (_, command, args) => {
+  ])('for %s', (_, command, args) => {
     return expectRefusal(/huge\.\w+ is too large, got "1900 MiB", allowed: (512|64) MiB/, command, args())
   })
 
@@ -91,7 +91,7 @@ describe('a file of 1.9 GB is refused before it is read', () => {
     await expectRefusal(/wrinkles\.json is too large/, 'pack', [at('big'), '-o', at('x.glb')])
   })
 
-  it('beside a face, alone or together', async () => {
+  it('next to a face, alone or in total', async () => {
     sparse('beside/huge.bin', HUGE)
     sparse('beside/a.bin', 300 * MIB)
     sparse('beside/b.bin', 300 * MIB)
@@ -113,16 +113,16 @@ describe('a file of 1.9 GB is refused before it is read', () => {
 describe('a file of 500 MB is refused by its first bytes', () => {
   const inspect = (path: string, message: RegExp) => expectRefusal(message, 'inspect', [path])
 
-  it('where it is not glTF', async () => {
+  it('if it is not glTF', async () => {
     await inspect(sparse('zeros.glb', 500 * MIB), /does not begin with "glTF"/)
     await inspect(sparse('text.glb', 500 * MIB, Buffer.from('x'.repeat(1024))), /it is text, not glTF/)
   })
 
-  it('where its header gives another length', () => {
+  it('if its header gives another length', () => {
     return inspect(sparse('cut.glb', 500 * MIB, header(501 * MIB, 1000)), /it is cut off: \d+ of \d+ bytes/)
   })
 
-  it('where it is JSON, or its JSON is as large', async () => {
+  it('if it is JSON, or its JSON is equally large', async () => {
     const message = /the JSON of .* is too large, got "500 MiB", allowed: 64 MiB of JSON/
     await inspect(sparse('text.gltf', 500 * MIB, Buffer.from('{')), message)
     await inspect(sparse('json.glb', 501 * MIB, header(501 * MIB, 500 * MIB)), message)

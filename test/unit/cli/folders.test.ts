@@ -3,7 +3,7 @@ import { beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { CommandName } from '../../commands.ts'
 import { Workshop } from './workshop.ts'
 
-// Root may write everywhere, so refusals are played.
+// Mocked, because root may write everywhere.
 vi.mock('node:fs/promises', async (original) => {
   const module = await original<typeof import('node:fs/promises')>()
   return { ...module, access: vi.fn(module.access) }
@@ -27,27 +27,27 @@ beforeEach(() => {
   vi.mocked(access).mockClear()
 })
 
-describe.each(COMMANDS)('before any work, the folder to write', (command, args) => {
+describe.each(COMMANDS)('before any work, the output folder', (command, args) => {
   const refuse = async (folder: string) => (await shop.failure(command, ...args(folder))).message
 
-  it('may not be below a file', async () => {
+  it('must not be below a file', async () => {
     const folder = shop.path('deep/file.txt/new')
     expect(await refuse(folder)).toMatch(
       /: cannot write .*new \(.*file\.txt is not a folder\); choose another path$/,
     )
   })
 
-  it('may not be a file', async () => {
+  it('must not be a file', async () => {
     expect(await refuse(shop.path('deep/file.txt'))).toMatch(/file\.txt (is a file|\(it is not a folder\))/)
   })
 
-  it.each(['-', '/dev/stdout'])('may not be stdout (%s)', async (path) => {
+  it.each(['-', '/dev/stdout'])('must not be stdout (%s)', async (path) => {
     expect(await refuse(path)).toMatch(
       /cannot write a folder to stdout \(stdout takes one file\); choose a folder$/,
     )
   })
 
-  it('must be writable, or the folder that it would be made in', async () => {
+  it('must be writable, or its parent must be', async () => {
     vi.mocked(access).mockImplementation(async (path) => {
       if (isFolder(path, 'deep')) throw Object.assign(new Error(), { code: 'EACCES' })
     })

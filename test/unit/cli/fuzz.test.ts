@@ -6,7 +6,7 @@ import { bundle } from '../../../scripts/lib/bundle.mjs'
 import { COMMANDS } from '../../fuzz/cases.ts'
 import { type CommandResults, fuzz } from '../../fuzz/fuzz.ts'
 
-// More: `npm run fuzz -- --count 5000 --seed 2 --command auto`.
+// Longer: `npm run fuzz -- --count 5000 --seed 2 --command auto`.
 const IN_DEPTH = inject('inDepth')
 const COUNT = IN_DEPTH ? 100 : 8
 const SEED = 1
@@ -27,7 +27,7 @@ test.each(COMMANDS)('%s: damaged files end in success, one line or a finding', (
   const { failures, tried } = results.find((each) => each.command === command)!
   expect(failures, `seed ${SEED}; the files are in ${keep}\n${lines.join('\n')}`).toEqual([])
   expect(tried).toHaveLength(COUNT)
-  // A fuzz whose files are all refused at the door tests nothing behind it; of a few files all may be.
+  // Files that are all refused at once test nothing. A few files may all be refused.
   const successes = tried.filter(({ outcome }) => outcome === 'success')
   if (IN_DEPTH) expect(successes.length).toBeGreaterThan(0)
 })

@@ -8,7 +8,7 @@ const load = () => import('../../../packages/files/src/images/open-image.ts')
 
 await load()
 
-/** Reads an image over and over. `counts` are the reads that have succeeded and failed. */
+/** Reads an image in a loop. `counts` has the successful and failed reads. */
 const READER = `
   const { workerData: { counts, png } } = require('node:worker_threads')
   const sharp = require('sharp')
@@ -21,7 +21,7 @@ const READER = `
   read()`
 
 describe("libvips' readers", () => {
-  it('are those of the allowed formats alone', async () => {
+  it('are limited to the allowed formats', async () => {
     const png = await noise(1)
     const readable = async (bytes: Uint8Array) =>
       sharp(bytes)

@@ -30,7 +30,7 @@ beforeAll(async () => {
 
 describe('sizes on the GPU', () => {
   it.each([
-    // Sums over all levels: 4 x 4 + 2 x 2 + 1 x 1 texels, and one block for each.
+    // Sums over all levels: 4 x 4 + 2 x 2 + 1 x 1 texels, and one block per level.
     [4, 4, { uncompressed: 4 * 21, bits8: 48, bits4: 24 }],
     [5, 2, { uncompressed: 4 * (10 + 2 + 1), bits8: 16 * (2 + 1 + 1), bits4: 8 * 4 }],
     [512, 512, { uncompressed: 1398100, bits8: 349552, bits4: 174776 }],
@@ -62,7 +62,7 @@ describe('furrow inspect', () => {
     )
   })
 
-  it('prints the same as JSON, every image counted once', async () => {
+  it('prints the same as JSON, counting every image once', async () => {
     await shop.run('inspect', face, '--json')
     const report = JSON.parse(shop.printed)
     const json = jsonOf(readFileSync(face))
@@ -82,7 +82,7 @@ describe('furrow inspect', () => {
     expect(report.drivers).toHaveLength(4)
   })
 
-  it('draws every map and every area into one sheet', async () => {
+  it('draws every map and area into one sheet', async () => {
     const path = shop.path('deep/sheet.png')
     await shop.run('inspect', face, '--sheet', path)
     expect(shop.printed).toMatch(/deep\/sheet\.png: all maps and areas\n$/)
@@ -96,14 +96,14 @@ describe('furrow inspect', () => {
       for (let y = 64; y < 192; y++) for (let x = 8; x < 24; x++) sum += red(left + x, top + y)
       return sum / (128 * 16)
     }
-    // The area `brow` shows in column 0 and `cheek` in column 1 of their pictures.
-    // The noise of the skin is the same in both pictures, and cancels out.
+    // The area `brow` shows in column 0 and `cheek` in column 1 of their pictures. The skin's noise is equal in both pictures and cancels
+    // out.
     expect(average(3, 0) - average(4, 0)).toBeGreaterThan(50)
     expect(average(4, 1) - average(3, 1)).toBeGreaterThan(50)
     expect(average(3, 4) - average(4, 4)).toBe(0)
   })
 
-  it('asks which material where several have wrinkles', async () => {
+  it('asks for the material if several have wrinkles', async () => {
     const two = editGlb(readFileSync(face), ({ materials }) => {
       materials[1].extensions = materials[0].extensions
     })
@@ -133,7 +133,7 @@ describe('the blendshapes of a face without wrinkles', () => {
     expect(shapes.length).toBeGreaterThan(50)
   })
 
-  it('have no more than their name on a mesh that is no face', async () => {
+  it('have only their names on a mesh that is no face', async () => {
     await shop.run('inspect', shop.write('plain.glb', await faceBytes()), '--json')
     const { shapes } = JSON.parse(shop.printed) as { shapes: { by: string }[] }
     expect(shapes.map(({ by }) => by)).not.toContain('geometry')

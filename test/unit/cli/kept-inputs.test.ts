@@ -1,4 +1,4 @@
-// No command writes over a file that it reads: not by the name that it was given, and not by one in that file.
+// No command overwrites a file that it reads, neither a named input nor a file referenced by it.
 
 import { lstatSync, mkdirSync, readFileSync, rmSync, symlinkSync } from 'node:fs'
 import { readGlbFile } from 'furrow-files/node'
@@ -13,10 +13,10 @@ const at = (name: string) => shop.path(name)
 const FACE = at('face.glb')
 const STROKES = at('strokes.json')
 
-/** Name of a file that a face refers to, the command, and its words for the face. */
+/** Name of a file that a face refers to, command, and its arguments for the face. */
 type Row = [name: string, command: CommandName, args: (face: string) => string[]]
 
-/** Every command that writes files: each of its outputs is a texture or the buffer of the face that it reads. */
+/** Every command that writes files. Each output is a texture or the buffer of the input face. */
 const ROWS: Row[] = [
   ['a.png', 'uv', (face) => [face, '-o', at('in/a.png'), '--size', '64']],
   ['a.png', 'inspect', (face) => [face, '--sheet', at('in/a.png')]],
@@ -69,7 +69,7 @@ beforeEach(() => {
   mkdirSync(at('in'))
 })
 
-/** Writes a face whose buffer, texture and second buffer have this name, one each. */
+/** Writes a face with a buffer, a texture and a second buffer of this name. */
 async function faceWith(name: string): Promise<string> {
   const { json, bin } = await readGlbFile(FACE, 'test')
   const isImage = name.endsWith('.png')
@@ -85,7 +85,7 @@ async function faceWith(name: string): Promise<string> {
 const hasForce = async (command: CommandName) =>
   (await commandOf(command)).options.some(({ long }) => long === '--force')
 
-describe.each(ROWS)('%s that a face refers to', (name, command, args) => {
+describe.each(ROWS)('%s referenced by a face', (name, command, args) => {
   it(`is kept by furrow ${command} ${args('FACE').slice(-4).join(' ')}`, async () => {
     const face = await faceWith(name)
     const before = shop.files('in')
@@ -93,7 +93,7 @@ describe.each(ROWS)('%s that a face refers to', (name, command, args) => {
     expect(shop.files('in')).toEqual(before)
   })
 
-  it('is replaced with --force only where it is the named output', async () => {
+  it('is replaced with --force only if it is the named output', async () => {
     if (!(await hasForce(command))) return
     const face = await faceWith(name)
     const before = shop.files('in')
@@ -106,7 +106,7 @@ describe.each(ROWS)('%s that a face refers to', (name, command, args) => {
   })
 })
 
-it('a .gltf that replaces itself leaves the files beside it to those that share them', async () => {
+it('a .gltf that replaces itself keeps its separate files for other users', async () => {
   const face = await faceWith('face-1.png')
   shop.write('in/face.bin', readFileSync(at('in/mesh.bin')))
   const json = JSON.parse(readFileSync(face, 'utf8'))
@@ -122,21 +122,21 @@ it('a .gltf that replaces itself leaves the files beside it to those that share 
   expect(shop.printed).toContain('wrinkles on material "cloth"')
 })
 
-it('the document of strokes may be in the new folder that it is drawn into', async () => {
+it('the strokes document may be in the new folder that it is drawn into', async () => {
   const document = shop.write('own/strokes.json', readFileSync(STROKES))
   await shop.run('strokes', document, '--face', FACE, '--into', at('own'), '--size', '64')
   expect(readFileSync(document)).toEqual(readFileSync(STROKES))
-  // The set of a folder is there to be drawn again.
+  // A set in its own folder may be redrawn.
   await shop.run('strokes', document, '--face', FACE, '--into', at('own'), '--size', '64')
 })
 
-it('files that an earlier command has read are outputs like others', async () => {
+it('files read by an earlier command can be outputs', async () => {
   await shop.run('uv', FACE, '-o', at('uv.png'), '--size', '64')
   await shop.run('array', at('uv.png'), '-o', at('uv.ktx2'))
   await shop.run('uv', FACE, '-o', at('uv.png'), '--size', '64')
 })
 
-it('temporary files have names that nobody can guess', async () => {
+it('temporary files have unpredictable names', async () => {
   shop.write('precious', 'precious')
   mkdirSync(at('shared'))
   for (let i = 0; i < 2000; i++) symlinkSync('../precious', at(`shared/.furrow-${process.pid}-${i}.tmp`))

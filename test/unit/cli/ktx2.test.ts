@@ -21,7 +21,7 @@ beforeAll(async () => {
   await shop.run('pack', folder, '--ktx2', '-o', packed)
 })
 
-/** The codes found, and messages, once `spoil` has changed the file's JSON. */
+/** Returns codes and messages of findings after `spoil` has changed the file's JSON. */
 async function findings(spoil: (json: Json, maps: Json) => void): Promise<string> {
   const bytes = readFileSync(packed)
   const json = jsonOf(bytes)
@@ -37,7 +37,7 @@ const furthest = (a: number[], b: number[]) =>
   a.reduce((most, value, i) => Math.max(most, Math.abs(value - b[i]!)), a.length - b.length)
 
 describe('furrow pack --ktx2', () => {
-  it('puts each kind of map into an array, and areas four to a slice', () => {
+  it('puts each kind of map into an array, and four areas into a slice', () => {
     const { layers, areas } = wrinklesIn(packed)
     expect(layers.map(({ normalTexture }: Json) => normalTexture.slice)).toEqual([0, 1])
     expect(new Set(layers.map(({ normalTexture }: Json) => normalTexture.index)).size).toBe(1)
@@ -53,7 +53,7 @@ describe('furrow pack --ktx2', () => {
     expect(images[texture.extensions.KHR_texture_basisu.source].mimeType).toBe('image/ktx2')
   })
 
-  it('is valid, and its areas are those of the folder but for what compression takes', async () => {
+  it("is valid, with the folder's areas except for compression loss", async () => {
     await shop.run('validate', packed)
     expect(shop.printed).toBe(`${packed}: 0 errors, 0 warnings\n`)
     const report = JSON.parse(await shop.output('inspect', packed, '--json'))
@@ -68,7 +68,7 @@ describe('furrow pack --ktx2', () => {
     }
   })
 
-  it('gives the same JSON when what was unpacked is packed again', async () => {
+  it('gives the same JSON when repacking an unpacked face', async () => {
     const [first, again] = [shop.path('first'), shop.path('again.glb')]
     await shop.run('unpack', packed, '-o', first)
     await shop.run('pack', first, '--ktx2', '-o', again)
@@ -77,14 +77,14 @@ describe('furrow pack --ktx2', () => {
     await shop.run('unpack', again, '-o', second)
     const documents = ['first', 'second'].map((name) => shop.files(name)['wrinkles.json'])
     expect(documents[1]).toBe(documents[0])
-    // What is encoded a second time hardly changes any more.
+    // A second encoding hardly changes the result.
     for (const area of AREAS) {
       const [before, after] = [first, second].map((at) => `${at}/areas/${area}.png`)
       expect(furthest(await pixels(before), await pixels(after)), area).toBeLessThanOrEqual(6)
     }
   })
 
-  it('leaves nothing of its arrays in a face that was unpacked or packed anew', async () => {
+  it('leaves nothing of its arrays in a face that is unpacked or repacked', async () => {
     const out = shop.path('bare')
     await shop.run('unpack', packed, '-o', out)
     expect(jsonOf(readFileSync(`${out}/face.glb`))).toEqual(jsonOf(await faceBytes()))
@@ -125,7 +125,7 @@ describe('furrow pack --ktx2', () => {
     }
   })
 
-  it('refuses sizes that have no whole blocks, and says what helps', async () => {
+  it('refuses sizes without whole blocks, and names a remedy', async () => {
     const odd = await shop.makeFolder('odd')
     shop.write('odd/layers/age/normal.png', await noise(1, 3, 18))
     shop.write('odd/layers/expression/normal.png', await noise(2, 3, 18))
@@ -134,8 +134,8 @@ describe('furrow pack --ktx2', () => {
   })
 })
 
-describe('furrow pack --ktx2 with what it cannot do', () => {
-  it('refuses more texels than the encoder takes, in its own name', async () => {
+describe('furrow pack --ktx2 with unsupported input', () => {
+  it('refuses more texels than the encoder supports, in its own name', async () => {
     const big = await shop.makeFolder('big')
     const flat = sharp({ create: { width: 4096, height: 4096, channels: 3, background: '#8080ff' } })
     const normal = await flat.png().toBuffer()
@@ -144,7 +144,7 @@ describe('furrow pack --ktx2 with what it cannot do', () => {
     await shop.fails(message, 'pack', big, '--ktx2', '-o', shop.path('big.glb'))
   })
 
-  it('refuses a number of areas to an image, which an array does not have', async () => {
+  it('refuses a number of areas per image, which arrays lack', async () => {
     const args = [folder, '--ktx2', '--share', '1', '-o', shop.path('shared.glb')]
     await shop.fails("option '--ktx2' cannot be used with option '--share <count>'", 'pack', ...args)
   })

@@ -23,7 +23,7 @@ beforeAll(async () => {
 
 const FILE_BYTES = 4000
 
-/** What is wrong with the face, once its JSON was changed. */
+/** Returns the problem of the face after a change of its JSON. */
 function problem(change: (json: Anything) => unknown): string | undefined {
   const json = jsonOf(face)
   change(json)
@@ -49,12 +49,12 @@ const compress = (json: Anything, how: object) =>
   })
 
 describe('numbers are checked before anything is decoded', () => {
-  it('finds nothing wrong with a whole face', () => {
+  it('accepts an intact face', () => {
     expect(problem(() => {})).toBeUndefined()
   })
 
   const mesh = ({ meshes }: Anything) => meshes[0].primitives[0]
-  /** Primitives of one accessor that claims a count, without bytes of its own. */
+  /** Adds primitives of one accessor that claims a count without bytes. */
   const repeat = (json: Anything, times: number, primitive: object) =>
     json.meshes[0].primitives.push(...Array(times).fill(primitive))
   const claim = (json: Anything, componentType: number, type: string, count: number) =>
@@ -153,11 +153,11 @@ describe('numbers are checked before anything is decoded', () => {
     expect(problem(change)).toContain(message)
   })
 
-  it('takes chains of nodes as skeletons have them', () => {
+  it('accepts node chains as deep as skeletons', () => {
     expect(problem(chain(200))).toBeUndefined()
   })
 
-  it('takes zstandard data of the size that the header of its image gives, and no other', () => {
+  it("accepts zstandard data only of the size given by the image's header", () => {
     // RFC 8878, 3.1.1.1: a single segment with a content size of four bytes.
     const frame = Uint8Array.of(0x28, 0xb5, 0x2f, 0xfd, 0xa0, 0, 0, 0, 0x40, ...Array(16).fill(0))
     expect(() => checkContentSize(frame, 2 ** 30)).not.toThrow()
@@ -168,7 +168,7 @@ describe('numbers are checked before anything is decoded', () => {
 describe('commands refuse in one line', () => {
   const out = ['-o', shop.path('out.glb')]
 
-  it.each(['[', '{"a":'])('JSON 6,000 deep (%s)', async (open) => {
+  it.each(['[', '{"a":'])('JSON nested 6,000 deep (%s)', async (open) => {
     const close = open === '[' ? ']' : '}'
     const parts = splitGlb(readFileSync(shop.path('packed.glb')))
     parts.json.extras = 'deep'
@@ -192,7 +192,7 @@ describe('commands refuse in one line', () => {
       await shop.fails('no triangles', 'bake', ...files, '-o', shop.path('out.png'))
   })
 
-  it('few triangles that are listed again and again, and blendshapes that are', async () => {
+  it('few triangles listed many times, and blendshapes listed many times', async () => {
     const { json, bin } = splitGlb(Buffer.from(await sheetGlb(sheet(16))))
     const { primitives } = json.meshes[0]
     const hostile = (times: number, targets: number) => {
@@ -217,7 +217,7 @@ describe('commands refuse in one line', () => {
     expect(check(8_000_000)).not.toThrow()
   })
 
-  it('images in other formats than the documented, by their first bytes', async () => {
+  it('images in unsupported formats, by their first bytes', async () => {
     const svg = Buffer.from('<svg xmlns="http://www.w3.org/2000/svg" width="64" height="64"/>')
     const gif = await sharp(flatPng(64, 64)).gif().toBuffer()
     const message = 'unsupported image format'

@@ -9,7 +9,7 @@ import { HOSTILE_BYTES, HOSTILE_PATHS, request, send, statusOf } from '../../hos
 const folder = mkdtempSync(join(tmpdir(), 'furrow-server-'))
 const SECRET = 'not to be served'
 let server: LocalServer
-/** What follows the host in every address. */
+/** Path prefix of every URL. */
 let base: string
 
 beforeAll(async () => {
@@ -48,7 +48,7 @@ test.each(HOSTILE_PATHS.map((path) => [path.slice(0, 40), path]))('GET %s is ref
 })
 
 test.each(HOSTILE_BYTES.map((bytes, i) => [i, bytes] as const))(
-  'bytes of number %d end nothing',
+  'the bytes of number %d do not end the server',
   async (_, bytes) => {
     expect(await send(server.origin, bytes)).not.toMatch(/^HTTP\/1\.1 [23]/)
     await expectAlive()
@@ -67,7 +67,7 @@ test('nothing is served without the secret', async () => {
   expect(statusOf(await request(server.origin, `${base.slice(0, -1)}g/page/index.html`))).toBe(404)
 })
 
-test('other host names are refused, which pages elsewhere can point here', async () => {
+test('other host names, which other sites can point here, are refused', async () => {
   for (const host of ['elsewhere.example', 'localhost', '127.0.0.1', '']) {
     expect(
       statusOf(await request(server.origin, `${base}/page/index.html`, { host })),
@@ -79,7 +79,7 @@ test.each(['PUT', 'DELETE', 'OPTIONS', 'PATCH', 'POST'])('%s of a file is not al
   expect(statusOf(await request(server.origin, `${base}/page/index.html`, { method }))).toBe(405)
 })
 
-test('a file is served as it was offered, and no other', async () => {
+test('only offered files are served, unchanged', async () => {
   const path = join(folder, 'face # 100%.glb')
   const address = server.addressOf(path)
   expect(statusOf(await request(server.origin, new URL(address).pathname))).toBe(404)
@@ -92,7 +92,7 @@ test('a file is served as it was offered, and no other', async () => {
   expect(pathToFileURL(path).pathname).toContain('%23')
 })
 
-test('an inbox takes one picture of the right length', async () => {
+test('an inbox accepts one picture of the right length', async () => {
   const inbox = server.inbox(8)
   const post = async (body: string) => (await fetch(inbox.address, { method: 'POST', body })).status
   expect(await post('short')).toBe(413)

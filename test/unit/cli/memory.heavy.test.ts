@@ -16,7 +16,7 @@ const MOST_SECONDS = 10
 const shop = new Workshop()
 let runner = ''
 let folder = ''
-/** An image of 8192 x 8192 texels in RGBA. */
+/** RGBA image of 8192 x 8192 texels. */
 let colours: Buffer
 
 beforeAll(async () => {
@@ -30,12 +30,12 @@ beforeAll(async () => {
   await shop.run('pack', folder, '--ktx2', '-o', shop.path('packed-array.glb'))
 })
 
-/** Runs a command in a process of its own. */
+/** Runs a command in a separate process. */
 function cost(...parameters: string[]): RunCost {
   return JSON.parse(execFileSync(process.execPath, [runner, ...parameters], { encoding: 'utf8' }))
 }
 
-/** A packed face whose images are all others. */
+/** Returns a packed face with all images replaced. */
 function withImages(name: string, change: (bytes: Buffer) => Buffer): string {
   let parts = splitGlb(readFileSync(shop.path(name)))
   for (const image of parts.json.images.keys()) {
@@ -47,7 +47,7 @@ function withImages(name: string, change: (bytes: Buffer) => Buffer): string {
 
 const png = (side: number) => () => flatPng(side, side)
 
-/** Another size in the header of a KTX 2 image. */
+/** Changes the size in the header of a KTX 2 image. */
 const ktx2 = (side: number, layers?: number) => (bytes: Buffer) => {
   const out = Buffer.from(bytes)
   out.writeUInt32LE(side, 20)
@@ -56,7 +56,7 @@ const ktx2 = (side: number, layers?: number) => (bytes: Buffer) => {
   return out
 }
 
-it('images that take more than 512 MiB together are refused', async () => {
+it('images that take more than 512 MiB in total are refused', async () => {
   const glb = await readGlbFile(withImages('packed.glb', png(8192)), 'test')
   const messages = (await checkWrinkles(glb)).map(({ message }) => message)
   expect(messages.join('\n')).toContain('the images of the wrinkles are too large together')

@@ -14,18 +14,18 @@ const shop = new Workshop()
 const WHO = 'furrow test'
 const errno = (code: string) => Object.assign(new Error(`${code}: something, open 'x'`), { code })
 
-describe('an error of the file system', () => {
+describe('a file system error', () => {
   it.each([
     ['ENOENT', 'furrow test: cannot read x (it does not exist); check the path'],
     ['EISDIR', 'furrow test: cannot read x (it is a folder); name a file'],
     ['EACCES', 'furrow test: cannot read x (permission denied); ask its owner, or change its permissions'],
     ['ENAMETOOLONG', 'furrow test: cannot read x (its name is too long); choose a shorter name'],
     ['ESTRANGE', "furrow test: cannot read x (ESTRANGE: something, open 'x'); check the path"],
-  ])('%s says what is wrong and what helps', (code, message) => {
+  ])('%s names the problem and the remedy', (code, message) => {
     expect(cannotRead(WHO, 'x', errno(code)).message).toBe(message)
   })
 
-  it('has the remedy of the file only where that is missing', () => {
+  it("has the file's remedy only if the file is missing", () => {
     const hints = { remedy: 'put it beside the face' }
     expect(cannotRead(WHO, 'x', errno('ENOENT'), hints).message).toMatch(/; put it beside the face$/)
     expect(cannotRead(WHO, 'x', errno('EACCES'), hints).message).toMatch(/; ask its owner/)
@@ -34,15 +34,15 @@ describe('an error of the file system', () => {
     )
   })
 
-  it('about a folder in place of the face names the folder', async () => {
+  it('names the folder if a folder is given as the face', async () => {
     mkdirSync(shop.path('folder.glb'))
     await expect(readGlbFile(shop.path('folder.glb'), WHO)).rejects.toThrow(/it is a folder\); name a file$/)
   })
 })
 
-describe('a pipe in place of an input', () => {
+describe('a pipe as input', () => {
   it.each(['face.glb', 'wrinkles.json', 'areas/brow.png', 'layers/age/normal.png'])(
-    'is refused rather than waited for: %s',
+    'is refused instead of waiting: %s',
     async (name) => {
       const folder = await shop.makeFolder('pipes')
       rmSync(join(folder, name), { force: true })
@@ -53,7 +53,7 @@ describe('a pipe in place of an input', () => {
     },
   )
 
-  it('is read where the shell has opened it', async () => {
+  it('is read if the shell has opened it', async () => {
     const bytes = await faceBytes()
     const file = openSync(shop.write('opened.glb', bytes), 'r')
     expect((await readGlbFile(`/dev/fd/${file}`, WHO)).fileBytes).toBe(bytes.length)
@@ -66,7 +66,7 @@ describe('a file that is not glTF', () => {
     [{ name: 'app', version: '1.0.0' }, /has no asset\.version/],
     [{ asset: {} }, /has no asset\.version/],
     [{ asset: { version: '1.0' } }, /it is glTF 1\.0/],
-  ])('but JSON is told apart: %j', async (json, message) => {
+  ])('has a precise error if it is JSON: %j', async (json, message) => {
     await expect(readGlbFile(shop.json('other.gltf', json), WHO)).rejects.toThrow(message)
     const remedy = 'asset' in json ? 'download or export it again' : 'name the face itself'
     await expect(readGlbFile(shop.path('other.gltf'), WHO)).rejects.toMatchObject({ remedy })
@@ -88,14 +88,14 @@ describe('a file that is not glTF', () => {
     ['\xabKTX 20\xbb\r\n\x1a\n', 'a KTX 2 file', /textures/],
     ['words, and more words', 'text, not glTF', /name the face/],
     ['[1, 2]\t\r\n', 'text, not glTF', /name the face/],
-  ])('%j is named, with what to do', async (begin, what, remedy) => {
+  ])('is recognised as %j, with a remedy', async (begin, kind, remedy) => {
     const path = shop.write('face.glb', Buffer.from(begin.padEnd(64), 'latin1'))
     const error = await readGlbFile(path, WHO).catch((error) => error)
-    expect(error.message).toContain(`is not usable: it is ${what}`)
+    expect(error.message).toContain(`is not usable: it is ${kind}`)
     expect(error.remedy).toMatch(remedy)
   })
 
-  it('is to be fetched again where it is not whole, or older than glTF 2', async () => {
+  it('must be downloaded again if incomplete, or older than glTF 2', async () => {
     const whole = await faceBytes()
     const problemOf = (bytes: Uint8Array) =>
       readGlbFile(shop.write('part.glb', bytes), WHO).catch(({ message }: Error) => message)
@@ -107,14 +107,14 @@ describe('a file that is not glTF', () => {
     expect(await problemOf(whole)).toMatch(/it has version 1.*; download or export it again$/)
   })
 
-  it('is not named where nothing is known', () => {
+  it('is not named if its format is unknown', () => {
     expect(otherFormat(Buffer.from([1, 2, 3, 4]))).toBeUndefined()
-    // Patterns must not take long either.
+    // Patterns must also be fast.
     expect(otherFormat(Buffer.from(`${'# '.repeat(10_000)}`))?.problem).toBe('it is text, not glTF')
   })
 })
 
-describe('a file of another kind', async () => {
+describe('another kind of file', async () => {
   const face = shop.write('swapped.glb', await faceBytes())
   const out = ['-o', shop.path('x.png')]
 
@@ -142,11 +142,11 @@ describe('a file of another kind', async () => {
       'cannot read the face https://example.org/a.glb (it is on the network); download it, and name the file',
     ],
     ['activations', [face], 'swapped.glb has no wrinkles, allowed: '],
-  ])('is named by furrow %s, with what to do', async (command, args, message) => {
+  ])('is recognised by furrow %s, with a remedy', async (command, args, message) => {
     await shop.fails(message, command, ...args)
   })
 
-  it('in a folder to pack says to name the folder', async () => {
+  it('in a folder to pack leads to naming the folder', async () => {
     const folder = await shop.makeFolder('named')
     const document = shop.json('named/wrinkles.json', {})
     await shop.fails(`; name its folder, ${folder}`, 'pack', document, '-o', shop.path('x.glb'))
@@ -173,27 +173,27 @@ describe('the nearest name', () => {
     ['pack', ['--outptu', 'x.glb'], '--output'],
     ['activations', ['--set', 'jawOpne=1'], 'jawOpen'],
     ['activations', ['--expression', 'hapy'], 'happy'],
-  ])('is offered by furrow %s for %j: %s', async (command, args, name) => {
+  ])('is suggested by furrow %s for %j: %s', async (command, args, name) => {
     const input =
       command === 'pack' ? [await shop.makeFolder('near'), '-o', shop.path('x.glb')] : ['faces/human.glb']
     await shop.fails(`; did you mean "${name}"?`, command, ...input, ...args)
   })
 })
 
-describe('what is printed', () => {
-  it('obeys nothing that a file says to a terminal', () => {
+describe('printed text', () => {
+  it('contains no terminal control codes from a file', () => {
     expect(escaped('a\x1b[2Jb\x07\x9bc')).toBe('a\\u001b[2Jb\\u0007\\u009bc')
     expect(escaped('two\nlines\r')).toBe('two\\u000alines\\u000d')
     expect(escaped('\u202eevil\u2066\u200f')).toBe('\\u202eevil\\u2066\\u200f')
     expect(escaped('Ünï © 日本語 👩‍🚀')).toBe('Ünï © 日本語 👩‍🚀')
   })
 
-  it('stays JSON, with the same values', () => {
+  it('stays JSON with the same values', () => {
     const value = { name: 'a\x1b\x9b\u202e\n' }
     expect(JSON.parse(escaped(JSON.stringify(value)))).toEqual(value)
   })
 
-  it('goes to stderr where stdout takes a file', () => {
+  it('goes to stderr if stdout receives a file', () => {
     const stderr = vi.spyOn(process.stderr, 'write').mockReturnValue(true)
     print('to stdout', 'x.png', undefined)
     print('to stderr', 'x.png', '-')
@@ -209,7 +209,7 @@ describe('what is printed', () => {
     expect(shop.warned).toBe('four\\u000afive\n')
   })
 
-  it('of a file whose names are hostile is harmless', async () => {
+  it('of a file with hostile names is harmless', async () => {
     const folder = await shop.makeFolder('hostile')
     shop.write(
       'hostile/face.glb',

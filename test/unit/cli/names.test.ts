@@ -6,8 +6,8 @@ import { faceBytes, painted, stillTeeth, Workshop, wrinklesIn } from './workshop
 
 const shop = new Workshop()
 
-/** Legal names that no file can have, or that some file system takes for one another. */
-const ODD_NAMES = [
+/** Legal names that no file can have, or that some file system considers equal. */
+const UNUSUAL_NAMES = [
   '額'.repeat(84),
   'x'.repeat(256),
   'a#b',
@@ -28,7 +28,7 @@ const ODD_NAMES = [
 
 beforeAll(async () => {
   const folder = await shop.makeFolder('plain')
-  for (const [i] of ODD_NAMES.entries()) shop.write(`plain/areas/${i}.png`, await painted(i % 8))
+  for (const [i] of UNUSUAL_NAMES.entries()) shop.write(`plain/areas/${i}.png`, await painted(i % 8))
   shop.json('plain/wrinkles.json', {
     version: 1,
     layers: [
@@ -36,24 +36,24 @@ beforeAll(async () => {
       { name: 'CON', normal: 'layers/expression/normal.png' },
       { name: 'age_.._old', normal: 'layers/expression/normal.png' },
     ],
-    areas: ODD_NAMES.map((name, i) => ({ name, image: `areas/${i}.png` })),
-    drivers: ODD_NAMES.map((area) => ({ type: 'morph', area, targets: [{ name: 'browInnerUp' }] })),
+    areas: UNUSUAL_NAMES.map((name, i) => ({ name, image: `areas/${i}.png` })),
+    drivers: UNUSUAL_NAMES.map((area) => ({ type: 'morph', area, targets: [{ name: 'browInnerUp' }] })),
   })
   await shop.run('pack', folder, '-o', shop.path('one.glb'))
 })
 
 describe('names of areas and layers', () => {
-  it('make the round trip to a folder and back, whatever they are', async () => {
+  it('survive packing and unpacking, whatever they are', async () => {
     await shop.run('unpack', shop.path('one.glb'), '-o', shop.path('folder'))
     await shop.run('pack', shop.path('folder'), '-o', shop.path('two.glb'))
     const [one, two] = ['one.glb', 'two.glb'].map((name) => readFileSync(shop.path(name)))
     const maps = wrinklesIn(shop.path('two.glb'))
-    expect(maps.areas.map(({ name }: { name: string }) => name)).toEqual(ODD_NAMES)
+    expect(maps.areas.map(({ name }: { name: string }) => name)).toEqual(UNUSUAL_NAMES)
     expect(maps.layers.map(({ name }: { name: string }) => name)).toEqual(['age/../old', 'CON', 'age_.._old'])
     expect(two.equals(one)).toBe(true)
   })
 
-  it('are found in names of files that mean something in addresses', async () => {
+  it('are found in file names with URL characters', async () => {
     shop.write('signs/face.glb', await faceBytes())
     shop.write('signs/layers/50%/normal.png', await noise(1))
     shop.write('signs/areas/a#b.png', await painted(1))
@@ -64,7 +64,7 @@ describe('names of areas and layers', () => {
     expect(maps.layers[0].name).toBe('50%')
   })
 
-  it('are refused by every command where they are no names', async () => {
+  it('are refused by every command if invalid', async () => {
     const bytes = editGlb(readFileSync(shop.path('one.glb')), ({ materials }) => {
       const maps = materials[0].extensions.FURROW_wrinkle_maps
       maps.areas[3].name = 'a\nb'
@@ -80,8 +80,8 @@ describe('names of areas and layers', () => {
   })
 })
 
-describe('the mesh that wrinkles', () => {
-  it('is remembered by the folder that a face is unpacked to', async () => {
+describe('the wrinkled mesh', () => {
+  it('is stored in the folder that a face is unpacked to', async () => {
     const folder = await shop.makeFolder('two')
     shop.write('two/face.glb', await faceBytes(['left', 'right']))
     await shop.run('pack', folder, '--mesh', 'right', '-o', shop.path('right.glb'))
@@ -92,7 +92,7 @@ describe('the mesh that wrinkles', () => {
     expect(readFileSync(shop.path('again.glb')).equals(readFileSync(shop.path('right.glb')))).toBe(true)
   })
 
-  it('is remembered by its index where it has no name of its own', async () => {
+  it('is stored by index if it has no unique name', async () => {
     const folder = await shop.makeFolder('nameless')
     const nameless = editGlb(await faceBytes(['left', 'right']), ({ meshes, nodes, materials }) => {
       for (const item of [...meshes, ...nodes, ...materials]) delete item.name
@@ -105,7 +105,7 @@ describe('the mesh that wrinkles', () => {
     expect(wrinklesIn(shop.path('1.glb'), 1)).toBeDefined()
   })
 
-  it('is the one that the blendshapes move most where none is named', async () => {
+  it('is by default the mesh that blendshapes move most', async () => {
     const folder = await shop.makeFolder('moved')
     shop.write('moved/face.glb', await stillTeeth())
     await shop.run('pack', folder, '-o', shop.path('moved.glb'))

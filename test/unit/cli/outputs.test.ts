@@ -28,7 +28,7 @@ const at = (name: string) => shop.path(name)
 
 type Outputs = [name: CommandName, extension: string, args: (outputs: string[]) => string[]]
 
-/** Every command that writes: how it is called for outputs in their usual order. */
+/** Every command that writes, with its arguments for outputs in their usual order. */
 const COMMANDS: Outputs[] = [
   ['array', 'ktx2', ([o]) => [at('tile.png'), '-o', o]],
   ['auto', 'glb', ([o]) => [FACE, '-o', o, '--replace']],
@@ -63,7 +63,7 @@ describe.each(COMMANDS)('before any work furrow %s refuses', (name, extension, a
 })
 
 describe('an output', () => {
-  it('may replace a regular file, and nothing else', () => {
+  it('may replace only a regular file', () => {
     const kind = (isFile: boolean, isDirectory: boolean) => ({
       isFile: () => isFile,
       isDirectory: () => isDirectory,
@@ -74,7 +74,7 @@ describe('an output', () => {
     expect(fileProblem(kind(false, false))).toBe('it is a device, pipe or socket')
   })
 
-  it('that is a link is written to where it leads', async () => {
+  it('is written to the target if it is a link', async () => {
     shop.write('links/real.png', 'old')
     symlinkSync('real.png', at('links/one.png'))
     symlinkSync(at('links/one.png'), at('links/two.png'))
@@ -89,14 +89,14 @@ describe('an output', () => {
     expect(readdirSync(at('links'))).toEqual(['dangling.png', 'later', 'one.png', 'real.png', 'two.png'])
   })
 
-  it('that is a circle of links is refused', async () => {
+  it('is refused if it is a circle of links', async () => {
     symlinkSync('b.png', at('a.png'))
     symlinkSync('a.png', at('b.png'))
     await expect(checkOutputs([at('a.png')], WHO)).rejects.toThrow(/its links lead in a circle/)
   })
 
   it.each(COMMANDS.filter(([, , args]) => args(['a', 'b']).includes('b')))(
-    'of furrow %s that is another output too is refused before any work, by whatever name',
+    'of furrow %s is refused before any work if it is also another output, by whatever name',
     async (command, _, args) => {
       shop.write('same/a.png', 'precious')
       if (!existsSync(at('same/b.png'))) linkSync(at('same/a.png'), at('same/b.png'))
@@ -127,7 +127,7 @@ describe('an input', () => {
     ['auto', 'in.glb', (path) => [path, '-o', path]],
     ['normals', 'in.png', (path) => [path, '-o', path, '--strength', '1']],
     ['strokes', 'in.png', (path) => [STROKES, '--face', FACE, '--base', path, '--normal', path]],
-  ])('is replaced by furrow %s with --force only', async (command, name, args) => {
+  ])('is replaced by furrow %s only with --force', async (command, name, args) => {
     const path = await precious(name)
     const before = readFileSync(path)
     const message = / is the input; choose another output, or overwrite it with --force$/
@@ -137,7 +137,7 @@ describe('an input', () => {
     expect(forced.message).not.toContain('is the input')
   })
 
-  it('is known by any name', async () => {
+  it('is recognised by any name', async () => {
     const path = await precious('named/in.png')
     linkSync(path, at('named/hard.png'))
     symlinkSync('in.png', at('named/soft.png'))
@@ -147,7 +147,7 @@ describe('an input', () => {
     }
   })
 
-  it('that is part of a .gltf is not replaced by the parts of another', async () => {
+  it('in a .gltf is not replaced by parts of another', async () => {
     await shop.run('pack', at('face'), '-o', at('split/a.gltf'))
     const json = readFileSync(at('split/a.gltf'), 'utf8')
     shop.write('split/b.gltf', json)
@@ -171,7 +171,7 @@ async function validatorErrors(name: string): Promise<string[]> {
 }
 
 describe('a face', () => {
-  it('is written as its name says, and is the same face', async () => {
+  it('is written in the format of its name, and is the same face', async () => {
     for (const name of ['out.glb', 'out.vrm', 'OUT.GLTF']) {
       await shop.run('pack', at('face'), '-o', at(`kinds/${name}`))
       expect(shop.printed).toContain(`${at(`kinds/${name}`)}: material "skin"`)
@@ -185,7 +185,7 @@ describe('a face', () => {
     expect(await numbers('OUT.GLTF')).toEqual(await numbers('out.glb'))
   })
 
-  it('as .gltf has its buffer and its images beside it, and nothing twice', async () => {
+  it('as .gltf has its buffer and images as separate files, without duplicates', async () => {
     await shop.run('pack', at('face'), '-o', at('gltf/my face.gltf'))
     const names = readdirSync(at('gltf'))
     const images = names.filter((name) => name.endsWith('.png'))
@@ -218,8 +218,8 @@ describe('stdout', () => {
   })
 })
 
-describe('files are written whole or not at all', () => {
-  it('when one of them cannot be, and no folder stays behind', async () => {
+describe('files are written all or not at all', () => {
+  it('if one of them cannot be written, and no folder stays behind', async () => {
     shop.write('whole/file', 'x')
     const files = ['whole/new/deep/a.png', 'whole/b.png', 'whole/file/c.png']
     const outputs = files.map((name) => ({ path: at(name), bytes: Buffer.from('a') }))
@@ -229,7 +229,7 @@ describe('files are written whole or not at all', () => {
     expect(readdirSync(at('whole'))).toEqual(['file'])
   })
 
-  it('when a folder that is to be new is not', async () => {
+  it('if a folder must be new and exists', async () => {
     shop.write('full/mine.txt', 'x')
     const outputs = [{ path: 'a/b.png', bytes: Buffer.from('a') }]
     await expect(writeFolder(at('full'), outputs, WHO)).rejects.toThrow(/cannot write/)
@@ -238,7 +238,7 @@ describe('files are written whole or not at all', () => {
     expect(shop.files('full')).toEqual({ 'mine.txt': Buffer.from('x').toString('base64') })
   })
 
-  it('also under the longest names', async () => {
+  it('also with the longest names', async () => {
     const name = `${'n'.repeat(251)}.png`
     await checkOutputs([at(name)], WHO)
     await writeAll([{ path: at(name), bytes: await noise(1) }], WHO)

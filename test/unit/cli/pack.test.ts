@@ -15,7 +15,7 @@ const NAME = 'FURROW_wrinkle_maps'
 const shop = new Workshop()
 let folder = ''
 
-/** The gray image of an area, as weights, from a folder. */
+/** Reads the weights of an area's gray image in a folder. */
 async function weights(path: string): Promise<number[]> {
   return (await grayOf(path)).map((value) => 255 - value)
 }
@@ -25,7 +25,7 @@ beforeAll(async () => {
 })
 
 describe('furrow pack', () => {
-  it('takes every layer and area of a folder in alphabetical order', async () => {
+  it('reads every layer and area of a folder in alphabetical order', async () => {
     const out = shop.path('a.glb')
     await shop.run('pack', folder, '-o', out)
     expect(shop.printed).toContain(
@@ -46,7 +46,7 @@ describe('furrow pack', () => {
     expect(new Set(maps.areas.map(({ texture }) => texture.index)).size).toBe(2)
   })
 
-  it('leaves all else in the file as it was, even what it does not know', async () => {
+  it('keeps everything else in the file, including unknown data', async () => {
     const face = await faceBytes()
     const json = jsonOf(face)
     json.extensions = { VRM_like: { meta: { texture: 0 }, list: [1, 2] } }
@@ -70,7 +70,7 @@ describe('furrow pack', () => {
     expect(document.areas[3]).toEqual({ name: 'eye', image: 'areas/eye.png', convention: 'weight' })
     const white = await grayOf(shop.path('w/areas/eye.png'))
     expect(white).toEqual(await weights(`${folder}/areas/eye.png`))
-    // The same images without their document: the option tells how they are painted.
+    // The same images without their document. The option tells how they are painted.
     shop.write('plain/layers/x/normal.png', await noise(1))
     shop.write('plain/areas/eye.png', readFileSync(shop.path('w/areas/eye.png')))
     const args = [shop.path('plain'), '--face', `${folder}/face.glb`, '-o', shop.path('p.glb')]
@@ -79,69 +79,66 @@ describe('furrow pack', () => {
     expect(await weights(shop.path('pu/areas/eye.png'))).toEqual(white)
   })
 
-  it.each(['1', '3', '4'])(
-    'gives the same folder and file back, with %s areas to an image',
-    async (share) => {
-      const rich = await shop.makeFolder('rich')
-      shop.json('rich/wrinkles.json', {
-        version: 1,
-        layers: [
-          {
-            name: 'expression',
-            normalScale: 0.5,
-            occlusion: 'layers/age/normal.png',
-            occlusionStrength: 0.5,
-          },
-          { name: 'age', kind: 'detail', height: 'layers/expression/normal.png', heightAmplitude: 0.003 },
-        ],
-        areas: [
-          { name: 'nose', image: 'areas/nose.png', combine: 'max', activation: 0.25 },
-          { name: 'br/ow', image: 'areas/brow.png', layer: 'age' },
-          { name: 'BR/OW', image: 'areas/cheek.png' },
-          { name: 'chin', image: 'areas/chin.png' },
-        ],
-        drivers: [
-          { type: 'morph', area: 'nose', targets: [{ name: 'browInnerUp', weight: 1 }], curve: STRAIGHT },
-          { type: 'weather', area: 'chin', limit: 2 },
-        ],
-      })
-      const [one, two] = [shop.path(`one${share}.glb`), shop.path(`two${share}.glb`)]
-      await shop.run('pack', rich, '-o', one, '--share', share)
-      await shop.run('unpack', one, '-o', shop.path(`f${share}`))
-      await shop.run('pack', shop.path(`f${share}`), '-o', two, '--share', share)
-      await shop.run('unpack', two, '-o', shop.path(`g${share}`))
-      expect(readFileSync(two).equals(readFileSync(one))).toBe(true)
-      expect(shop.files(`g${share}`)).toEqual(shop.files(`f${share}`))
-      expect(Object.keys(shop.files(`f${share}`))).toContain('areas/BR_OW-2.png')
-      expect(jsonOf(readFileSync(shop.path(`f${share}/face.glb`)))).toEqual(jsonOf(await faceBytes()))
-      expect(await weights(shop.path(`f${share}/areas/chin.png`))).toEqual(
-        await weights(`${rich}/areas/chin.png`),
-      )
-      expect(wrinklesIn(one)).toMatchObject({
-        layers: [
-          { name: 'expression', normalTexture: { scale: 0.5 }, occlusionTexture: { strength: 0.5 } },
-          { name: 'age', kind: 'detail', heightTexture: { amplitude: 0.003 } },
-        ],
-        areas: [{ combine: 'max', activation: 0.25 }, { layer: 1 }, {}, {}],
-        drivers: [{ type: 'morph' }, { type: 'weather', limit: 2 }],
-      })
-    },
-  )
+  it.each(['1', '3', '4'])('restores the same folder and file, with %s areas per image', async (share) => {
+    const rich = await shop.makeFolder('rich')
+    shop.json('rich/wrinkles.json', {
+      version: 1,
+      layers: [
+        {
+          name: 'expression',
+          normalScale: 0.5,
+          occlusion: 'layers/age/normal.png',
+          occlusionStrength: 0.5,
+        },
+        { name: 'age', kind: 'detail', height: 'layers/expression/normal.png', heightAmplitude: 0.003 },
+      ],
+      areas: [
+        { name: 'nose', image: 'areas/nose.png', combine: 'max', activation: 0.25 },
+        { name: 'br/ow', image: 'areas/brow.png', layer: 'age' },
+        { name: 'BR/OW', image: 'areas/cheek.png' },
+        { name: 'chin', image: 'areas/chin.png' },
+      ],
+      drivers: [
+        { type: 'morph', area: 'nose', targets: [{ name: 'browInnerUp', weight: 1 }], curve: STRAIGHT },
+        { type: 'weather', area: 'chin', limit: 2 },
+      ],
+    })
+    const [one, two] = [shop.path(`one${share}.glb`), shop.path(`two${share}.glb`)]
+    await shop.run('pack', rich, '-o', one, '--share', share)
+    await shop.run('unpack', one, '-o', shop.path(`f${share}`))
+    await shop.run('pack', shop.path(`f${share}`), '-o', two, '--share', share)
+    await shop.run('unpack', two, '-o', shop.path(`g${share}`))
+    expect(readFileSync(two).equals(readFileSync(one))).toBe(true)
+    expect(shop.files(`g${share}`)).toEqual(shop.files(`f${share}`))
+    expect(Object.keys(shop.files(`f${share}`))).toContain('areas/BR_OW-2.png')
+    expect(jsonOf(readFileSync(shop.path(`f${share}/face.glb`)))).toEqual(jsonOf(await faceBytes()))
+    expect(await weights(shop.path(`f${share}/areas/chin.png`))).toEqual(
+      await weights(`${rich}/areas/chin.png`),
+    )
+    expect(wrinklesIn(one)).toMatchObject({
+      layers: [
+        { name: 'expression', normalTexture: { scale: 0.5 }, occlusionTexture: { strength: 0.5 } },
+        { name: 'age', kind: 'detail', heightTexture: { amplitude: 0.003 } },
+      ],
+      areas: [{ combine: 'max', activation: 0.25 }, { layer: 1 }, {}, {}],
+      drivers: [{ type: 'morph' }, { type: 'weather', limit: 2 }],
+    })
+  })
 
-  it('replaces the wrinkles of a face that has some', async () => {
+  it('replaces the existing wrinkles of a face', async () => {
     await shop.run('pack', folder, '-o', shop.path('a.glb'))
     await shop.run('pack', folder, '--face', shop.path('a.glb'), '-o', shop.path('b.glb'))
     expect(readFileSync(shop.path('b.glb')).equals(readFileSync(shop.path('a.glb')))).toBe(true)
   })
 
-  it('resamples the areas to the size that is asked for', async () => {
+  it('resamples the areas to the requested size', async () => {
     await shop.run('pack', folder, '-o', shop.path('s.glb'), '--area-size', '32', '--json')
     expect(JSON.parse(shop.printed)).toMatchObject({ areaSize: 32, areas: AREAS, drivers: 0 })
     await shop.run('unpack', shop.path('s.glb'), '-o', shop.path('s'))
     expect(await sharp(shop.path('s/areas/nose.png')).metadata()).toMatchObject({ width: 32, height: 32 })
   })
 
-  it('makes files whose wrinkles survive a script of glTF-Transform', async () => {
+  it('makes files whose wrinkles survive a glTF-Transform script', async () => {
     await shop.run('pack', folder, '-o', shop.path('a.glb'))
     const io = new NodeIO().registerExtensions([...ALL_EXTENSIONS, FurrowWrinkleMaps])
     const document = await io.read(shop.path('a.glb'))
@@ -160,7 +157,7 @@ describe('furrow pack', () => {
     }
   })
 
-  it('warns of a blendshape that the mesh does not have and of an area that shows nowhere, and keeps both', async () => {
+  it('warns about a missing blendshape and an invisible area, and keeps both', async () => {
     const odd = await shop.makeFolder('odd')
     shop.json('odd/wrinkles.json', {
       version: 1,
@@ -175,7 +172,7 @@ describe('furrow pack', () => {
   })
 })
 
-describe('furrow pack with bad input', () => {
+describe('furrow pack with invalid input', () => {
   const out = ['-o', shop.path('out.glb')]
   const document = (rest: object) => (at: string) => shop.json(`${at}/wrinkles.json`, rest)
   const area = (image: string) => document({ areas: [{ name: 'a', image }] })
@@ -245,7 +242,7 @@ describe('furrow pack with bad input', () => {
       async (at) => shop.write(`${at}/face.glb`, await faceBytes(['left', 'right'])),
       'several candidates for the mesh, allowed: left, right; name one with --mesh',
     ],
-  ])('says one line about %s and writes nothing', async (name, spoil, message) => {
+  ])('reports %s in one line and writes nothing', async (name, spoil, message) => {
     const at = `bad-${name.replaceAll(' ', '-')}`
     const path = await shop.makeFolder(at)
     await spoil(at)

@@ -19,7 +19,7 @@ function noise(width: number, height: number, channels: Pixels['channels'], seed
 
 const sharpOf = ({ data, ...raw }: Pixels) => sharp(data, { raw })
 
-describe('the header of an image, read without a decoder', () => {
+describe('an image header, read without a decoder', () => {
   const rgb = () => sharpOf(noise(37, 20, 3))
   it.each<[string, () => Sharp]>([
     [
@@ -50,7 +50,7 @@ describe('the header of an image, read without a decoder', () => {
     expect(headerOf(bytes, `image/${format}` as 'image/png')).toEqual({ width, height, texelBytes })
   })
 
-  it('is not there where a JPEG has no frame, and in other formats', async () => {
+  it('is undefined for a JPEG without a frame, and in other formats', async () => {
     expect(headerOf(Uint8Array.of(0xff, 0xd8, 0xff, 0xd9), 'image/jpeg')).toBeUndefined()
     expect(headerOf(await rgb().webp().toBuffer(), 'image/webp')).toBeUndefined()
   })
@@ -64,7 +64,7 @@ describe('a portable PNG', () => {
     expect([...toRgba(await decodeImage(bytes, 'x', 'test'))]).toEqual([...toRgba(image)])
   })
 
-  it('of areas is hardly larger than that of libvips', async () => {
+  it("of areas is hardly larger than libvips's", async () => {
     let [own, others] = [0, 0]
     for (const name of readdirSync(AREAS)) {
       const { data, info } = await sharp(readFileSync(AREAS + name))
@@ -80,8 +80,8 @@ describe('a portable PNG', () => {
 })
 
 describe('scaling', () => {
-  it.each([20, 100])('to %d texels gives about what libvips gives', async (size) => {
-    // Smooth, as libvips counts in whole numbers.
+  it.each([20, 100])('to %d texels nearly equals libvips', async (size) => {
+    // Smooth, because libvips computes in integers.
     const smooth = await sharpOf(noise(50, 40, 3))
       .blur(2)
       .raw()
@@ -97,7 +97,7 @@ describe('scaling', () => {
     expect(Math.max(...differences)).toBeLessThanOrEqual(size < 50 ? 3 : 8)
   })
 
-  it('keeps a flat image flat up to its edges, and clamps where the filter overshoots', () => {
+  it('keeps a flat image flat up to its edges, and clamps overshoot', () => {
     const flat = { ...noise(7, 9, 4), data: new Uint8Array(7 * 9 * 4).fill(200) }
     expect(new Set(scaleImage(flat, 5).data)).toEqual(new Set([200]))
     expect(new Set(scaleImage(flat, 23).data)).toEqual(new Set([200]))
@@ -107,7 +107,7 @@ describe('scaling', () => {
   })
 })
 
-it('alpha is found, left out and added', () => {
+it('alpha is detected, removed and added', () => {
   const rgba = noise(3, 2, 4)
   expect(isOpaque(rgba)).toBe(false)
   expect(isOpaque({ ...rgba, data: rgba.data.map((value, i) => (i % 4 === 3 ? 255 : value)) })).toBe(true)

@@ -23,11 +23,11 @@ beforeAll(async () => {
   bytes = await (await anyIO()).writeBinary(document)
 })
 
-/** The largest distance from the coordinates of the plain face. */
+/** Returns the largest distance from the plain face's coordinates. */
 const apart = (uvs: ArrayLike<number>) =>
   plain.reduce((most, value, i) => Math.max(most, Math.abs(value - uvs[i]!)), 0)
 
-it('coordinates that only the base colour dequantises are read with its transform', async () => {
+it('coordinates dequantised only by the base colour are read with its transform', async () => {
   const { skin } = findSkin(await (await anyIO()).readBinary(bytes), 'face.glb', 'test', 'skin')
   expect(skin.uvs).toHaveLength(plain.length)
   expect(apart(skin.uvs)).toBeLessThan(1 / 4000)
@@ -54,7 +54,7 @@ it('a file that gets wrinkles gets a flat normal map with that transform', async
   expect(extensions.FURROW_wrinkle_maps.areas).toHaveLength(AREAS.length)
 })
 
-it('coordinates that are floats are used as they are', () => {
+it('float coordinates are used as they are', () => {
   const { json } = decodeGlb(bytes, 'face.glb', 'test')
   const skin = json.meshes!.find(({ name }) => name === 'skin')!.primitives[0]!
   expect(quantisedCoordinates(json, skin.material!)).toBeDefined()

@@ -15,7 +15,7 @@ import { faceBytes, Workshop } from './workshop.ts'
 const shop = new Workshop()
 const WHO = 'furrow test'
 
-/** A file taken apart: its JSON, and the buffer and images that it refers to. */
+/** Splits a file into its JSON and the buffer and images that it refers to. */
 async function apart(bytes: Uint8Array) {
   const document = await new NodeIO().readBinary(bytes)
   for (const [i, texture] of document.getRoot().listTextures().entries()) texture.setURI(`skin ${i}.png`)
@@ -23,7 +23,7 @@ async function apart(bytes: Uint8Array) {
   return { json: json as GltfJson, resources }
 }
 
-/** Writes `NAME/face.gltf` and the files beside it; returns its path. */
+/** Writes `NAME/face.gltf` and its separate files. Returns its path. */
 async function writeApart(name: string, edit: (json: GltfJson) => void = () => {}): Promise<string> {
   const { json, resources } = await apart(await faceBytes())
   for (const [file, bytes] of Object.entries(resources)) shop.write(`${name}/${file}`, bytes)
@@ -31,7 +31,7 @@ async function writeApart(name: string, edit: (json: GltfJson) => void = () => {
   return shop.json(`${name}/face.gltf`, json)
 }
 
-/** Every number of every accessor. */
+/** Returns every number of every accessor. */
 async function numbersOf(path: string): Promise<number[][]> {
   const document = await readDocument(path, WHO)
   return document
@@ -45,7 +45,7 @@ async function validatorErrors(bytes: Uint8Array): Promise<string[]> {
   return issues.messages.filter(({ severity }) => severity === 0).map(({ message }) => message)
 }
 
-describe('a file with others beside it', () => {
+describe('a file with separate parts', () => {
   it('is read like the same file in one piece', async () => {
     const whole = shop.write('whole.glb', await faceBytes())
     const path = await writeApart('parts')
@@ -57,7 +57,7 @@ describe('a file with others beside it', () => {
     expect(await validatorErrors(encodeGlb(glb))).toEqual([])
   })
 
-  it('keeps extensions and fields that nobody here knows', async () => {
+  it('keeps unknown extensions and fields', async () => {
     const path = await writeApart('unknown', (json) => {
       json.extensionsUsed = ['ACME_moods']
       json.extensions = { ACME_moods: { moods: ['sour'] } }
@@ -75,13 +75,13 @@ describe('a file with others beside it', () => {
     ['face.vrm', 'binary'],
     ['face.bin', 'binary'],
     ['face.json', 'text'],
-  ])('is known by its contents: %s', async (name, kind) => {
+  ])('is recognised by its content: %s', async (name, kind) => {
     const bytes = await faceBytes()
     const data = kind === 'binary' ? bytes : Buffer.from(JSON.stringify({ asset: { version: '2.0' } }))
     expect((await readGlbFile(shop.write(`kinds/${name}`, data), WHO)).fileBytes).toBe(data.length)
   })
 
-  it('may have them in data URIs', async () => {
+  it('may store them as data URIs', async () => {
     const { json, resources } = await apart(await faceBytes())
     for (const item of [...json.buffers!, ...json.images!]) {
       item.uri = `data:application/octet-stream;base64,${Buffer.from(resources[item.uri!]).toString('base64')}`
@@ -91,7 +91,7 @@ describe('a file with others beside it', () => {
   })
 
   it.each(['skin%200.png', './skin 0.png', 'folder\\..\\skin%200.png'])(
-    'is given to the Khronos validator with them, by whatever address: %s',
+    'is validated with them by the Khronos validator, by any path: %s',
     async (uri) => {
       const path = await writeApart('validated', (json) => {
         json.images![0] = { uri }
@@ -101,7 +101,7 @@ describe('a file with others beside it', () => {
     },
   )
 
-  it('holds a file once that it refers to several times', async () => {
+  it('stores a file once that it refers to several times', async () => {
     const path = await writeApart('twice')
     const once = (await readGlbFile(path, WHO)).bin.length
     const again = await writeApart('twice', (json) => {
@@ -149,7 +149,7 @@ describe('a file with others beside it', () => {
     await expect(readGlbFile(await writeApart(name, edit), WHO)).rejects.toThrow(message)
   })
 
-  it('is refused when an image is in an unknown format', async () => {
+  it('is refused when an image has an unknown format', async () => {
     const path = await writeApart('text', (json) => {
       json.images![0] = { uri: 'face.bin' }
     })
@@ -215,7 +215,7 @@ describe('files outside the folder', () => {
     expect(Buffer.from(bin).includes(readFileSync(secret))).toBe(true)
   })
 
-  it('are the same to the reader whether they exist or not', async () => {
+  it('look the same to the reader whether or not they exist', async () => {
     await expect(readGlbFile(await withImage('../nothing.png'), WHO)).rejects.toThrow(/outside its folder/)
   })
 
@@ -237,12 +237,12 @@ describe('files outside the folder', () => {
     ['a\0b', /an address with a NUL character/],
     ['', /face\.gltf has an empty address, got ""/],
     ['data:image/png;base64', /without a comma before its data/],
-  ])('nor is anything read that is not a file: %s', async (uri, message) => {
+  ])('are not read if they are no regular files: %s', async (uri, message) => {
     await expect(readGlbFile(await withImage(uri), WHO)).rejects.toThrow(message)
   })
 
   it.each(['near.png', './skin%200.png', 'up/in/skin 0.png', 'folder\\..\\skin 0.png'])(
-    'are not what a way round inside it leads to: %s',
+    'are not read through a path inside the folder: %s',
     async (uri) => {
       await expect(readGlbFile(await withImage(uri), WHO)).resolves.toBeDefined()
     },
@@ -256,7 +256,7 @@ describe('files outside the folder', () => {
     ['pack', (face) => [shop.path('external'), '--face', face, '-o', shop.path('x.glb')]],
     ['strokes', (face) => [shop.json('lines.json', ONE_LINE), '--face', face, '-o', shop.path('x.png')]],
     ['unpack', (face) => [face, '-o', shop.path('x')]],
-  ])('are read by furrow %s only where the user allows it', async (name, args) => {
+  ])('are read by furrow %s only if the user allows it', async (name, args) => {
     const face = await withImage('../secret.png')
     await shop.fails(`${face} refers to a file outside its folder`, name, ...args(face))
     const allowed = await shop.failure(name, ...args(face), '--allow-outside')

@@ -19,7 +19,7 @@ const made = (...targets: string[]) => ({
 })
 
 describe('poses', () => {
-  test('have the targets as the face names them, halves too', () => {
+  test('have the targets as named by the face, including halves', () => {
     const poses = posesOf(
       made('browInnerUp_L', 'browInnerUp_R', 'BrowOuterUp.L', 'brow_outer_up_right', 'jawOpen'),
     )
@@ -38,13 +38,13 @@ describe('poses', () => {
     ])
   })
 
-  test('without what an expression needs it is left out, without what goes with it it is not', () => {
+  test('leave out expressions without their required shapes, and keep those without optional ones', () => {
     expect(posesOf(made('mouthSmileLeft', 'cheekSquintLeft', 'noseSneerLeft', 'noseSneerRight'))).toEqual([
       { name: 'Sneer', targets: { noseSneerLeft: 1, noseSneerRight: 1 } },
     ])
   })
 
-  test('of a body are what creases it most', () => {
+  test('of a body are those that crease it most', () => {
     const area = (compression: number, ...links: [string, number][]) => ({
       name: 'any',
       layer: 0,
@@ -71,7 +71,7 @@ describe('poses', () => {
   })
 })
 
-test('compression has the colours of the scale, evenly apart, and none where there is no skin', () => {
+test('compression has evenly spaced colours of the scale, and none where no skin is', () => {
   const last = COLOUR_SCALE.length - 1
   const compressions = [
     ...COLOUR_SCALE.map((_, i) => (MAX_COMPRESSION * i) / last),
@@ -96,12 +96,12 @@ describe('the rectangle in which pictures differ', () => {
     return pixels
   }
 
-  test('has all differences in it and a margin round them', () => {
+  test('contains all differences with a margin', () => {
     const rect = changedRect([picture(), picture([15, 20]), picture([20, 40])], width, height)
     expect(rect).toEqual({ left: 12, top: 17, width: 12, height: 27 })
   })
 
-  test('ends at the edges, and is all of it where nothing moves', () => {
+  test('ends at the edges, and covers everything if nothing moves', () => {
     const whole = { left: 0, top: 0, width, height }
     expect(changedRect([picture(), picture([0, 0], [39, 59])], width, height)).toEqual(whole)
     expect(changedRect([picture(), picture()], width, height)).toEqual(whole)
@@ -115,7 +115,7 @@ test('markup escapes texts and keeps markup', () => {
   )
 })
 
-test('steps go from 0 to their number, parts of one within it', () => {
+test('steps go from 0 to their number, with parts of a step in between', () => {
   const told: [number, number, string | undefined][] = []
   const steps = new Steps((...all) => void told.push(all as (typeof told)[number]), 3)
   steps.begin('read')

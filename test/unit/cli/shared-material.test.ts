@@ -11,7 +11,7 @@ import { faceBytes, Workshop } from './workshop.ts'
 const shop = new Workshop()
 const read = (name: string) => readFileSync(shop.path(name))
 
-/** Eyes, a head and hands, in this order, with the material of the skin; only the head has the shape that the driver reads. */
+/** Eyes, a head and hands, in this order, with the skin's material. Only the head has the driver's shape. */
 async function sharedFace(): Promise<Uint8Array> {
   return editGlb(await faceBytes(['eyes', 'head', 'hands']), ({ meshes, materials }) => {
     materials[0].name = 'skin'
@@ -38,7 +38,7 @@ describe('a material that a head shares with eyes and hands', () => {
     await shop.run('pack', folder, '-o', shop.path('packed.glb'))
   })
 
-  it('has its wrinkles on the head alone when three.js loads it', async () => {
+  it('wrinkles only the head when three.js loads it', async () => {
     const faces = await readWrinkleMaps(await loadInNode(read('packed.glb')))
     expect(faces.map(({ meshes }) => meshes.map(({ name }) => name))).toEqual([['head']])
   })
@@ -53,7 +53,7 @@ describe('a material that a head shares with eyes and hands', () => {
     expect(printed).toContain('1.000  brow')
   })
 
-  it('is opened in the studio on the head, as is a project of it', async () => {
+  it('opens in the studio on the head, also from a project', async () => {
     const skins = await findSkins(await loadInNode(read('packed.glb')), expect.fail)
     expect(skins.map(({ target }) => target.mesh)).toEqual(['eyes', 'head', 'hands'])
     const skin = indexOfSkin(skins)
@@ -82,7 +82,7 @@ test.each([
   expect(drivenFaces(Object.keys(meshes), measure, morph('a', 'b', 'c', 'aLeft'))).toEqual(expected)
 })
 
-test('of two meshes with the same shapes the larger one comes first', () => {
+test('the larger of two meshes with the same shapes comes first', () => {
   const measure = (vertices: number) => ({ targets: ['a'], vertices })
   expect(drivenFaces([3, 300], measure, morph('a'))).toEqual([300, 3])
 })

@@ -9,7 +9,7 @@ const NAME = 'FURROW_wrinkle_maps'
 const shop = new Workshop()
 const packed = shop.path('packed.glb')
 
-/** Of the layers of `Workshop.makeFolder`. */
+/** Strokes for the layers of `Workshop.makeFolder`. */
 const STROKES = {
   version: 1,
   scale: 100,
@@ -44,14 +44,14 @@ const STROKES = {
 
 const read = (name: string) => JSON.parse(readFileSync(shop.path(name), 'utf8'))
 
-/** A folder with strokes on its layers. */
+/** Makes a folder with strokes on its layers. */
 async function makeFolder(name: string, strokes: unknown = STROKES): Promise<string> {
   const folder = await shop.makeFolder(name)
   shop.json(`${name}/strokes.json`, strokes)
   return folder
 }
 
-/** The packed face with other strokes. */
+/** Returns the packed face with other strokes. */
 function withStrokes(strokes: unknown): string {
   const edited = editGlb(readFileSync(packed), ({ materials }) => {
     materials[0].extensions[NAME].strokes = strokes
@@ -67,7 +67,7 @@ describe('the strokes of a folder', () => {
   it.each([
     ['PNG', []],
     ['KTX 2', ['--ktx2']],
-  ])('come back from the file, with maps as %s', async (kind, args) => {
+  ])('are unpacked from the file, with maps as %s', async (kind, args) => {
     const [file, again] = ['', '-again'].map((end) => shop.path(`${kind}${end}.glb`))
     const folder = `${kind}-unpacked`
     await shop.run('pack', shop.path('face'), '-o', file, '--json', ...args)
@@ -81,7 +81,7 @@ describe('the strokes of a folder', () => {
     expect(JSON.stringify(wrinklesIn(again).strokes)).toBe(JSON.stringify(STROKES))
   })
 
-  it('are a line each, which furrow strokes draws as they are', async () => {
+  it('take one line each, and furrow strokes draws them unchanged', async () => {
     await shop.run('unpack', packed, '-o', shop.path('lines'))
     const text = readFileSync(shop.path('lines/strokes.json'), 'utf8')
     for (const stroke of STROKES.strokes)
@@ -93,7 +93,7 @@ describe('the strokes of a folder', () => {
     expect(channels[0].min).toBeLessThan(channels[0].max)
   })
 
-  it('may have another name, which wrinkles.json says', async () => {
+  it('may have another name, given by wrinkles.json', async () => {
     const folder = await shop.makeFolder('named')
     shop.json('named/strokes.json', { not: 'read' })
     shop.json('named/lines/a b.json', STROKES)
@@ -102,7 +102,7 @@ describe('the strokes of a folder', () => {
     expect(wrinklesIn(shop.path('named.glb')).strokes).toEqual(STROKES)
   })
 
-  it('need not name their layer where there is one', async () => {
+  it('need not name their layer if there is only one', async () => {
     shop.write('single/face.glb', readFileSync(shop.path('face/face.glb')))
     shop.write('single/layers/only/normal.png', await noise(1))
     shop.write('single/areas/brow.png', readFileSync(shop.path('face/areas/brow.png')))
@@ -112,7 +112,7 @@ describe('the strokes of a folder', () => {
     expect(wrinklesIn(shop.path('single.glb')).strokes).toEqual(strokes)
   })
 
-  it('replace those of the face, and are gone with its old wrinkles', async () => {
+  it("replace those of the face, and are removed with the face's old wrinkles", async () => {
     const strokes = { ...STROKES, strokes: STROKES.strokes.slice(1), areas: undefined }
     await shop.run('pack', await makeFolder('fewer', strokes), '--face', packed, '-o', shop.path('fewer.glb'))
     expect(wrinklesIn(shop.path('fewer.glb')).strokes.strokes).toHaveLength(1)
@@ -169,7 +169,7 @@ describe('the strokes of a file', () => {
       { version: 1, strokes: [{ ...STROKES.strokes[0], layer: 'x' }] },
       'strokes[0] is on an unknown layer, got "x"',
     ],
-  ])('cost nothing else where they are %s', async (kind, strokes, problem) => {
+  ])('are skipped alone if they are %s', async (kind, strokes, problem) => {
     const file = withStrokes(strokes)
     await shop.run('validate', file)
     const [warning, ...rest] = shop.printed.trimEnd().split('\n')

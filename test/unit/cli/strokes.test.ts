@@ -26,7 +26,7 @@ const DOCUMENT = {
   ],
 }
 
-/** Writes a sheet of 100 x 100 mm per name as a glTF file; the last one gets a tilted normal map. */
+/** Writes a glTF file with a sheet of 100 x 100 mm per name. The last one gets a tilted normal map. */
 async function writeFace(target: string, names: string[], normalMap?: Uint8Array): Promise<void> {
   const document = new Document()
   const accessor = accessorsOf(document)
@@ -53,7 +53,7 @@ beforeAll(async () => {
 })
 
 describe('furrow strokes', () => {
-  it('writes the height map in 16 bits and says its scale', async () => {
+  it('writes the height map in 16 bits and prints its scale', async () => {
     await run(strokes, '--face', face, '-o', file('height.png'), '--size', '201')
     expect(at.printed).toContain('height.png: 201 x 201, 16-bit, 32768 = 0 mm, 1 step = 0.001 mm, -0.50..')
     const image = sharp(file('height.png'))
@@ -67,7 +67,7 @@ describe('furrow strokes', () => {
     expect(steps[0]).toBe(32768)
   })
 
-  it('lays the wrinkles over the normal map of the mesh and leaves it alone elsewhere', async () => {
+  it("lays the wrinkles over the mesh's normal map, which stays the same elsewhere", async () => {
     const tilted = { width: 32, height: 32, channels: 3 as const, background: { r: 150, g: 120, b: 250 } }
     await writeFace(file('pores.glb'), ['eye', 'skin'], await sharp({ create: tilted }).png().toBuffer())
     await run(strokes, '--face', file('pores.glb'), '--normal', file('deep/folder/normal.png'))
@@ -80,7 +80,7 @@ describe('furrow strokes', () => {
     expect([...data.subarray(line, line + 3)]).not.toEqual([150, 120, 250])
   })
 
-  it('writes the areas in the convention of the paper', async () => {
+  it("writes the areas in the paper's convention", async () => {
     await run(strokes, '--face', face, '--areas', file('areas'))
     expect(readdirSync(file('areas'))).toEqual(['brow.png'])
     const image = sharp(file('areas/brow.png'))
@@ -97,7 +97,7 @@ describe('furrow strokes', () => {
       return run(at.shop.json('lines.json', document), '--face', face, '--into', set, '--size', '64', ...args)
     }
     const setDocument = () => JSON.parse(readFileSync(inSet('wrinkles.json'), 'utf8'))
-    /** Of a map of 32 x 32 texels: on the line, which runs along v = 0.5, where a second one will be, and off both. */
+    /** Texels of a map of 32 x 32: on the line at v = 0.5, at the second line, and off both. */
     const [LINE, SECOND, OFF] = [16 * 32 + 16, 8 * 32 + 16, 28 * 32 + 16]
     const moved = (v: number) => ({
       ...DOCUMENT,
@@ -114,7 +114,7 @@ describe('furrow strokes', () => {
       expect(readdirSync(set).sort()).toEqual(['areas', 'layers', 'strokes.json', 'wrinkles.json'])
       const { layers, areas } = setDocument()
       expect(layers).toMatchObject([{ name: 'expression', kind: 'detail', bloodAmplitude: 0.35 }])
-      // The valley of 0.5 mm, which texels of 1.6 mm make shallower, is the largest height; white is as far above the skin.
+      // The valley of 0.5 mm, made shallower by texels of 1.6 mm, is the largest height. White is equally far above the skin.
       expect(layers[0].heightAmplitude).toBeGreaterThan(0.0006)
       expect(layers[0].heightAmplitude).toBeLessThan(0.001)
       expect(areas).toEqual([{ name: 'brow', image: 'areas/brow.png' }])
@@ -195,7 +195,7 @@ describe('furrow strokes', () => {
       await expect(draw(typed)).rejects.toThrow('the folder has no such layer, got "dwon"')
     })
 
-    it('says what is wrong and writes nothing', async () => {
+    it('fails and writes nothing', async () => {
       const odd = draw(DOCUMENT, '--size', '65')
       await expect(odd).rejects.toThrow(
         'the size is odd, but heights, occlusion and blood need half of it, got 65, allowed: even sizes; choose --size 66',
@@ -230,7 +230,7 @@ describe('furrow strokes', () => {
       'strokes.json (it is text), allowed: PNG, JPEG, WebP or AVIF; name an image',
       () => [strokes, '--face', face, '--base', strokes, '--normal', file('x.png')],
     ],
-  ])('says what is wrong with %s and writes nothing', async (_, message, args) => {
+  ])('fails for %s and writes nothing', async (_, message, args) => {
     await writeFace(file('two.glb'), ['left', 'right'])
     await at.fails(message, ...args())
   })

@@ -16,7 +16,7 @@ import { HUMAN } from './auto-variants.ts'
 // biome-ignore lint/suspicious/noExplicitAny: tests edit the JSON in ways that no type allows
 type Json = any
 
-/** The face as three.js loads it, edited, without materials. */
+/** Loads the edited face with three.js, without materials. */
 async function loadBare(edit: (json: Json) => void, loader = new GLTFLoader()): Promise<GLTF> {
   const bytes = editGlb(readFileSync(HUMAN), (json) => {
     for (const key of ['materials', 'textures', 'images', 'extensionsUsed', 'extensions']) delete json[key]
@@ -33,14 +33,14 @@ describe('names of blendshapes', () => {
     expect(namesOfTargets(['a', '', 7], 3)).toEqual(['a', '', '7'])
   })
 
-  it('are indices where there are none, too few, or too many', () => {
+  it('are indices if names are missing, too few, or too many', () => {
     expect(namesOfTargets(undefined, 2)).toEqual(['0', '1'])
     expect(namesOfTargets('ab', 2)).toEqual(['0', '1'])
     expect(namesOfTargets(['a'], 2)).toEqual(['0', '1'])
     expect(namesOfTargets(['a', 'b', 'c'], 2)).toEqual(['0', '1'])
   })
 
-  it('are indices where a name is no text', () => {
+  it('are indices if a name is no text', () => {
     expect(namesOfTargets(['a', {}, null, { toString: 1, valueOf: null }, []], 5)).toEqual([
       'a',
       '1',
@@ -75,7 +75,7 @@ describe('names that exporters write elsewhere', () => {
     expect(mesh.primitives[0]!.targets).toEqual(targets)
   })
 
-  it('do not replace those of the mesh, and are ignored where some are missing', () => {
+  it('do not replace those of the mesh, and are ignored if some are missing', () => {
     const extras = { targetNames: ['a', 'b'] }
     expect(
       targetNamesOf(read({ extras, primitives: [{ targets, extras: { targetNames: names } }] })),
@@ -89,13 +89,13 @@ describe('names that exporters write elsewhere', () => {
     ['too long', ['x'.repeat(257), 'jawOpen'], ['0', 'jawOpen']],
     ['empty beside an index', ['', '0'], ['blendshape 0', '0']],
     ['those of a later one too', ['jawOpen', 'jawOpen'], ['0', 'jawOpen']],
-  ])('become indices where they are %s', (_, given, expected) => {
+  ])('become indices if they are %s', (_, given, expected) => {
     expect(targetNamesOf(read({ extras: { targetNames: given }, primitives: [{ targets }] }))).toEqual(
       expected,
     )
   })
 
-  it('are found by the loader of the studio, and for wrinkles that are made in the page', async () => {
+  it('are found by the loader of the studio, and for wrinkles made on the page', async () => {
     const toPrimitives = (json: Json) => {
       for (const mesh of json.meshes) {
         for (const primitive of mesh.primitives) primitive.extras = mesh.extras

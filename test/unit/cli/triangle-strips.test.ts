@@ -6,7 +6,7 @@ import { sheet, sheetGlb } from './sheet.ts'
 
 const [STRIP, FAN] = [5, 6]
 
-/** The triangles of a sheet whose indices are those of a strip or fan, each from its lowest vertex on. */
+/** Returns the triangles of a sheet indexed as a strip or fan, each starting at its lowest vertex. */
 async function trianglesOf(squares: number, mode: number, indices: readonly number[]): Promise<string[]> {
   const file = await sheetGlb({ ...sheet(squares), indices: Uint32Array.from(indices) })
   const edited = editGlb(file, ({ meshes }) => {
@@ -29,17 +29,17 @@ function turned(indices: ArrayLike<number>): string[] {
   return triangles.sort()
 }
 
-describe('a skin of', () => {
+describe('a skin made of', () => {
   test('a strip has the triangles of the list, facing the same way, without those that join rows', async () => {
     const squares = 3
-    // Each row from left to right; the last vertex and the first of the next one are repeated.
+    // Each row from left to right. The last vertex and the first of the next row are repeated.
     const strip: number[] = []
     for (let row = 0; row < squares; row++) {
       const first = row * (squares + 1)
       if (row > 0) strip.push(strip.at(-1)!, first)
       for (let i = first; i <= first + squares; i++) strip.push(i, i + squares + 1)
     }
-    // Strips cut squares along the other diagonal.
+    // Strips split squares along the other diagonal.
     const list = Array.from({ length: squares ** 2 }, (_, i) => i + Math.floor(i / squares)).flatMap((a) => {
       const c = a + squares + 1
       return [a, c, a + 1, a + 1, c, c + 1]
@@ -51,7 +51,7 @@ describe('a skin of', () => {
     expect(await trianglesOf(1, FAN, [0, 2, 3, 1])).toEqual(turned([0, 2, 3, 0, 3, 1]))
   })
 
-  test('strips by the million is refused', async () => {
+  test('millions of strips is refused', async () => {
     const many = Array.from({ length: 4_000_001 }, (_, i) => i % 4)
     await expect(trianglesOf(1, STRIP, many)).rejects.toThrow(/strips and fans have more than 4,000,000/)
   })

@@ -7,7 +7,7 @@ import { expect, it } from 'vitest'
 
 const BIN = fileURLToPath(new URL('../../../packages/cli/bin', import.meta.url))
 
-it('before a build the command says what to run, in one line', () => {
+it('before a build the command prints in one line what to run', () => {
   const clone = mkdtempSync(join(tmpdir(), 'furrow-unbuilt-'))
   try {
     cpSync(BIN, join(clone, 'bin'), { recursive: true })

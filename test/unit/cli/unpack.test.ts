@@ -5,7 +5,7 @@ import { Workshop } from './workshop.ts'
 
 const shop = new Workshop()
 
-describe('furrow unpack with bad input', () => {
+describe('furrow unpack with invalid input', () => {
   beforeAll(async () => {
     await shop.run('pack', await shop.makeFolder('face'), '-o', shop.path('a.glb'))
   })
@@ -17,7 +17,7 @@ describe('furrow unpack with bad input', () => {
     await shop.fails(message, 'unpack', shop.path(from), '-o', shop.path(to))
   })
 
-  it('names what is wrong with the wrinkles of a file', async () => {
+  it("names the problem of a file's wrinkles", async () => {
     const wrong = editGlb(readFileSync(shop.path('a.glb')), ({ materials }) => {
       materials[0].extensions.FURROW_wrinkle_maps.areas[0].texture.index = 99
     })

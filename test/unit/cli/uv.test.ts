@@ -10,12 +10,12 @@ const shop = new Workshop()
 const avatar = async () => shop.write('avatar.glb', await stillTeeth())
 
 describe('furrow uv', () => {
-  it('draws the layout of the mesh that auto would choose, transparent where there is none', async () => {
+  it('draws the layout of the mesh that auto would choose, transparent outside the islands', async () => {
     await shop.run('uv', await avatar(), '-o', shop.path('uv.png'), '--size', '64')
     expect(shop.printed).toContain('uv.png: 64 x 64, mesh "head", material "head" (100% of what brows')
     const { data, info } = await sharp(shop.path('uv.png')).raw().toBuffer({ resolveWithObject: true })
     expect(info).toMatchObject({ width: 64, height: 64, channels: 4 })
-    // Its triangle has the corners (0, 1), (1, 1) and (0, 0).
+    // The triangle's corners are (0, 1), (1, 1) and (0, 0).
     const alpha = (x: number, y: number) => data[4 * (64 * y + x) + 3]
     expect(alpha(16, 48)).toBe(255)
     expect(alpha(48, 16)).toBe(0)
@@ -34,7 +34,7 @@ describe('furrow uv', () => {
     await shop.fails('too many overlapping triangles', 'inspect', path, '--sheet', shop.path('x.png'))
   })
 
-  it('takes another mesh by name, and refuses one that is not there', async () => {
+  it('uses another mesh by name, and refuses a missing one', async () => {
     const path = await avatar()
     await shop.run('uv', path, '-o', shop.path('teeth.png'), '--mesh', 'teeth', '--json')
     expect(JSON.parse(shop.printed)).toMatchObject({ mesh: 'teeth', size: 2048 })
@@ -43,7 +43,7 @@ describe('furrow uv', () => {
 })
 
 describe('furrow inspect of a face without wrinkles', () => {
-  it('lists its meshes and says what to do', async () => {
+  it('lists its meshes and suggests what to do', async () => {
     await shop.run('inspect', await avatar())
     expect(shop.printed).toContain('avatar.glb: no wrinkles')
     expect(shop.printed).toMatch(/^head +head +3 +1 +1: browInnerUp$/m)
@@ -54,13 +54,13 @@ describe('furrow inspect of a face without wrinkles', () => {
     expect(report).toMatchObject({ wrinkles: false, auto: true, skin: { mesh: 'head' } })
   })
 
-  it('names a file so that the command can be pasted', async () => {
+  it('quotes a file name so that the command can be pasted', async () => {
     const path = shop.write('my fäce.glb', readFileSync(await avatar()))
     await shop.run('inspect', path)
     expect(shop.printed).toContain(`furrow auto "${path}" -o wrinkled.glb`)
   })
 
-  it('says why auto cannot make any', async () => {
+  it('explains why auto cannot make any', async () => {
     const without = async (name: string, part: 'targets' | 'attributes') => {
       const edited = editGlb(await faceBytes(), ({ meshes }) => {
         for (const { primitives } of meshes) {

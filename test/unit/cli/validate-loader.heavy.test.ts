@@ -11,7 +11,7 @@ import { mutate } from '../gltf/mutations.ts'
 import { loadInNode } from '../three/node-loader.ts'
 import { Workshop } from './workshop.ts'
 
-// Node has no WebGL to read pixels with; its stand-in for a bitmap has them.
+// Node has no WebGL to read pixels with. The bitmap stand-in has pixels.
 vi.mock(import('../../../packages/furrow/src/runtime/file/read-image.ts'), async (original) => ({
   ...(await original()),
   readImage: (bitmap) => bitmap as unknown as RgbaImage,
@@ -64,10 +64,10 @@ const JUNK = [
   { index: 2, slice: 0 },
 ]
 
-/** The textures of the wrinkles, which follow those of the plain face. */
+/** Textures of the wrinkles, which follow those of the plain face. */
 const own = (textures: Json[]) => textures.slice(4)
 
-/** Changes in the JSON around the extension that decide whether its maps can be read. */
+/** Changes in the JSON around the extension that affect whether its maps can be read. */
 const AROUND: ((json: Json, random: Random) => unknown)[] = [
   (json) => delete json.extensionsUsed,
   (json, random) => Object.assign(random.pick<Json>(own(json.textures)), { source: random.int(12) }),
@@ -81,7 +81,7 @@ const AROUND: ((json: Json, random: Random) => unknown)[] = [
   (json) => Object.assign(json.materials[0].normalTexture, { index: json.textures.length - 1 }),
 ] // biome-ignore format: one line each
 
-/** One file, damaged in its extension, around it, or in the bytes of one of its images. */
+/** Makes a file damaged in its extension, around it, or in the bytes of one of its images. */
 function damaged(seed: number): Uint8Array {
   const random = new Random(seed)
   const base = random.pick(bases)
@@ -98,7 +98,7 @@ function damaged(seed: number): Uint8Array {
 }
 
 function damageImage(bytes: Buffer, json: Json, random: Random): void {
-  // Those of the wrinkles come last.
+  // The wrinkles' images come last.
   const views = json.images.slice(-3).map(({ bufferView }: Json) => json.bufferViews[bufferView])
   const { byteOffset = 0, byteLength } = random.pick<Json>(views)
   const start = bytes.length - json.buffers[0].byteLength + byteOffset
@@ -110,8 +110,8 @@ function damageImage(bytes: Buffer, json: Json, random: Random): void {
   else image.copyWithin(0, random.int(byteLength))
 }
 
-/** Why validate refuses a file; undefined where it takes it. */
-async function faultOfValidate(bytes: Uint8Array): Promise<string | undefined> {
+/** Returns why validate refuses a file; undefined if validate accepts it. */
+async function validateError(bytes: Uint8Array): Promise<string | undefined> {
   try {
     const findings = await checkWrinkles(decodeGlb(Buffer.from(bytes), 'x.glb', 'test'))
     return findings.find(({ severity }) => severity === 'error')?.message
@@ -121,8 +121,8 @@ async function faultOfValidate(bytes: Uint8Array): Promise<string | undefined> {
   }
 }
 
-/** Why the loader leaves a face plain; undefined where it wrinkles. */
-async function faultOfLoader(gltf: GLTF): Promise<string | undefined> {
+/** Returns why the loader leaves a face plain; undefined if it wrinkles. */
+async function loaderError(gltf: GLTF): Promise<string | undefined> {
   try {
     for (const { meshes, set } of await readWrinkleMaps(gltf)) {
       new Wrinkles(meshes[0], set).dispose()
@@ -140,16 +140,16 @@ it(`validate refuses exactly what the loader leaves plain, in ${FILES} damaged f
   for (let seed = 0; seed < FILES; seed++) {
     const bytes = damaged(seed)
     const gltf = await loadInNode(bytes).catch(() => undefined)
-    // Damage of the plain face, which three.js itself refuses, is for the Khronos validator.
+    // Damage of the plain face, which three.js itself refuses, is checked by the Khronos validator.
     if (!gltf) continue
-    const [validate, loader] = [await faultOfValidate(bytes), await faultOfLoader(gltf)]
+    const [validate, loader] = [await validateError(bytes), await loaderError(gltf)]
     if (validate !== undefined) refused++
     if ((validate === undefined) !== (loader === undefined)) {
       differing.push(`${seed}: validate: ${validate ?? 'yes'}; loader: ${loader ?? 'yes'}`)
     }
   }
   expect(differing).toEqual([])
-  // Both outcomes must occur, or the damage proves nothing.
+  // Both outcomes must be frequent, otherwise the damage proves nothing.
   expect(refused).toBeGreaterThan(FILES / 4)
   expect(refused).toBeLessThan((FILES * 3) / 4)
 })

@@ -15,7 +15,7 @@ beforeAll(async () => {
   await shop.run('pack', await shop.makeFolder('face'), '-o', face)
 })
 
-/** The codes that are found in a file. */
+/** Returns the codes of findings in a file. */
 async function codesOf(path: string): Promise<string[]> {
   const { findings } = JSON.parse(await shop.output('validate', path, '--json'))
   return findings.map(({ code }: { code: string }) => code)
@@ -27,13 +27,13 @@ function spoilt(spoil: (json: Json, maps: Json) => void): string {
 }
 
 describe('furrow validate', () => {
-  it('finds nothing wrong with a packed face, not even a warning', async () => {
+  it('accepts a packed face without a warning', async () => {
     await shop.run('validate', face)
     expect(shop.printed).toBe(`${face}: 0 errors, 0 warnings\n`)
     expect(process.exitCode).toBeUndefined()
   })
 
-  it('asks the Khronos validator', async () => {
+  it('runs the Khronos validator', async () => {
     const path = spoilt((json) => Object.assign(json.accessors[0], { count: 4000 }))
     await shop.run('validate', path, '--all')
     expect(shop.printed).toMatch(/^error: \/accessors\/0.*\(ACCESSOR_TOO_LONG\)$/m)
@@ -99,14 +99,14 @@ describe('furrow validate', () => {
     expect(process.exitCode).toBeUndefined()
   })
 
-  it('counts no blendshape as missing that a muscle is', async () => {
+  it('does not report a muscle as a missing blendshape', async () => {
     const muscle = { type: 'muscle', name: 'x', origin: [0, 0, 0], insertion: [0, 1, 0] }
     expect(await codesOf(spoilt((_, maps) => (maps.drivers = [muscle, unknown])))).not.toContain(
       'DRIVER_NAME',
     )
   })
 
-  it('sees in the images what the JSON does not tell', async () => {
+  it('finds image problems that the JSON does not show', async () => {
     const folder = await shop.makeFolder('odd')
     const jpeg = await sharp(await noise(1))
       .jpeg()
@@ -124,7 +124,7 @@ describe('furrow validate', () => {
       'AREA_UNDER_ALPHA',
       'AREA_INVISIBLE',
     ])
-    // The second layer takes an image of another size: the first area's.
+    // The second layer uses an image of another size: the first area's.
     const sizes = spoilt((_, { layers, areas }) => {
       layers[1].normalTexture.index = areas[0].texture.index
     })
@@ -141,7 +141,7 @@ describe('furrow validate', () => {
     expect(process.exitCode).toBe(1)
   })
 
-  it('says so where the Khronos validator gives up', async () => {
+  it('reports that the Khronos validator gave up', async () => {
     const path = spoilt((json) => {
       const indices = { bufferView: 0, byteOffset: 1, componentType: 5125 }
       json.accessors[0].sparse = { count: 1, indices, values: { bufferView: 0 } }

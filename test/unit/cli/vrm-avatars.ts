@@ -2,15 +2,15 @@ import { type Anything, type GlbParts, joinGlb, setImage, splitGlb } from '../..
 import { noise } from '../../noise.ts'
 import { sheet, sheetGlb } from './sheet.ts'
 
-/** The bones that stand for all: nodes 1 to 4 of the file, behind the skin's, and two of the hair. */
+/** Bones: nodes 1 to 4 of the file, after the skin's, and two of the hair. */
 const BONES = ['hips', 'spine', 'neck', 'head', 'hair', 'hair tip'] as const
 const bone = (name: (typeof BONES)[number]) => 1 + BONES.indexOf(name)
 
-/** What only VRM's extensions refer to, and in `base` what the material does too. */
+/** Images that only VRM's extensions use; the material also uses `base`. */
 const PICTURES = ['base', 'shade', 'matcap', 'outline width', 'thumbnail'] as const
 const picture = (name: (typeof PICTURES)[number]) => PICTURES.indexOf(name)
 
-/** An avatar as VRM 0 describes it: everything by index in one extension, colliders within their groups. */
+/** Returns a VRM 0 avatar: one extension with indices for everything, and colliders in groups. */
 export function vrm0Avatar(): Promise<Uint8Array> {
   return avatar((json) => {
     json.materials[0].extensions = { KHR_materials_unlit: {} }
@@ -64,7 +64,7 @@ export function vrm0Avatar(): Promise<Uint8Array> {
   })
 }
 
-/** The same avatar in VRM 1, whose extensions are also those of nodes and materials, and whose thumbnail is an image without a texture. */
+/** Returns the same avatar as VRM 1, with extensions of nodes and materials, and a thumbnail image without a texture. */
 export function vrm1Avatar(): Promise<Uint8Array> {
   return avatar((json) => {
     json.textures.splice(picture('thumbnail'), 1)
@@ -128,7 +128,7 @@ export function vrm1Avatar(): Promise<Uint8Array> {
   })
 }
 
-/** A sheet of skin with a blendshape, a chain of bones beside it, and a texture for each of the pictures. */
+/** Makes a sheet of skin with a blendshape, a chain of bones, and a texture per image. */
 async function avatar(edit: (json: Anything) => void): Promise<Uint8Array> {
   const parts = splitGlb(Buffer.from(await sheetGlb(sheet())))
   const { json } = parts

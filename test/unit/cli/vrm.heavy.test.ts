@@ -21,20 +21,20 @@ describe.each([
     return out
   }
 
-  it.each(['vrm', 'glb', 'gltf'])('adds wrinkles and keeps all that it holds, in a .%s', async (format) => {
+  it.each(['vrm', 'glb', 'gltf'])('adds wrinkles and keeps everything else, in a .%s', async (format) => {
     const path = await write('avatar.vrm')
     const out = await make(path, at(`wrinkled.${format}`))
     expectKept(await contentsOf(path), await contentsOf(out))
     await expectWrinkles(out)
   })
 
-  it('is the same bytes where wrinkles are made again', async () => {
+  it('gives the same bytes when wrinkles are made again', async () => {
     const first = await make(await write('plain.vrm'), at('once.vrm'))
     const second = await make(first, at('twice.vrm'), '--replace')
     expect(readFileSync(second)).toEqual(readFileSync(first))
   })
 
-  it('keeps it where wrinkles are replaced, with a picture that was added behind them', async () => {
+  it('keeps everything when wrinkles are replaced, with an image that was added after them', async () => {
     const plain = await write('bare.vrm')
     const parts = splitGlb(readFileSync(await make(plain, at('first.vrm'))))
     const { json } = parts
@@ -50,7 +50,7 @@ describe.each([
   })
 })
 
-/** The JSON of a file without its wrinkles, with bytes in the place of the views that have them, which may be moved. */
+/** Returns the JSON of a file without its wrinkles, with bytes in place of the views, which may move. */
 async function contentsOf(path: string): Promise<Anything> {
   const { json, bin } = await readGlbFile(path, 'test')
   const { buffers: _, bufferViews = [], extensionsUsed, ...rest } = json
@@ -63,7 +63,7 @@ async function contentsOf(path: string): Promise<Anything> {
   return { ...JSON.parse(text), extensionsUsed: extensionsUsed?.filter((name) => name !== NAME) }
 }
 
-/** Expects everything to be there still, each thing under its index, and textures of wrinkles behind at most. */
+/** Expects everything at the same index, with at most textures of wrinkles added at the end. */
 function expectKept(before: Anything, after: Anything): void {
   const kept = LISTS.map((list) => [list, after[list].slice(0, before[list].length)])
   expect({ ...after, ...Object.fromEntries(kept) }).toEqual(before)

@@ -33,7 +33,7 @@ const SHAPES: Readonly<Record<string, Readonly<Record<string, number>>>> = {
   Fcl_MTH_O: { mouthFunnel: 0.9 },
 }
 
-/** An avatar that has emotions, vowels and blinks alone. */
+/** Shapes of an avatar that only has emotions, vowels and blinks. */
 export const EMOTIONS: typeof SHAPES = {
   Fcl_ALL_Neutral: {},
   Fcl_ALL_Angry: { browDownLeft: 1, browDownRight: 1, mouthFrownLeft: 0.6, mouthFrownRight: 0.6 },
@@ -52,12 +52,12 @@ export const EMOTIONS: typeof SHAPES = {
   Fcl_MTH_O: { mouthFunnel: 0.9 },
 }
 
-/** An avatar whose brows float before its skin: shapes of the brows move nothing else. */
+/** Shapes of an avatar whose brows float in front of its skin: brow shapes move nothing else. */
 export const FLOATING_BROWS: typeof SHAPES = Object.fromEntries(
   Object.entries(SHAPES).map(([name, sum]) => [name, name.startsWith('Fcl_BRW_') ? {} : sum]),
 )
 
-/** Meshes of the shipped face that become primitives of `Face`, with the materials that VRoid Studio gives them. */
+/** Meshes of the shipped face that become primitives of `Face`, with VRoid Studio's materials. */
 const PARTS = [
   ['mouth', 'N00_000_00_FaceMouth_00_FACE (Instance)'],
   ['eye-left', 'N00_000_00_EyeIris_00_EYE (Instance)'],
@@ -66,14 +66,14 @@ const PARTS = [
   ['lashes', 'N00_000_00_FaceEyelash_00_FACE (Instance)'],
 ] as const
 
-/** The material of the skin in `toVRoid`'s file. */
+/** Material of the skin in `toVRoid`'s file. */
 export const VROID_SKIN = PARTS[2][1]
 
 /**
- * Turns the shipped face into one in the manner of VRoid Studio's VRM 0 exports: one mesh of several primitives that share all
- * their vertices, each with its own material, VRoid's shapes alone, and turned to look along -Z.
+ * Converts the shipped face to one like VRoid Studio's VRM 0 exports. One mesh has several primitives that share all vertices, each with
+ * its own material. The face has only VRoid's shapes, and looks along -Z.
  *
- * @param shapes sums of ARKit's, by name.
+ * @param shapes sums of ARKit's shapes, by name.
  */
 export function toVRoid(document: Document, shapes = SHAPES): void {
   const parts = PARTS.map(([name, material]) => ({ mesh: meshOf(document, name), material }))
@@ -121,7 +121,7 @@ export function toVRoid(document: Document, shapes = SHAPES): void {
   document.getRoot().listScenes()[0]!.addChild(document.createNode('Face').setMesh(face))
 }
 
-/** Turned by half round the upright axis where asked. */
+/** Copies an accessor, optionally turned by 180 degrees about the vertical axis. */
 function copy(
   source: Accessor,
   out: Float32Array,

@@ -9,7 +9,7 @@ import { type CommandName, runCommand } from '../../commands.ts'
 import { editGlb, jsonOf } from '../../glb.ts'
 import { noise } from '../../noise.ts'
 
-/** A temporary folder with a face and the images of a wrinkle set, and what commands print. */
+/** Temporary folder with a face and the images of a wrinkle set, and the output of commands. */
 export class Workshop {
   readonly root = mkdtempSync(join(tmpdir(), 'furrow-cli-'))
   printed = ''
@@ -48,7 +48,7 @@ export class Workshop {
     return this.write(name, JSON.stringify(value))
   }
 
-  /** Every file below a folder, with its bytes. */
+  /** Returns every file below a folder with its bytes. */
   files(folder = '.'): Record<string, string> {
     const names = readdirSync(this.path(folder), { recursive: true, withFileTypes: true })
     const paths = names.filter((item) => item.isFile()).map((item) => join(item.parentPath, item.name))
@@ -62,14 +62,14 @@ export class Workshop {
     await runCommand(name, ...args)
   }
 
-  /** Runs a command; returns what it prints alone. */
+  /** Runs a command and returns its output. */
   async output(name: CommandName, ...args: string[]): Promise<string> {
     this.printed = ''
     await this.run(name, ...args)
     return this.printed
   }
 
-  /** The error of a run that must fail. */
+  /** Returns the error of a run that must fail. */
   async failure(name: CommandName, ...args: string[]): Promise<Error> {
     return this.run(name, ...args).then(
       () => new Error('it did not fail'),
@@ -77,7 +77,7 @@ export class Workshop {
     )
   }
 
-  /** Expects one clear line that has `message` in it, or matches it, and no file more or less than before. */
+  /** Expects one clear line that contains or matches `message`, and no files added or removed. */
   async fails(message: string | RegExp, name: CommandName, ...args: string[]): Promise<void> {
     const list = () => readdirSync(this.root, { recursive: true }).sort()
     const before = list()
@@ -88,7 +88,7 @@ export class Workshop {
     expect(list()).toEqual(before)
   }
 
-  /** A folder as a person makes it: a face, two layers, five areas; their order in the alphabet is their order. */
+  /** Makes a folder like a user's: a face, two layers and five areas, named in alphabetical order. */
   async makeFolder(name: string): Promise<string> {
     this.write(`${name}/face.glb`, await faceBytes())
     this.write(`${name}/layers/age/normal.png`, await noise(1))
@@ -99,7 +99,7 @@ export class Workshop {
   }
 }
 
-/** A workshop for the tests of one command. */
+/** Creates a workshop for the tests of one command. */
 export function bench(command: CommandName) {
   const shop = new Workshop()
   return {
@@ -120,7 +120,7 @@ export function bench(command: CommandName) {
 
 export const AREAS = ['brow', 'cheek', 'chin', 'eye', 'nose']
 
-/** An area in the paper's convention: black in a column of its own, white elsewhere. */
+/** Makes an area in the paper's convention: black in its own column, white elsewhere. */
 export function painted(column: number, size = 128): Promise<Uint8Array> {
   const data = Uint8Array.from({ length: size * size }, (_, i) => {
     return Math.floor((8 * (i % size)) / size) === column ? (i >> 7) % 120 : 255
@@ -128,7 +128,7 @@ export function painted(column: number, size = 128): Promise<Uint8Array> {
   return grayPng(data, size)
 }
 
-/** A gray PNG file of squares, of 8 or 16 bits. */
+/** Makes a square gray PNG file of 8 or 16 bits. */
 export function grayPng(data: Uint8Array | Uint16Array, size: number): Promise<Uint8Array> {
   return sharp(data, { raw: { width: size, height: size, channels: 1 } })
     .toColourspace(data instanceof Uint16Array ? 'grey16' : 'b-w')
@@ -136,17 +136,17 @@ export function grayPng(data: Uint8Array | Uint16Array, size: number): Promise<U
     .toBuffer()
 }
 
-/** The texels of a gray image. */
+/** Returns the texels of a gray image. */
 export async function grayOf(path: string): Promise<number[]> {
   return [...(await sharp(path).toColourspace('b-w').raw().toBuffer())]
 }
 
-/** The extension of a material of a file. */
+/** Returns the extension of a material in a file. */
 export function wrinklesIn(path: string, material = 0) {
   return jsonOf(readFileSync(path)).materials[material].extensions.FURROW_wrinkle_maps
 }
 
-/** A quad named `skin` with a normal map and the blendshape `browInnerUp`, and a second mesh beside it. */
+/** Makes a quad named `skin` with a normal map and the blendshape `browInnerUp`, and a second mesh. */
 export async function faceBytes(names = ['skin', 'eyes']): Promise<Uint8Array> {
   const document = new Document()
   const accessor = accessorsOf(document)
@@ -181,7 +181,7 @@ export async function faceBytes(names = ['skin', 'eyes']): Promise<Uint8Array> {
   return new NodeIO().writeBinary(document)
 }
 
-/** A face of two meshes, of which only the second moves: the head. */
+/** Makes a face of two meshes, of which only the second, the head, moves. */
 export async function stillTeeth(): Promise<Uint8Array> {
   return editGlb(await faceBytes(['teeth', 'head']), ({ meshes }) => delete meshes[0].primitives[0].targets)
 }

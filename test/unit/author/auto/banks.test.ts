@@ -3,7 +3,7 @@ import { bankReaches } from '../../../../packages/furrow/src/author/auto/lines/b
 import type { SkinLine } from '../../../../packages/furrow/src/author/strokes/curve.ts'
 import { bankAt, bankSlope } from '../../../../packages/furrow/src/author/strokes/profile.ts'
 
-/** A line of 40 mm along x, on skin that faces z. */
+/** Line of 40 mm along x, on skin that faces z. */
 function lineAt(y: number): SkinLine {
   const points = Float64Array.from({ length: 3 * 41 }, (_, i) => [Math.floor(i / 3), y, 0][i % 3])
   const normals = Float64Array.from({ length: 3 * 41 }, (_, i) => [0, 0, 1][i % 3])
@@ -15,13 +15,13 @@ const lines = [lineAt(0), lineAt(3), lineAt(6)]
 
 test('banks reach to the next line', () => {
   const [lowest, middle, highest] = bankReaches(lines, [1, 1, 1], SPACING)
-  // Left of a line that runs along x is y.
+  // Left of a line along +x is +y.
   expect(lowest[0]).toBeCloseTo(3)
   expect(middle).toEqual([3, 3])
   expect(highest[1]).toBeCloseTo(3)
 })
 
-test('a line less than half as deep lies on the bulge of two others, and ends where they are', () => {
+test('a line less than half as deep lies on the bulge between two others, and ends with them', () => {
   const [lowest, middle, highest] = bankReaches(lines, [1, 0.35, 0.8], SPACING)
   expect(lowest[0]).toBeCloseTo(6)
   expect(middle).toEqual([3, 3])
@@ -44,7 +44,7 @@ test('the cost of a line does not grow with the number of lines', () => {
   expect(comparedPerLine(160) / comparedPerLine(40)).toBeLessThan(1.2)
 })
 
-test('the slope of a bank is that of its profile', () => {
+test('the slope of a bank matches its profile', () => {
   const [depth, halfWidth, reach] = [0.8, 0.9, 3.1]
   const height = (distance: number) => depth * bankAt(distance / halfWidth, reach / halfWidth, 1)
   const step = 1e-4

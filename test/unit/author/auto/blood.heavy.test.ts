@@ -20,7 +20,7 @@ describe.each(FACES)('blood of %s', async (_, path) => {
   const { blood, areas, layers } = wrinkles
   const flushOf = (name: string) => blood.areas.find((area) => area.name === name)!
 
-  /** Blood that a flush adds where its area is strongest, -127..127. */
+  /** Returns the blood that a flush adds at its strongest point, -127..127. */
   const middleOf = (name: string) => {
     const { layer, weights } = flushOf(name)
     const best = weights.data.indexOf(Math.max(...weights.data))
@@ -37,7 +37,7 @@ describe.each(FACES)('blood of %s', async (_, path) => {
     expect(middleOf('paleLips')).toBeLessThan(-40)
   })
 
-  test('is driven by targets of the face, reddens over seconds, and pales at once', () => {
+  test('is driven by targets of the face, reddens over seconds, and pales immediately', () => {
     const names = skin.targets.map(({ name }) => name)
     for (const { name, drivers } of blood.areas) {
       const [morph, time] = drivers
@@ -67,7 +67,7 @@ describe.each(FACES)('blood of %s', async (_, path) => {
     }
   })
 
-  test('is shown by no lines of its layer', () => {
+  test('does not show with the lines of its layer', () => {
     for (const { name, layer, weights } of areas) {
       const { data, width } = blood.maps[layer]
       const scale = width / weights.width
@@ -83,7 +83,7 @@ describe.each(FACES)('blood of %s', async (_, path) => {
     }
   })
 
-  test('is a little deeper in valleys, and as at rest on skin without lines or flushes', () => {
+  test('is slightly stronger in valleys, and neutral on skin without lines or flushes', () => {
     for (const [i, { heights }] of layers.entries()) {
       const { data } = blood.maps[i]
       const flushed = blood.areas.filter(({ layer }) => layer === i).length > 0
@@ -98,7 +98,7 @@ describe.each(FACES)('blood of %s', async (_, path) => {
     }
   })
 
-  test('grows with the strength, and leaves the lines as they are', () => {
+  test('grows with the strength, and does not change the lines', () => {
     const strong = autoWrinkles(skin, { ...SETTINGS, strength: 2 })
     expect(strong.blood.amplitude).toBeCloseTo(2 * blood.amplitude, 3)
     expect(blood.amplitude).toBeLessThan(0.5)
@@ -106,12 +106,12 @@ describe.each(FACES)('blood of %s', async (_, path) => {
     expect(areas.map(({ name }) => name)).not.toContain('flushBrows')
   })
 
-  test('is left out with the regions that it belongs to', () => {
+  test('is left out with its regions', () => {
     const { blood } = autoWrinkles(skin, { ...SETTINGS, regions: ['nose', 'crowsFeet'] })
     expect(blood.areas.map(({ name }) => name)).toEqual(['flushNoseLeft', 'flushNoseRight'])
   })
 
-  test('is the same each time, and a valid part of the set', () => {
+  test('is deterministic, and a valid part of the set', () => {
     expect(autoWrinkles(skin, SETTINGS).blood).toEqual(blood)
     const set = autoWrinkleSet(wrinkles)
     checkWrinkleSet(set)

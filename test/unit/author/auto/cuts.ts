@@ -1,8 +1,8 @@
 import type { Skin } from 'furrow/author'
 
-/** A point on an edge along which the texture is cut: one position in space, two in the texture. */
+/** Point on a cut edge of the texture: one position in space, two UVs. */
 export interface CutPoint {
-  /** The triangle on each side, and the point's UV in it. */
+  /** Triangle on each side, and the point's UV in it. */
   sides: readonly [CutSide, CutSide]
 }
 
@@ -11,13 +11,13 @@ export interface CutSide {
   uv: readonly [number, number]
 }
 
-/** Intervals between the points on a cut edge, which include its ends. */
+/** Intervals between the points of a cut edge, including its ends. */
 const STEPS = 8
 
 /**
- * Points on all edges along which triangles meet in space, to a thousandth of a millimetre, but not in the texture.
+ * Finds points on all edges along which triangles meet in space, within a thousandth of a millimetre, but not in the texture.
  *
- * @param skin in metres.
+ * @param skin skin in metres.
  */
 export function findCuts({ positions, uvs, indices }: Skin): CutPoint[] {
   const keys = Array.from({ length: positions.length / 3 }, (_, vertex) =>
@@ -53,17 +53,17 @@ function lerpUv([a, b]: readonly [number, number], [c, d]: readonly [number, num
 /** Maps UVs to UVs. */
 export type UvTransform = (u: number, v: number) => readonly [number, number]
 
-/** Makes an island a little smaller, so that there is room around it. */
+/** Shrinks an island, to leave room around it. */
 export const shrink: UvTransform = (u, v) => [0.1 + 0.8 * u, 0.1 + 0.8 * v]
-/** Rotates the left half of what was shrunk by 180 degrees; texels of maps of 512 keep their positions on the skin. */
+/** Rotates the left half of a shrunk island by 180 degrees. Texels of 512-texel maps keep their positions on the skin. */
 export const halfTurn: UvTransform = (u, v) => [280 / 512 - u, 1 - v]
-/** The same, by 90 degrees and smaller. */
+/** Rotates the same half by 90 degrees and shrinks it. */
 export const quarterTurn: UvTransform = (u, v) => [0.05 + 0.45 * (0.9 - v), 0.9 - 0.45 * (u - 0.1)]
 
 /**
- * A skin whose texture is one island, and the same skin cut in two.
+ * Returns a skin whose texture is one island, and the same skin cut in two.
  *
- * @param isSecond whether a triangle belongs to the second island.
+ * @param isSecond tells whether a triangle belongs to the second island.
  * @param transform moves the second island.
  */
 export function cutInTwo(skin: Skin, isSecond: (triangle: number) => boolean, transform: UvTransform) {

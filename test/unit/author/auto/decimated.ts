@@ -4,10 +4,10 @@ import { findSkin } from 'furrow-files'
 import { readDocument } from 'furrow-files/node'
 import { decimate } from '../../../heads.ts'
 
-/** Halvings of the range of ratios. */
+/** Steps of the bisection of the ratio. */
 const STEPS = 8
 
-/** The skin of a face whose mesh was reduced to about that many vertices. */
+/** Returns the skin of a face whose mesh was reduced to about `vertices` vertices. */
 export async function decimatedSkin(path: string, vertices: number): Promise<Skin> {
   let [low, high] = [0, 1]
   let nearest: Skin | undefined

@@ -2,7 +2,7 @@ import { autoWrinkles } from 'furrow/author'
 import { expect, test } from 'vitest'
 import { sheet } from './sheet.ts'
 
-/** A sheet of 4 x 4 squares, 80 units a side, that one target shortens. */
+/** Sheet of 4 x 4 squares, 80 units a side, which one target shortens. */
 function skin(scale: number) {
   const { positions, uvs, indices, offsets } = sheet(4, 20)
   return {

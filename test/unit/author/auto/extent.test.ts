@@ -30,7 +30,7 @@ test('the distance in a grid is found at any coordinate', () => {
   expect(grid.distance([Number.NaN, 0, 0])).not.toBeLessThan(6)
 })
 
-test('the distance in a grid is that to the nearest of many points, bit for bit', () => {
+test('the distance in a grid equals the distance to the nearest of many points, bit for bit', () => {
   const random = seeded(2)
   const points = Array.from({ length: 300 }, () => 6 * random())
   const grid = new PointGrid(6)

@@ -16,7 +16,7 @@ const STRAIGHT = 3
 
 describe.each(FACES)('%s', (name, path) => {
   let measured: MeasuredFace
-  /** Triangles on which nothing may crease. */
+  /** Triangles that must not crease. */
   let smooth: [name: string, triangles: number[]][]
 
   beforeAll(async () => {
@@ -27,14 +27,14 @@ describe.each(FACES)('%s', (name, path) => {
     smooth = regions.map(([name, points]) => [name, trianglesIn(face.surface, points)])
   })
 
-  /** The middle of each cheek, between the outer corner of the eye and that of the mouth, where fat is. */
+  /** Tells whether a point is in the middle of a cheek, between the outer corners of eye and mouth, where fat is. */
   const onCheek = (x: number, y: number): boolean => {
     const { outerCorner, mouthCorner } = measured.face.landmarks
     const middle = [(outerCorner[0] + mouthCorner[0]) / 2 + 6, (outerCorner[1] + mouthCorner[1]) / 2]
     return Math.hypot(Math.abs(x) - middle[0], y - middle[1]) < 13
   }
 
-  /** The segments of the lines of some areas: slope from the horizontal in degrees, weight by length and depth, start. */
+  /** Returns line segments of some areas: slope from the horizontal in degrees, weight by length and depth, and start. */
   const segmentsOf = (name: RegExp) => {
     const regions = facialCreases(measured.prepared, 0.5).filter(({ region }) => name.test(region.name))
     return [...new Set(regions.flatMap(({ creases }) => creases))].flatMap(({ points, depths }) =>
@@ -47,7 +47,7 @@ describe.each(FACES)('%s', (name, path) => {
     )
   }
 
-  /** The fraction of segments, by weight, for which a condition holds. */
+  /** Returns the weighted fraction of segments that satisfy a condition. */
   const fractionOf = (
     all: ReturnType<typeof segmentsOf>,
     holds: (segment: (typeof all)[number]) => boolean,
@@ -64,12 +64,12 @@ describe.each(FACES)('%s', (name, path) => {
     for (const { driver } of areas) for (const { name } of driver.targets) expect(names).toContain(name)
   })
 
-  test('has an area of every region', () => {
+  test('has an area for every region', () => {
     const regions = measured.wrinkles.areas.map(({ name }) => name.replace(/(Left|Right)$/, ''))
     expect(new Set(regions)).toEqual(new Set(AUTO_REGIONS))
   })
 
-  test('left and right lie on one layer', () => {
+  test('has left and right on one layer', () => {
     const layerOf = new Map(measured.wrinkles.areas.map(({ name, layer }) => [name, layer]))
     for (const [name, layer] of layerOf) {
       const right = layerOf.get(name.replace(/Left$/, 'Right'))
@@ -77,16 +77,16 @@ describe.each(FACES)('%s', (name, path) => {
     }
   })
 
-  test('raised brows crease the skin above the eyes', () => {
+  test('creases the skin above the eyes when brows are raised', () => {
     expect(measured.activatedFraction(BROWS_UP, (_, y) => y > 0)).toBeGreaterThanOrEqual(0.85)
     expect(measured.activations(BROWS_UP).get('foreheadOuterLeft')).toBeGreaterThan(0.8)
   })
 
-  test('lines of the forehead run within 20 degrees of the horizontal', () => {
+  test('has forehead lines within 20 degrees of the horizontal', () => {
     expect(fractionOf(segmentsOf(/^forehead/), ({ rise }) => rise <= 20)).toBeGreaterThanOrEqual(0.95)
   })
 
-  test('lowered brows crease vertical lines between them', () => {
+  test('creases vertically between the brows when they are lowered', () => {
     const innerBrow = measured.face.landmarks.innerBrow[0]
     const lines = segmentsOf(/^glabella/)
     expect(fractionOf(lines, ({ rise }) => rise >= 65)).toBeGreaterThanOrEqual(0.9)
@@ -96,24 +96,24 @@ describe.each(FACES)('%s', (name, path) => {
     expect(activations.get('foreheadOuterLeft')).toBe(0)
   })
 
-  test('one raised brow leaves the other side alone', () => {
+  test('creases one side only when one brow is raised', () => {
     expect(measured.activatedFraction({ browOuterUpLeft: 1 }, (x) => x < 0)).toBeLessThanOrEqual(0.03)
     expect(measured.activatedFraction({ browOuterUpRight: 1 }, (x) => x > 0)).toBeLessThanOrEqual(0.03)
   })
 
-  test('a smile does not crease the middle of the cheeks', () => {
+  test('does not crease the middle of the cheeks in a smile', () => {
     expect(measured.activatedFraction(SMILE, onCheek)).toBeLessThanOrEqual(0.05)
     expect(measured.activations(SMILE).get('nasolabialLeft')).toBeGreaterThan(0.5)
     expect(measured.activations(SMILE).get('crowsFeetLeft')).toBeGreaterThan(0.5)
   })
 
-  test('an opened jaw creases neither forehead nor cheeks', () => {
+  test('creases neither forehead nor cheeks when the jaw opens', () => {
     const smiled = measured.activated(SMILE, () => true)
     expect(measured.activated({ jawOpen: 1 }, (_, y) => y > 5) / smiled).toBeLessThan(0.005)
     expect(measured.activated({ jawOpen: 1 }, onCheek) / smiled).toBeLessThan(0.005)
   })
 
-  /** The largest deviation of a channel from a value, at the corners and the centroids of triangles. */
+  /** Returns the largest deviation of a channel from a value, at corners and centroids of triangles. */
   const deviation = (map: Channels, triangles: readonly number[], flat: number, channel = 0) => {
     const { skin, face } = measured
     let most = 0
@@ -129,7 +129,7 @@ describe.each(FACES)('%s', (name, path) => {
     return most
   }
 
-  /** How far the layers deviate from flat, in millimetres and in bytes. */
+  /** Returns how far the layers deviate from flat, in millimetres and in bytes. */
   const deviations = (triangles: readonly number[]) => {
     const { layers } = measured.wrinkles
     return {
@@ -145,7 +145,7 @@ describe.each(FACES)('%s', (name, path) => {
     }
   }
 
-  /** The largest weight of any area at the texels whose centres triangles cover, and the number of these texels. */
+  /** Returns the largest weight of any area at texels covered by triangles, and the number of these texels. */
   const weights = (triangles: readonly number[]) => {
     const { skin, face, wrinkles } = measured
     const { width, height } = wrinkles.areas[0].weights
@@ -160,7 +160,7 @@ describe.each(FACES)('%s', (name, path) => {
     return { most, count }
   }
 
-  test('nothing creases on eyes, in lips, or on ears', () => {
+  test('creases nothing on eyes, inside lips, or on ears', () => {
     const everywhere = deviations([...measured.face.surface.skinTriangles.keys()])
     expect(everywhere.heights).toBeGreaterThan(1)
     expect(everywhere.normal).toBeGreaterThan(80)
@@ -173,7 +173,7 @@ describe.each(FACES)('%s', (name, path) => {
     }
   })
 
-  test('no area has weight there', () => {
+  test('has no area with weight there', () => {
     expect(weights([...measured.face.surface.skinTriangles.keys()]).most).toBe(255)
     for (const [name, triangles] of smooth) {
       const { most, count } = weights(triangles)
@@ -182,7 +182,7 @@ describe.each(FACES)('%s', (name, path) => {
     }
   })
 
-  test('drivers follow what was measured', () => {
+  test('has drivers that follow the measurements', () => {
     const errors = measured.wrinkles.areas.map(({ error }) => error)
     expect(errors.reduce((a, b) => a + b, 0) / errors.length).toBeLessThan(0.2)
     expect(Math.max(...errors)).toBeLessThan(0.5)

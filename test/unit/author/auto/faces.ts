@@ -14,18 +14,18 @@ import {
 import { SCANS } from '../../../bare-faces/bare-faces.ts'
 import { driven } from '../../../driven.ts'
 
-/** The skin of a face in a file, as `furrow auto` finds it. */
+/** Returns the skin of a face in a file, as `furrow auto` finds it. */
 export async function skinAt(path: string): Promise<Skin> {
   return findSkin(await readDocument(path, 'test'), path, 'test').skin
 }
 
-/** The face that ships, and the scan where it is available. */
+/** The shipped face, and the scan if present. */
 export const FACES = [
   ['human', fileURLToPath(new URL('../../../../faces/human.glb', import.meta.url))],
   ...SCANS.map(({ name, path }) => [name, path] as const),
 ] as readonly (readonly [string, string])[]
 
-/** A skin on which a face was detected. */
+/** Skin with a detected face. */
 export type PreparedFace = PreparedSkin & { face: DetectedFace }
 
 export function prepareFace(skin: Skin): PreparedFace {
@@ -35,13 +35,13 @@ export function prepareFace(skin: Skin): PreparedFace {
   return { ...prepared, face }
 }
 
-/** The creases of all regions of a face, of the default strength and seed. */
+/** Returns the creases of all regions of a face, with default strength and seed. */
 export function facialCreases(prepared: PreparedFace, ageFraction: number): CreasedRegion[] {
   const settings = { ...AUTO_DEFAULTS, ageFraction, maxAreas: AUTO_DEFAULTS.areas }
   return layLines(prepared, measureStrain(prepared, settings), settings)
 }
 
-/** A face with its automatic wrinkles, and measurements of them. */
+/** Face with automatic wrinkles and their measurements. */
 export class MeasuredFace {
   readonly skin: Skin
   readonly prepared: PreparedFace
@@ -67,7 +67,7 @@ export class MeasuredFace {
     return this.prepared.face
   }
 
-  /** Activations of a pose, by area. */
+  /** Returns the activations of a pose by area. */
   activations(pose: Readonly<Record<string, number>>): Map<string, number> {
     const weights = new Float32Array(this.skin.targets.length)
     for (const [target, weight] of poseOf(this.face.find, pose)) weights[target] = weight
@@ -75,9 +75,9 @@ export class MeasuredFace {
   }
 
   /**
-   * Activated weight of a pose over the skin: the integral of weights times activations.
+   * Returns the integral of weights times activations over the skin in a pose.
    *
-   * @param isCounted tells by its position in the frame of the face, in millimetres, whether a point is counted.
+   * @param isCounted tells whether a point counts, by its position in the face's frame, millimetres.
    */
   activated(
     pose: Readonly<Record<string, number>>,
@@ -102,7 +102,7 @@ export class MeasuredFace {
     return sum
   }
 
-  /** The fraction of a pose's activated weight that is counted. */
+  /** Returns the counted fraction of a pose's activated weight. */
   activatedFraction(
     pose: Readonly<Record<string, number>>,
     isCounted: (x: number, y: number, z: number) => boolean,

@@ -17,7 +17,7 @@ import { FACES, prepareFace, skinAt } from './faces.ts'
 
 type Pose = Readonly<Record<string, number>>
 
-/** Triangles per area: so many that their mean is that of all, and as many as the tension driver has on the CPU. */
+/** Triangles per area: enough for a converged mean, and as many as the tension driver uses on the CPU. */
 const [ALL, FEW] = [4096, 16]
 const POSES = 60
 
@@ -49,7 +49,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
     return positions
   }
 
-  /** Means of 1 - the smaller principal stretch and of the larger one - 1 over each area. */
+  /** Returns means of 1 - (smaller principal stretch) and (larger one) - 1 over each area. */
   function tension(count: number) {
     const mesh = { positions: skin.positions, uvs: skin.uvs, triangles: skin.indices }
     const inputs = areas().flatMap(({ name: area }) =>
@@ -67,7 +67,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
     }
   }
 
-  /** Activations by blendshapes, as they are written. */
+  /** Returns the activations of the written blendshape drivers. */
   function byBlendshapes(pose: Pose): Record<string, number> {
     const weights = Float32Array.from(names(), (name) => pose[name] ?? 0)
     return driven(
@@ -76,7 +76,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
     ).activations({ weights })
   }
 
-  /** Activations by two tension drivers per area with the same ends: one deepens from rest, the other smooths out. */
+  /** Returns the activations of two tension drivers per area with the same range: one deepens from rest, the other smooths out. */
   function byTension(values: Float64Array): Record<string, number> {
     const drivers = areas().flatMap(({ name, driver: { curve } }): TensionDriver[] => {
       const [[pulled, smooth], [, rest], [squeezed]] = curve
@@ -109,7 +109,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
     return Object.fromEntries(plan.areaNames.map((name, i) => [name, state.activations[i]]))
   }
 
-  test('follow the strain of combined poses, and nearer than tension drivers', () => {
+  test('follow the strain of combined poses, more closely than tension drivers', () => {
     const random = seeded(17)
     const [all, few] = [tension(ALL), tension(FEW)]
     const squares = { blendshapes: 0, tension: 0, sampled: 0 }
@@ -124,7 +124,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
         sampled: byTension(few(pose)),
       }
       for (const [i, { name, driver }] of areas().entries()) {
-        // The fraction of its area that the skin loses.
+        // Fraction of its area that the skin loses.
         const exact = curveAt(driver.curve, measured[2 * i] - measured[2 * i + 1])
         for (const by of ['blendshapes', 'tension', 'sampled'] as const)
           squares[by] += (found[by][name] - exact) ** 2
@@ -136,7 +136,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
     expect(rms('sampled')).toBeGreaterThan(2 * rms('blendshapes'))
   })
 
-  test('turn normals more where skin is squeezed than at rest, and less where it is pulled', () => {
+  test('turn normals more on squeezed skin than at rest, and less on stretched skin', () => {
     const all = tension(ALL)
     const rest = tilts({})
     const seen = { squeezed: 0, pulled: 0 }
@@ -160,7 +160,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
     expect(seen.pulled).toBeGreaterThan(3)
   })
 
-  /** Mean tangent of the angle by which the net turns normals, by area, in a pose. */
+  /** Returns the mean tangent of the angle by which the net tilts normals, by area, in a pose. */
   function tilts(pose: Pose): number[] {
     const { normal } = wrinkles.layers.at(-1)!
     const activations = byBlendshapes(pose)
@@ -184,7 +184,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
   }
 })
 
-/** Colours, 0..1, of the texels of a larger image that are under one of a smaller. */
+/** Yields colours, 0..1, of the texels of a larger image under a texel of a smaller one. */
 function* pixelsUnder(texel: number, { width }: GrayImage, image: GrayImage) {
   const factor = image.width / width
   const [x0, y0] = [(texel % width) * factor, Math.floor(texel / width) * factor]

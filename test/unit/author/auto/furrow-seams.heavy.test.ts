@@ -5,10 +5,10 @@ import { cutInTwo, findCuts, halfTurn } from './cuts.ts'
 import { FACES, skinAt } from './faces.ts'
 
 const SIZE = 1024
-/** Seven texels of this size make a furrow. */
+/** A furrow is seven texels wide at this size. */
 const FURROWS = { ...FINE_FURROW_DEFAULTS, size: 9, depth: 0.1 }
 
-test('fine furrows are as deep on both sides of a cut of the texture', async () => {
+test('fine furrows are equally deep on both sides of a cut of the texture', async () => {
   const [, path] = FACES[0]
   const skin = await skinAt(path)
   const isSecond = (triangle: number) =>

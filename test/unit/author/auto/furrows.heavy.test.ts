@@ -28,7 +28,7 @@ beforeAll(async () => {
 
 const heightsOf = ({ layers }: AutoWrinkles) => layers.at(-1)!.heights
 
-/** Activations of the areas of furrows. */
+/** Returns the activations of the furrows' areas. */
 function activations(weights: Readonly<Record<string, number>>): Record<string, number> {
   const names = skin.targets.map(({ name }) => name)
   const drivers = made.get(50)!.furrows!.areas.map(({ driver }) => driver)
@@ -36,7 +36,7 @@ function activations(weights: Readonly<Record<string, number>>): Record<string, 
   return driven(drivers, names).activations({ weights: pose })
 }
 
-/** Heights of texels that an area fully shows. */
+/** Returns the heights of texels that an area shows in full. */
 function within(wrinkles: AutoWrinkles, name: string): Float32Array {
   const { width, data } = wrinkles.furrows!.areas.find((area) => area.name === name)!.weights
   return heightsOf(wrinkles).data.filter((_, texel) => {
@@ -48,7 +48,7 @@ function within(wrinkles: AutoWrinkles, name: string): Float32Array {
 }
 
 describe('fine furrows', () => {
-  test('have a layer of their own behind those of lines, with areas by region', () => {
+  test('have a separate layer behind those of lines, with areas by region', () => {
     const { layers, furrows, areas, blood } = made.get(50)!
     expect(layers.length).toBeLessThanOrEqual(4)
     expect(layers.map(({ name }) => name).indexOf('furrows')).toBe(layers.length - 1)
@@ -58,7 +58,7 @@ describe('fine furrows', () => {
     for (const { layer } of [...areas, ...blood.areas]) expect(layer).toBeLessThan(layers.length - 1)
   })
 
-  test('run through all areas without a gap: their weights sum to 1', () => {
+  test('cover all areas without a gap: their weights sum to 1', () => {
     const { areas } = made.get(50)!.furrows!
     let [full, touched] = [0, 0]
     for (let texel = 0; texel < areas[0].weights.data.length; texel++) {
@@ -72,7 +72,7 @@ describe('fine furrows', () => {
     expect(full / touched).toBeGreaterThan(0.9)
   })
 
-  test('are a net of its own size, drawn again by the document of strokes', () => {
+  test('are a net of cells of a set size, redrawn identically from the strokes document', () => {
     const wrinkles = made.get(70)!
     const document = parseStrokes(JSON.parse(JSON.stringify(strokesOf(wrinkles))))
     const drawn = { width: SIZE, height: SIZE, data: new Float32Array(SIZE * SIZE) }
@@ -81,7 +81,7 @@ describe('fine furrows', () => {
     expect(off / drawn.data.length).toBeLessThan(1e-4)
   })
 
-  test('are half as deep as they can be at rest, deeper where skin is squeezed and shallower where it is pulled', () => {
+  test('have half their depth at rest, more on squeezed skin and less on stretched skin', () => {
     for (const value of Object.values(activations({}))) expect(value).toBeCloseTo(0.5, 6)
     const frown = activations({ browDownLeft: 1, browDownRight: 1, noseSneerLeft: 1, noseSneerRight: 1 })
     expect(frown.furrowsBrows).toBeGreaterThan(0.75)
@@ -95,11 +95,11 @@ describe('fine furrows', () => {
   })
 
   test.each(['furrowsForehead', 'furrowsEyeLeft', 'furrowsCheekLeft', 'furrowsNeck'])(
-    '%s is as deep at rest as skin is, and deeper with age',
+    'have the measured depth of skin at rest, and deepen with age: %s',
     (name) => {
       const depths = [30, 50, 70].map((age) => {
         const heights = within(made.get(age)!, name).sort()
-        // The deepest percent is the bottoms of furrows.
+        // The deepest percent are the bottoms of furrows.
         return -0.5 * heights[Math.floor(heights.length / 100)]
       })
       // Bibb 2006, Medical Modelling, 6.17.3: primary and secondary lines are 0.02 to 0.2 mm deep.
@@ -110,7 +110,7 @@ describe('fine furrows', () => {
     },
   )
 
-  test('do not change until forty, and have fewer and longer cells from then on (Corcuff 1983, Lagarde 2005)', () => {
+  test('are constant until forty, and then have fewer and longer cells (Corcuff 1983, Lagarde 2005)', () => {
     const cells = [30, 50, 70].map((age) => made.get(age)!.furrows!.furrows)
     for (const k of [1, 2]) {
       expect(cells[k].size).toBeGreaterThan(cells[k - 1].size)
@@ -124,7 +124,7 @@ describe('fine furrows', () => {
     }
   })
 
-  test('are not made where texels are too large; what is left says which size shows them', () => {
+  test('are left out if texels are too large, with a message about the size that shows them', () => {
     const { layers, furrows, missing } = make({ size: 512 })
     expect(furrows).toBeUndefined()
     expect(layers.map(({ name }) => name)).not.toContain('furrows')
@@ -132,7 +132,7 @@ describe('fine furrows', () => {
     expect(reason).toBe('fine furrows are narrower than two texels there; use a size of 2048')
   })
 
-  test('follow the regions, the strength and the seed, and are the same on every run', () => {
+  test('follow regions, strength and seed, and are deterministic', () => {
     const regions = ['foreheadInner', 'foreheadOuter', 'glabella'] as const
     const [first, again, other] = [1, 1, 2].map((seed) =>
       make({ regions, strength: 2, age: 50, layers: 2, seed }),
@@ -150,7 +150,7 @@ describe('fine furrows', () => {
     expect(() => make({ layers: 1 })).toThrow('fine furrows need a separate layer')
   })
 
-  test('are left out unless they are asked for', () => {
+  test('are off by default', () => {
     expect(autoWrinkles(skin, { size: 512 }).furrows).toBeUndefined()
   })
 })

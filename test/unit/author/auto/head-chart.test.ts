@@ -7,7 +7,7 @@ import {
 import { weldSurface } from '../../../../packages/furrow/src/author/skin/surface.ts'
 import { seeded } from '../../../random.ts'
 
-it('acrossOf contains all points of a box, and no more than it must', () => {
+it('acrossOf contains all points of a box, and no more than necessary', () => {
   const next = seeded(1)
   for (let round = 0; round < 500; round++) {
     const low = [180 * next() - 90, 0, 160 * next() - 80]
@@ -23,7 +23,7 @@ it('acrossOf contains all points of a box, and no more than it must', () => {
   }
 })
 
-it('acrossOf leaves nothing out behind the axis of the head', () => {
+it('acrossOf includes everything behind the axis of the head', () => {
   expect(acrossOf([-10, 0, -90], [10, 0, -80])).toEqual([-Infinity, Infinity])
 })
 

@@ -8,7 +8,7 @@ const LINE = {
   normals: Float64Array.of(0, 0, 1, 0, 0, 1),
 }
 
-test('a triangle as large as a town is searched for creases as fast as any other', () => {
+test('a huge triangle is searched for creases as fast as any other', () => {
   const grid = new LineGrid([LINE], [5])
   expect(grid.isNear([-1e9, -1e9, -1e9], [1e9, 1e9, 1e9])).toBe(true)
   expect(grid.isNear([-1e9, 1e6, -1e9], [1e9, 1e9, 1e9])).toBe(false)
@@ -28,7 +28,7 @@ test('creases are found from anywhere within their reach, and from nowhere else'
   expect(found(Number.NaN, 0, 0)).toEqual([])
 })
 
-test('what it costs to look for creases all over a skin grows with its size, not with its square', () => {
+test('the cost of finding creases on a skin grows linearly with its size', () => {
   const comparedPerPosition = (millimetres: number) => {
     const lines = Array.from({ length: millimetres / 10 }, (_, row) => {
       const points = Float64Array.from(
@@ -54,7 +54,7 @@ test('what it costs to look for creases all over a skin grows with its size, not
   expect(comparedPerPosition(800) / comparedPerPosition(200)).toBeLessThan(2)
 })
 
-test('the chart of a head takes triangles by the thousand that reach far above and below it', () => {
+test('the chart of a head accepts thousands of triangles that reach far above and below it', () => {
   const positions = [-5, -1e9, 0, 5, -1e9, 0, 0, 1e9, 0]
   const indices = Array.from({ length: 3 * 20_000 }, (_, i) => i % 3)
   const chart = new HeadChart(weldSurface({ positions, indices }))
@@ -62,7 +62,7 @@ test('the chart of a head takes triangles by the thousand that reach far above a
   expect(chart.find([0, 1e6])).toBeUndefined()
 })
 
-test('points of a thousand positions are welded in the order of their vertices, NaN as any other', () => {
+test('equal positions are welded in vertex order, including NaN', () => {
   const { pointOf, points } = weldSurface({
     positions: [0, 0, 0, 1, 0, 0, -0, 0, 0, Number.NaN, 0, 0, Number.NaN, 0, 0],
     indices: [],
@@ -71,7 +71,7 @@ test('points of a thousand positions are welded in the order of their vertices, 
   expect(points).toHaveLength(9)
 })
 
-test('of four triangles at one edge, those that follow each other belong together', () => {
+test('four triangles that share an edge are linked in order', () => {
   const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1]
   const { adjacent } = weldSurface({ positions, indices: [0, 1, 2, 1, 0, 3, 0, 1, 4, 1, 0, 5] })
   expect([0, 3, 6, 9].map((edge) => adjacent[edge])).toEqual([1, 2, 3, 2])

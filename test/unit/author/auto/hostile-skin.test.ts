@@ -8,7 +8,7 @@ import { weldSurface } from '../../../../packages/furrow/src/author/skin/surface
 import { seeded } from '../../../random.ts'
 import { sheet } from './sheet.ts'
 
-/** A list, several times over. */
+/** Repeats a list. */
 const repeated = <T>(list: ArrayLike<T>, times: number): T[] =>
   Array.from({ length: times }, () => Array.from(list)).flat()
 
@@ -20,7 +20,7 @@ test('hundreds of overlapping triangles are refused', () => {
   )
 })
 
-test('strokes are not drawn on such triangles', () => {
+test('strokes are not drawn on overlapping triangles', () => {
   const { positions, uvs, indices } = sheet(8, 0)
   expect(() => skinCanvas({ positions, uvs, indices: repeated(indices, 200) }, 16)).toThrow(
     'skinCanvas: too many overlapping triangles in UV space',
@@ -34,12 +34,12 @@ test('a skin beyond the scale range of strokes documents is refused', () => {
   expect(() => autoWrinkles(skin)).toThrow('autoWrinkles: the skin is far too large for a character')
 })
 
-test('what lies outside the texture costs nothing and is not refused', () => {
+test('triangles outside the texture cost nothing and are not refused', () => {
   const { uvs, indices } = sheet(8, 0)
   expect(() => checkCoverage({ uvs: uvs.map((x) => 1000 * x + 2), indices }, 'test')).not.toThrow()
 })
 
-test('triangles that are listed again leave the borders as they are', () => {
+test('duplicate triangles do not change the borders', () => {
   const corner = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], uvs: [0.4, 0.4, 0.5, 0.4, 0.4, 0.5] }
   const located = (times: number) => {
     const skin = { ...corner, indices: repeated([0, 1, 2], times) }
@@ -50,7 +50,7 @@ test('triangles that are listed again leave the borders as they are', () => {
   expect(located(50)).toEqual(located(1))
 })
 
-test('a skin that nothing creases is not mapped to texels', () => {
+test('a skin without creases is not mapped to texels', () => {
   const untouched = new Proxy({} as PreparedSkin, {
     get: () => {
       throw new Error('the skin was read')
@@ -60,7 +60,7 @@ test('a skin that nothing creases is not mapped to texels', () => {
   expect(drawMaps(untouched, [], [], settings, () => {})).toBeUndefined()
 })
 
-test('borders are searched for once, however many triangles have no neighbours', () => {
+test('borders are searched for once, however many triangles lack neighbours', () => {
   const { positions, uvs } = sheet(20, 0)
   const random = seeded(7)
   const indices = Array.from({ length: 3 * 2000 }, () => Math.floor((random() * uvs.length) / 2))

@@ -5,7 +5,7 @@ import { chooseSkin } from '../../../../packages/furrow/src/author/auto/surface/
 import { knownTargets } from '../../../../packages/furrow/src/author/auto/surface/known-targets.ts'
 import { skinAt } from './faces.ts'
 
-test('the skin that was chosen by its motion is not recognised a second time', async () => {
+test('skin selected by its motion is not recognised a second time', async () => {
   const { targets, ...rest } = await skinAt(
     fileURLToPath(new URL('../../../../faces/human.glb', import.meta.url)),
   )

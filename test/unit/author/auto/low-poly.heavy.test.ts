@@ -9,10 +9,10 @@ import { FACES, facialCreases, prepareFace } from './faces.ts'
 
 const AGE = 50
 const SIZE = 512
-/** Texels, 3 to 4 mm of skin. */
+/** Side of a square, texels: 3 to 4 mm of skin. */
 const SQUARE = 8
 
-/** A head as in games: about 2,000 vertices on the skin. */
+/** Head as in games: about 2,000 vertices on the skin. */
 describe('the shipped face with a sixth of its triangles', () => {
   let [full, low]: DrawnFace[] = []
 
@@ -22,12 +22,12 @@ describe('the shipped face with a sixth of its triangles', () => {
     low = await draw(0.16)
   })
 
-  test('has about 2,000', () => {
+  test('has about 2,000 vertices', () => {
     expect(low.vertices).toBeLessThan(2600)
     expect(low.vertices).toBeGreaterThan(1500)
   })
 
-  test('has lines in the same directions, as smooth', () => {
+  test('has lines in the same directions, equally smooth', () => {
     for (const [name, creases] of full.regions) {
       const simplified = low.regions.get(name) ?? []
       expect(angleBetween(meanDirection(creases), meanDirection(simplified))).toBeLessThan(8)
@@ -35,7 +35,7 @@ describe('the shipped face with a sixth of its triangles', () => {
     }
   })
 
-  test('has the heights in the same squares, as deep', () => {
+  test('has the same heights in the same squares', () => {
     const [lowHeights, fullHeights] = [heightsOf(low.wrinkles), heightsOf(full.wrinkles)]
     expect(correlation(lowHeights, fullHeights)).toBeGreaterThan(0.85)
     const ratio = sum(lowHeights) / sum(fullHeights)
@@ -64,7 +64,7 @@ async function draw(ratio: number): Promise<DrawnFace> {
   }
 }
 
-/** The volume of all layers' heights by squares of texels, in millimetres times texels: lines a millimetre apart count as the same. */
+/** Returns the volume of all layers' heights by squares of texels, millimetres times texels. Lines a millimetre apart count as equal. */
 function heightsOf({ layers }: AutoWrinkles): Float64Array {
   const side = SIZE / SQUARE
   const squares = new Float64Array(side * side)
@@ -86,7 +86,7 @@ function correlation(a: Float64Array, b: Float64Array): number {
   return dot(a, b) / Math.sqrt(dot(a, a) * dot(b, b))
 }
 
-/** The mean direction of lines, whichever end they begin at, weighted by length and depth. */
+/** Returns the mean direction of lines, independent of their start, weighted by length and depth. */
 function meanDirection(creases: readonly LaidStroke[]): number[] {
   const sum = [0, 0, 0]
   for (const { points, depths } of creases) {
@@ -104,7 +104,7 @@ function angleBetween(a: readonly number[], b: readonly number[]): number {
   return (Math.acos(Math.min(1, Math.abs(dot) / Math.hypot(...a) / Math.hypot(...b))) * 180) / Math.PI
 }
 
-/** How far lines turn within two millimetres, in degrees: the 95th percentile of all their points. */
+/** Returns how far lines turn within two millimetres, degrees: the 95th percentile over all points. */
 function turnOf(creases: readonly LaidStroke[]): number {
   const turns = creases.flatMap(({ points, depths }) => {
     const spacing = Math.hypot(...[0, 1, 2].map((k) => points[3 + k] - points[k])) || 1

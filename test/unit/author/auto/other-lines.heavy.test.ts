@@ -16,7 +16,7 @@ test.each([
   ['chin', /^chin$/],
   ['crowsFeet', /^crowsFeet(Left|Right)$/],
   ['foreheadInner', /^forehead(Inner|Outer)?(Left|Right)?$/],
-] as const)('the lines of %s become others alone', (region, names) => {
+] as const)('only the lines of %s change with their seed', (region, names) => {
   const others = linesOf({ seeds: { [region]: 2 } })
   expect([...others.keys()]).toEqual([...first.keys()])
   const changed = [...first].flatMap(([name, lines]) => (others.get(name) === lines ? [] : [name]))
@@ -24,13 +24,13 @@ test.each([
   expect(changed.filter((name) => !names.test(name))).toEqual([])
 })
 
-test('a seed for all regions, and the same one for each, give the same lines', () => {
+test('one seed for all regions equals the same seed for each', () => {
   const seeds = { chin: 5, neck: 5 }
   const regions = ['chin', 'neck'] as const
   expect(linesOf({ seeds, regions })).toEqual(linesOf({ seed: 5, regions }))
 })
 
-/** The lines by their group, as text. */
+/** Returns the lines by group as text. */
 function linesOf(options: AutoOptions): Map<string, string> {
   const { strokes } = strokesOf(autoWrinkles(skin, { size: 512, areaSize: 64, ...options }))
   const lines = new Map<string, string>()

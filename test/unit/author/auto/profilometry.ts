@@ -1,7 +1,7 @@
 import { type AutoWrinkles, type Skin, skinCanvas } from 'furrow/author'
 import { driven } from '../../../driven.ts'
 
-/** How a scan line meets the lines of a region: those of the forehead are one above the other, those of the glabella side by side. */
+/** Direction of scan lines per region: forehead lines lie above each other, glabella lines side by side. */
 const SCANNED = {
   foreheadInnerLeft: 'down',
   crowsFeetLeft: 'down',
@@ -12,29 +12,29 @@ const SCANNED = {
 export type ScannedRegion = keyof typeof SCANNED
 export const SCANNED_REGIONS = Object.keys(SCANNED) as ScannedRegion[]
 
-/** The profile of a region as profilometry reports it, in millimetres. */
+/** Profile of a region as reported by profilometry, millimetres. */
 export interface Profile {
-  /** From the deepest valley to the skin beside it: the mean of the deepest tenth of all valleys. */
+  /** Depth from valley to adjacent skin: mean of the deepest tenth of all valleys. */
   depth: number
-  /** Of valleys at half their depth, the median. */
+  /** Median width of valleys at half depth. */
   width: number
-  /** From a valley to the next one, the median; none where a region has one line. */
+  /** Median distance between adjacent valleys; undefined for a region with one line. */
   spacing: number | undefined
 }
 
 interface Valley {
   depth: number
   width: number
-  /** To the next valley of the scan line. */
+  /** Distance to the next valley of the scan line. */
   spacing: number | undefined
 }
 
 /** Depth below which a valley is noise, as a fraction of the deepest. */
 const NOISE = 0.15
-/** Weight of an area from which on texels are the region's. */
+/** Smallest area weight of the region's texels. */
 const WITHIN = 128
 
-/** Measures the profile that a region's lines are drawn with, fully shown: rows or columns of the height map as scan lines. */
+/** Measures the profile of a region's lines, fully shown, along rows or columns of the height map. */
 export function measureProfile(skin: Skin, wrinkles: AutoWrinkles, region: ScannedRegion): Profile {
   const area = wrinkles.areas.find(({ name }) => name === region)
   if (!area) throw new Error(`no area ${region}`)
@@ -68,13 +68,13 @@ export function measureProfile(skin: Skin, wrinkles: AutoWrinkles, region: Scann
   }
 }
 
-/** What of a region's depth shows at rest at an age. */
+/** Returns the fraction of a region's depth that shows at rest at an age. */
 export function restingFraction(wrinkles: AutoWrinkles, region: ScannedRegion, age: number): number {
   const ageing = wrinkles.areas.find(({ name }) => name === region)?.ageing
   return ageing ? driven([ageing]).activations({ inputs: { age } })[region] : 0
 }
 
-/** The valleys of a scan line: lowest between two crests, by how far they are below the lower of both. */
+/** Finds the valleys of a scan line: minima between two crests, with their depth below the lower crest. */
 function valleysOf(heights: readonly number[], positions: readonly number[], noise: number): Valley[] {
   const found: (Valley & { at: number })[] = []
   for (let i = 1; i + 1 < heights.length; i++) {
@@ -93,7 +93,7 @@ function valleysOf(heights: readonly number[], positions: readonly number[], noi
   return found
 }
 
-/** Upwards from a valley to the next crest, which is where the skin falls again or the region ends. */
+/** Climbs from a valley to the next crest, where the skin falls again or the region ends. */
 function crestFrom(heights: readonly number[], valley: number, step: 1 | -1): number {
   let i = valley
   while (heights[i + step] >= heights[i]) i += step

@@ -11,7 +11,7 @@ const skin = {
   targets: [{ name: 'bend', offsets: offsets.map((millimetres) => millimetres / 1000) }],
 }
 
-test('the progress only grows, and passes through the parts of long steps', () => {
+test('progress only grows, and reports parts of long steps', () => {
   const seen: [number, string][] = []
   autoWrinkles(skin, { size: 64 }, (done, total, step) => {
     expect(total).toBe(AUTO_STEPS.length)
@@ -22,7 +22,7 @@ test('the progress only grows, and passes through the parts of long steps', () =
   expect(seen.at(-1)).toEqual([AUTO_STEPS.length, 'done'])
 })
 
-test('an error of the progress ends the work', () => {
+test('an error in the progress callback ends the work', () => {
   const stop = () => {
     throw new Error('cancelled')
   }

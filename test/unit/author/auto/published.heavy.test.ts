@@ -12,13 +12,13 @@ import {
 
 const AGES = [30, 40, 50, 60, 70, 80] as const
 
-/** Lemperle et al. 2001: wrinkles of class 1, just perceptible, are less deep, in millimetres. */
+/** Depth limit of wrinkles of class 1, just perceptible, millimetres (Lemperle et al. 2001). */
 const PERCEPTIBLE = 0.2
 
-/** Ten degrees: a steeper bank catches the light as a white rim. */
+/** Slope of ten degrees. A steeper bank catches the light as a white rim. */
 const STEEPEST_BANK = 0.18
 
-/** Lowest and highest, in millimetres. Sources and what they measured are in docs/auto.md; these bounds are estimates. */
+/** Lowest and highest value, millimetres: estimates from the sources in docs/auto.md. */
 const BOUNDS = {
   foreheadInnerLeft: { expressed: [0.4, 1.6], rest70: [0.25, 0.6], width: [2, 3], spacing: [7, 15] },
   crowsFeetLeft: { expressed: [0.5, 0.9], rest70: [0.3, 0.6], width: [1, 1.6], spacing: [5, 12] },
@@ -45,7 +45,7 @@ describe.each(FACES)('%s, its heights measured', (_, path) => {
     profile(region, age).depth * restingFraction(made.get(age)!, region, age)
 
   test.each(SCANNED_REGIONS)(
-    '%s has no lines at rest at 30, a trace at 50, and clear ones at 70',
+    'has no lines of %s at rest at 30, a trace at 50, and clear ones at 70',
     (region) => {
       expect(atRest(region, 30)).toBe(0)
       expect(atRest(region, 50)).toBeGreaterThan(0.08)
@@ -54,7 +54,7 @@ describe.each(FACES)('%s, its heights measured', (_, path) => {
     },
   )
 
-  test.each(SCANNED_REGIONS)('%s is as deep, wide and densely lined as skin', (region) => {
+  test.each(SCANNED_REGIONS)('has lines of %s as deep, wide and dense as skin', (region) => {
     const { expressed, rest70, width, spacing } = BOUNDS[region]
     expectWithin(atRest(region, 70), rest70)
     for (const age of [30, 50, 70]) {
@@ -66,7 +66,7 @@ describe.each(FACES)('%s, its heights measured', (_, path) => {
     expect(profile(region, 70).depth).toBeGreaterThan(profile(region, 30).depth)
   })
 
-  test.each(AGES)('no bank is steep enough to be a white rim at %s', (age) => {
+  test.each(AGES)('has no bank steep enough for a white rim at %s', (age) => {
     for (const { strokes } of made.get(age)!.layers) {
       for (const { width, depth, depths = [1], shoulder, bank } of strokes) {
         for (const side of bank ? [0, 1] : []) {
@@ -77,16 +77,16 @@ describe.each(FACES)('%s, its heights measured', (_, path) => {
     }
   })
 
-  test('lines in the corners of the eyes deepen fast from 40 to 60, and less after (Akazaki et al. 2002)', () => {
+  test('deepens lines in the eye corners fast from 40 to 60, and less after (Akazaki et al. 2002)', () => {
     const [at40, at60, at80] = [40, 60, 80].map((age) => atRest('crowsFeetLeft', age))
     expect(at60 - at40).toBeGreaterThan(1.5 * (at80 - at60))
   })
 
-  test('lines between the brows are hardly perceptible at rest at 40 (Luebberding et al. 2014)', () => {
+  test('has hardly perceptible lines between the brows at rest at 40 (Luebberding et al. 2014)', () => {
     expect(atRest('glabellaLeft', 40)).toBeLessThan(PERCEPTIBLE)
   })
 
-  test('at rest, lines in the corners of the eyes are deeper than on the forehead (Tamatsu et al. 2015)', () => {
+  test('has deeper lines in the eye corners than on the forehead at rest (Tamatsu et al. 2015)', () => {
     expect(atRest('crowsFeetLeft', 70)).toBeGreaterThan(atRest('foreheadInnerLeft', 70))
   })
 })

@@ -14,21 +14,20 @@ import { type Channels, levelsOf, sample, slopeIn } from './slopes.ts'
 
 const SIZE = 512
 const AREA_SIZE = 128
-/** 70 years: 0 at 20, 1 at 80. */
+/** Age fraction of 70 years: 0 at 20, 1 at 80. */
 const AGE = 5 / 6
 
 /*
- * The largest differences at a cut, as fractions of the range. Beyond a cut the skin continues in a plane as far as texels are filtered, so
- * the two sides differ by how far skin leaves its plane within a texel. Here a texel of the layers is 0.5 to 0.8 mm wide and one of the
- * areas 2 to 3 mm, while an area fades over 4 mm or more. The size of a texel is measured on the triangles of one side; at the bridge of
- * the nose the two sides differ by a tenth.
+ * Largest differences at a cut, as fractions of the range. Beyond a cut the skin is extended in a plane for filtering, so the sides differ
+ * by the skin's curvature within a texel. A texel of the layers is 0.5 to 0.8 mm wide here, one of the areas 2 to 3 mm; an area fades over
+ * at least 4 mm. Texel sizes are measured on one side's triangles and differ by a tenth at the bridge of the nose.
  */
 const HEIGHT = 0.01
 const SHADE = 0.01
 const WEIGHT = 0.1
 const SLOPE = 0.12
 
-/** Forehead, nose, lips, chin and neck crease across the middle; a face's own cuts are tested too. */
+/** Forehead, nose, lips, chin and neck crease across the middle. The face's own cuts are tested too. */
 describe.each(FACES)('%s, its texture cut in two at the middle', (_, path) => {
   let face: CutFace
   let [whole, cut]: DrawnFace[] = []
@@ -41,11 +40,11 @@ describe.each(FACES)('%s, its texture cut in two at the middle', (_, path) => {
     points = findCuts(face.cut)
   })
 
-  /** The largest difference of a map between the two sides of a cut. */
+  /** Returns the largest difference of a map between the two sides of a cut. */
   const difference = (map: Channels) =>
     largest(points, ([first, second]) => Math.abs(sample(map, first.uv) - sample(map, second.uv)))
 
-  /** The same of slopes, as a fraction of the steepest. */
+  /** Returns the largest difference of slopes, as a fraction of the steepest. */
   const slopeDifference = (drawn: DrawnFace, level: number) =>
     largest(points, (sides) => {
       const [first, second] = sides.map((side) => slopeIn(face.cut, drawn.levels[level], side))
@@ -59,9 +58,9 @@ describe.each(FACES)('%s, its texture cut in two at the middle', (_, path) => {
     expect(steepest / cut.steepest).toBeGreaterThan(0.4)
   })
 
-  test('has the same heights as uncut', () => {
-    // Texels have the same positions on the skin, so nothing is filtered; their sizes, below which no valley is sharp, are means at vertices,
-    // which are cut as well: they differ in the triangles at the cut.
+  test('has the same heights as the uncut face', () => {
+    // Texels have the same positions, so nothing is filtered. Only triangles at the cut differ: their texel sizes, which limit how sharp
+    // valleys are, are averages at vertices, which the cut duplicates.
     let [atCut, elsewhere] = [0, 0]
     for (let texel = 0; texel < SIZE * SIZE; texel++) {
       const [column, row] = [texel % SIZE, Math.floor(texel / SIZE)]
@@ -77,7 +76,7 @@ describe.each(FACES)('%s, its texture cut in two at the middle', (_, path) => {
     expect(atCut).toBeLessThan(3e-3)
   })
 
-  test('has the same height, light and areas on both sides of every cut', () => {
+  test('has equal height, shading and areas on both sides of every cut', () => {
     const { surface } = face
     const texels = new SkinTexels(face.cut, surface, AREA_SIZE, AREA_SIZE)
     expect(difference(cut.heights) / cut.deepest).toBeLessThan(HEIGHT)
@@ -87,11 +86,11 @@ describe.each(FACES)('%s, its texture cut in two at the middle', (_, path) => {
     }
   })
 
-  test.each([0, 1, 2, 3])('has the same slopes there at level %d', (level) => {
+  test.each([0, 1, 2, 3])('has equal slopes at the cut at level %d', (level) => {
     expect(slopeDifference(cut, level)).toBeLessThan(SLOPE)
   })
 
-  test.each([1, 2, 3])('shows nothing of the background at level %d', (level) => {
+  test.each([1, 2, 3])('shows no background at the cut at level %d', (level) => {
     const error = largest(points, ([first, second]) => {
       // The first island did not move.
       const side = first.uv[0] > 0.475 ? first : second
@@ -143,12 +142,12 @@ describe('a sheet, its texture cut in two', () => {
           weight = Math.max(weight, Math.abs(sample(area, uncutUv) - sample(onCut.areas[k], cutUv)))
       }
     }
-    // The second island's texels are 0.2 mm wide, twice as wide as the others: the bottom of a valley is cut off between them.
+    // The second island's texels are 0.2 mm wide, twice the others' width, so the bottom of a valley falls between them.
     expect(height / deepest).toBeLessThan(0.03)
     expect(weight / 255).toBeLessThan(0.03)
   })
 
-  test.each([0, 1, 2, 3])('filters at the cut at level %d as if there were none', (level) => {
+  test.each([0, 1, 2, 3])('filters across the cut at level %d as on uncut skin', (level) => {
     const points = findCuts(cut)
     expect(points.length).toBeGreaterThan(0)
     const error = largest(points, ([first, second]) => {
@@ -164,7 +163,7 @@ describe('a sheet, its texture cut in two', () => {
   })
 })
 
-/** The maps that `autoWrinkles` makes for a sheet. */
+/** Returns the maps of `autoWrinkles` for a sheet. */
 function mapsOf(skin: Skin) {
   const { layers, areas } = autoWrinkles(skin, { age: 70, size: 1024, areaSize: 256 })
   return {
@@ -174,7 +173,7 @@ function mapsOf(skin: Skin) {
   }
 }
 
-/** The UV of a point of a triangle. */
+/** Returns the UV of a point of a triangle. */
 function uvAt({ uvs, indices }: Skin, triangle: number, barycentrics: readonly number[]): CutSide['uv'] {
   const [u, v] = [0, 1].map((k) =>
     barycentrics.reduce((sum, weight, j) => sum + weight * uvs[2 * indices[3 * triangle + j] + k], 0),
@@ -192,16 +191,16 @@ interface CutFace {
 interface DrawnFace {
   heights: Channels
   occlusion: Channels
-  /** The normal map and its mipmap levels. */
+  /** Normal map and its mipmap levels. */
   levels: Channels[]
-  /** 1 where the skin covers a texel. */
+  /** 1 at texels covered by the skin. */
   inside: Uint8Array
-  /** Depth of the valleys in millimetres, and slope of their sides in millimetres per millimetre. */
+  /** Depth of the valleys, millimetres, and slope of their sides, millimetres per millimetre. */
   deepest: number
   steepest: number
 }
 
-/** A face cut in two, with its lines, which are laid on the cut one. */
+/** Cuts a face in two, with lines laid on the cut face. */
 async function cutFace(path: string): Promise<CutFace> {
   const skin = await skinAt(path)
   const isRight = (triangle: number) =>

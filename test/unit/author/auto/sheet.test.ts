@@ -29,7 +29,7 @@ describe.each([
     style,
   })
 
-  test('lines run across within 5 degrees', () => {
+  test('has lines across within 5 degrees', () => {
     for (const { points } of lines) {
       const [x, y] = [0, 1].map((k) => points[points.length - 3 + k] - points[k])
       const off = (Math.asin(Math.abs(x * cosine + y * sine) / Math.hypot(x, y)) * 180) / Math.PI
@@ -37,7 +37,7 @@ describe.each([
     }
   })
 
-  test('the lines are spaced as asked', () => {
+  test('has lines at the requested spacing', () => {
     const distances = lines.map(({ points }) => {
       const middle = 3 * Math.floor(points.length / 6)
       return (points[middle] - SIDE / 2) * cosine + (points[middle + 1] - SIDE / 2) * sine
@@ -50,7 +50,7 @@ describe.each([
     expect(Math.max(...gaps)).toBeLessThan(1.15 * spacing)
   })
 
-  test('the profile takes up the length that the sheet loses', () => {
+  test('has a profile that takes up the length that the sheet loses', () => {
     const skin = { positions, uvs, indices, targets: [] }
     const locator = new UvLocator(skin, surface)
     const { creases, compression } = creaseLines(
@@ -88,7 +88,7 @@ test('rigid motion causes no strain', () => {
   for (const value of compressionTensors(surface, turned)) expect(Math.abs(value)).toBeLessThan(1e-12)
 })
 
-test('no compression needs no depth, and more compression more', () => {
+test('depth grows with compression from zero', () => {
   const depths = [0, 0.05, 0.1, 0.2, 0.4].map((compression) =>
     creaseDepth(compression, 6, 1.5, { shoulder: [0.9, 0.9], banks: [4, 4], lean: 0, softness: 0.5 }),
   )
@@ -96,7 +96,7 @@ test('no compression needs no depth, and more compression more', () => {
   for (let i = 1; i < depths.length; i++) expect(depths[i]).toBeGreaterThan(depths[i - 1])
 })
 
-test('lines end at the length that they may have together', () => {
+test('lines end at their total length limit', () => {
   const { surface, offsets } = sheet(20, 0)
   const tensors = compressionTensors(surface, offsets)
   const style = { width: 3, depth: 1, taper: [0, 0], shoulder: [0.9, 0.9], softness: 0.5 } as const

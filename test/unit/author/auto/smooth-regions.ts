@@ -4,14 +4,11 @@ import type { SkinSurface } from 'furrow/internal'
 import { coverTexels } from '../../../../packages/furrow/src/author/cover-texels.ts'
 
 /**
- * Regions of a face on which nothing may crease, as points of its surface, found by geometry alone, independently of the code under test.
- *
- * The skin ends in openings: the one at the neck is behind the face, the others are the eyes and the mouth. The inside of an opening is all
- * skin that is connected with its border and either hidden from the front by other skin or facing backwards: the rims and the inside of
- * lids, the inside of lips.
- *
- * Ears protrude farthest to the sides at the height of the eyes and the nose: they are behind a plane 30 mm in front of that point, from 50 mm
- * below it to 30 mm above (an adult's ear is 63 mm high), and more than 55 mm from the middle of the head.
+ * Regions of a face that must not crease, as surface points, found by geometry alone, independently of the code under test.
+ * The skin has openings: neck (behind the face), eyes and mouth. The inside of an opening is skin connected with its border that is hidden
+ * from the front or faces backwards: rims and insides of lids and lips.
+ * Ears protrude farthest to the sides at the height of eyes and nose. They are behind a plane 30 mm in front of that point and more than 55
+ * mm from the middle of the head. They extend from 50 mm below the point to 30 mm above (an adult's ear is 63 mm high).
  */
 export interface SmoothRegions {
   eyes: Set<number>
@@ -19,7 +16,7 @@ export interface SmoothRegions {
   ears: Set<number>
 }
 
-/** @param surface in millimetres, x to the person's left, y up, z forwards, from the middle between the eyes. */
+/** @param surface millimetres, x to the person's left, y up, z forwards, origin between the eyes. */
 export function smoothRegions(surface: SkinSurface): SmoothRegions {
   const { points, normals, neighbourStarts, neighbours } = surface
   const isHidden = hiddenFromFront(surface)
@@ -39,7 +36,7 @@ export function smoothRegions(surface: SkinSurface): SmoothRegions {
   return regions
 }
 
-/** The points of each closed border of the surface. */
+/** Returns the points of each closed border of the surface. */
 function openingsOf({ corners, adjacent }: SkinSurface): number[][] {
   const next = new Map<number, number>()
   for (let i = 0; i < corners.length; i++) {
@@ -59,13 +56,13 @@ function openingsOf({ corners, adjacent }: SkinSurface): number[][] {
   return openings
 }
 
-/** Side of the depth map from the front, in texels, and of a texel in millimetres. */
+/** Side of the depth map from the front (texels), and of a texel (millimetres). */
 const SIDE = 1024
 const TEXEL = 0.5
-/** Millimetres that skin must be in front of other skin to hide it. */
+/** Distance by which hiding skin must be in front, millimetres. */
 const IN_FRONT = 1.5
 
-/** 1 for points with other skin in front of them. */
+/** Returns 1 for points with other skin in front of them. */
 function hiddenFromFront({ points, corners }: SkinSurface): Uint8Array {
   const count = points.length / 3
   const uvs = Float64Array.from({ length: 2 * count }, (_, i) => {
@@ -99,12 +96,12 @@ function earsOf(points: Float64Array): Set<number> {
   return new Set(ears)
 }
 
-/** Triangles of a surface whose corners are all among some points. */
+/** Returns the triangles whose corners are all among some points. */
 export function trianglesIn({ corners, skinTriangles }: SkinSurface, points: ReadonlySet<number>): number[] {
   return [...skinTriangles.keys()].filter((t) => [0, 1, 2].every((k) => points.has(corners[3 * t + k])))
 }
 
-/** The points of the shipped face that its hair leaves free for an ear, by the builder's landmarks. */
+/** Returns the ear points of the shipped face, which its hair leaves free, from the builder's landmarks. */
 export function shippedEars({ uvs }: Skin, { pointOf }: SkinSurface): Set<number> {
   const landmarks = readFileSync(
     new URL('../../../../faces/builder/person/landmarks.py', import.meta.url),
@@ -112,7 +109,7 @@ export function shippedEars({ uvs }: Skin, { pointOf }: SkinSurface): Set<number
   )
   const [, list] = /^HAIR = \[([^\]]*?),?\s*\]/m.exec(landmarks) ?? []
   const hair: [number, number][] = JSON.parse(`[${list.replaceAll('(', '[').replaceAll(')', ']')}]`)
-  // The outline of the hair runs down in front of the ear, over it, and down behind it.
+  // The hair's outline runs down in front of the ear, over it, and down behind it.
   const front = hair.reduce((best, [, v], i) => (i < 20 && v > hair[best][1] ? i : best), 0)
   const back = hair.findIndex(([u, v], i) => i > front && u > hair[front][0] && v > hair[front][1])
   const outline = hair.slice(front, back + 1)

@@ -5,12 +5,12 @@ import { skinAt } from './faces.ts'
 
 const SETTINGS = { size: 64, areaSize: 32 }
 
-/** Weights of ARKit's shapes, by the name of the shape that they add up to. */
+/** Weights of ARKit's shapes by the name of the sum. */
 type Mixes = Readonly<Record<string, Readonly<Record<string, number>>>>
 
 const both = (shape: string, weight: number) => ({ [`${shape}Left`]: weight, [`${shape}Right`]: weight })
 
-/** As avatars have them that only speak. */
+/** Shapes of avatars that only speak. */
 const TWO_SHAPES: Mixes = { mouthOpen: { jawOpen: 0.6 }, mouthSmile: both('mouthSmile', 1) }
 const VISEMES: Mixes = {
   viseme_sil: {},
@@ -47,7 +47,7 @@ describe.each([
   ['two mouth shapes', TWO_SHAPES],
   ['visemes', VISEMES],
 ])('a head that has only %s', (_, mixes) => {
-  test('gets no lines across its cheeks, and a reason', () => {
+  test('gets no lines across its cheeks, with a reason', () => {
     const { areas, layers, blood, emptyReason, warnings } = autoWrinkles(withShapes(mixes), SETTINGS)
     expect(areas).toEqual([])
     expect(layers).toEqual([])
@@ -56,7 +56,7 @@ describe.each([
     expect(warnings).toEqual([])
   })
 
-  test('is known as a head by the lips that it parts, whatever its shapes are called', () => {
+  test('is recognised as a head by parting lips, whatever its shapes are called', () => {
     const skin = withShapes(mixes, (_, i) => `target_${i}`)
     expect(autoWrinkles(skin, SETTINGS).emptyReason).toContain('no blendshapes show')
   })
@@ -65,7 +65,7 @@ describe.each([
 test.each([
   ['two mouth shapes', TWO_SHAPES],
   ['visemes and a smile', { ...VISEMES, mouthSmile: both('mouthSmile', 1) }],
-])('a head that blinks and has only %s gets folds at its mouth alone', (_, mixes) => {
+])('a head that blinks and has only %s gets folds only at its mouth', (_, mixes) => {
   const blinks = { eyeBlinkLeft: { eyeBlinkLeft: 1 }, eyeBlinkRight: { eyeBlinkRight: 1 } }
   const { areas, blood } = autoWrinkles(withShapes({ ...mixes, ...blinks }), SETTINGS)
   const names = areas.map(({ name }) => name)
@@ -78,12 +78,12 @@ test.each([
   )
 })
 
-test('a head whose blinks are missing gets no lines either', () => {
+test('a head without blinks gets no lines', () => {
   const skin = { ...human, targets: human.targets.filter(({ name }) => !name.startsWith('eyeBlink')) }
   expect(autoWrinkles(skin, SETTINGS).areas).toEqual([])
 })
 
-test('flushes appear where their regions have lines alone', () => {
+test('flushes appear only in regions with lines', () => {
   // Brows that hardly move crease nothing.
   const targets = human.targets.map(({ name, offsets }) =>
     name.startsWith('browDown')

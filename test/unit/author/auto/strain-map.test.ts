@@ -1,11 +1,11 @@
 import { strainMaps } from 'furrow/internal'
 import { describe, expect, test } from 'vitest'
 
-/** Metres, and texels. */
+/** Side of the sheet (metres) and of the map (texels). */
 const SIDE = 0.2
 const SIZE = 64
 
-/** A sheet in the left half of its texture, whose targets shorten it across and up. */
+/** Sheet in the left half of its texture with targets that shorten it across and up. */
 function skin(n: number) {
   const [positions, uvs, indices, across, up]: number[][] = [[], [], [], [], []]
   for (let j = 0; j <= n; j++) {
@@ -27,7 +27,7 @@ function skin(n: number) {
 }
 
 describe('strain maps', () => {
-  // Expected is the principal compression that the targets are made of, and none where skin is stretched.
+  // Expected: principal compression of the targets, and 0 where skin is stretched.
   test.each<[Record<string, number>, number]>([
     [{ across: 1 }, 0.1],
     [{ across: 0.5, up: 0.5 }, 0.05],
@@ -45,7 +45,7 @@ describe('strain maps', () => {
     }
   })
 
-  test('of a skin in another tile of its texture are those of the first tile', () => {
+  test('of a skin in another texture tile equal those of the first tile', () => {
     const first = skin(12)
     const moved = { ...first, uvs: first.uvs.map((value, i) => value + (i % 2 === 0 ? 2 : -1)) }
     const [map, expected] = [moved, first].map((sheet) => strainMaps(sheet, [{ across: 1 }], SIZE)[0].data)
@@ -55,7 +55,7 @@ describe('strain maps', () => {
     }
   })
 
-  test('have nothing where there is no skin', () => {
+  test('are empty where no skin is', () => {
     const [map] = strainMaps(skin(3), [{ across: 1 }], SIZE)
     for (let row = 0; row < SIZE; row++) {
       for (let column = SIZE / 2 + 4; column < SIZE; column++) expect(map.data[row * SIZE + column]).toBeNaN()

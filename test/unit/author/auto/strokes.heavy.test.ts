@@ -16,7 +16,7 @@ const SIZE = 512
 
 const human = () => skinAt(HUMAN)
 
-/** In centimetres, lying on its back. */
+/** Skin in centimetres, lying on its back. */
 async function lying(): Promise<Skin> {
   const turned = (vectors: ArrayLike<number>) =>
     Float32Array.from(vectors, (_, i) => 100 * [vectors[i], -vectors[i + 1], vectors[i - 1]][i % 3])
@@ -28,7 +28,7 @@ async function lying(): Promise<Skin> {
   }
 }
 
-/** Both halves use the texels of the left one. */
+/** Skin whose halves both use the texels of the left one. */
 async function folded(): Promise<Skin> {
   const skin = await human()
   return {
@@ -41,10 +41,10 @@ describe.each([
   ['the face that ships', human, 0],
   ['a face of 1,500 vertices', () => decimatedSkin(HUMAN, 1500), 0],
   ['a face in centimetres on its back', lying, 0],
-  // Triangles across its middle belong to the left half of the face here, and of the model there.
+  // Triangles across the middle belong to the left half of the face here, and of the model there.
   ['a face whose halves use the same texels', folded, 0.05],
 ] as const)('%s', (_, make, exempt) => {
-  test('has lines that are strokes: drawn again they give the same heights', async () => {
+  test('has lines that are strokes: redrawn, they give the same heights', async () => {
     const skin = await make()
     const wrinkles: AutoWrinkles = autoWrinkles(skin, { size: SIZE })
     const document = parseStrokes(JSON.parse(JSON.stringify(strokesOf(wrinkles))))
@@ -60,7 +60,7 @@ describe.each([
         if (Math.abs(data[i] - heights.data[i]) > 0.005) off++
         deepest = Math.min(deepest, data[i])
       }
-      // The fine lines of a lip may have a layer to themselves.
+      // Fine lines of a lip may have a separate layer.
       expect(deepest, name).toBeLessThan(-0.05)
       expect(off / drawn, name).toBeLessThanOrEqual(exempt)
     }
@@ -69,7 +69,7 @@ describe.each([
   })
 })
 
-test('strokes are few points, which an artist can move', async () => {
+test('strokes have few points, so that artists can edit them', async () => {
   const { strokes } = strokesOf(autoWrinkles(await human(), { size: SIZE }))
   const points = strokes.reduce((sum, stroke) => sum + stroke.points.length, 0)
   expect(strokes.length).toBeGreaterThan(60)

@@ -12,7 +12,7 @@ beforeAll(async () => {
   human = await skinAt(path)
 })
 
-/** A head that is stretched along an axis, blendshapes included. */
+/** Stretches a head and its blendshapes along an axis. */
 function stretched(axis: 1 | 2, factor: number): Skin {
   const scale = (vectors: ArrayLike<number>) =>
     Float32Array.from(vectors, (value, i) => (i % 3 === axis ? factor * value : value))
@@ -28,7 +28,7 @@ const regionsOf = (skin: Skin, options = {}) => {
   return { areas: areas.map(({ name }) => name), missing: missing.map(({ name }) => name), warnings }
 }
 
-test('a head without a nose gets no lines on it, and one line says why', () => {
+test('a head without a nose gets no lines on it, with a one-line reason', () => {
   const { areas, missing, warnings } = regionsOf(stretched(2, 0.25))
   expect(areas.some((name) => /^nose|^nasolabial/.test(name))).toBe(false)
   expect(areas.some((name) => /^forehead/.test(name))).toBe(true)
@@ -38,18 +38,18 @@ test('a head without a nose gets no lines on it, and one line says why', () => {
   expect(said[0]).toMatch(/the nose protrudes by \d+ mm, not 12 to 70/)
 })
 
-test('regions that are asked for are made nevertheless', () => {
+test('requested regions are made anyway', () => {
   const { areas, warnings } = regionsOf(stretched(2, 0.25), { regions: ['nasolabial'] })
   expect(areas).toContain('nasolabialLeft')
   expect(warnings.join()).not.toContain('stylised')
 })
 
-test('a mouth right below the eyes gets no lines round it', () => {
+test('a mouth right below the eyes gets no lines around it', () => {
   const { areas } = regionsOf(stretched(1, 0.4))
   expect(areas.some((name) => /mouthCorner|Lip|chin|neck|nasolabial/.test(name))).toBe(false)
 })
 
-/** A head whose mouth and nose are pulled forwards. */
+/** Pulls mouth and nose of a head forwards. */
 function muzzled(metres: number): Skin {
   const { offsets } = human.targets.find(({ name }) => name === 'mouthPucker')!
   const middle = [0, 0, 0]
@@ -69,7 +69,7 @@ function muzzled(metres: number): Skin {
   return { ...human, positions }
 }
 
-test('a muzzle gets no folds of a human mouth, and one line says why', () => {
+test('a muzzle gets no folds of a human mouth, with a one-line reason', () => {
   const { areas, missing, warnings } = regionsOf(muzzled(0.05))
   expect(areas.filter((name) => /mouthCorner|Lip|chin|neck|nasolabial|^nose(Left|Right)/.test(name))).toEqual(
     [],
@@ -79,7 +79,7 @@ test('a muzzle gets no folds of a human mouth, and one line says why', () => {
   expect(warnings.join()).toMatch(/the mouth protrudes by \d+ mm, not -40 to 15/)
 })
 
-test('eyes that reach from nose to temple get no lines round them', () => {
+test('eyes that reach from nose to temple get no lines around them', () => {
   const { landmarks, surface } = prepareFace(human).face
   const huge = { ...landmarks, outerCorner: [62, -1, 0], innerCorner: [4, -2, 0] } as const
   expect(unusualMeasures({ landmarks: huge, surface }).flatMap(({ regions }) => regions)).toEqual([
@@ -88,7 +88,7 @@ test('eyes that reach from nose to temple get no lines round them', () => {
   ])
 })
 
-test.each(FACES)('%s is like people', async (_, path) => {
+test.each(FACES)('%s counts as human', async (_, path) => {
   const skin = await skinAt(path)
   expect(unusualMeasures(prepareFace(skin).face)).toEqual([])
 })

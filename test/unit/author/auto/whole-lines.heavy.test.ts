@@ -13,10 +13,13 @@ import { FACES, facialCreases, type PreparedFace, prepareFace } from './faces.ts
 const SMILE = { mouthSmileLeft: 1, mouthSmileRight: 1, cheekSquintLeft: 0.6, cheekSquintRight: 0.6 }
 const SIZE = 1024
 const AGE = 45
-/** Degrees by which a facet may turn the shading of a line, and points of it, half a millimetre apart, that make a break where they are turned more. */
+/**
+ * Angle by which a facet may turn a line's shading, degrees, and number of consecutive points, half a millimetre apart, that count as a
+ * break.
+ */
 const TURN = 19
 const BREAK = 4
-/** Lean of which rounding to bytes, by half a step and by the byte of zero, turns the direction by TURN alone. */
+/** Lean for which rounding to bytes (half a step, and the byte of zero) alone turns the direction by TURN. */
 const UNSEEN = 3 / 127.5
 
 describe.each(FACES)('%s, smiling, without tangents', (_, path) => {
@@ -27,11 +30,11 @@ describe.each(FACES)('%s, smiling, without tangents', (_, path) => {
       skin = await decimatedSkin(path, vertices)
     })
 
-    test('has that many', () => {
+    test('has that many vertices', () => {
       expect(Math.abs(skin.positions.length / 3 / vertices - 1)).toBeLessThan(0.05)
     })
 
-    test('has nasolabial folds in one piece, as long on the left as on the right', () => {
+    test('has nasolabial folds in one piece, equally long on both sides', () => {
       const prepared = prepareFace(skin)
       const smile = new SmilingFace(prepared)
       const { layers, areas } = autoWrinkles(skin, { age: AGE, size: SIZE, frame: 'derivative' })
@@ -51,13 +54,13 @@ describe.each(FACES)('%s, smiling, without tangents', (_, path) => {
   })
 })
 
-/** A face that smiles, and how renderers shade it. */
+/** Smiling face, and its shading by renderers. */
 class SmilingFace {
   readonly #prepared: PreparedFace
   readonly #points: Float64Array
-  /** By point, not normalised. */
+  /** Normals by point, not normalised. */
   readonly #normals: Float64Array
-  /** dP/du and dP/dv at each vertex, means over the facets around it. */
+  /** dP/du and dP/dv at each vertex, averaged over adjacent facets. */
   readonly #derivatives: Float64Array
 
   constructor(prepared: PreparedFace) {
@@ -82,7 +85,7 @@ class SmilingFace {
     }
   }
 
-  /** Degrees between a bank of a line as the facets shade it with one map, and as the smooth surface would with another. */
+  /** Returns the angle between a bank's shading by facets with one map and by the smooth surface with another, degrees. */
   turnsAlong(fold: LaidStroke, bank: number, map: Uint8Array, smoothMap: Uint8Array): number[] {
     const { face, skin } = this.#prepared
     const turns: number[] = []
@@ -132,14 +135,14 @@ class SmilingFace {
   }
 }
 
-/** three.js's `getTangentFrame`, of meshes without tangents. */
+/** three.js's `getTangentFrame` for meshes without tangents. */
 function frameOf([du, dv]: readonly Vector[], normal: Vector): [Vector, Vector] {
   const [tangent, bitangent] = [cross(dv, normal), cross(normal, du)]
   const longer = Math.max(Math.hypot(...tangent), Math.hypot(...bitangent))
   return [scaled(tangent, 1 / longer), scaled(bitangent, 1 / longer)]
 }
 
-/** How a texel of a normal map leans in a frame whose bitangent points along v. */
+/** Returns the lean of a normal map's texel in a frame whose bitangent points along v. */
 function leanOf(map: Uint8Array, texel: number, [tangent, bitangent]: [Vector, Vector]): Vector {
   const [x, y] = [0, 1].map((k) => map[4 * texel + k] / 127.5 - 1)
   return plus(scaled(tangent, x), bitangent, -y)

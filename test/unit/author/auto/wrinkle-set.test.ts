@@ -1,10 +1,10 @@
 import { autoWrinkleSet } from 'furrow/author'
 import { expect, it } from 'vitest'
 
-it('a set of automatic wrinkles has heights in levels of half the side, and their amplitude in metres', () => {
+it('automatic wrinkles have heights at half resolution, with their amplitude in metres', () => {
   const gray = { width: 4, height: 4, data: new Uint8Array(16).fill(255) }
   const normal = { ...gray, data: new Uint8Array(64).fill(255) }
-  // Millimetres: a bulge in one quarter, and a valley of twice its height in another.
+  // Heights in millimetres: a bulge in one quarter, and a valley twice as deep in another.
   const data = Float32Array.from({ length: 16 }, (_, i) =>
     i % 4 < 2 && i < 8 ? 0.2 : i % 4 > 1 && i > 7 ? -0.4 : 0,
   )

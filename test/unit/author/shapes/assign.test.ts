@@ -2,7 +2,7 @@ import { expect, test } from 'vitest'
 import { assign } from '../../../../packages/furrow/src/author/shapes/matching/assign.ts'
 import { seeded } from '../../../random.ts'
 
-/** Least total cost of all ways to give each row a column of its own. */
+/** Returns the smallest total cost of assigning each row a different column, by trying all ways. */
 function leastCost(cost: readonly Float64Array[], row = 0, taken = new Set<number>()): number {
   if (row === cost.length) return 0
   let least = Number.POSITIVE_INFINITY
@@ -19,7 +19,7 @@ test.each([
   [3, 3],
   [4, 6],
   [5, 5],
-])('%i rows get those of %i columns that cost least', (rows, columns) => {
+])('%i rows get the cheapest of %i columns', (rows, columns) => {
   const random = seeded(10 * rows + columns)
   for (const isStepped of [false, true]) {
     for (let n = 0; n < 40; n++) {

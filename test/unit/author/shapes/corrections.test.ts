@@ -21,7 +21,7 @@ beforeAll(async () => {
 const indexOf = (name: string) => human.targets.findIndex((target) => target.name === name)
 const corrected = (...corrections: ShapeCorrection[]) => correctSkin(human, corrections, ['skin'])
 
-/** Indices of the targets that `auto` takes for a shape. */
+/** Returns indices of the targets that `auto` uses for a shape. */
 function found(skin: Skin, shape: string): number[] {
   const { known, hints } = knownTargets(skin)
   return faceShapeFinder(known, hints)(shape)
@@ -38,22 +38,22 @@ describe('corrections in a file', () => {
     ['a misspelt shape', [{ target: 'a', shape: 'browInerUp' }], 'did you mean "browInnerUp"?'],
     ['null', [{ target: 'a', shape: null }], 'shapes[0].shape must be text'],
     ['too many', Array(1025).fill({ target: 'a' }), 'shapes has the wrong number of items'],
-  ])('are refused with the field that is wrong: %s', (_, json, message) => {
+  ])('are refused with the name of the invalid field: %s', (_, json, message) => {
     expect(() => parseCorrections(json, 'test')).toThrow(message)
   })
 
-  it('are read without their malformed ones where faults are collected', () => {
-    const faults: FurrowError[] = []
+  it('are read without malformed ones if errors are collected', () => {
+    const errors: FurrowError[] = []
     const json = [
       { target: 'a', shape: 'jawOpen', extras: {} },
       { target: 'b', shape: 'joy' },
       { target: 'c' },
     ]
-    const read = parseCorrections(json, 'test', (fault) => faults.push(fault))
+    const read = parseCorrections(json, 'test', (error) => errors.push(error))
     expect(read).toEqual([{ target: 'a', shape: 'jawOpen' }, { target: 'c' }])
-    expect(faults).toHaveLength(1)
-    expect(parseCorrections('none', 'test', (fault) => faults.push(fault))).toEqual([])
-    expect(faults).toHaveLength(2)
+    expect(errors).toHaveLength(1)
+    expect(parseCorrections('none', 'test', (error) => errors.push(error))).toEqual([])
+    expect(errors).toHaveLength(2)
     expect(parseCorrections(undefined, 'test')).toEqual([])
   })
 })
@@ -65,7 +65,7 @@ describe('a correction', () => {
     ['another mesh', { mesh: 'body' }, false],
     ['another spelling', { target: 'BrowInner_Up' }, true],
     ['no target of the mesh', { target: 'other' }, false],
-  ])('names its blendshape as drivers do, with %s', (_, names, isFound) => {
+  ])('finds its blendshape like a driver does, with %s', (_, names, isFound) => {
     const { targets } = corrected({ target: 'browInnerUp', shape: 'jawOpen', ...names })
     const changed = targets.flatMap(({ correction }, i) =>
       correction === undefined ? [] : [[i, correction]],
@@ -73,12 +73,12 @@ describe('a correction', () => {
     expect(changed).toEqual(isFound ? [[indexOf('browInnerUp'), 'jawOpen']] : [])
   })
 
-  it('that comes first counts', () => {
+  it('wins if it comes first', () => {
     const skin = corrected({ target: 'jawOpen' }, { target: 'jawOpen', shape: 'mouthSmile' })
     expect(skin.targets[indexOf('jawOpen')]!.correction).toBeNull()
   })
 
-  it('overrules motion and name, with full confidence', () => {
+  it('overrides motion and name, with full confidence', () => {
     const { shapes } = recogniseShapes(
       corrected({ target: 'browInnerUp', shape: 'cheekPuff' }, { target: 'mouthSmileLeft' }),
     )
@@ -87,10 +87,10 @@ describe('a correction', () => {
     expect(smile).toMatchObject({ shape: undefined, confidence: 1, by: 'correction', hint: undefined })
   })
 
-  it('decides which blendshapes automatic wrinkles take for a shape', () => {
+  it('decides which blendshapes automatic wrinkles use for a shape', () => {
     const [up, sneer] = [indexOf('browInnerUp'), indexOf('noseSneerLeft')]
     expect(found(human, 'browInnerUp')).toEqual([up])
-    // The name of the first one is worth no more.
+    // The first one's name then counts no more than others.
     expect(found(corrected({ target: 'noseSneerLeft', shape: 'browInnerUp' }), 'browInnerUp')).toEqual([
       sneer,
     ])
@@ -101,14 +101,14 @@ describe('a correction', () => {
     expect(found(half, 'browInnerUp')).toEqual([sneer])
   })
 
-  it('of no shape of ARKit is refused', () => {
+  it('of a shape that ARKit lacks is refused', () => {
     const skin = corrected({ target: 'browInnerUp', shape: 'joy' })
     expect(() => autoWrinkles(skin)).toThrow(
       'the correction of blendshape "browInnerUp" is unknown, got "joy"',
     )
   })
 
-  it('frees the shape that the blendshape was taken for', () => {
+  it('frees the shape that its blendshape was used for', () => {
     const [up, wide] = ['browInnerUp', 'eyeWideLeft'].map((name) => human.targets[indexOf(name)]!)
     const offsets = Float32Array.from(up!.offsets, (x, i) => x + 0.8 * wide!.offsets[i]!)
     const others = human.targets.filter((target) => target !== up)

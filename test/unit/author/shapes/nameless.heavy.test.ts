@@ -9,7 +9,7 @@ import { overlap } from './overlap.ts'
 
 const make = (skin: Skin) => autoWrinkles(skin, { size: 128, areaSize: 64 })
 
-/** The same blendshapes by other names. */
+/** Returns the skin with renamed blendshapes. */
 function renamed(skin: Skin, rename: (name: string, index: number) => string): Skin {
   return { ...skin, targets: skin.targets.map((target, i) => ({ ...target, name: rename(target.name, i) })) }
 }
@@ -31,7 +31,7 @@ describe.each(FACES)('the areas of %s do not depend on the names of its shapes',
       overlap(weights.data, reference.areas.find((area) => area.name === name)!.weights.data),
     )
     expect(overlaps.reduce((a, b) => a + b, 0) / overlaps.length).toBeGreaterThan(0.9)
-    // A loader finds by name what drivers and expressions read, and it is the same motion.
+    // Loaders find the targets of drivers and expressions by name, so equal motion must be found.
     const targetsOf = (targets: readonly { name: string }[], { targets: all }: Skin) =>
       targets.flatMap(({ name }) =>
         findTargets(
@@ -50,7 +50,7 @@ describe.each(FACES)('the areas of %s do not depend on the names of its shapes',
   })
 })
 
-test('the areas of a face that its node mirrors are on the other side', async () => {
+test('the areas of a face mirrored by its node are on the other side', async () => {
   const [[, path]] = FACES as readonly [readonly [string, string]]
   const document = await readDocument(path, 'test')
   for (const node of document.getRoot().listNodes()) if (node.getMesh()) node.setScale([-1, 1, 1])
@@ -59,6 +59,6 @@ test('the areas of a face that its node mirrors are on the other side', async ()
   const overlaps = made.areas.map(({ name, weights }) => {
     return overlap(weights.data, reference.areas.find((area) => area.name === swapSide(name))!.weights.data)
   })
-  // Lines are drawn by chance on either side, and areas lie around them.
+  // Lines are drawn at random on either side, and areas surround them.
   expect(overlaps.reduce((a, b) => a + b, 0) / overlaps.length).toBeGreaterThan(0.7)
 })

@@ -5,7 +5,7 @@ import { SCHEMES } from '../../../rigs/naming-schemes.ts'
 
 const ARKIT = ALIASES.map(([first]) => first!).slice(0, 52)
 
-test.each(Object.entries(SCHEMES))('names of %s tell their shapes and sides', (_, spell) => {
+test.each(Object.entries(SCHEMES))('names of %s give their shapes and sides', (_, spell) => {
   let known = 0
   for (const shape of ARKIT) {
     const own = spell(shape)
@@ -81,7 +81,7 @@ describe('hintOf', () => {
   ])('the first or last letter of %s is no side', (name) => expect(hintOf(name)).toBeUndefined())
 
   it.each(['target_0', 'Shape12', 'smirk', 'Key 1', '', '...', 'eye_happy', 'mouthSmileLeft_50'])(
-    'tells nothing of "%s"',
+    'finds nothing in "%s"',
     (name) => expect(hintOf(name)).toBeUndefined(),
   )
 })

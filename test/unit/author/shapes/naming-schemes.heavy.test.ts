@@ -26,7 +26,7 @@ function reference(skin: Skin): ReturnType<typeof make> {
   return made
 }
 
-describe("a face has the same areas under the names of any rig as under ARKit's", () => {
+describe("a face has the same areas with the names of any rig as with ARKit's", () => {
   test.each(Object.entries(SCHEMES))('%s', (_, spell) => {
     const arkit = reference(respelled(human, spell, (_, shape) => shape))
     const other = make(respelled(human, spell))
@@ -37,7 +37,7 @@ describe("a face has the same areas under the names of any rig as under ARKit's"
       overlap(weights.data, arkit.areas.find((area) => area.name === name)!.weights.data),
     )
     expect(overlaps.reduce((a, b) => a + b, 0) / overlaps.length).toBeGreaterThan(0.9)
-    // Drivers and expressions have names that the file has.
+    // Drivers and expressions use names of the file.
     for (const { driver } of other.areas)
       for (const { name } of driver.targets) expect(other.targets).toContain(name)
     const smile = other.expressions.find(({ name }) => name === 'happy')!

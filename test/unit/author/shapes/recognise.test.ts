@@ -23,7 +23,7 @@ beforeAll(async () => {
   human = await skinAt(TEMPLATE_FACES.builder[1])
 })
 
-/** The names of its targets, as ARKit spells them, replaced by numbers; other shapes, and those that do not move it, are left out. */
+/** Replaces names by numbers, and returns ARKit's spellings as truth. Drops other shapes and shapes that do not move the skin. */
 function nameless(skin: Skin): { skin: Skin; truth: string[] } {
   const moving = skin.targets.filter(
     ({ name, offsets }) =>
@@ -35,7 +35,7 @@ function nameless(skin: Skin): { skin: Skin; truth: string[] } {
   }
 }
 
-/** A skin with other coordinates. */
+/** Returns a skin with mapped coordinates. */
 function transformed(skin: Skin, map: (x: number, y: number, z: number) => number[]): Skin {
   const all = (values: ArrayLike<number>) => {
     const out = new Float32Array(values.length)
@@ -48,7 +48,7 @@ function transformed(skin: Skin, map: (x: number, y: number, z: number) => numbe
 
 const swapped = (name: string) => name.replace(/Left|Right/, (side) => (side === 'Left' ? 'Right' : 'Left'))
 
-/** A target made of each vertex. */
+/** Makes a target from an offset per vertex. */
 function target(name: string, offset: (i: number) => number[]) {
   const offsets = new Float32Array(human.positions.length)
   for (let i = 0; i < offsets.length / 3; i++) offsets.set(offset(i), 3 * i)
@@ -59,11 +59,11 @@ const at = (values: ArrayLike<number>, i: number) => [0, 1, 2].map((k) => values
 
 describe('shapes without names', () => {
   const heads = [
-    ['a face of the builder, by the scan', () => human, scan],
-    ...SCANS.map(({ path }) => ['the scan, by the builder', () => skinAt(path), builder] as const),
+    ['a shipped face, from the scan', () => human, scan],
+    ...SCANS.map(({ path }) => ['the scan, from the shipped faces', () => skinAt(path), builder] as const),
   ] as const
 
-  test.each(heads)('%s', async (_, read, templates) => {
+  test.each(heads)('are recognised on %s', async (_, read, templates) => {
     const { skin, truth } = nameless(await read())
     const found = recogniseShapes(skin, [templates!]).shapes
     const right = found.filter(({ shape }, i) => shape === truth[i])
@@ -75,18 +75,18 @@ describe('shapes without names', () => {
 
   test.each([
     [
-      'turned and in centimetres',
+      'rotated and in centimetres',
       (x: number, y: number, z: number) => [-100 * z, 100 * x, -100 * y],
       (name: string) => name,
     ],
     ['mirrored', (x: number, y: number, z: number) => [-x, y, z], swapped],
-  ])('%s', (_, map, rename) => {
+  ])('are recognised on a face that is %s', (_, map, rename) => {
     const { skin, truth } = nameless(human)
     const found = recogniseShapes(transformed(skin, map)).shapes.map(({ shape }) => shape)
     expect(found).toEqual(truth.map(rename))
   })
 
-  test('of ten or twenty, none is wrong', () => {
+  test('have no wrong match among ten or twenty', () => {
     const { skin, truth } = nameless(human)
     let known = 0
     for (const count of [10, 20]) {
@@ -107,35 +107,35 @@ describe('shapes without names', () => {
     expect(known).toBeGreaterThan(8)
   })
 
-  test('a mouth that only speaks', () => {
+  test('have no wrong match on a mouth that only speaks', () => {
     const { skin, truth } = nameless(human)
     const speech = truth.flatMap((name, i) =>
       /^(jawOpen|mouth(Pucker|Funnel|Close|Stretch))/.test(name) ? [i] : [],
     )
     const found = recogniseShapes({ ...skin, targets: speech.map((i) => skin.targets[i]!) }).shapes
-    // Without lids that close, the eyes are guessed.
+    // Without closing lids, the position of the eyes is a guess.
     for (const [k, { shape }] of found.entries()) expect([undefined, truth[speech[k]!]]).toContain(shape)
   })
 })
 
-test('names are kept where motion agrees', () => {
+test('names are kept if motion agrees', () => {
   for (const { name, shape, isMisnamed } of recogniseShapes(human).shapes) {
     expect([shape, isMisnamed]).toEqual([name, false])
   }
 })
 
-test('motion overrules names of the wrong side, and of another shape', () => {
+test('motion overrides names of the wrong side or of another shape', () => {
   const wrong: Record<string, string> = { jawOpen: 'browInnerUp', browInnerUp: 'jawOpen' }
   const targets = human.targets.map(({ name, offsets }) => ({ name: wrong[name] ?? swapped(name), offsets }))
   const found = recogniseShapes({ ...human, targets }).shapes
   for (const [i, { name }] of human.targets.entries()) {
-    // A mouth that moves to a side is told by the direction alone, and the tongue is another mesh.
+    // Mouth motion to a side is recognised by direction alone, and the tongue is another mesh.
     if (!/^(eye|brow|cheek|nose|mouth(Smile|Frown)|jawOpen)/.test(name)) continue
     expect([name, found[i]!.shape]).toEqual([name, name])
   }
 })
 
-test('proportions, hidden pieces, turned heads and corrections are unknown', () => {
+test('proportions, hidden parts, turned heads and corrective shapes are unknown', () => {
   const { skin } = nameless(human)
   const { positions } = human
   const eyes =
@@ -153,7 +153,7 @@ test('proportions, hidden pieces, turned heads and corrections are unknown', () 
   expect(found.map(({ shape }) => shape)).toEqual(others.map(() => undefined))
 })
 
-test('beside sliders and composites, shapes that are sure are right', () => {
+test('confident matches are right among sliders and composites', () => {
   const { skin, truth } = nameless(human)
   const others = unlabelledShapes(human)
   const found = recogniseShapes({ ...skin, targets: [...skin.targets, ...others] }, [scan!]).shapes
@@ -172,7 +172,7 @@ test('a mesh without a face has no shapes', () => {
   expect(recogniseShapes(broken).shapes.every(({ by }) => by === 'name')).toBe(true)
 })
 
-test('the table is that of the faces it names', async () => {
+test('the table equals that of the faces it names', async () => {
   expect(await templateText(TEMPLATE_FACES.builder)).toBe(TEMPLATES.builder)
   for (const { path } of SCANS) expect(await templateText([path])).toBe(TEMPLATES.scan)
 })

@@ -11,7 +11,7 @@ beforeAll(async () => {
   face = await readFace(resolve('.'))
 })
 
-describe('a face has the areas that the table lists for its rig', () => {
+describe('a face has the areas listed for its rig', () => {
   test.each(Object.keys(ROWS))('%s', (name) => {
     expect(table, 'out of date: npm run rig-table').toContain(rowOf(name, face))
   })
