@@ -20,11 +20,11 @@ export class FaceAreas {
   /** Adds images as areas. Reports all failed images in one message. */
   async add(files: readonly File[], convention: AreaConvention): Promise<void> {
     if (files.length > MAX_AREAS) return this.#messages.error(tooManyImagesError(files.length))
-    const faults: unknown[] = []
-    for (const file of files) await this.#addOne(file, convention).catch((error) => faults.push(error))
-    if (faults.length === 0) return
-    const count = `${faults.length} of ${files.length} images were not added; the first: `
-    this.#messages.error(faults.length === 1 ? faults[0] : `${count}${(faults[0] as Error).message}`)
+    const errors: unknown[] = []
+    for (const file of files) await this.#addOne(file, convention).catch((error) => errors.push(error))
+    if (errors.length === 0) return
+    const count = `${errors.length} of ${files.length} images were not added; the first: `
+    this.#messages.error(errors.length === 1 ? errors[0] : `${count}${(errors[0] as Error).message}`)
   }
 
   async #addOne(file: File, convention: AreaConvention): Promise<void> {

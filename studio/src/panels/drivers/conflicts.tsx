@@ -1,7 +1,7 @@
 import { useComputed } from '@preact/signals'
 import type { ConflictDriver } from 'furrow'
 import { canonicalTargetName } from 'furrow/internal'
-import { conflictsOf } from '../../document/driver-faults.ts'
+import { conflictsOf } from '../../document/driver-problems.ts'
 import type { DriverContext } from './context.ts'
 import { NameSelect, optionsOf } from './fields.tsx'
 

@@ -1,16 +1,16 @@
 import { useComputed } from '@preact/signals'
 import type { WrinkleDriver } from 'furrow'
-import type { DriverFault } from '../../document/driver-faults.ts'
+import type { DriverProblem } from '../../document/driver-problems.ts'
 import type { FormProps } from './context.ts'
 import { driverTypeOf } from './types/types.ts'
 
 interface DriverCardProps extends FormProps<WrinkleDriver> {
-  fault: DriverFault | undefined
+  problem: DriverProblem | undefined
   open: boolean
 }
 
 /** One driver: its type, its current contribution, and a collapsible form. */
-export function DriverCard({ driver, index, context, fault, open }: DriverCardProps) {
+export function DriverCard({ driver, index, context, problem, open }: DriverCardProps) {
   const { slow, editor } = context
   const given = useComputed(() => slow.value[index]?.activation.toFixed(2) ?? '')
   const type = driverTypeOf(driver.type)
@@ -23,12 +23,12 @@ export function DriverCard({ driver, index, context, fault, open }: DriverCardPr
           {given}
         </output>
       </summary>
-      {fault && (
-        <p class="fault">
-          {fault.text} {fault.remedy}
-          {fault.removes !== undefined && (
-            <button type="button" class="quiet fix" onClick={() => editor.remove(fault.removes!)}>
-              {fault.removes === index ? 'Remove it' : 'Remove the conflict'}
+      {problem && (
+        <p class="problem">
+          {problem.text} {problem.remedy}
+          {problem.removes !== undefined && (
+            <button type="button" class="quiet fix" onClick={() => editor.remove(problem.removes!)}>
+              {problem.removes === index ? 'Remove it' : 'Remove the conflict'}
             </button>
           )}
         </p>

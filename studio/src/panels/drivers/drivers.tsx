@@ -1,7 +1,7 @@
 import { useComputed, useSignal } from '@preact/signals'
 import type { ExpressionDriver, WrinkleDriver } from 'furrow'
 import { useMemo } from 'preact/hooks'
-import { driverFaults } from '../../document/driver-faults.ts'
+import { driverProblems } from '../../document/driver-problems.ts'
 import { areaOf } from '../../document/drivers.ts'
 import { DriverEditor } from '../../session/driver-editor.ts'
 import type { PanelModel } from '../model.ts'
@@ -50,7 +50,7 @@ export function Drivers({ model, area }: { model: PanelModel; area: string }) {
     now,
     slow,
   }
-  const faults = driverFaults(document.drivers, area, context.targets)
+  const problems = driverProblems(document.drivers, area, context.targets)
   const own = document.drivers.flatMap((driver, index) =>
     isRelevant(driver, area) ? [{ driver, index }] : [],
   )
@@ -69,7 +69,7 @@ export function Drivers({ model, area }: { model: PanelModel; area: string }) {
           driver={driver}
           index={index}
           context={context}
-          fault={faults.get(index)}
+          problem={problems.get(index)}
           open={index === added.value}
         />
       ))}

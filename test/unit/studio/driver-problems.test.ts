@@ -1,13 +1,13 @@
 import { parseDrivers } from 'furrow'
 import { describe, expect, it } from 'vitest'
-import { conflictsOf, driverFaults } from '../../../studio/src/document/driver-faults.ts'
+import { conflictsOf, driverProblems } from '../../../studio/src/document/driver-problems.ts'
 
 const AREAS = ['brow', 'nose']
 const SHAPES = ['browInnerUp', 'browDownLeft', 'BrowOuterUp_L']
 const conflict = { type: 'conflict', targets: ['browInnerUp', 'browDownLeft'] }
 
-function faultsOf(drivers: readonly object[], area = 'brow') {
-  return [...driverFaults(parseDrivers(drivers, AREAS), area, SHAPES)]
+function problemsOf(drivers: readonly object[], area = 'brow') {
+  return [...driverProblems(parseDrivers(drivers, AREAS), area, SHAPES)]
 }
 
 const morph = (names: string[], rule = 'sum') => ({
@@ -19,15 +19,15 @@ const morph = (names: string[], rule = 'sum') => ({
 
 describe('what is wrong with a driver is said, with a remedy', () => {
   it('of one that is right: nothing', () => {
-    expect(faultsOf([morph(['browInnerUp', 'browOuterUpLeft'])])).toEqual([])
+    expect(problemsOf([morph(['browInnerUp', 'browOuterUpLeft'])])).toEqual([])
   })
 
   it('of another area: nothing', () => {
-    expect(faultsOf([morph(['noseSneerLeft'])], 'nose')).toEqual([])
+    expect(problemsOf([morph(['noseSneerLeft'])], 'nose')).toEqual([])
   })
 
   it('a blendshape that the face lacks', () => {
-    const [[index, { text, remedy }]] = faultsOf([morph(['browInnerUp']), morph(['noseSneerLeft'])])
+    const [[index, { text, remedy }]] = problemsOf([morph(['browInnerUp']), morph(['noseSneerLeft'])])
     expect(index).toBe(1)
     expect(text).toContain('no blendshape noseSneerLeft')
     expect(remedy).not.toBe('')
@@ -38,19 +38,19 @@ describe('what is wrong with a driver is said, with a remedy', () => {
       { type: 'area', area: 'brow', areas: [{ name: 'nose' }] },
       { type: 'area', area: 'nose', areas: [{ name: 'brow' }] },
     ]
-    const [[index, fault]] = faultsOf(circle)
-    expect(fault.text).toContain('drives itself')
-    expect(fault.removes).toBe(index)
+    const [[index, problem]] = problemsOf(circle)
+    expect(problem.text).toContain('drives itself')
+    expect(problem.removes).toBe(index)
   })
 
   it('a delay that a later one replaces', () => {
     const delay = { type: 'time', area: 'brow', attack: 0.1 }
-    const faults = faultsOf([delay, delay])
-    expect(faults.map(([index, { removes }]) => [index, removes])).toEqual([[0, 0]])
+    const problems = problemsOf([delay, delay])
+    expect(problems.map(([index, { removes }]) => [index, removes])).toEqual([[0, 0]])
   })
 
   it('a type of a later version', () => {
-    expect(faultsOf([{ type: 'breath', area: 'brow' }])[0][1].text).toContain('breath')
+    expect(problemsOf([{ type: 'breath', area: 'brow' }])[0][1].text).toContain('breath')
   })
 
   it.each([
@@ -58,14 +58,14 @@ describe('what is wrong with a driver is said, with a remedy', () => {
     ['product', 'never shows'],
     ['sum', 'less'],
   ])('two blendshapes that cancel each other, by the rule %s', (rule, text) => {
-    const [[index, fault]] = faultsOf([conflict, morph(['browDownLeft', 'browInnerUp'], rule)])
+    const [[index, problem]] = problemsOf([conflict, morph(['browDownLeft', 'browInnerUp'], rule)])
     expect(index).toBe(1)
-    expect(fault.text).toContain(text)
-    expect(fault.removes).toBe(0)
+    expect(problem.text).toContain(text)
+    expect(problem.removes).toBe(0)
   })
 
   it('but not where the larger of the two counts', () => {
-    expect(faultsOf([conflict, morph(['browDownLeft', 'browInnerUp'], 'max')])).toEqual([])
+    expect(problemsOf([conflict, morph(['browDownLeft', 'browInnerUp'], 'max')])).toEqual([])
   })
 })
 

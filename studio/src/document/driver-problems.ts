@@ -3,7 +3,7 @@ import { canonicalTargetName, isKnownDriver, planDrivers } from 'furrow/internal
 import { areaOf } from './drivers.ts'
 
 /** Why a driver has less effect than it states, and the remedy. */
-export interface DriverFault {
+export interface DriverProblem {
   readonly text: string
   readonly remedy: string
   /** Index of the driver whose removal fixes the problem. */
@@ -11,23 +11,23 @@ export interface DriverFault {
 }
 
 /** Finds problems of one area's drivers, by driver index. */
-export function driverFaults(
+export function driverProblems(
   drivers: readonly WrinkleDriver[],
   area: string,
   targetNames: readonly string[],
-): ReadonlyMap<number, DriverFault> {
+): ReadonlyMap<number, DriverProblem> {
   const { cyclicAreas } = planDrivers(drivers)
-  const faults = new Map<number, DriverFault>()
+  const problems = new Map<number, DriverProblem>()
   for (const [index, driver] of drivers.entries()) {
     if (areaOf(driver) !== area) continue
-    const fault =
+    const problem =
       unknownType(driver) ??
       (driver.type === 'area' && cyclicAreas.includes(area) ? cycle(area, index) : null) ??
       earlierDelay(drivers, driver, index) ??
-      (driver.type === 'morph' ? faultOfMorph(driver as MorphDriver, drivers, targetNames) : null)
-    if (fault) faults.set(index, fault)
+      (driver.type === 'morph' ? morphProblem(driver as MorphDriver, drivers, targetNames) : null)
+    if (problem) problems.set(index, problem)
   }
-  return faults
+  return problems
 }
 
 /** Returns the indices of conflicts between blendshapes that drive the area, or that drive no area. */
@@ -45,7 +45,7 @@ export function conflictsOf(drivers: readonly WrinkleDriver[], area: string): nu
   })
 }
 
-function unknownType(driver: WrinkleDriver): DriverFault | null {
+function unknownType(driver: WrinkleDriver): DriverProblem | null {
   if (isKnownDriver(driver)) return null
   return {
     text: `This version does not know drivers of type “${driver.type}”. It is kept in the file.`,
@@ -53,7 +53,7 @@ function unknownType(driver: WrinkleDriver): DriverFault | null {
   }
 }
 
-function cycle(area: string, removes: number): DriverFault {
+function cycle(area: string, removes: number): DriverProblem {
   return {
     text: `${area} drives itself in a circle, so this driver has no effect.`,
     remedy: 'Read other areas, or remove it.',
@@ -66,7 +66,7 @@ function earlierDelay(
   drivers: readonly WrinkleDriver[],
   driver: WrinkleDriver,
   index: number,
-): DriverFault | null {
+): DriverProblem | null {
   if (driver.type !== 'time') return null
   const isLater = drivers.some(
     (other, i) => i > index && other.type === 'time' && areaOf(other) === areaOf(driver),
@@ -75,11 +75,11 @@ function earlierDelay(
   return { text: 'A later delay of this area counts instead.', remedy: 'Remove this one.', removes: index }
 }
 
-function faultOfMorph(
+function morphProblem(
   { targets, rule }: MorphDriver,
   drivers: readonly WrinkleDriver[],
   targetNames: readonly string[],
-): DriverFault | null {
+): DriverProblem | null {
   const missing = targets.filter(({ name }) => findTargets(name, targetNames).length === 0)
   if (missing.length > 0) {
     const names = missing.map(({ name }) => name).join(', ')
