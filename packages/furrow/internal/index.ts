@@ -1,6 +1,6 @@
 /**
- * `furrow/internal`: names that the rest of the workspace uses beyond the public entries, of rooms without an engine. It is never published: it
- * lies outside `src`, no `exports` of the package name it, and only `scripts/lib/sources.mjs` and `tsconfig.base.json` resolve it.
+ * `furrow/internal`: engine-independent internals for the rest of the workspace. Never published: it lies outside `src`, the package has no
+ * `exports` entry for it, and only `scripts/lib/sources.mjs` and `tsconfig.base.json` resolve it.
  */
 
 export { AUTO_STEPS, strokesOf } from '../src/author/auto/auto.ts'

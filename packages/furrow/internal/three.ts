@@ -1,9 +1,14 @@
-/** `furrow/internal/three`: as `furrow/internal`, of the rooms of three.js. */
+/** `furrow/internal/three`: internals of `src/three`, otherwise like `furrow/internal`. */
 
 export { DeclaredWrinkles } from '../src/three/loader/declared-wrinkles.ts'
 export { expressionsOfMesh, nameTargets } from '../src/three/loader/file-targets.ts'
 export { readImages } from '../src/three/loader/load-wrinkle-set.ts'
-export { canCrease, placementOf, readMeshes, readQuantised } from '../src/three/loader/read-character.ts'
+export {
+  addFlatNormalMap,
+  placementOf,
+  readMeshes,
+  supportsAutoWrinkles,
+} from '../src/three/loader/read-character.ts'
 export {
   chooseFaces,
   facesOf,

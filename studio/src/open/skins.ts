@@ -6,14 +6,14 @@ import {
   skinOf,
 } from 'furrow/internal'
 import {
-  canCrease,
+  addFlatNormalMap,
   chooseFaces,
   expressionsOfMesh,
   facesOf,
   materialReader,
   readMeshes,
-  readQuantised,
   readsNormalMap,
+  supportsAutoWrinkles,
   surfaceOf,
   wrinkledMaterials,
 } from 'furrow/internal/three'
@@ -59,7 +59,7 @@ export async function findSkins(gltf: GLTF, onProblem: (problem: string) => void
   }
   return facesOf(gltf, parser).map((meshes) => {
     const wrinkles = wrinkled.get(meshes[0]) ?? null
-    if (!wrinkles) readQuantised(meshes)
+    if (!wrinkles) addFlatNormalMap(meshes)
     return { ...describe(meshes, gltf), wrinkles }
   })
 }
@@ -75,7 +75,7 @@ export function indexOfSkin(skins: readonly SkinCandidate[]): number {
   const wrinkled = skins.findIndex(({ wrinkles }) => wrinkles)
   if (wrinkled >= 0) return wrinkled
   const movable = skins.filter(
-    ({ meshes, triangles }) => meshes.every(canCrease) && triangles <= MAX_SKIN_TRIANGLES,
+    ({ meshes, triangles }) => meshes.every(supportsAutoWrinkles) && triangles <= MAX_SKIN_TRIANGLES,
   )
   if (movable.length > 1) {
     const candidates = movable.map(({ meshes, expressions }) => {

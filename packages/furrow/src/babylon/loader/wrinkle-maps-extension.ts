@@ -130,7 +130,11 @@ function fileOf(loader: GLTFLoader, transcoderPath: string | undefined): GltfSou
     }
   }
   return {
-    json: { ...gltf, materials: asWritten(gltf.materials), extensions: asWritten(gltf.extensions) },
+    json: {
+      ...gltf,
+      materials: withoutPrivateFields(gltf.materials),
+      extensions: withoutPrivateFields(gltf.extensions),
+    },
     readBytes,
     prefersArrays: false,
     fetchArrays: async () => {
@@ -148,7 +152,7 @@ function fileOf(loader: GLTFLoader, transcoderPath: string | undefined): GltfSou
 }
 
 /** Copies JSON without the underscore properties that Babylon.js adds, because they reference the scene and are cyclic. */
-function asWritten(json: unknown): unknown {
+function withoutPrivateFields(json: unknown): unknown {
   const text = JSON.stringify(json, (name, value) => (name.startsWith('_') ? undefined : value))
   return text && JSON.parse(text)
 }

@@ -131,7 +131,7 @@ function normalMixing(
   ${d.local(float, 'kept', '1.0 - along / (normal.z + size)')}
   normal = ${vec3}(normal.xy * kept + slope * size, normal.z - along);
 #ifdef DETAIL
-  // Babylon.js's detail map expects the normal's original length; elsewhere Babylon.js normalises.
+  // Babylon.js's detail map expects a normal of the original length; without one Babylon.js normalises.
   normal = normal * (size / length(normal));
 #endif`
   const body = `

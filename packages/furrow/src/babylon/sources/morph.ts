@@ -1,7 +1,6 @@
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { MorphTargetManager } from '@babylonjs/core/Morph/morphTargetManager.js'
 
-/** Reads the weights of a mesh's morph targets. */
 export function readWeights({ morphTargetManager: targets }: AbstractMesh, values: Float64Array): void {
   if (!targets) return
   const count = Math.min(values.length, targets.numTargets)

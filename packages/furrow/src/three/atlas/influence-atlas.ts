@@ -93,7 +93,6 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     return added
   }
 
-  /** Frees cells. */
   remove(cells: readonly Cell[]): void {
     this.cells.remove(cells)
     this.#prune()

@@ -61,7 +61,7 @@ export function headOfJoints(meshes: readonly DrawnMesh[]): HeadRegion | undefin
   return { meshes: moved, sphere: sphereOf(box, HEAD_RADII.joint), chin: -Infinity, front: new Vector3() }
 }
 
-/** Bounding sphere of a box, scaled. Infinite for an empty box, e.g. if blendshapes move a single vertex. */
+/** Bounding sphere of a box, scaled. Infinite for a box of zero size, e.g. if blendshapes move a single vertex. */
 function sphereOf(box: Box3, radii: number): Sphere {
   const sphere = box.getBoundingSphere(new Sphere())
   sphere.radius = radii * sphere.radius || Infinity

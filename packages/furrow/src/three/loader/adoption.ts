@@ -92,7 +92,7 @@ export class Adoption {
 
   /** Returns the face if the mesh is part of it. */
   faceOf(mesh: Mesh): WrinklesBase | undefined {
-    return this.#face && this.#meshes.some((part) => movesAs(part, mesh)) ? this.#face : undefined
+    return this.#face && this.#meshes.some((part) => sharesPose(part, mesh)) ? this.#face : undefined
   }
 
   #onDraw(mesh: Mesh, renderer: AnyRenderer, camera: Camera, scene: Scene): void {
@@ -182,7 +182,7 @@ function whenRemoved(mesh: Mesh, face: WrinklesBase | undefined, run: () => void
 type Skinned = Mesh & { skeleton?: object }
 
 /** Whether two meshes share their blendshape weights and skeleton. */
-function movesAs(a: Skinned, b: Skinned): boolean {
+function sharesPose(a: Skinned, b: Skinned): boolean {
   if (instancesOf(a) || instancesOf(b)) return false
   return a.morphTargetInfluences === b.morphTargetInfluences && a.skeleton === b.skeleton
 }

@@ -12,7 +12,7 @@ import { surfaceOf } from '../material/surface.ts'
 import { mapTexture } from '../material/textures.ts'
 import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 import { expressionsOfMesh, nameTargets } from './file-targets.ts'
-import { canCrease, readMeshes, readQuantised } from './read-character.ts'
+import { addFlatNormalMap, readMeshes, supportsAutoWrinkles } from './read-character.ts'
 
 type Meshes = [Mesh, ...Mesh[]]
 
@@ -75,11 +75,11 @@ async function makeAutoWrinkles(
   faces: readonly Meshes[],
   options: AutoRunOptions,
 ): Promise<GeneratedWrinkles | undefined> {
-  const skins = groupBySkin(faces.filter((meshes) => meshes.every(canCrease)))
-  if (skins.length === 0) throw withoutBlendshapes()
+  const skins = groupBySkin(faces.filter((meshes) => meshes.every(supportsAutoWrinkles)))
+  if (skins.length === 0) throw missingBlendshapes()
   nameTargets(parser, faces.flat())
   // Reads the pose before the first await: the page may move the scene and its bones afterwards.
-  for (const [first] of skins) readQuantised(first!)
+  for (const [first] of skins) addFlatNormalMap(first!)
   const character = skins.map(([first]) => readMeshes(first!, expressionsOfMesh(parser, first![0])))
   const inUse = new SkinsInUse(skins, options.signal)
   const run = async () => {
@@ -170,7 +170,7 @@ class SkinsInUse {
   }
 }
 
-function withoutBlendshapes(): FurrowError {
+function missingBlendshapes(): FurrowError {
   return new FurrowError({
     who: WHO,
     problem: 'no wrinkles can be made: no mesh has blendshapes and texture coordinates',

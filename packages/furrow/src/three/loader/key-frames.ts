@@ -20,7 +20,7 @@ export interface LoadedFace {
 const MAX_KEY_FRAMES = 1_000_000
 
 /** Drops channels that animate areas with missing samplers; `GLTFLoader` would otherwise reject the file. */
-export function dropBrokenChannels(parser: Parser, warnings: Warnings): void {
+export function dropInvalidChannels(parser: Parser, warnings: Warnings): void {
   for (const animation of parser.json.animations as Partial<AnimationJson>[]) {
     if (!Array.isArray(animation?.channels)) continue
     animation.channels = animation.channels.filter((channel) => {

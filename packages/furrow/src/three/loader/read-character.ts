@@ -14,7 +14,7 @@ import { flatNormalTexture } from '../material/textures.ts'
 import { targetNames } from '../sources/morph.ts'
 
 /** Whether a mesh has the positions, UVs and blendshapes that automatic wrinkles need. */
-export function canCrease({ geometry: { attributes, morphAttributes } }: Mesh): boolean {
+export function supportsAutoWrinkles({ geometry: { attributes, morphAttributes } }: Mesh): boolean {
   return Boolean(attributes.position && attributes.uv && morphAttributes.position?.length)
 }
 
@@ -22,7 +22,7 @@ export function canCrease({ geometry: { attributes, morphAttributes } }: Mesh): 
  * Adds a flat normal map, with the base colour's transform, to a material without a normal map. Quantised UVs may need that transform
  * (KHR_mesh_quantization), and wrinkles use the normal map's coordinates.
  */
-export function readQuantised(meshes: readonly [Mesh, ...Mesh[]]): void {
+export function addFlatNormalMap(meshes: readonly [Mesh, ...Mesh[]]): void {
   const surface = surfaceOf(meshes[0])
   const { normalMap, map } = surface as { normalMap?: Texture | null; map?: Texture | null }
   if (!readsNormalMap(surface) || normalMap || !map) return

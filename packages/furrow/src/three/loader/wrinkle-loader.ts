@@ -23,7 +23,7 @@ import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 import { Adoption, type WatchDraws } from './adoption.ts'
 import type { AddFace } from './auto-wrinkles.ts'
 import { DeclaredWrinkles } from './declared-wrinkles.ts'
-import { addActivationTracks, dropBrokenChannels, type LoadedFace } from './key-frames.ts'
+import { addActivationTracks, dropInvalidChannels, type LoadedFace } from './key-frames.ts'
 import {
   chooseFaces,
   facesOf,
@@ -74,7 +74,7 @@ export class WrinkleLoader {
   readonly #read: ReturnType<typeof materialReader>
 
   constructor(parser: GLTFParser, parts: LoaderParts, options: WrinkleLoaderOptions) {
-    if (!isObject(parser?.json)) throw withoutParser(parser)
+    if (!isObject(parser?.json)) throw invalidParser(parser)
     checkLoaderOptions(options, 'WrinkleLoaderPlugin')
     const { auto, ...others } = options
     this.#auto = auto
@@ -92,7 +92,7 @@ export class WrinkleLoader {
     for (const material of this.#declared.materials) this.#read(material).catch(() => {})
     // Prefetches the chunk while the file loads.
     if (this.#auto) import('./auto-wrinkles.ts').catch(() => {})
-    if (hasPointers(this.#parser)) dropBrokenChannels(this.#parser, this.#warnings)
+    if (hasPointers(this.#parser)) dropInvalidChannels(this.#parser, this.#warnings)
   }
 
   /** Called by the loader after everything else is loaded. */
@@ -234,7 +234,7 @@ function separatedFaces({ faces }: WrinkledMaterial, read: FileWrinkles): [Mesh,
   return chosen
 }
 
-function withoutParser(given: unknown): FurrowError {
+function invalidParser(given: unknown): FurrowError {
   return new FurrowError({
     who: 'WrinkleLoaderPlugin',
     problem: 'invalid parser',

@@ -28,7 +28,7 @@ export function layerMaps(
   if (!present.some(isSlice)) {
     const packed = packMaps(maps as (RgbaImage | GrayImage | undefined)[], kind)
     const space = kind === 'baseColor' ? SRGBColorSpace : NoColorSpace
-    return onGpu(packed, mapTexture(packed.images, anisotropy, space))
+    return packedLayerMaps(packed, mapTexture(packed.images, anisotropy, space))
   }
   const texture = arrayOf(present, 'Wrinkles', `${kind} maps`)
   texture.anisotropy = anisotropy
@@ -37,6 +37,6 @@ export function layerMaps(
 }
 
 /** Layer maps of packed images in a texture. */
-export function onGpu({ slices, channel }: PackedMaps, texture: ArrayTexture): LayerMaps {
+export function packedLayerMaps({ slices, channel }: PackedMaps, texture: ArrayTexture): LayerMaps {
   return { texture, slices, channel }
 }

@@ -12,7 +12,7 @@ export interface ModeHost {
   readonly meshes: readonly Mesh[]
   /** Reports that the shader cannot be patched, and was left unchanged. */
   refuse(): void
-  /** Called before `WebGLRenderer` compiles a patched shader. `WebGLRenderer.compile` makes no other call before a draw. */
+  /** Called before `WebGLRenderer` compiles a patched shader: the only callback that `WebGLRenderer.compile` triggers. */
   onCompile(renderer: WebGLRenderer): void
 }
 
@@ -25,7 +25,7 @@ export interface ShownMode {
   /** Phase 5 of a frame, with an up-to-date influence map. */
   update?: (renderer: AnyRenderer, activations: Activations) => void
   /** Whether the shader supports another mesh of the face. Omitted if it supports any. */
-  isFor?(mesh: Mesh): boolean
+  supportsMesh?(mesh: Mesh): boolean
   /** Whether the shader matches the material's current maps and the faces in the atlas. Omitted if it always does. */
   isCurrent?(): boolean
   undo(): void

@@ -18,7 +18,6 @@ import { cloneByClass, type WrinkleMaterial } from './wrinkle-material.ts'
 
 /** A user's material, patched to show wrinkles. */
 export class PatchedMaterial {
-  /** Current mode. */
   mode: WrinkleMode = 'off'
   readonly #meshes: readonly Mesh[]
   readonly #material: WrinkleMaterial
@@ -29,7 +28,6 @@ export class PatchedMaterial {
   /** Patches the material to draw relief; null without relief. */
   #patchRelief: ((material: Material) => () => void) | null = null
   #undoRelief: (() => void) | undefined
-  /** Materials that show influence. */
   readonly #influenceMaterials = new WeakSet<Material>()
   /** Number of materials that show the current influence, which keep the influence map updated in any mode. */
   views = 0
@@ -126,7 +124,7 @@ export class PatchedMaterial {
 
   /** Called when a mesh is added to the face. */
   follow(mesh: Mesh): void {
-    if (this.#shown?.isFor?.(mesh) === false) this.#apply(this.mode)
+    if (this.#shown?.supportsMesh?.(mesh) === false) this.#apply(this.mode)
   }
 
   /** Clones the material without wrinkles. */
@@ -162,13 +160,11 @@ export class PatchedMaterial {
     this.#flat.dispose()
   }
 
-  /** Shows the mode again. */
   resume(): void {
     this.#isSuspended = false
     this.show(this.mode)
   }
 
-  /** Restores the material. */
   dispose(): void {
     this.#material.removeEventListener('dispose', this.#onDisposed)
     this.show('off')

@@ -10,7 +10,6 @@ import type { WrinkleMaterial } from './wrinkle-material.ts'
 
 /** Renderer-specific parts of wrinkles. */
 export interface RendererParts {
-  /** Entry point of the package. */
   entry: Entry
   /** Whether the material's shader can be patched; otherwise the composed mode is used. */
   canPatch(material: WrinkleMaterial): boolean
@@ -31,7 +30,6 @@ export interface RendererParts {
   isCompiling?(renderer: AnyRenderer): boolean
   /** Creates a black material without lights and tone mapping. */
   unlitMaterial(): Material
-  /** Measures the tension of the skin. */
   bindTension: BindTension
   /** Materials of the influence atlas. */
   quads: QuadMaterials

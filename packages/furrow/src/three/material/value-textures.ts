@@ -2,7 +2,7 @@ import { isSlice } from '../../core/check-areas.ts'
 import type { ArraySlice, Layer } from '../../core/types.ts'
 import { VALUE_KINDS, type ValueKind } from '../../runtime/layer-maps.ts'
 import { PAIR, packPair } from '../../runtime/paired-maps.ts'
-import { type LayerMaps, layerMaps, onGpu } from './layer-textures.ts'
+import { type LayerMaps, layerMaps, packedLayerMaps } from './layer-textures.ts'
 import { mapTexture } from './textures.ts'
 
 /**
@@ -33,5 +33,5 @@ function pairMaps(
   if (!isPaired || layers.some((layer) => PAIR.some((kind) => isSlice(layer[kind])))) return undefined
   const { occlusion, blood } = packPair(layers as readonly Layer[])
   const texture = mapTexture(occlusion.images, anisotropy)
-  return { occlusion: onGpu(occlusion, texture), blood: onGpu(blood, texture) }
+  return { occlusion: packedLayerMaps(occlusion, texture), blood: packedLayerMaps(blood, texture) }
 }

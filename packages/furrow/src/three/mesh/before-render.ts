@@ -4,16 +4,16 @@ import type { AnyRenderer } from '../renderer.ts'
 type Call = (renderer: AnyRenderer, camera: Camera, scene: Scene, drawn: object) => void
 
 /** Callbacks that call no code of the page. */
-const ours = new WeakSet<Mesh['onBeforeRender']>([Object3D.prototype.onBeforeRender])
+const ownCallbacks = new WeakSet<Mesh['onBeforeRender']>([Object3D.prototype.onBeforeRender])
 
 /** Registers a callback that replaces another one and adds no code of the page. */
-export function replaces(before: Mesh['onBeforeRender'], after: Mesh['onBeforeRender']): void {
-  if (ours.has(before)) ours.add(after)
+export function markReplacement(before: Mesh['onBeforeRender'], after: Mesh['onBeforeRender']): void {
+  if (ownCallbacks.has(before)) ownCallbacks.add(after)
 }
 
 /** Whether the page has its own callback before a mesh is drawn. */
 export function isPrepared({ onBeforeRender }: Mesh): boolean {
-  return !ours.has(onBeforeRender)
+  return !ownCallbacks.has(onBeforeRender)
 }
 
 /**
@@ -25,16 +25,16 @@ export function callBeforeRender(owner: Mesh | Scene | Material, prepare: Call):
   const mesh = owner as Mesh
   const existing = Object.hasOwn(mesh, 'onBeforeRender') ? mesh.onBeforeRender : null
   // No rest parameter: it would allocate in every frame.
-  const both: Mesh['onBeforeRender'] = (renderer, scene, camera, geometry, drawn, group) => {
+  const hook: Mesh['onBeforeRender'] = (renderer, scene, camera, geometry, drawn, group) => {
     // The page may change the prototype's callback at any time.
     const before = existing ?? (Object.getPrototypeOf(mesh) as Mesh).onBeforeRender
     before.call(mesh, renderer, scene, camera, geometry, drawn, group)
     prepare(renderer as AnyRenderer, camera, scene as Scene, drawn)
   }
-  replaces(mesh.onBeforeRender, both)
-  mesh.onBeforeRender = both
+  markReplacement(mesh.onBeforeRender, hook)
+  mesh.onBeforeRender = hook
   return () => {
-    if (mesh.onBeforeRender !== both) return
+    if (mesh.onBeforeRender !== hook) return
     if (existing) mesh.onBeforeRender = existing
     else delete (mesh as Partial<Mesh>).onBeforeRender
   }

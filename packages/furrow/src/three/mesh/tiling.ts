@@ -6,7 +6,7 @@ import { type AnyAttribute, componentOf } from '../sources/geometry-arrays.ts'
 export interface Tiling {
   readonly isTiled: boolean
   /** Whether the shader supports another mesh of the face. */
-  isFor(mesh: Mesh): boolean
+  supportsMesh(mesh: Mesh): boolean
   /** Whether the shader still supports all meshes, after the page changed the transform of the normal map. */
   isCurrent(): boolean
 }
@@ -19,17 +19,17 @@ export interface Tiling {
  */
 export function tilingOf(meshes: readonly Mesh[], material: Material): Tiling {
   const matrixOf = () => (material as MeshStandardMaterial).normalMap!.matrix
-  const isFor = (mesh: Mesh) => wasTiled || !isTiled(mesh, material)
+  const supportsMesh = (mesh: Mesh) => wasTiled || !isTiled(mesh, material)
   let wasTiled = false
-  wasTiled = !meshes.every(isFor)
+  wasTiled = !meshes.every(supportsMesh)
   const known = matrixOf().clone()
   return {
     isTiled: wasTiled,
-    isFor,
+    supportsMesh,
     isCurrent() {
       if (matrixOf().equals(known)) return true
       known.copy(matrixOf())
-      return meshes.every(isFor)
+      return meshes.every(supportsMesh)
     },
   }
 }

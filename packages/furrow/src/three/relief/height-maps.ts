@@ -23,9 +23,7 @@ export interface HeightMaps {
 }
 
 export interface HeightLayer {
-  /** Index of the layer. */
   layer: number
-  /** Slice of the texture. */
   slice: number
   /** Displacement from black to white, metres. */
   amplitude: number

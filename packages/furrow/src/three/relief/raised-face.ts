@@ -10,7 +10,6 @@ export interface RaisedFace {
   readonly isDisposed: boolean
   readonly mode: WrinkleMode
   readonly mesh: Mesh
-  /** All meshes of the face. */
   readonly meshes: readonly Mesh[]
   /** One face per instance. */
   readonly faces: readonly Face[]

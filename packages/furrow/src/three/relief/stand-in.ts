@@ -1,5 +1,5 @@
 import type { BufferGeometry, Camera, Material, Mesh } from 'three'
-import { replaces } from '../mesh/before-render.ts'
+import { markReplacement } from '../mesh/before-render.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import { followMesh, type ReliefMesh } from './relief-mesh.ts'
 
@@ -97,7 +97,7 @@ export class StandIn {
       },
     }
     Object.assign(mesh, hooks)
-    replaces(onBeforeRender, hooks.onBeforeRender)
+    markReplacement(onBeforeRender, hooks.onBeforeRender)
     const before = { onBeforeRender, onAfterRender, onBeforeShadow, onAfterShadow }
     return () => {
       for (const name of ['onBeforeRender', 'onAfterRender', 'onBeforeShadow', 'onAfterShadow'] as const) {

@@ -61,7 +61,6 @@ export function updateLayer(
 
 const WHO = 'updateLayer'
 
-/** A map to update. */
 interface Update {
   kind: Kind
   maps: LayerMaps

@@ -6,7 +6,7 @@ import { listTexels, texelOf, type ValueLayers } from '../../../runtime/value-te
 import type { ValueKind } from '../../material/wrinkle-textures.ts'
 import type { Values } from './value-layers.ts'
 
-/** Declares `vec3 furrowToonColour(vec3 colour, vec3 own, vec3 mixed)`, see `toonColour` in the reference. */
+/** Declares `vec3 furrowToonColour(vec3 colour, vec3 base, vec3 mixed)`, see `toonColour` in the reference. */
 export const TOON_COLOUR = /* glsl */ `
 vec3 furrowToonColour(vec3 colour, vec3 base, vec3 mixed) {
   float slope = length(mixed.xy / mixed.z - base.xy / base.z);

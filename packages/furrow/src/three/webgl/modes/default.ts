@@ -18,7 +18,7 @@ export const showDefault: RendererParts['showDefault'] = ({
 }) => {
   const { textures } = inputs
   const instances = instancesOf(meshes[0])
-  const { isTiled, isFor, isCurrent: isTilingCurrent } = tilingOf(meshes, material)
+  const { isTiled, supportsMesh, isCurrent: isTilingCurrent } = tilingOf(meshes, material)
   const isAlone = inputs.isAlone()
   const cell = isAlone ? 'only' : 'mesh'
   const variant: ShaderVariant = {
@@ -40,7 +40,7 @@ export const showDefault: RendererParts['showDefault'] = ({
     refuse,
   }
   const isCurrent = () => isTilingCurrent() && (!isAlone || inputs.isAlone())
-  return { ...patchShader(material, edit, onCompile), isFor, isCurrent }
+  return { ...patchShader(material, edit, onCompile), supportsMesh, isCurrent }
 }
 
 function samplingOf(isTiled: boolean, anisotropy: number): SliceSampling {

@@ -90,7 +90,7 @@ function ofKind(kind: LayerKind, layers: readonly SampledLayer[]): SampledLayer[
   return layers.filter((layer) => layer.kind === kind)
 }
 
-/** Unpacks a stored normal. */
+/** Unpacks a stored normal from 0..1 to -1..1. */
 export function unpack(stored: Node<'vec3'>): Node<'vec3'> {
   return stored.mul(2).sub(1)
 }

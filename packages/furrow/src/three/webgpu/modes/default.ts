@@ -7,13 +7,17 @@ import { patchNodes } from '../patch/patch-nodes.ts'
 
 /** Default mode for `WebGPURenderer`. */
 export const showDefault: RendererParts['showDefault'] = ({ material, inputs, meshes }) => {
-  const { isTiled, isFor, isCurrent: isTilingCurrent } = tilingOf(meshes, material)
+  const { isTiled, supportsMesh, isCurrent: isTilingCurrent } = tilingOf(meshes, material)
   const mixesMaps = isToon(material) || Object.keys(inputs.textures.values).length > 0
   const owned = ownedMaps(material)
   const isAlone = inputs.isAlone()
   const isCurrent = () =>
     isTilingCurrent() && (!isAlone || inputs.isAlone()) && (!mixesMaps || ownedMaps(material) === owned)
-  return { ...patchNodes(material, layerNodes(material, inputs, meshes[0], isTiled)), isFor, isCurrent }
+  return {
+    ...patchNodes(material, layerNodes(material, inputs, meshes[0], isTiled)),
+    supportsMesh,
+    isCurrent,
+  }
 }
 
 /** Bit mask of the material's maps that layers are mixed into, because nodes depend on them. */

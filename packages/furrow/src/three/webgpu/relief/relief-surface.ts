@@ -55,7 +55,7 @@ export function reliefPosition(
     function cornerOf(axis: Axis): Corner {
       const [position, normal] = [vec3(0).toVar(), vec3(0).toVar()]
       const directions = vec4(0).toVar()
-      // Most vertices coincide with a vertex of the mesh or lie on an edge, and so have fewer corners.
+      // Skips unused corners: most vertices coincide with a vertex of the mesh or lie on an edge.
       If(weights[axis].greaterThan(0), () => {
         const corner = attribute<'vec3'>('furrowCorners', 'vec3')[axis]
         directions.assign(coarseTexel(relief.coarse.directions, corner))
