@@ -30,14 +30,14 @@ export async function measureSizes() {
   const sizes = {}
   for (const [page, code] of Object.entries(PAGES)) {
     const chunks = await bundle(`${code}; globalThis.used = used`)
-    const own = closure([chunks[0]], chunks)
-    sizes[page] = compressed(own)
+    const eager = closure([chunks[0]], chunks)
+    sizes[page] = compressed(eager)
     if (!page.startsWith('the loader')) continue
     for (const [name, file] of Object.entries(LAZY)) {
       const roots = chunks.filter(({ facadeModuleId: id }) => file.test(id ?? ''))
-      const others = chunks.filter((chunk) => !own.includes(chunk))
-      const later = closure(roots, others, ['imports', 'dynamicImports'])
-      if (later.length > 0) sizes[`${page}: ${name}`] = compressed(later)
+      const rest = chunks.filter((chunk) => !eager.includes(chunk))
+      const lazy = closure(roots, rest, ['imports', 'dynamicImports'])
+      if (lazy.length > 0) sizes[`${page}: ${name}`] = compressed(lazy)
     }
   }
   return sizes

@@ -228,10 +228,10 @@ def expressions_of(muscles):
     names = [muscle["name"] for muscle in muscles]
     for name, contractions in EXPRESSIONS.items():
         targets = [
-            {"name": own, "weight": weight}
+            {"name": side_name, "weight": weight}
             for muscle, weight in contractions.items()
-            for own in names
-            if own in (muscle, muscle + "Left", muscle + "Right")
+            for side_name in names
+            if side_name in (muscle, muscle + "Left", muscle + "Right")
         ]
         yield {"type": "expression", "name": name, "targets": targets}
 

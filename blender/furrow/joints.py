@@ -93,8 +93,8 @@ def store_frames(armature, rest_of):
     for bone in armature.data.bones:
         rest = rest_of(bone.name)
         if rest is not None:
-            own = bone.matrix_local.to_3x3().inverted()
-            bone[FRAME] = tuple((own @ _Y_TO_Z @ rest).to_quaternion())
+            inverse = bone.matrix_local.to_3x3().inverted()
+            bone[FRAME] = tuple((inverse @ _Y_TO_Z @ rest).to_quaternion())
 
 
 def store_nodes(wrinkles, names, objects):

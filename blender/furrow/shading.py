@@ -59,16 +59,16 @@ def _has(wrinkles, maps):
 
 def _declare(tree, names):
     """Set the group's sockets. Existing sockets keep their links and values in materials."""
-    wanted = {(name, "OUTPUT"): SOCKETS[name] for name in names}
-    wanted |= {(name, "INPUT"): SOCKETS[name] for name in names}
-    wanted |= {(factor, "INPUT"): SOCKETS[name] for factor, name in FACTORS.items() if name in names}
-    wanted[("Normal Scale", "INPUT")] = ("NodeSocketFloat", 1.0, ())
-    wanted[("UV", "INPUT")] = ("NodeSocketVector", (0, 0, 0), ())
+    sockets = {(name, "OUTPUT"): SOCKETS[name] for name in names}
+    sockets |= {(name, "INPUT"): SOCKETS[name] for name in names}
+    sockets |= {(factor, "INPUT"): SOCKETS[name] for factor, name in FACTORS.items() if name in names}
+    sockets[("Normal Scale", "INPUT")] = ("NodeSocketFloat", 1.0, ())
+    sockets[("UV", "INPUT")] = ("NodeSocketVector", (0, 0, 0), ())
     for item in list(tree.interface.items_tree):
-        if (item.name, item.in_out) not in wanted:
+        if (item.name, item.in_out) not in sockets:
             tree.interface.remove(item)
     existing = {(item.name, item.in_out) for item in tree.interface.items_tree}
-    for (name, in_out), (kind, default, _) in wanted.items():
+    for (name, in_out), (kind, default, _) in sockets.items():
         if (name, in_out) not in existing:
             socket = tree.interface.new_socket(name, in_out=in_out, socket_type=kind)
             socket.default_value = (1, 1, 1, 1) if name == "Base Color Factor" else default
@@ -86,25 +86,25 @@ def _area_images(graph, wrinkles, uv):
 def _influence(graph, wrinkles, layer, images, activations):
     """Build max(min(1, sum(w a)), max(w a)), with the sum and maximum over areas of each `combine` mode."""
     sums, largest = [], []
-    own = [(i, area) for i, area in enumerate(wrinkles.areas) if area.layer == layer and area.image]
+    members = [(i, area) for i, area in enumerate(wrinkles.areas) if area.layer == layer and area.image]
     for name, (color, alpha) in images.items():
-        of_image = [(i, area) for i, area in own if area.image.name == name]
-        for wanted in ("sum", "max"):
-            in_colour = [(i, a) for i, a in of_image if a.combine == wanted and a.channel != "3"]
-            for i, area in of_image:
-                if area.combine == wanted and area.channel == "3":
+        in_image = [(i, area) for i, area in members if area.image.name == name]
+        for mode in ("sum", "max"):
+            in_color = [(i, a) for i, a in in_image if a.combine == mode and a.channel != "3"]
+            for i, area in in_image:
+                if area.combine == mode and area.channel == "3":
                     node = graph.node("ShaderNodeMath", (alpha, 0.0), area.name, operation="MULTIPLY")
                     activations[i] = (node.name, 1)
-                    (sums if wanted == "sum" else largest).append(node.outputs[0])
+                    (sums if mode == "sum" else largest).append(node.outputs[0])
             # Several areas in one channel need one product each.
-            while in_colour:
-                chosen = {a.channel: (i, a) for i, a in reversed(in_colour)}
-                in_colour = [pair for pair in in_colour if pair not in chosen.values()]
+            while in_color:
+                chosen = {a.channel: (i, a) for i, a in reversed(in_color)}
+                in_color = [pair for pair in in_color if pair not in chosen.values()]
                 label = ", ".join(area.name for _, area in sorted(chosen.values()))
                 weights = graph.node("ShaderNodeCombineXYZ", (0.0, 0.0, 0.0), label)
                 for channel, (i, _) in chosen.items():
                     activations[i] = (weights.name, int(channel))
-                if wanted == "sum":
+                if mode == "sum":
                     sums.append(graph.vector("DOT_PRODUCT", color, weights.outputs[0]))
                 else:
                     products = graph.separate(graph.vector("MULTIPLY", color, weights.outputs[0]))
@@ -135,20 +135,24 @@ def _scaled(graph, normal, scale):
 def _mixed_normal(graph, wrinkles, influences, inputs):
     base = _unpacked(graph, inputs["Normal"], 1.0)
     layers = [
-        (layer, _unpacked(graph, graph.texture(layer.normal, inputs["UV"], layer.name)[0], layer.normal_scale), own)
-        for layer, own in zip(wrinkles.layers, influences, strict=True)
+        (
+            layer,
+            _unpacked(graph, graph.texture(layer.normal, inputs["UV"], layer.name)[0], layer.normal_scale),
+            influence,
+        )
+        for layer, influence in zip(wrinkles.layers, influences, strict=True)
         if layer.normal
     ]
-    replacing = [(normal, own) for layer, normal, own in layers if layer.kind == "replace"]
+    replacing = [(normal, influence) for layer, normal, influence in layers if layer.kind == "replace"]
     mixed = base
-    for (normal, _), share in zip(replacing, _shares(graph, [own for _, own in replacing]), strict=True):
+    for (normal, _), share in zip(replacing, _shares(graph, [influence for _, influence in replacing]), strict=True):
         difference = graph.vector("SUBTRACT", normal, base)
         mixed = graph.vector("ADD", mixed, graph.vector("SCALE", difference, share))
     mixed = graph.vector("NORMALIZE", mixed)
     slope = None
-    for layer, normal, own in layers:
+    for layer, normal, influence in layers:
         if layer.kind == "detail":
-            factor = graph.math("DIVIDE", own, graph.separate(normal)[2])
+            factor = graph.math("DIVIDE", influence, graph.separate(normal)[2])
             scaled = graph.vector("SCALE", normal, factor)
             slope = scaled if slope is None else graph.vector("ADD", slope, scaled)
     if slope is not None:
@@ -173,18 +177,20 @@ def _reoriented(graph, base, detail):
 def _mixed_color(graph, wrinkles, influences, inputs):
     pairs = list(zip(wrinkles.layers, influences, strict=True))
     colors = [
-        (graph.texture(layer.base_color, inputs["UV"], layer.name)[0], own) for layer, own in pairs if layer.base_color
+        (graph.texture(layer.base_color, inputs["UV"], layer.name)[0], influence)
+        for layer, influence in pairs
+        if layer.base_color
     ]
     mixed = inputs["Base Color"]
-    for (color, _), share in zip(colors, _shares(graph, [own for _, own in colors]), strict=True):
+    for (color, _), share in zip(colors, _shares(graph, [influence for _, influence in colors]), strict=True):
         difference = graph.vector("SUBTRACT", color, inputs["Base Color"])
         mixed = graph.vector("ADD", mixed, graph.vector("SCALE", difference, share))
     mixed = graph.vector("MULTIPLY", mixed, inputs["Base Color Factor"])
-    bleeding = [(layer, own) for layer, own in pairs if layer.blood]
+    bleeding = [(layer, influence) for layer, influence in pairs if layer.blood]
     if not bleeding:
         return mixed
     depths = []
-    for (layer, _), share in zip(bleeding, _shares(graph, [own for _, own in bleeding]), strict=True):
+    for (layer, _), share in zip(bleeding, _shares(graph, [influence for _, influence in bleeding]), strict=True):
         stored = graph.separate(graph.texture(layer.blood, inputs["UV"], layer.name)[0])[2]
         signed = graph.math("MULTIPLY_ADD", stored, 255 / 127, -128 / 127)
         amount = graph.math("MAXIMUM", signed, -1.0)

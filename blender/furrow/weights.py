@@ -36,9 +36,9 @@ def _draw(image, covered, corners, values):
     second = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / area
     third = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area
     inside = (second >= -1e-9) & (third >= -1e-9) & (second + third <= 1 + 1e-9)
-    own = (1 - second - third) * values[0] + second * values[1] + third * values[2]
+    interpolated = (1 - second - third) * values[0] + second * values[1] + third * values[2]
     part = np.s_[low[1] : high[1] + 1, low[0] : high[0] + 1]
-    image[part][inside] = own[inside]
+    image[part][inside] = interpolated[inside]
     covered[part][inside] = True
 
 

@@ -44,7 +44,7 @@ def skin_layout(source: np.ndarray, quads: np.ndarray, positions: np.ndarray) ->
     uvs = np.zeros((count, 2))
     uvs[: len(uv)] = uv
     rows, cols, weights = _mean_value_weights(points, triangles)
-    wanted = 1 + FACE_GAIN * np.exp(-((points - FACE_CENTRE) ** 2).sum(axis=1) / FACE_SIZE**2)
+    density = 1 + FACE_GAIN * np.exp(-((points - FACE_CENTRE) ** 2).sum(axis=1) / FACE_SIZE**2)
     slack = np.ones(count)
     # S. Yoshizawa, A. Belyaev, H.-P. Seidel, "A fast and simple stretch-minimizing mesh parameterization", 2004:
     # repeatedly solves, and weakens springs around vertices with large stretch.
@@ -54,7 +54,7 @@ def skin_layout(source: np.ndarray, quads: np.ndarray, positions: np.ndarray) ->
         system = (identity(count) - spring).tocsc()[~held]
         right = -(system[:, held] @ uvs[held])
         uvs[~held] = np.stack([spsolve(system[:, ~held], right[:, k]) for k in (0, 1)], axis=1)
-        stretch = _stretch(points, uvs, triangles) * wanted
+        stretch = _stretch(points, uvs, triangles) * density
         slack *= np.sqrt(np.clip(stretch / np.median(stretch), 0.2, 5))
     return uvs[: len(uv)]
 

@@ -28,9 +28,9 @@ def catmull_clark(quads: np.ndarray, count: int) -> tuple[csr_matrix, np.ndarray
     # Edge points: the mean of both ends and both face points; on a border the mean of both ends.
     edge_ids = np.repeat(np.arange(len(edges)), 2)
     ends_mean = _table(0.5, edge_ids, edges.ravel(), (len(edges), count))
-    beside = _table(0.5, edge_of.ravel(), face_ids, (len(edges), faces)) @ face_point
+    faces_mean = _table(0.5, edge_of.ravel(), face_ids, (len(edges), faces)) @ face_point
     inner = (~border).astype(float)
-    edge_point = _scale(ends_mean, 1 - 0.5 * inner) + _scale(beside, 0.5 * inner)
+    edge_point = _scale(ends_mean, 1 - 0.5 * inner) + _scale(faces_mean, 0.5 * inner)
 
     # Inner old vertices: (mean of face points + 2 x mean of edge midpoints + (n - 3) x vertex) / n.
     valence = np.maximum(np.bincount(starts, minlength=count), 1)

@@ -141,13 +141,13 @@ function nodesOf(
   amplitude: number,
 ): object {
   const stored = values.depth(int(0)).toVar()
-  const visibility = (own: Node<'float'>) =>
-    own.add(stored.x.sub(1).mul(strength).add(1).sub(own).mul(influence))
-  const own = texture(material.map!)
-  const colour = own.rgb.mul(uniform(material.color)) as unknown as Node<'vec3'>
+  const visibility = (base: Node<'float'>) =>
+    base.add(stored.x.sub(1).mul(strength).add(1).sub(base).mul(influence))
+  const map = texture(material.map!)
+  const colour = map.rgb.mul(uniform(material.color)) as unknown as Node<'vec3'>
   const occlusion = visibility(texture(material.aoMap!).x)
   return {
-    colorNode: vec4(bloodColour(colour, bloodOf(stored.y).mul(amplitude).mul(influence)), own.a),
+    colorNode: vec4(bloodColour(colour, bloodOf(stored.y).mul(amplitude).mul(influence)), map.a),
     aoNode: occlusion.sub(1).mul(material.aoMapIntensity).add(1),
     setupLightingModel(this: NodeMaterial) {
       const model = Object.getPrototypeOf(this).setupLightingModel.call(this)

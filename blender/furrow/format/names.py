@@ -18,11 +18,11 @@ def find_targets(name, targets):
     """
     if name in targets:
         return [targets.index(name)]
-    plain = [_key(canonical_name(target)) for target in targets]
-    wanted = _key(canonical_name(name))
-    if wanted in plain:
-        return [plain.index(wanted)]
-    return [plain.index(half) for half in (f"{wanted}left", f"{wanted}right") if half in plain]
+    keys = [_key(canonical_name(target)) for target in targets]
+    key = _key(canonical_name(name))
+    if key in keys:
+        return [keys.index(key)]
+    return [keys.index(half) for half in (f"{key}left", f"{key}right") if half in keys]
 
 
 def canonical_name(name):

@@ -55,7 +55,7 @@ def _collapsed(positions, uv, triangles, weights, count) -> np.ndarray:
     quadric *= weights[:, None, None]
     homogeneous = np.c_[positions, np.ones(len(positions))]
     border = _border(triangles, len(positions))
-    left = sum(map(bool, around))
+    remaining = sum(map(bool, around))
     version = [0] * len(positions)
 
     def neighbours(v):
@@ -86,7 +86,7 @@ def _collapsed(positions, uv, triangles, weights, count) -> np.ndarray:
 
     for v in range(len(positions)):
         push(v)
-    while left > count and heap:
+    while remaining > count and heap:
         _, v, w, stamp = heapq.heappop(heap)
         if stamp != version[v]:
             continue
@@ -102,7 +102,7 @@ def _collapsed(positions, uv, triangles, weights, count) -> np.ndarray:
                 for c in faces[face]:
                     around[c].add(face)
         quadric[w] += quadric[v]
-        left -= 1
+        remaining -= 1
         for x in touched:
             push(x)
     return np.array(list(faces.values()))

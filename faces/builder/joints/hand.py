@@ -179,20 +179,20 @@ def _nails(rig: Rig, base: np.ndarray, quads: np.ndarray) -> list[np.ndarray]:
     nails = []
     for finger in FINGERS:
         joint = rig.names.index(f"finger{finger}-3.L")
-        own = rig.weights[quads, joint].min(axis=1) > 0.5
+        on_finger = rig.weights[quads, joint].min(axis=1) > 0.5
         local = (centre - rig.positions[joint]) @ rig.frames[joint]
-        on_back = own & (normal @ -rig.frames[joint][:, 2] > 0.6)
-        middle = np.hypot(local[:, 0], local[:, 1] - NAIL_MIDDLE * local[own, 1].max())
+        on_back = on_finger & (normal @ -rig.frames[joint][:, 2] > 0.6)
+        middle = np.hypot(local[:, 0], local[:, 1] - NAIL_MIDDLE * local[on_finger, 1].max())
         seed = np.argmin(np.where(on_back, middle, np.inf))
-        fits = own & (size[:, 0] > NAIL_QUADS * size[seed, 0]) & (normal @ normal[seed] > 0.75)
+        fits = on_finger & (size[:, 0] > NAIL_QUADS * size[seed, 0]) & (normal @ normal[seed] > 0.75)
         nail, edge = {seed}, [seed]
         while edge:
             here = edge.pop()
             across = centre - centre[here]
             rises = (across @ normal[here]) / np.maximum(np.linalg.norm(across, axis=1), 1e-9)
-            beside = np.flatnonzero(fits & (np.isin(quads, quads[here]).sum(axis=1) == 2) & (rises < 0.06))
-            edge += [quad for quad in beside if quad not in nail]
-            nail |= set(beside)
+            neighbours = np.flatnonzero(fits & (np.isin(quads, quads[here]).sum(axis=1) == 2) & (rises < 0.06))
+            edge += [quad for quad in neighbours if quad not in nail]
+            nail |= set(neighbours)
         nails.append(np.array(sorted(nail)))
     return nails
 

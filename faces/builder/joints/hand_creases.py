@@ -47,7 +47,7 @@ BACK_WIDTH = 0.55  # of a finger's half width
 
 def hand_strokes(hand: Hand) -> str:
     flat = (hand.part.positions - hand.rig.at("wrist.L")) @ palm_frame(hand.rig)[:, :2] * 1e3
-    thumb = _own(hand, 1, 2) > 0.6
+    thumb = _finger_weight(hand, 1, 2) > 0.6
     palm = Chart(hand.part, flat, (hand.inner > -0.15) & ~thumb)
     strokes = [
         s
@@ -74,9 +74,9 @@ def _finger(hand: Hand, finger: int) -> list[dict]:
     for k in (1, 2, 3):
         joint = hand.rig.names.index(f"finger{finger}-{k}.L")
         flat = (hand.part.positions - hand.rig.positions[joint]) @ hand.rig.frames[joint][:, :2] * 1e3
-        own = _own(hand, finger, max(1, k - 1)) > 0.4
-        inside = Chart(hand.part, flat, own & (hand.inner > 0.0))
-        back = Chart(hand.part, flat, own & (hand.inner < -0.1))
+        on_finger = _finger_weight(hand, finger, max(1, k - 1)) > 0.4
+        inside = Chart(hand.part, flat, on_finger & (hand.inner > 0.0))
+        back = Chart(hand.part, flat, on_finger & (hand.inner < -0.1))
         # The thumb's first joints are in the ball of the thumb; the palm has its creases.
         for y, bow, width, depth in FLEXION[k] if finger > 1 or k > 2 else []:
             strokes += inside.stroke(
@@ -94,7 +94,7 @@ def _arc(y: float, bow: float, reach: float) -> list[tuple[float, float]]:
     return [(x * reach, y + bow * (1 - x * x)) for x in np.linspace(-1, 1, 7)]
 
 
-def _own(hand: Hand, finger: int, first: int) -> np.ndarray:
+def _finger_weight(hand: Hand, finger: int, first: int) -> np.ndarray:
     """Sums the weights of a finger's joints from `first` on, (n,)."""
     return hand.weights[:, [hand.rig.names.index(f"finger{finger}-{k}.L") for k in range(first, 4)]].sum(axis=1)
 
@@ -102,5 +102,5 @@ def _own(hand: Hand, finger: int, first: int) -> np.ndarray:
 def _width(hand: Hand, finger: int, joint: int) -> float:
     """Returns half a finger's width at a joint, millimetres."""
     local = (hand.part.positions - hand.rig.positions[joint]) @ hand.rig.frames[joint] * 1e3
-    ring = (np.abs(local[:, 1]) < 3) & (_own(hand, finger, 1) > 0.4)
+    ring = (np.abs(local[:, 1]) < 3) & (_finger_weight(hand, finger, 1) > 0.4)
     return np.abs(local[ring, 0]).max()

@@ -118,8 +118,8 @@ def _shade(head: Head, ball: Ball, rim: np.ndarray):
         tilt = np.arccos(np.clip(direction[:, 2], -1, 1))
         return direction * (ball.radius + _rise(tilt, ball) + 0.12e-3)[:, None]
 
-    here = band(np.zeros(3))
-    normals = here / np.linalg.norm(here, axis=1, keepdims=True)
+    rest = band(np.zeros(3))
+    normals = rest / np.linalg.norm(rest, axis=1, keepdims=True)
     upper = head.positions[rim, 1] > head.positions[rim, 1].mean()
     alpha = np.concatenate([np.where(upper, up, low) for _, up, low in SHADE])
     tint = np.array([0.10, 0.035, 0.025])  # linear; red from light through the lids
@@ -131,9 +131,9 @@ def _shade(head: Head, ball: Ball, rim: np.ndarray):
     targets = {}
     for name, (shift, _) in head.moves.items():
         if np.linalg.norm(shift[rim], axis=1).max() > 1e-4:
-            there = band(shift[rim])
-            targets[name] = there - here
-    return here + ball.centre, normals, colours, triangles, targets
+            moved = band(shift[rim])
+            targets[name] = moved - rest
+    return rest + ball.centre, normals, colours, triangles, targets
 
 
 def _rotation(before: np.ndarray, after: np.ndarray) -> np.ndarray:
