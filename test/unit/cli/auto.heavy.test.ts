@@ -28,7 +28,7 @@ describe('a body without a face', () => {
     expect(at.printed).toMatch(
       /mesh "torso", material "cloth" \(the only one with .+\); layers: 1; areas: [1-9]/,
     )
-    expect(at.warned).toMatch(/^furrow auto: no face was found .*\n$/)
+    expect(at.warned).toMatch(/^furrow auto: no face detected .*\n$/)
     expect(areasOf(file('out.glb'))[0].name).toBe('bend')
     expect(await at.shop.output('validate', file('out.glb'))).toContain('0 errors')
   })
@@ -248,7 +248,7 @@ describe('partly invalid geometry', () => {
     ],
   ])('is skipped: %s', async (_, spoil) => {
     await run(await write('spoilt.glb', spoil), '-o', file('out.glb'))
-    expect(at.warned).toMatch(/^furrow auto: no face was found .*\n$/)
+    expect(at.warned).toMatch(/^furrow auto: no face detected .*\n$/)
     expect(areasOf(file('out.glb')).length).toBeGreaterThan(0)
   })
 })

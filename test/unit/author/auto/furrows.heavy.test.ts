@@ -146,7 +146,7 @@ describe('fine furrows', () => {
     expect(isSame(first, other)).toBe(false)
   })
 
-  test('need a layer besides those of lines', () => {
+  test('need a separate layer', () => {
     expect(() => make({ layers: 1 })).toThrow('fine furrows need a separate layer')
   })
 
