@@ -10,7 +10,7 @@ import { seeded } from '../random.ts'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 
-/** Examples as files, which Vite compiles. Ignored by git. */
+/** Examples as files for Vite to compile; ignored by git. */
 const FOLDER = join(ROOT, 'test/output/docs-run')
 beforeAll(() => mkdirSync(FOLDER, { recursive: true }))
 afterAll(() => rmSync(FOLDER, { recursive: true, force: true }))
@@ -18,7 +18,7 @@ afterEach(() => vi.restoreAllMocks())
 
 const read = (page: string) => readFileSync(join(ROOT, page), 'utf8')
 
-/** The example of a page that exports a function, as a module. */
+/** Loads the example of a page that exports a function, as a module. */
 async function example(page: string, name: string) {
   const texts = [...read(page).matchAll(/^```ts\n([\s\S]*?)^```$/gm)].map(([, text]) => text)
   const text = texts.find((each) => each.includes(`export function ${name}(`))
@@ -38,14 +38,14 @@ function set(): WrinkleSet {
   return { layers, areas: AREAS.map((name) => ({ ...areas[0], name })) }
 }
 
-/** A face with the blendshapes of the presets. */
+/** Makes a face with the blendshapes of the presets. */
 function face() {
   const mesh = blendMesh(...new Set(EXPRESSIONS.flatMap(({ targets }) => Object.keys(targets))))
   return { mesh, wrinkles: new Wrinkles(mesh, set()) }
 }
 
 describe('examples of the documentation run', () => {
-  it('expressions: follow sets the scores of each picture, and looks for names once', async () => {
+  it('expressions: follow sets the scores of each picture, and looks up names once', async () => {
     const { mesh } = face()
     const bind = vi.spyOn(mesh, 'traverse')
     const set = vi.spyOn(FaceScores.prototype, 'set')
@@ -83,17 +83,17 @@ describe('examples of the documentation run', () => {
     expect(wrinkles.getActivation('foreheadLeft')).toBe(0.5)
   })
 
-  it('expressions: play plays an expression of its own', async () => {
+  it('expressions: play plays a custom expression', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const { mesh, wrinkles } = face()
     ;(await example('docs/expressions.md', 'play'))(mesh, wrinkles)
     expect(warn).not.toHaveBeenCalled()
   })
 
-  it('name areas of the shipped face alone', () => {
+  it('name only areas of the shipped face', () => {
     for (const page of ['docs/babylon.md', 'docs/crowds.md', 'docs/three.md']) {
       const names = [...read(page).matchAll(/setActivation\('(\w+)'/g)].map(([, name]) => name)
-      // Added by the example itself.
+      // The example adds `scar` itself.
       expect(AREAS, page).toEqual(expect.arrayContaining(names.filter((name) => name !== 'scar')))
     }
   })

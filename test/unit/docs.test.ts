@@ -30,7 +30,7 @@ const REFERENCE = [
 
 const read = (path: string) => readFileSync(join(ROOT, path), 'utf8')
 
-/** Fenced blocks of one language on one page. */
+/** Returns the fenced blocks of one language on one page. */
 function blocks(page: string, language: string): string[] {
   return [...read(page).matchAll(new RegExp(`^\`\`\`${language}\n([\\s\\S]*?)^\`\`\`$`, 'gm'))].map(
     (match) => match[1],
@@ -38,7 +38,7 @@ function blocks(page: string, language: string): string[] {
 }
 
 describe('documentation', () => {
-  it('has the minimal page in the README as it is, in at most 25 lines', () => {
+  it('has the minimal page in the README unchanged, in at most 25 lines', () => {
     const page = read('examples/minimal.html')
     expect(blocks('README.md', 'html')).toEqual([page])
     expect(page.trimEnd().split('\n').length).toBeLessThanOrEqual(25)
@@ -56,7 +56,7 @@ describe('documentation', () => {
     )
     expect(recipes).toHaveLength(2)
     const errors = await compile(new Map([...plain, ...react, ...recipes]))
-    // The template of a recipe uses what its script declares.
+    // A recipe's template uses its script's declarations.
     expect(errors.filter((line) => !/recipe-.*: error TS(6133|6192|6196):/.test(line))).toEqual([])
   })
 
@@ -68,14 +68,14 @@ describe('documentation', () => {
     ])
   })
 
-  it.each(PAGES)('%s does not let npx ask whether it may download what is not installed', (page) => {
+  it.each(PAGES)('%s never makes npx ask whether to download an uninstalled package', (page) => {
     expect(read(page)).not.toMatch(/npx (?=\S*(furrow-cli|http-server))(?!--yes )/)
   })
 
-  it.each(PAGES)('%s links to files that are there', (page) => {
+  it.each(PAGES)('%s links to existing files', (page) => {
     const links = [...read(page).matchAll(/\]\((?!https?:|#)([^)#]+)\)/g)].map((match) => match[1])
     for (const link of links) {
-      // The reference is generated: a page for each entry of the package.
+      // The reference is generated, with a page per entry point of the package.
       if (/^(\.\.\/|\.\/)*(docs\/)?api\//.test(link)) {
         expect(REFERENCE, `${page}: ${link}`).toContain(link.replace(/^.*api\//, ''))
         continue
@@ -85,7 +85,7 @@ describe('documentation', () => {
     }
   })
 
-  it.each(PAGES)('%s names paths that are there', (page) => {
+  it.each(PAGES)('%s names existing paths', (page) => {
     const missing = pathsIn(page).filter(
       (path) => ![...SOURCE_ROOTS, dirname(page)].some((folder) => isThere(join(ROOT, folder, path))),
     )
@@ -93,13 +93,13 @@ describe('documentation', () => {
   })
 })
 
-/** Folders that paths in documents begin at. */
+/** Folders that paths in documents are relative to. */
 const SOURCE_ROOTS = ['', 'packages/furrow/src']
 
-/** Paths that builds make. */
+/** Paths created by builds. */
 const GENERATED = /^(docs\/(api|.*\.html)|site\/dist|faces\/\.venv|blender\/\.venv)/
 
-/** Paths of the repository among the code spans of a page: in one of its folders, or of a source file. */
+/** Finds paths of the repository among a page's code spans: in one of its folders, or of a source file. */
 function pathsIn(page: string): string[] {
   const folders = readdirSync(ROOT).filter((name) => name !== 'node_modules')
   return [...read(page).matchAll(/`([\w.@<>*-]+(?:\/[\w.@<>*-]+)+)\/?`/g)]
@@ -108,24 +108,24 @@ function pathsIn(page: string): string[] {
     .filter((path) => !GENERATED.test(path))
 }
 
-/** Whether a file or folder is there; of a pattern, the folder before its first wildcard. */
+/** Tells whether a file or folder exists. For a pattern, checks the folder before the first wildcard. */
 function isThere(path: string): boolean {
   return existsSync(path.replace(/\/[^/]*[*<].*$/, ''))
 }
 
-/** All blocks of one language, by the names of the files that they are compiled as. */
+/** Returns all blocks of one language by the file names that they are compiled as. */
 function examplesIn(language: string): Map<string, string> {
   const name = (page: string, i: number) => `${page.replaceAll('/', '-')}-${i}.${language}`
   return new Map(PAGES.flatMap((page) => blocks(page, language).map((text, i) => [name(page, i), text])))
 }
 
-/** Type-checks texts as if they were files of the project; returns the lines that the compiler prints. */
+/** Type-checks texts as files of the project. Returns the compiler's output lines. */
 async function compile(files: Map<string, string>): Promise<string[]> {
   const folder = mkdtempSync(join(ROOT, 'test/unit/.examples-'))
   try {
     for (const [name, text] of files) writeFileSync(join(folder, name), text)
     const compilerOptions = { jsxImportSource: 'react' }
-    // Explicit: patterns skip folders whose name begins with a dot.
+    // Explicit, because patterns skip folders whose name begins with a dot.
     const config = {
       extends: '../../../tsconfig.json',
       compilerOptions,

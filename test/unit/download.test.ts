@@ -3,18 +3,18 @@ import { closure, compressed } from '../../bench/size.mjs'
 import { compare, readFigures, sizeTable, warnings } from '../../scripts/lib/download.mjs'
 import { readTable } from '../../scripts/lib/marked-table.mjs'
 
-describe('the guard of the download', () => {
+describe('the check of download sizes', () => {
   const size = (gzip: number) => ({ gzip, brotli: gzip - 10 })
   const warningsOf = (now: number, before: number) =>
     warnings(compare({ 'the loader': size(now) }, { 'the loader': size(before) }))
 
-  it('warns of growth by more than 2%, with both numbers', () => {
+  it('warns about growth by more than 2%, with both numbers', () => {
     expect(warningsOf(1021, 1000)).toEqual([
       expect.stringContaining('the loader has grown by 2.1%, from 1000 to 1021 bytes'),
     ])
   })
 
-  it('says nothing of less, of what shrinks, and of what is new', () => {
+  it('ignores smaller growth, decreases and new entries', () => {
     expect(warningsOf(1020, 1000)).toEqual([])
     expect(warningsOf(500, 1000)).toEqual([])
     expect(warnings(compare({ new: size(5) }, {}))).toEqual([])
@@ -29,13 +29,13 @@ describe('the size of a page', () => {
     { fileName: 'later', imports: ['page'], code: 'd' },
   ]
 
-  it('is that of all files that it loads at once', () => {
+  it('is the sum of all files loaded at once', () => {
     const own = closure([chunks[0]], chunks)
     expect(own.map(({ fileName }) => fileName)).toEqual(['page', 'shared', 'deep'])
     expect(compressed(own).gzip).toBe(3 * compressed([chunks[0]]).gzip)
   })
 })
 
-it('docs/download.md has the figures', () => {
+it('docs/download.md has the current sizes', () => {
   expect(readTable('docs/download.md', 'sizes')).toEqual(sizeTable(readFigures()))
 })

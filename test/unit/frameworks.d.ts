@@ -1,4 +1,4 @@
-// The signatures that docs/frameworks.md uses, as the packages declare them: Svelte and Vue would take minutes to install for two calls.
+// Signatures used by docs/frameworks.md, as the packages declare them. Installing Svelte and Vue for two calls would take minutes.
 
 /** @threlte/core 8.6.0, dist/hooks/useLoader.d.ts */
 declare module '@threlte/core' {
@@ -20,7 +20,7 @@ declare module '@tresjs/core' {
   ): { state: { value: T } }
 }
 
-/** aframe 1.8.0, which has no types of its own: https://aframe.io/docs/1.7.0/core/component.html */
+/** aframe 1.8.0, which has no types: https://aframe.io/docs/1.7.0/core/component.html */
 declare module 'aframe' {
   interface Component {
     data: string

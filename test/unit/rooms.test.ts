@@ -8,13 +8,13 @@ import { drawRooms } from '../../scripts/lib/room-graph.mjs'
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 const LIBRARY = 'packages/furrow/src'
 
-/** Folders with rooms. Of each, files outside of all rooms are entries, which may import any room. */
+/** Folders with rooms. Their files outside rooms are entry points, which may import any room. */
 const HOMES = [LIBRARY, 'packages/files/src', 'packages/cli/src', 'studio/src', 'stage']
 
-/** Names for the workspace alone: of all rooms, it imports any. */
+/** Entry point for the workspace only, which imports any room. */
 const INTERNAL = 'packages/furrow/internal'
 
-/** Everything that has code: in all of it, files import each other in no circle. */
+/** Folders with code, in which no imports may be circular. */
 const CODE = ['packages', 'studio', 'stage', 'bench', 'conformance', 'examples', 'site', 'scripts', 'test']
 
 const readJson = (path: string) => JSON.parse(readFileSync(join(ROOT, path), 'utf8'))
@@ -35,7 +35,7 @@ const importsOf = new Map(sources.map(({ path, imports }) => [path, imports]))
 
 const homeOf = (path: string) => HOMES.find((home) => path.startsWith(`${home}/`))
 
-/** Rows of docs/architecture's tables: each room, and the rooms and packages that it may import. */
+/** Reads the tables of docs/architecture: each room, and the rooms and packages that it may import. */
 function allowedImports(): Map<string, string[]> {
   const page = readFileSync(join(ROOT, 'docs/architecture.md'), 'utf8')
   const rows = page.matchAll(/^\| `((?:packages\/|studio\/|stage)[\w/]*)` \| [^|]+ \| ([^|]+) \|$/gm)
@@ -47,7 +47,7 @@ function allowedImports(): Map<string, string[]> {
 const allowed = allowedImports()
 const rooms = [...allowed].filter(([room]) => room !== INTERNAL)
 
-/** The room of a file: the deepest folder that the tables name. Entries belong to none. */
+/** Returns the room of a file: the deepest folder named in the tables. Entry points belong to none. */
 function roomOf(path: string): string | undefined {
   const own = [...allowed.keys()].filter((room) => path.startsWith(`${room}/`) || path === `${room}.ts`)
   const room = own.sort((a, b) => b.length - a.length)[0]
@@ -56,12 +56,12 @@ function roomOf(path: string): string | undefined {
 
 function isEntry(path: string, room: string | undefined): boolean {
   if (room === undefined || path === `${LIBRARY}/three/index.ts`) return true
-  // At the top of a package: what imports its rooms.
+  // Files at the top of a package that import its rooms.
   if (dirname(path) !== room || !HOMES.includes(room)) return false
   return (importsOf.get(path) ?? []).some((name) => name.startsWith(`${room}/`) && dirname(name) !== room)
 }
 
-/** Whether a room may import a file, or a name as it is written. */
+/** Tells whether a room may import a file, or a name as written. */
 function isAllowed(room: string, name: string): boolean {
   const home = homeOf(`${room}/`)!
   const others = allowed.get(room)!
@@ -71,11 +71,11 @@ function isAllowed(room: string, name: string): boolean {
   }
   if (name.startsWith('.') || /^furrow\b/.test(name))
     return others.includes(name) || (home !== LIBRARY && [...PUBLIC, 'furrow/internal'].includes(name))
-  // The table lists other packages for the library alone.
+  // The table lists other packages only for the library.
   return home !== LIBRARY || others.includes(name.replace(/^((?:@[^/]+\/)?[^/]+).*$/, '$1'))
 }
 
-/** Circles in a graph, each as its nodes in their order. */
+/** Finds cycles in a graph, each as its nodes in order. */
 function circlesIn(graph: ReadonlyMap<string, readonly string[]>): string[] {
   const done = new Set<string>()
   const circles: string[] = []
@@ -90,7 +90,7 @@ function circlesIn(graph: ReadonlyMap<string, readonly string[]>): string[] {
   return circles
 }
 
-/** Rooms within a room, in the direction of the data: each imports only from those before it, and of the folder itself what is shared. */
+/** Rooms within a room, in the direction of the data. Each imports only from earlier ones, and the folder's shared files. */
 const WITHIN = [
   {
     folder: 'author/auto',
@@ -119,7 +119,7 @@ describe('the rooms', () => {
     }
   })
 
-  it.each(rooms)('%s imports %j and itself only', (room) => {
+  it.each(rooms)('%s imports only %j and itself', (room) => {
     const files = sources.filter(({ path }) => roomOf(path) === room && !path.endsWith('.config.ts'))
     expect(files.length).toBeGreaterThan(0)
     const wrong = files.flatMap(({ path, imports }) =>
@@ -128,7 +128,7 @@ describe('the rooms', () => {
     expect(wrong).toEqual([])
   })
 
-  it.each(WITHIN)('those of $folder import earlier ones only', ({ folder, rooms, shared }) => {
+  it.each(WITHIN)('in $folder import only earlier ones', ({ folder, rooms, shared }) => {
     const home = `${LIBRARY}/${folder}`
     const folders = readdirSync(join(ROOT, home), { withFileTypes: true })
     expect(folders.filter((entry) => entry.isDirectory()).map(({ name }) => name)).toEqual([...rooms].sort())
@@ -145,7 +145,7 @@ describe('the rooms', () => {
     })
   })
 
-  it('of files, commands and studio import each other in no circle', () => {
+  it('of files, commands and studio have no circular imports', () => {
     const graph = new Map<string, string[]>()
     for (const { path, imports } of sources) {
       const room = roomOf(path)
@@ -157,7 +157,7 @@ describe('the rooms', () => {
     expect(circlesIn(graph)).toEqual([])
   })
 
-  it('reach no file of another package past its entries', () => {
+  it('reach no file of another package past its entry points', () => {
     const packageOf = (path: string) => /^(packages\/\w+|studio)\//.exec(path)?.[1]
     const wrong = sources
       .filter(({ path }) => /^(packages|studio|stage|conformance|examples)\/(?!.*\.config\.ts$)/.test(path))
@@ -170,11 +170,11 @@ describe('the rooms', () => {
   })
 })
 
-it('the picture of the rooms is drawn from their imports', async () => {
+it('are drawn in the picture from their imports', async () => {
   const picture = readFileSync(join(ROOT, 'docs/figures/rooms.svg'), 'utf8')
   expect(picture, 'npm run rooms draws it').toBe(await drawRooms())
 })
 
-it('no files import each other in a circle', () => {
+it('have no circular imports between files', () => {
   expect(circlesIn(importsOf)).toEqual([])
 })

@@ -455,7 +455,7 @@ describe('a queued job', () => {
     [{ ...job, options: { report: '/home/me' } }, "unknown option '--report'"],
     [{ ...job, options: { strokes: 'x.json' } }, "unknown option '--strokes'"],
     [{ ...job, options: 5 }, '"options" is not an object'],
-  ])('that is %j is refused', (wrong, problem) => {
+  ])('is refused if it is %j', (wrong, problem) => {
     expect(() => parseJob(wrong, 'test')).toThrow(problem)
   })
 })

@@ -53,7 +53,7 @@ const OXYGENATED = 0.75
 /** Molar concentration of haemoglobin in blood: 150 g/l of 64500 g/mol. */
 const MOLAR = 150 / 64500
 
-/** Diffuse reflectance of the dipole (Jensen et al. 2001) of a dermis with that fraction of blood. */
+/** Diffuse reflectance of the dipole (Jensen et al. 2001) for a dermis with this fraction of blood. */
 function reflectance(nm: number, extinction: number, blood: number): number {
   const scattering = 2e5 * nm ** -1.5 + 2e12 * nm ** -4
   const bloodless = 0.244 + 85.3 * Math.exp(-(nm - 154) / 66.2)
@@ -66,7 +66,7 @@ function reflectance(nm: number, extinction: number, blood: number): number {
   return (albedo / 2) * (1 + Math.exp((-4 / 3) * boundary * root)) * Math.exp(-root)
 }
 
-/** Skin in linear sRGB. @param melanin optical depth of the epidermis at 550 nm. */
+/** Computes skin colour in linear sRGB. @param melanin optical depth of the epidermis at 550 nm. */
 function skin(blood: number, melanin: number): number[] {
   return XYZ_TO_SRGB.map((row) =>
     SPECTRA.reduce((sum, [nm, oxygenated, deoxygenated, light, ...xyz]) => {
@@ -78,7 +78,7 @@ function skin(blood: number, melanin: number): number[] {
   )
 }
 
-/** How fast the logarithm of each channel falls as blood grows, relative to green. */
+/** Returns how fast the logarithm of each channel falls as blood grows, relative to green. */
 function absorption(melanin: number): number[] {
   const [less, more] = [0.009, 0.011].map((blood) => skin(blood, melanin))
   const rates = less.map((value, i) => Math.log(value / more[i]))
@@ -94,13 +94,13 @@ describe('the absorption of blood', () => {
     ['without melanin', 0],
     ['light', 0.2],
     ['dark', 1.5],
-  ])('is nearly the same for skin that is %s', (_, melanin) => {
+  ])('is nearly equal for skin that is %s', (_, melanin) => {
     for (const [i, value] of absorption(melanin).entries()) {
       expect(Math.abs(value - BLOOD_ABSORPTION[i])).toBeLessThan(0.14)
     }
   })
 
-  it('turns skin of any tone redder with more blood, and paler with less, as the model does', () => {
+  it('makes skin of any tone redder with more blood, and paler with less, like the model', () => {
     for (const melanin of [0, 0.6, 1.5]) {
       const rest = skin(0.01, melanin)
       const flushed = skin(0.02, melanin)
@@ -116,7 +116,7 @@ describe('the absorption of blood', () => {
 })
 
 describe('a blood map', () => {
-  it('is neutral at 128 and a hundredth of a step around it, bit by bit', () => {
+  it('is neutral at 128 and for a hundredth of a step around it, bit by bit', () => {
     const colour = [0.1234567, 0.3, 0.9]
     for (const byte of [128, 127.991, 128.009]) {
       expect(reference.bloodOf(byte / 255)).toBe(0)
@@ -129,7 +129,7 @@ describe('a blood map', () => {
     expect([0, 1, 255].map((byte) => reference.bloodOf(byte / 255))).toEqual([-1, -1, 1])
   })
 
-  it('is packed beside the occlusion, neutral where a layer lacks either', () => {
+  it('is packed next to the occlusion, neutral if a layer lacks either', () => {
     const flat = (value: number) => ({ width: 1, height: 2, data: new Uint8Array(2).fill(value) })
     const packed = packPairs(
       [

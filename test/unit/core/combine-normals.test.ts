@@ -5,7 +5,7 @@ import { describe, expect, it } from 'vitest'
 const texel = (...rgb: number[]): RgbaImage => ({ width: 1, height: 1, data: Uint8Array.from([...rgb, 255]) })
 const FLAT = [128, 128, 255]
 
-/** Bytes of a normal tilted by `degrees` in the `direction` in degrees from +X. */
+/** Bytes of a normal tilted by `degrees` in a direction, in degrees from +X. */
 function tilted(degrees: number, direction: number): number[] {
   const [a, b] = [(degrees * Math.PI) / 180, (direction * Math.PI) / 180]
   return [Math.sin(a) * Math.cos(b), Math.sin(a) * Math.sin(b), Math.cos(a)].map((n) =>
@@ -53,7 +53,7 @@ describe('combineNormals', () => {
     )
   })
 
-  it('does not modify its inputs and refuses maps of unequal size', () => {
+  it('does not modify its inputs, and refuses maps of unequal size', () => {
     const base = texel(...tilted(10, 0))
     const detail: RgbaImage = { width: 2, height: 1, data: new Uint8Array(8) }
     expect(() => combineNormals(base, detail)).toThrow(

@@ -3,7 +3,7 @@ import { expect, test } from 'vitest'
 
 const large = { width: 8192, height: 8192 }
 
-test('images may take 512 MiB together, at four bytes per texel', () => {
+test('images may take 512 MiB in total, at four bytes per texel', () => {
   const decoded = new DecodedBytes()
   decoded.add(0, large, 'face')
   decoded.add(1, { width: 1024, height: 1024, slices: 64 }, 'face')
@@ -13,7 +13,7 @@ test('images may take 512 MiB together, at four bytes per texel', () => {
   expect(() => decoded.check('face')).toThrow('too large together')
 })
 
-test('an image that several maps use counts once', () => {
+test('an image shared by several maps counts once', () => {
   const decoded = new DecodedBytes()
   for (let i = 0; i < 10; i++) decoded.add(7, large, 'face')
 })

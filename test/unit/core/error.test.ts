@@ -10,7 +10,7 @@ const parts = {
   remedy: 'clamp it',
 } as const
 
-/** What `work` throws. */
+/** Returns the value that `work` throws. */
 function thrown(work: () => unknown): unknown {
   try {
     return work()
@@ -26,7 +26,7 @@ describe('FurrowError', () => {
     expect(error.message).toBe('setActivation: activation out of range, got 2, allowed: 0..1; clamp it')
   })
 
-  it('has the code "invalid" by default, and prints no value or limit that it does not have', () => {
+  it('has the code "invalid" by default, and prints no missing value or limit', () => {
     const error = new FurrowError({ who: 'bake', problem: 'no triangles', remedy: 'export the mesh' })
     expect(error).toMatchObject({ code: 'invalid', value: undefined, limit: undefined })
     expect(error.message).toBe('bake: no triangles; export the mesh')
@@ -54,7 +54,7 @@ describe('FurrowError', () => {
   })
 })
 
-describe('errors of a document', () => {
+describe('document errors', () => {
   const areas = [{ name: 'brow', image: 'brow.png' }]
   const layers = [{ name: 'age', normal: 'age.png' }]
   it.each<[string, object, object]>([
@@ -71,7 +71,7 @@ describe('errors of a document', () => {
     })
   })
 
-  it('say of a missing field that there is nothing', () => {
+  it('report a missing field as missing', () => {
     const document = { version: 1, layers: [{ normal: 'age.png' }], areas }
     expect(() => parseWrinkleSetDocument(document, 'wrinkles.json')).toThrow(
       /layers\[0\]\.name must be text, got nothing/,

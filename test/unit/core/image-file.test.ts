@@ -15,7 +15,7 @@ describe('the format of an image', () => {
     expect(imageTypeOf(await draw(encode))).toBe(type)
   })
 
-  it('is unknown where there are none, or others', () => {
+  it('is unknown for empty or other bytes', () => {
     expect(imageTypeOf(new Uint8Array())).toBeUndefined()
     expect(imageTypeOf(new TextEncoder().encode('<svg xmlns="http://www.w3.org/2000/svg"/>'))).toBeUndefined()
   })
@@ -27,7 +27,7 @@ describe('a damaged image', () => {
     ['interlaced PNG', (own) => own.png({ progressive: true })],
     ['JPEG', (own) => own.jpeg()],
     ['progressive JPEG', (own) => own.jpeg({ progressive: true, quality: 100 })],
-  ])('is known wherever a %s is cut off, and nothing is wrong with a whole one', async (_, encode) => {
+  ])('is detected wherever a %s is truncated, and not in a complete file', async (_, encode) => {
     const bytes = await draw(encode)
     expect(imageDamage(bytes)).toBeUndefined()
     expect(imageDamage(Buffer.concat([bytes, Buffer.from('a camera appends this')]))).toBeUndefined()
@@ -36,7 +36,7 @@ describe('a damaged image', () => {
     }
   })
 
-  it('is known by the checksums of a PNG, whichever bit is wrong', async () => {
+  it('is detected by the checksums of a PNG, for any flipped bit', async () => {
     const bytes = await draw((own) => own.png())
     for (let bit = 8 * 8; bit < 8 * bytes.length; bit++) {
       const damaged = Buffer.from(bytes)
@@ -45,13 +45,13 @@ describe('a damaged image', () => {
     }
   })
 
-  it('is known where a PNG has no header', async () => {
+  it('is detected if a PNG has no header', async () => {
     const bytes = await draw((own) => own.png())
     const end = bytes.subarray(bytes.length - 12)
     expect(imageDamage(Buffer.concat([bytes.subarray(0, 8), end]))).toBe('it has no header')
   })
 
-  it('is known by a marker that JPEG has not', async () => {
+  it('is detected by a marker that JPEG lacks', async () => {
     const bytes = await draw((own) => own.jpeg())
     const damaged = Buffer.concat([bytes.subarray(0, -2), Buffer.of(0xff, 0x30, 0xff, 0xd9)])
     expect(imageDamage(damaged)).toBe('it has an unknown marker')

@@ -11,7 +11,7 @@ const layer = (maps: Partial<Layer<ArraySlice>>): Layer<ArraySlice> => ({
   ...maps,
 })
 
-describe('the sizes of the maps of a set', () => {
+describe("the sizes of a set's maps", () => {
   it.each([
     ['normal', [{}, { normal: rgba(8) }]],
     ['baseColor', [{ baseColor: rgba(4) }, {}, { baseColor: rgba(8) }]],
@@ -19,13 +19,13 @@ describe('the sizes of the maps of a set', () => {
     ['occlusion', [{ occlusion: gray(4) }, { occlusion: gray(8) }]],
     ['blood', [{ blood: gray(4) }, { blood: gray(8) }]],
     ['occlusion and blood', [{ occlusion: gray(4) }, { blood: gray(8) }]],
-  ] satisfies [string, Partial<Layer>[]][])('must be the same for %s', (kinds, maps) => {
+  ] satisfies [string, Partial<Layer>[]][])('must be equal for %s', (kinds, maps) => {
     expect(() => checkMapSizes(maps.map(layer))).toThrow(
       `Wrinkles ${kinds} maps of the layers: image 1 differs in size from image 0, got "8 x 8", allowed: 4 x 4, as all images of one array; scale them to one size`,
     )
   })
 
-  it('may differ between kinds, and are those of the array for slices', () => {
+  it('may differ between kinds, and for slices are those of the array', () => {
     const slice = { array: {}, slice: 0, channel: 0 }
     const other = { roughness: gray(8), occlusion: gray(2), blood: gray(2) }
     expect(() => checkMapSizes([layer(other), layer({ ...other, baseColor: slice })])).not.toThrow()

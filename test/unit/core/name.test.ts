@@ -9,7 +9,7 @@ describe('isName', () => {
     ['a device', 'CON'],
     ['256 letters outside the basic plane', '𝒜'.repeat(256)],
     ['another script', '額のしわ'],
-  ])('takes %s', (_, name) => {
+  ])('accepts %s', (_, name) => {
     expect(isName(name)).toBe(true)
   })
 

@@ -49,7 +49,7 @@ describe('reference', () => {
     )
   })
 
-  it('mixes the values of layers, divided by their influences where these sum to more than 1', () => {
+  it('mixes the values of layers, divided by the sum of their influences above 1', () => {
     const layer = (value: number, influence: number) => ({ value: [value], influence })
     expect(reference.mixValues([0.5], [layer(1, 0.5), layer(0, 0.2)])[0]).toBeCloseTo(0.65, 12)
     expect(reference.mixValues([0.5], [layer(1, 1), layer(0, 1)])[0]).toBeCloseTo(0.5, 12)

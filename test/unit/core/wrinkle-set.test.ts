@@ -11,7 +11,7 @@ const good: WrinkleSet = {
 }
 
 describe('checkWrinkleSet', () => {
-  it('accepts a valid one', () => expect(() => checkWrinkleSet(good)).not.toThrow())
+  it('accepts a valid set', () => expect(() => checkWrinkleSet(good)).not.toThrow())
 
   it.each<[WrinkleSet, string]>([
     [{ ...good, areas: [] }, 'no areas, got 0, allowed: 1 to 256 areas; give at least one'],
@@ -78,7 +78,7 @@ describe('parseWrinkleSetDocument', () => {
     })
   })
 
-  it('needs nothing but names: images are where a folder has them', () => {
+  it("requires only names, with images at a folder's default paths", () => {
     const least = parseWrinkleSetDocument({ layers: [{ name: 'skin' }], areas: [{ name: 'a#b' }] })
     expect(least.version).toBe(1)
     expect([least.layers[0].normal, least.areas[0].image]).toEqual([

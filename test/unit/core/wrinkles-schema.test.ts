@@ -16,7 +16,7 @@ beforeAll(() => {
   validate = new Ajv2020({ schemas }).getSchema(schema.$id)!
 })
 
-/** A document with every field: it does not compile when one is added to the type and not here. */
+/** Document with every field. Fails to compile if the type gets a field that is missing here. */
 const FULL = {
   version: 1,
   mesh: 'head',
@@ -60,7 +60,7 @@ const FULL = {
   ],
 } satisfies Required<WrinkleSetDocument>
 
-/** Reads a document as `furrow pack` does. */
+/** Reads a document like `furrow pack`. */
 function parse(json: unknown): WrinkleSetDocument {
   const document = parseWrinkleSetDocument(json)
   parseCorrections(document.shapes, 'wrinkles.json')
@@ -73,14 +73,14 @@ interface Fields {
   dependentRequired?: Record<string, string[]>
 }
 
-/** Objects of the document, by the beginning of their fields' paths. */
+/** Objects of the document by path prefix of their fields. */
 const OBJECTS: [string, Fields, object][] = [
   ['', schema, FULL],
   ['layers[].', schema.$defs.layer, FULL.layers[0]],
   ['areas[].', schema.$defs.area, FULL.areas[0]],
 ]
 
-/** Fields of the tables below a heading, by path, and what stands in their column of defaults. */
+/** Reads fields of the tables below a heading by path, with the defaults column. */
 function tableOf(page: string, heading: string): [string, string][] {
   const [, section] = read(page).split(`\n${heading}\n`)
   const rows = section.split(/\n## /)[0].matchAll(/^\| (`.+?`) \| .+ \| (.+) \|$/gm)
@@ -92,7 +92,7 @@ function tableOf(page: string, heading: string): [string, string][] {
 }
 
 describe('the schema of wrinkles.json', () => {
-  it('has the fields of the documents, required and with defaults where they say so', () => {
+  it('has the fields of the documents, with the same required fields and defaults', () => {
     const documented = new Map(tableOf('docs/wrinkles-json.md', '## Fields'))
     const paths = OBJECTS.flatMap(([start, { properties }]) =>
       Object.keys(properties).map((name) => start + name),
@@ -124,7 +124,7 @@ describe('the schema of wrinkles.json', () => {
     }
   })
 
-  it('has corrections of shapes that cost a page nothing where they are malformed', () => {
+  it('has shape corrections that are skipped if malformed', () => {
     expect(parseWrinkleSetDocument({ ...FULL, shapes: 'none' }).areas).toHaveLength(1)
   })
 
@@ -139,10 +139,10 @@ describe('the schema of wrinkles.json', () => {
     }
   })
 
-  it('accepts everything that the parser accepts, and refuses most of what it refuses', () => {
+  it('accepts everything that the parser accepts, and refuses most of what the parser refuses', () => {
     const { accepted, missed } = compareWithParser(FULL, validate, parse, 5)
     expect(accepted).toBeGreaterThan(MUTATED / 100)
-    // A schema cannot check names of areas; and a folder, not the document, may have the layers and areas.
+    // A schema cannot check area names. Layers and areas may also be in the folder instead of the document.
     expect(missed).toBeLessThan(0.25)
   })
 })

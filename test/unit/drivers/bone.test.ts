@@ -5,7 +5,7 @@ import { describe, expect, it } from 'vitest'
 import { ramp } from '../../drivers.ts'
 import { seeded } from '../../random.ts'
 
-/** Reads as the measure itself, as long as that is -4..4. */
+/** Curve that returns the measure itself within -4..4. */
 const RULER = ramp(-4, 4)
 const measured = (activation: number) => 8 * activation - 4
 
@@ -44,7 +44,7 @@ function read(bone: BoneDriver, hand: Matrix4, finger: Matrix4): number {
 
 describe('bone drivers', () => {
   it.each([0, 0.3, 1.2, 2.5, 3.1])(
-    'reads a turn of %d, whatever the axis and however both are moved',
+    'reads a turn of %d, for any axis and after moving both joints',
     (angle) => {
       const random = seeded(3)
       for (let i = 0; i < 20; i++) {
@@ -58,7 +58,7 @@ describe('bone drivers', () => {
     },
   )
 
-  it('counts an angle about an axis with its sign, and nothing of a turn across it', () => {
+  it('counts an angle about an axis with its sign, without turns across the axis', () => {
     const about = (rotation: Quaternion) =>
       read(
         driver('angle', [0, 0, 2]),
@@ -91,7 +91,7 @@ describe('bone drivers', () => {
     ).toBeCloseTo(0.5, 5)
   })
 
-  it('adds up drivers of one area, and goes on without a joint that is missing', () => {
+  it('sums drivers of one area, and continues without a missing joint', () => {
     const bend = ramp(0, 1, 0.3)
     const { activation, missing } = activate(
       [

@@ -12,7 +12,7 @@ const drivers: WrinkleDriver[] = [
   { type: 'area', area: 'chin', areas: [{ name: 'chin', weight: 1 }], rule: 'sum', curve: STRAIGHT },
 ]
 
-it('says what each link and driver gives', () => {
+it('returns the contribution of each link and driver', () => {
   const [glabella, nose, chin] = explain(
     drivers,
     [{ name: 'glabella' }, { name: 'nose', activation: 0.1 }, { name: 'chin', activation: 0.3 }],
@@ -36,7 +36,7 @@ it('says what each link and driver gives', () => {
   expect(chin).toEqual({ area: 'chin', activation: expect.closeTo(0.3, 6), resting: 0.3, parts: [] })
 })
 
-it('says what a curve reads: the inputs, the links and what the rule makes of them', () => {
+it('returns the inputs of a curve, its links and the result of its rule', () => {
   const links = [link('browDownLeft', 0.5, ramp(0.2, 0.7)), link('browDownRight')]
   const bent = morph('glabella', links, { rule: 'max', curve: ramp(0.2, 0.6) })
   const plan = planDrivers([bent])

@@ -15,7 +15,7 @@ const two: Expression[] = [
 ]
 
 describe('ExpressionMix', () => {
-  it('moves linearly over the given time, and then stands still', () => {
+  it('moves linearly over the given time, and then stops', () => {
     const mix = new ExpressionMix(two)
     mix.play('wink', 2)
     const seen = [0, 0.5, 0.5, 1, 5].map((delta) => {
@@ -30,7 +30,7 @@ describe('ExpressionMix', () => {
     expect(mix.still).toBe(true)
   })
 
-  it('starts from wherever it is when it is turned round midway', () => {
+  it('starts from its current state when reversed midway', () => {
     const mix = new ExpressionMix(two)
     mix.play('wink', 1)
     mix.update(0.5)
@@ -41,14 +41,14 @@ describe('ExpressionMix', () => {
     expect(mix.targets[0]).toBeCloseTo(0.25, 6)
   })
 
-  it('arrives at once when given no time', () => {
+  it('arrives immediately without a duration', () => {
     const mix = new ExpressionMix(two)
     mix.play('wink')
     expect([...mix.targets]).toEqual([1])
     expect(mix.still).toBe(true)
   })
 
-  it('plays several at once, which add up to at most 1', () => {
+  it('plays several at once, summed to at most 1', () => {
     const mix = new ExpressionMix([
       { name: 'a', targets: { jawOpen: 0.5, browDownLeft: 1 }, activations: { nose: 0.4 } },
       { name: 'b', targets: { jawOpen: 1 }, activations: { nose: 1, chin: 0.5 } },
@@ -102,7 +102,7 @@ describe('ExpressionMix', () => {
     expect(mix.targets[0]).toBe(1)
   })
 
-  it('refuses what it does not know', () => {
+  it('refuses unknown names', () => {
     const mix = new ExpressionMix(two)
     expect(() => mix.play('wink', -1)).toThrow('time out of range, got -1, allowed: 0 seconds or more')
     expect(() => new ExpressionMix([])).toThrow('ExpressionMix: no expressions')
@@ -110,7 +110,7 @@ describe('ExpressionMix', () => {
 })
 
 describe('EXPRESSIONS', () => {
-  it('are the ones promised, neutral first', () => {
+  it('are the promised ones, neutral first', () => {
     expect(EXPRESSIONS.map(({ name }) => name)).toEqual(
       expect.arrayContaining([
         'neutral',
@@ -129,7 +129,7 @@ describe('EXPRESSIONS', () => {
   })
 
   it.each(EXPRESSIONS.map((expression) => [expression.name, expression] as const))(
-    '%s uses names that ARKit and the shipped faces have, within 0..1',
+    '%s uses names of ARKit and the shipped faces, within 0..1',
     (_, { targets, activations }) => {
       for (const name of Object.keys(targets)) expect(name).toMatch(ARKIT)
       for (const name of Object.keys(activations)) expect(AREAS).toContain(name)

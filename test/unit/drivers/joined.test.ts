@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest'
 import { driven } from '../../driven.ts'
 import { link, morph, ramp, STRAIGHT } from '../../drivers.ts'
 
-/** Drivers that activate areas by these amounts, each by a target of the area's name. */
+/** Drivers that activate areas by given amounts, each by a target named like the area. */
 function given(activations: Record<string, number>): MorphDriver[] {
   return Object.entries(activations).map(([area, weight]) => morph(area, [link('all', weight)]))
 }
@@ -16,7 +16,7 @@ const between = (area: string, from: Record<string, number>): AreaDriver => ({
   curve: STRAIGHT,
 })
 
-/** Activations by area, rounded. */
+/** Returns activations by area, rounded. */
 function joined(
   drivers: WrinkleDriver[],
   { resting = {}, inputs = {} }: { resting?: Record<string, number>; inputs?: Record<string, number> } = {},
@@ -27,19 +27,19 @@ function joined(
   return { ...Object.fromEntries(rounded), cyclic: plan.cyclicAreas }
 }
 
-describe('the drivers of a face together', () => {
-  it('add to what is at rest, to at most 1', () => {
+describe('all drivers of a face', () => {
+  it('add to the state at rest, up to at most 1', () => {
     const drivers = [...given({ nose: 0.25, brow: 0.5 }), ...given({ nose: 0.5 })]
     expect(joined(drivers, { resting: { brow: 0.7 } })).toEqual({ nose: 0.75, brow: 1, cyclic: [] })
   })
 
-  it('let areas drive areas, each after those it reads, in whatever order they are listed', () => {
+  it('let areas drive areas in dependency order, however they are listed', () => {
     const chain = [between('c', { b: 0.5 }), between('b', { a: 0.5, x: 1 }), between('x', { a: 0.25 })]
     // x = 0.2, b = 0.4 + 0.2, c = 0.3.
     expect(joined([...chain, ...given({ a: 0.8 })])).toEqual({ a: 0.8, c: 0.3, b: 0.6, x: 0.2, cyclic: [] })
   })
 
-  it('leave out areas that drive themselves, and no others', () => {
+  it('leave out only areas that drive themselves', () => {
     const rules = [
       between('a', { b: 1 }),
       between('b', { a: 1 }),
@@ -51,7 +51,7 @@ describe('the drivers of a face together', () => {
   })
 })
 
-describe('drivers of the application’s inputs', () => {
+describe('drivers of application inputs', () => {
   const aging: WrinkleDriver[] = [
     { type: 'age', area: 'forehead', curve: ramp(30, 70, 0.8) },
     {
@@ -73,13 +73,13 @@ describe('drivers of the application’s inputs', () => {
     expect(joined(aging, { inputs: { age } })).toEqual({ forehead, crowsFeet, cyclic: [] })
   })
 
-  it('age: a face is 20 until it is told, and expressions add on top', () => {
+  it('age: a face is 20 until set, and expressions add on top', () => {
     expect(joined(aging)).toMatchObject({ forehead: 0, crowsFeet: 0.1 })
     const both = joined([...aging, ...given({ forehead: 0.5 })], { inputs: { age: 50 } })
     expect(both).toMatchObject({ forehead: 0.9, crowsFeet: 0.3 })
   })
 
-  it('input: any number by name, 0 until it is set, several on one area', () => {
+  it('input: any number by name, 0 until set, several on one area', () => {
     const drivers: WrinkleDriver[] = [
       { type: 'input', name: 'stress', area: 'glabella', curve: ramp(20, 120) },
       {
@@ -94,13 +94,13 @@ describe('drivers of the application’s inputs', () => {
     ]
     expect(joined(drivers, { inputs: { stress: 50, cold: 15 } })).toMatchObject({ glabella: 0.3 })
     expect(joined(drivers, { inputs: { stress: 50, cold: -30 } })).toMatchObject({ glabella: 0.8 })
-    // Not set: stress 0 gives nothing, cold 0 is half way.
+    // Unset: stress 0 gives nothing, cold 0 is halfway.
     expect(joined(drivers)).toMatchObject({ glabella: 0.25 })
   })
 })
 
 describe('time drivers', () => {
-  /** Where an area is after some seconds at some frame rate. */
+  /** Returns an area's activation after some seconds at a frame rate. */
   function after(from: number, to: number, seconds: number, frames: number): number {
     const { activations } = driven(
       [
@@ -109,7 +109,7 @@ describe('time drivers', () => {
       ],
       ['brow', 'nose'],
     )
-    // The first frame starts where it is driven to, without a delay.
+    // The first frame starts at the driven value without a delay.
     expect(activations({ weights: [from, 0.5], seconds: 9 }).brow).toBeCloseTo(from, 6)
     let shown = from
     for (let i = 0; i < frames; i++) {
@@ -129,13 +129,13 @@ describe('time drivers', () => {
   it.each([
     [0, 1],
     [1, 0.25],
-  ])('from %d to %d is the same at 10, 30 and 1000 frames a second', (from, to) => {
+  ])('from %d to %d do not depend on the frame rate: 10, 30 or 1000 frames a second', (from, to) => {
     const slow = after(from, to, 0.3, 3)
     expect(after(from, to, 0.3, 9)).toBeCloseTo(slow, 6)
     expect(after(from, to, 0.3, 300)).toBeCloseTo(slow, 6)
   })
 
-  it('of several for one area the last one counts', () => {
+  it('use only the last one of an area', () => {
     const { activations } = driven(
       [
         ...given({ brow: 1 }),

@@ -22,7 +22,7 @@ describe('curveAt', () => {
 })
 
 describe('morph drivers', () => {
-  it('adds up the weighted targets of a driver, and the drivers of an area to at most 1', () => {
+  it('sum the weighted targets of a driver, and the drivers of an area to at most 1', () => {
     const { activations } = driven(
       [
         morph('forehead', [link('browInnerUp', 0.5), link('browOuterUpLeft', 0.25)]),
@@ -37,7 +37,7 @@ describe('morph drivers', () => {
     expect(at(0, 0, 0, 0)).toEqual({ forehead: 0, nose: 0 })
   })
 
-  it('finds targets in other spellings, and counts a split shape once', () => {
+  it('find targets in other spellings, and count a split shape once', () => {
     const { activations } = driven(
       [morph('forehead', 'browInnerUp')],
       ['blendShape1.browInnerUp_L', 'blendShape1.browInnerUp_R'],
@@ -46,7 +46,7 @@ describe('morph drivers', () => {
     expect(activations({ weights: [1, 0] }).forehead).toBe(0.5)
   })
 
-  it('keeps going without targets that the mesh lacks, and tells which', () => {
+  it('continue without targets that the mesh lacks, and list them', () => {
     const { activations, missing } = driven([morph('nose', 'trunkUp')], ['jawOpen'])
     expect(activations({ weights: [1] })).toEqual({ nose: 0 })
     expect(missing).toEqual(['target "trunkUp" of a driver of area "nose"'])

@@ -29,25 +29,25 @@ const near = (found: number[], expected: number[]) => {
 }
 
 describe('muscleOffsets', () => {
-  it('a linear muscle pulls towards its origin: most at its end, nothing at the bone and beyond', () => {
+  it('a linear muscle pulls towards its origin: most at its end, not at all at the bone and beyond the end', () => {
     const linear = muscle({})
     // On the axis, at 0.8 of its length of 2.
     near(offset(linear, 0, 0, 1.6), [0, 0, -0.48])
-    // Half way to there: the sine of 45 degrees.
+    // Halfway there: the sine of 45 degrees.
     near(offset(linear, 0, 0, 0.8), [0, 0, -0.3 * 0.8 * Math.SQRT1_2])
     // Between 0.8 and 1.2: the cosine of 45 degrees.
     near(offset(linear, 0, 0, 2), [0, 0, -0.3 * 2 * Math.SQRT1_2])
     near(offset(linear, 0, 0, 2.4), [0, 0, 0])
     near(offset(linear, 0, 0, -1), [0, 0, 0])
     near(offset(linear, 0, 0, 0), [0, 0, 0])
-    // 0.3 radians aside, at a distance of 1.6.
+    // 0.3 radians to the side, at a distance of 1.6.
     const [x, z] = [1.6 * Math.sin(0.3), 1.6 * Math.cos(0.3)]
     const inside = (Math.cos(0.3) - Math.cos(0.5)) / (1 - Math.cos(0.5))
     near(offset(linear, x, 0, z), [-0.3 * inside * x, 0, -0.3 * inside * z])
     near(offset(linear, 1.6 * Math.sin(0.51), 0, 1.6 * Math.cos(0.51)), [0, 0, 0])
   })
 
-  it('a sheet pulls all the same way', () => {
+  it('a sheet muscle pulls evenly', () => {
     const sheet = muscle({ kind: 'sheet' })
     near(offset(sheet, 0, 0, 1.6), [0, 0, -0.6])
     near(offset(sheet, 0.2, 0, 1.6), [0, 0, -0.6 * Math.SQRT1_2])
@@ -63,7 +63,7 @@ describe('muscleOffsets', () => {
     near(offset(ring, 0, 0.48, 0), [0, 0, 0])
   })
 
-  it('moves nothing outside of its zone, for random muscles', () => {
+  it('moves nothing outside its zone, for random muscles', () => {
     const random = seeded(5)
     const vector = (): [number, number, number] => [random(), random(), random()]
     for (let i = 0; i < 200; i++) {
@@ -106,7 +106,7 @@ describe.each(['human', 'human-2'])('the muscles of %s', (name) => {
     mesh = (await readFaceMesh(`faces/${name}.glb`, 'test')).mesh
   })
 
-  it('are those of the face, left and right, and do the six basic expressions', () => {
+  it('are those of the face, left and right, and form the six basic expressions', () => {
     expect(muscles.length).toBeGreaterThanOrEqual(18)
     const names = muscles.map((own) => own.name)
     for (const left of names.filter((own) => own.endsWith('Left')))
@@ -125,7 +125,7 @@ describe.each(['human', 'human-2'])('the muscles of %s', (name) => {
   })
 
   it.each(muscles.map((own) => [own.name, own] as const))(
-    '%s has an area that covers what it moves, and nothing of the other side',
+    '%s has an area that covers its motion, and nothing of the other side',
     (_, own) => {
       const offsets = muscleOffsets(own, mesh.positions)
       const area = targetArea(mesh, offsets, 128)

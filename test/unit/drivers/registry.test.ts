@@ -7,8 +7,8 @@ import { link, morph, ramp, STRAIGHT } from '../../drivers.ts'
 
 const folder = new URL('../../../packages/furrow/src/drivers/', import.meta.url)
 
-describe('the registry', () => {
-  it('has an entry for every folder of drivers/, whose schema is of its type', () => {
+describe('the driver registry', () => {
+  it('has an entry for every folder of drivers/, with a schema of its type', () => {
     const folders = readdirSync(folder, { withFileTypes: true }).filter((entry) => entry.isDirectory())
     expect(folders.map(({ name }) => name).sort()).toEqual([...DRIVER_TYPES].sort())
     for (const type of DRIVER_TYPES) {
@@ -17,7 +17,7 @@ describe('the registry', () => {
     }
   })
 
-  it('is what the published schema lists', () => {
+  it('equals the list in the published schema', () => {
     const path = new URL('../../../docs/schema/', import.meta.url)
     const { allOf } = JSON.parse(
       readFileSync(new URL('FURROW_wrinkle_maps.driver.schema.json', path), 'utf8'),
@@ -44,7 +44,7 @@ interface BreathDriver {
   depth: number
 }
 
-/** Two inputs that the application sets, combined by a function of its own. */
+/** Two inputs set by the application, combined by a custom function. */
 const breath: DriverDefinition<BreathDriver> = {
   type: 'breath',
   read: (fields) => ({ area: fields.area(), depth: fields.number('depth', 0, 1, 0.5) }),
@@ -107,7 +107,7 @@ it.each<[WrinkleDriver, string]>([
 describe('registerDriver', () => {
   const json = { type: 'breath', area: 'nose', effort: 3 }
 
-  it('keeps a type that nobody knows, and then knows it', () => {
+  it('keeps drivers of an unknown type, and evaluates them once the type is registered', () => {
     const [unknown] = parseDrivers([json], ['nose'])
     expect(unknown).toEqual(json)
     expect(isKnownDriver(unknown)).toBe(false)
@@ -134,7 +134,7 @@ describe('registerDriver', () => {
     ])
   })
 
-  it('checks its fields, and files carry it', () => {
+  it("checks the type's fields, and files contain its drivers", () => {
     const texture = { index: 0 }
     const maps = (driver: WrinkleDriver) =>
       parseWrinkleMaps({
@@ -147,7 +147,7 @@ describe('registerDriver', () => {
     expect(() => maps({ ...json, area: 'tail' })).toThrow('drivers[0].area is unknown')
   })
 
-  it('refuses a type that exists', () => {
+  it('refuses an existing type', () => {
     expect(() => registerDriver({ ...breath, type: 'morph' as never })).toThrow(
       'registerDriver: a driver of that type exists, got "morph"',
     )

@@ -21,14 +21,14 @@ describe('rules', () => {
     expect(activation(rule, both, [0.8, 0.4, 0])).toBeCloseTo(expected, 6)
   })
 
-  it('both brows are needed where the rule says so', () => {
+  it('both brows are needed if the rule says so', () => {
     const links = [link('browDownLeft'), link('browDownRight')]
     expect(activation('min', links, [1, 0, 0])).toBe(0)
     expect(activation('product', links, [1, 0, 0])).toBe(0)
     expect(activation('min', links, [1, 0.7, 0])).toBeCloseTo(0.7, 6)
   })
 
-  it('a weight below 0 takes away', () => {
+  it('a negative weight subtracts', () => {
     const links = [link('browDownLeft'), link('browOuterUpLeft', -0.5)]
     expect(activation('sum', links, [0.9, 0, 0.6])).toBeCloseTo(0.6, 6)
     expect(activation('sum', links, [0.1, 0, 1])).toBe(0)
@@ -44,7 +44,7 @@ describe('rules', () => {
     expect(activation('sum', links, [0.5, 0.4, 0], halved)).toBeCloseTo(0.2, 6)
   })
 
-  it('a weight that is NaN counts as 0, with one warning that names it', () => {
+  it('a NaN weight counts as 0, with one warning that names it', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const { activations } = driven([morph('glabella', both)], names)
     for (let i = 0; i < 3; i++) {
@@ -79,14 +79,14 @@ describe('conflicts', () => {
     expect(resolved([pair], pair, [raised, lowered]).activations).toEqual(left)
   })
 
-  it('leaves the weights of the mesh alone, and finds halves and other spellings', () => {
+  it("does not change the mesh's weights, and finds halves and other spellings", () => {
     const weights = [0.5, 0.3, 0.2]
     const targets = ['browDown_L', 'browOuterUp_L', 'jawOpen']
     expect(resolved([pair], targets, weights).activations).toEqual([0, 0.2])
     expect(weights).toEqual([0.5, 0.3, 0.2])
   })
 
-  it('goes on without a target that is missing, and tells which', () => {
+  it('continues without missing targets, and lists them', () => {
     const { activations, missing } = resolved(
       [['browOuterUpLeft', 'tail']],
       ['browOuterUpLeft', 'browDownLeft'],

@@ -45,7 +45,7 @@ describe('findTargets', () => {
     ['mouthLeft', ['mouth', 'mouthRight'], []],
     ['0', ['1', '0'], [1]],
     ['_neutral', ['jawOpen'], []],
-    // A rig's own name, also where ARKit's could be read into it, and one rig's name on another.
+    // A rig's own name, even if it could be read as ARKit's, and one rig's name on another.
     ['browInnerUp_R', ['browInnerUp_L', 'browInnerUp_R'], [1]],
     ['browUp_L', ['browUpLeft', 'browUp_L'], [1]],
     ['blendShape1.jawOpen', ['x.jawOpen'], [0]],

@@ -21,7 +21,7 @@ const driver = (measure: TensionDriver['measure'], area = 'sheet'): TensionDrive
   curve: RULER,
 })
 
-/** A sheet of 1 x 1 in the plane z = 0, of `side` x `side` squares, its inner points shifted at random. */
+/** Sheet of 1 x 1 in the plane z = 0 with `side` x `side` squares and randomly shifted inner points. */
 function sheet(side: number, wobble = 0) {
   const random = seeded(side)
   const [positions, uvs, triangles]: number[][] = [[], [], []]
@@ -45,7 +45,7 @@ function sheet(side: number, wobble = 0) {
 
 type Sheet = ReturnType<typeof sheet>
 
-/** What a driver measures once every point has moved. */
+/** Returns a driver's measurement after every point has moved. */
 function measure(
   rest: Sheet,
   measure: TensionDriver['measure'],
@@ -66,7 +66,7 @@ function measure(
   return measured[0]
 }
 
-/** What drivers measure and make of it when corners have moved. */
+/** Returns the measurements and activations of drivers after corners have moved. */
 function drive(
   drivers: TensionDriver[],
   samples: TensionSample[],
@@ -85,7 +85,7 @@ function drive(
 describe('tension drivers', () => {
   const turn = new Matrix4().makeRotationFromEuler(new Euler(0.4, 1.2, -2)).setPosition(3, -1, 7)
 
-  it.each([1, 2, 5, 16, 40])('a sheet of %d squares shortened by 20%% along x reports 0.20', (side) => {
+  it.each([1, 2, 5, 16, 40])('report 0.20 for a sheet of %d squares shortened by 20%% along x', (side) => {
     const shorten = (point: Vector3) => point.multiply(new Vector3(0.8, 1, 1))
     expect(measure(sheet(side), 'compression', shorten)).toBeCloseTo(0.2, 9)
     expect(
@@ -93,7 +93,7 @@ describe('tension drivers', () => {
     ).toBeCloseTo(0.2, 6)
   })
 
-  it('whatever the direction, and stretched as well', () => {
+  it('report the same in any direction, and for stretch', () => {
     for (const angle of [0.3, 1, 2.4]) {
       const there = new Matrix4().makeRotationZ(angle)
       const along = new Matrix4().makeScale(1.3, 0.9, 1)
@@ -103,30 +103,30 @@ describe('tension drivers', () => {
     }
   })
 
-  it('a rigid motion reports 0', () => {
+  it('report 0 for a rigid motion', () => {
     for (const kind of ['compression', 'stretch'] as const) {
       expect(Math.abs(measure(sheet(7, 0.6), kind, (point) => point.applyMatrix4(turn)))).toBeLessThan(1e-7)
     }
   })
 
-  it('folding without a change of length reports 0', () => {
+  it('report 0 for folding without a change of length', () => {
     const fold = (point: Vector3) => new Vector3(Math.min(point.x, 0.5), point.y, Math.max(0, point.x - 0.5))
     expect(Math.abs(measure(sheet(8), 'compression', fold, 64))).toBeLessThan(1e-7)
   })
 
-  it('is the mean over the area', () => {
-    // Compressed by 0 at y = 0 and 40% at y = 1, linearly; cut into thin rows.
+  it('report the mean over the area', () => {
+    // Compressed by 0 at y = 0 to 40% at y = 1, linearly, in thin rows.
     const fan = (point: Vector3) => point.set(point.x, point.y * (1 - 0.2 * point.y), 0)
     expect(measure(sheet(40), 'compression', fan, 400)).toBeCloseTo(0.2, 2)
   })
 
-  it('tells pulled from pushed by the sign', () => {
+  it('distinguish pull and push by the sign', () => {
     const grow = (point: Vector3) => point.multiplyScalar(1.25)
     expect(measure(sheet(4), 'compression', grow)).toBeCloseTo(-0.25, 9)
     expect(measure(sheet(4), 'stretch', (point) => point.multiplyScalar(0.5))).toBeCloseTo(-0.5, 9)
   })
 
-  it('take what was measured elsewhere, but for areas without triangles', () => {
+  it('use external measurements, except for areas without triangles', () => {
     const plan = planDrivers([driver('compression'), driver('stretch'), driver('compression', 'gone')])
     const program = new DriverProgram(plan, { tension: measuredSource([[], [], ['triangles']]) })
     const state = program.createState()
@@ -137,7 +137,7 @@ describe('tension drivers', () => {
     expect(state.activations[1]).toBe(0)
   })
 
-  it('goes on without an area that covers nothing, and without degenerate triangles', () => {
+  it('continue without areas that cover nothing, and without degenerate triangles', () => {
     const rest = sheet(1)
     const triangles = [0, 0, 0, 0, 1, 1, ...rest.triangles]
     const { activations, measured, missing } = drive(
@@ -153,7 +153,7 @@ describe('tension drivers', () => {
 })
 
 describe('tension along a direction of the texture', () => {
-  /** What drivers along directions measure of a sheet whose texture and points have moved. */
+  /** Returns directional measurements of a sheet whose texture and points have moved. */
   function along(
     directions: readonly (readonly [number, number])[],
     rest: Sheet,
@@ -172,7 +172,7 @@ describe('tension along a direction of the texture', () => {
   const turn = new Matrix4().makeRotationFromEuler(new Euler(0.4, 1.2, -2)).setPosition(3, -1, 7)
   const shorten = (point: Vector3) => point.multiply(new Vector3(0.8, 1, 1)).applyMatrix4(turn)
 
-  it('tells a squint from a scrunch: skin shortened along u is as long as before along v', () => {
+  it('distinguishes a squint from a scrunch: skin shortened along u keeps its length along v', () => {
     const [u, back, v, diagonal] = along([[1, 0], [-3, 0], [0, 0.2], [1, 1]], sheet(6, 0.5), shorten) // biome-ignore format: one line
     expect(u).toBeCloseTo(0.2, 9)
     expect(back).toBeCloseTo(0.2, 9)
@@ -180,7 +180,7 @@ describe('tension along a direction of the texture', () => {
     expect(diagonal).toBeCloseTo(1 - Math.sqrt((0.8 ** 2 + 1) / 2), 9)
   })
 
-  it('is signed, and follows the texture where that is turned, mirrored or sheared', () => {
+  it('is signed, and follows a turned, mirrored or sheared texture', () => {
     const rest = sheet(5, 0.4)
     const mapped = (map: (u: number, v: number) => [number, number]) => ({
       ...rest,
@@ -191,12 +191,12 @@ describe('tension along a direction of the texture', () => {
     expect(along([[1, 0]], turned, shorten, 'stretch')[0]).toBeCloseTo(0, 9)
     const mirrored = mapped((u, v) => [1 - u, v])
     expect(along([[1, 0]], mirrored, shorten)[0]).toBeCloseTo(0.2, 9)
-    // Along u alone, x and y both grow by a: the direction on the sheet is the diagonal.
+    // Along u alone, x and y both grow by a, so the direction on the sheet is the diagonal.
     const sheared = mapped((u, v) => [u, v - u])
     expect(along([[1, 0]], sheared, shorten)[0]).toBeCloseTo(1 - Math.sqrt((0.8 ** 2 + 1) / 2), 9)
   })
 
-  it('leaves out triangles that have no place in the texture', () => {
+  it('leaves out triangles without area in the texture', () => {
     const rest = sheet(2)
     const uvs = rest.uvs.map((value, i) => (i < 6 ? 0 : value))
     expect(along([[1, 0]], { ...rest, uvs }, shorten)[0]).toBeCloseTo(0.2, 9)
@@ -205,7 +205,7 @@ describe('tension along a direction of the texture', () => {
 })
 
 describe('sampleTriangles', () => {
-  it('takes triangles by the weight they have, and none where there is none', () => {
+  it('picks triangles by their weight, and none without weight', () => {
     const left: GrayImage = { width: 2, height: 1, data: Uint8Array.of(255, 0) }
     const mesh = sheet(10)
     const chosen = sampleTriangles(mesh, left, 50)
@@ -214,7 +214,7 @@ describe('sampleTriangles', () => {
     expect(sampleTriangles(mesh, { width: 1, height: 1, data: Uint8Array.of(0) }, 50)).toHaveLength(0)
   })
 
-  it('passes over positions that are NaN', () => {
+  it('skips NaN positions', () => {
     const mesh = sheet(3)
     mesh.positions[0] = Number.NaN
     expect([...sampleTriangles(mesh, full, 200)]).not.toContain(0)

@@ -5,7 +5,7 @@ const nodes = [{ mesh: 1 }, { name: 'hips' }, { mesh: 0 }]
 const of = (json: unknown, mesh = 0) => Object.fromEntries(expressionBinds(json, mesh))
 
 describe('expressionBinds', () => {
-  it('of VRM 1.0 are those of nodes with the mesh, of presets and custom expressions', () => {
+  it('of VRM 1.0 are those of nodes with the mesh, from presets and custom expressions', () => {
     const bind = (node: number, index: number, weight?: number) => ({ node, index, weight })
     const expressions = {
       preset: { happy: { morphTargetBinds: [bind(2, 0, 0.5), bind(0, 1, 1), bind(2, 3)] }, neutral: {} },
@@ -38,7 +38,7 @@ describe('expressionBinds', () => {
   })
 
   const ODD = [undefined, null, 0.5, 'x', [], [null], { a: null }, { length: 1 }]
-  it.each(ODD.map((odd) => [JSON.stringify(odd), odd]))('are none where it says %s', (_, odd) => {
+  it.each(ODD.map((odd) => [JSON.stringify(odd), odd]))('are empty for %s', (_, odd) => {
     const v1 = (expressions: unknown) => ({ nodes, extensions: { VRMC_vrm: { expressions } } })
     const v0 = (groups: unknown) => ({
       extensions: { VRM: { blendShapeMaster: { blendShapeGroups: groups } } },

@@ -13,7 +13,7 @@ import { morph } from '../../drivers.ts'
 import { seeded } from '../../random.ts'
 import { frameOf } from '../three/stub-renderer.ts'
 
-/** A face whose expressions each move a target of their own, with what they do to others. */
+/** Makes a face whose expressions each move one target, and override others. */
 function avatar() {
   const names = ['blink', 'blinkLeft', 'aa', 'lookUp', 'happy', 'surprised']
   const mesh = blendMesh(...names.map((name) => `shape_${name}_x`))
@@ -32,7 +32,7 @@ function avatar() {
 }
 
 describe('VrmWeights', () => {
-  it('are what three-vrm applies to the mesh, for random weights', () => {
+  it('equal the weights that three-vrm applies to the mesh, for random weights', () => {
     const { mesh, manager, names } = avatar()
     const vrm = new VrmWeights(manager)
     const weights = new Float32Array(names.length)

@@ -13,7 +13,7 @@ const io = new NodeIO().registerExtensions([...ALL_EXTENSIONS, FurrowWrinkleMaps
 const read = (name: string) => io.read(fileURLToPath(new URL(`../../../faces/${name}.glb`, import.meta.url)))
 const documents = { hand: await read('hand'), neck: await read('neck') }
 
-/** A weight of 1 in normalised 16 bits. */
+/** Weight of 1 in normalised 16 bits. */
 const UNIT_WEIGHT = 65535
 
 describe.each(Object.entries(documents))('the shipped %s', (_, document) => {
@@ -115,7 +115,7 @@ describe('the neck', () => {
   })
 })
 
-/** Joints of a model, at rest until posed, and the activations by its drivers. */
+/** Joints of a model, at rest until posed, and the activations of its drivers. */
 function jointsOf(original: Document) {
   const document = cloneDocument(original)
   const [skin] = document.getRoot().listSkins()
@@ -140,13 +140,13 @@ function jointsOf(original: Document) {
     drivers: drivers.filter(({ type }) => type === 'bone') as BoneDriver[],
     rest,
     now,
-    /** Rotates a joint from rest about a local axis, in radians. */
+    /** Rotates a joint from rest about a local axis, radians. */
     pose(name: string, axis: [number, number, number], angle: number) {
       const bend = new Quaternion().setFromAxisAngle(new Vector3(...axis).normalize(), angle)
       const rotation = new Quaternion().fromArray(rests[names.indexOf(name)]).multiply(bend)
       joint(name).setRotation(rotation.toArray() as vec4)
     },
-    /** Poses all joints by the last key frame of a clip that is not after `seconds`. */
+    /** Poses all joints by the last key frame of a clip at or before `seconds`. */
     play(clip: string, seconds: number) {
       const animation = document
         .getRoot()
@@ -161,7 +161,7 @@ function jointsOf(original: Document) {
       }
     },
     positionOf: (name: string) => new Vector3(...joint(name).getWorldTranslation()),
-    /** Rotation of a joint from rest, relative to another joint. */
+    /** Returns the rotation of a joint from rest, relative to another joint. */
     rotationFromRest(from: string, name: string) {
       const relative = (matrices: readonly number[]) => {
         const [a, b] = [from, name].map((one) =>

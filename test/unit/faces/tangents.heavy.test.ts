@@ -29,7 +29,7 @@ describe.each(['human.glb', 'human-2.glb', 'hand.glb', 'neck.glb'])('the shipped
       const values = primitive.getAttribute(attribute)!.getArray()
       return Float32Array.from(indices.flatMap((i) => [...values.subarray(i * size, i * size + size)]))
     }
-    // v runs upwards in MikkTSpace and downwards in glTF, so that signs are opposite.
+    // v points up in MikkTSpace and down in glTF, so signs are opposite.
     const exact = generateTangents(corners('POSITION', 3), corners('NORMAL', 3), corners('TEXCOORD_0', 2))
     const stored = corners('TANGENT', 4)
     let close = 0

@@ -18,7 +18,9 @@ beforeAll(async () => {
   valid = written.json.materials![0].extensions![NAME]
 })
 
-/** Reads the sample with one field set, or removed if `value` is undefined: `areas.0.channel` in the extension, `/textures.8` in the file. */
+/**
+ * Reads the sample with one field set, or removed if `value` is undefined: `areas.0.channel` in the extension, `/textures.8` in the file.
+ */
 function readWith(path: string, value: Anything) {
   const json = structuredClone(written.json) as Anything
   const root = path.startsWith('/') ? json : json.materials[0].extensions[NAME]
@@ -98,7 +100,7 @@ describe('a truncated file', () => {
   })
 })
 
-/** The rules of the extension, implemented independently of the parser. */
+/** Rules of the extension, implemented independently of the parser. */
 function isValid({ layers, areas, drivers }: WrinkleMaps, textures: number): boolean {
   const text = (value: unknown) => typeof value === 'string' && value.length > 0 && value.length <= 256
   const within = (value: unknown, low: number, high: number) =>
@@ -167,7 +169,7 @@ describe('parseWrinkleMaps', () => {
       }),
       { numRuns: MUTATED, seed: 3 },
     )
-    // Both outcomes must occur, or the mutations prove nothing.
+    // Both outcomes must be frequent, otherwise the mutations prove nothing.
     expect(accepted).toBeGreaterThan(MUTATED / 20)
     expect(refused).toBeGreaterThan(MUTATED / 2)
   })

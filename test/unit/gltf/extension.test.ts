@@ -54,7 +54,7 @@ describe('FurrowWrinkleMaps', () => {
     expect(parseWrinkleMaps(maps, json.textures!.length).areas).toHaveLength(5)
   })
 
-  it('reads back what it has written, as JSON and as a binary', async () => {
+  it('reads back its own output, as JSON and as a binary', async () => {
     const document = await createSample()
     const before = summary(document)
     expect(before.drivers).toEqual(DRIVERS)
@@ -82,7 +82,7 @@ describe('FurrowWrinkleMaps', () => {
   it.each([
     ['strokes', { version: 2, lines: [] }, 'lines'],
     ['shapes', [{ target: 7, extras: { by: 'hand' } }], { no: 'list' }],
-  ] as const)('keeps %s as they are, malformed or none', async (field, ...values) => {
+  ] as const)('keeps %s unchanged, even if malformed or missing', async (field, ...values) => {
     const document = await createSample()
     const after = async (value: unknown) => {
       const wrinkles = wrinkleMapsOf(document)
@@ -202,7 +202,7 @@ describe('FurrowWrinkleMaps', () => {
       (d) => wrinkleMapsOf(d).setDrivers([{ type: 'morph', area: 'x', targets: [], curve: [] }]),
       'drivers[0].area is unknown, got "x"',
     ],
-  ])('refuses to write wrinkles that lack %s', async (_, breakDocument, message) => {
+  ])('refuses to write wrinkles without %s', async (_, breakDocument, message) => {
     const document = await createSample()
     breakDocument(document)
     const failure = await io.writeBinary(document).catch((error) => error)
@@ -211,16 +211,16 @@ describe('FurrowWrinkleMaps', () => {
   })
 })
 
-describe('a script of glTF-Transform', () => {
+describe('a glTF-Transform script', () => {
   let before: ReturnType<typeof summary>
   let after: Awaited<ReturnType<typeof createSample>>
 
   beforeAll(async () => {
     const document = await createSample()
-    // A duplicate image for dedup: the second layer has a copy of the first one's normals.
+    // Duplicate image for dedup: the second layer has a copy of the first one's normals.
     const twin = wrinkleMapsOf(document).listLayers()[1].getTexture('normalTexture')!
     twin.setImage(wrinkleMapsOf(document).listLayers()[0].getTexture('normalTexture')!.getImage()!)
-    // A uniform image, which prune would replace by a factor.
+    // Uniform image, which prune would replace by a factor.
     const white = { width: 8, height: 8, channels: 3 as const, background: '#fff' }
     const flat = await sharp({ create: white }).png().toBuffer()
     wrinkleMapsOf(document)

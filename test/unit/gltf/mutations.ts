@@ -1,13 +1,13 @@
 import fc from 'fast-check'
 import { inject } from 'vitest'
 
-/** Documents that are tried. */
+/** Number of mutated documents. */
 export const MUTATED: number = inject('inDepth') ? 100_000 : 10_000
 
 // biome-ignore lint/suspicious/noExplicitAny: invalid on purpose
 type Anything = any
 
-/** Values that a hostile or faulty writer might put anywhere. */
+/** Values that hostile or broken writers might put anywhere. */
 const JUNK: Anything[] = [
   null,
   true,
@@ -33,13 +33,13 @@ const JUNK: Anything[] = [
   { toString: 1, valueOf: null },
 ]
 
-/** A node of a JSON document: its parent and its key there; the root has no parent. */
+/** Node of a JSON document, with its parent and key. The root has no parent. */
 interface JsonNode {
   parent?: Anything
   key: string
 }
 
-/** All nodes of a JSON document, parents first. */
+/** Lists all nodes of a JSON document, parents first. */
 function nodesOf(value: Anything, nodes: JsonNode[] = [{ key: '' }]): JsonNode[] {
   if (typeof value !== 'object' || value === null) return nodes
   for (const key of Object.keys(value)) {
@@ -55,7 +55,7 @@ interface Mutation {
   junk: Anything
 }
 
-/** Changes one node of a document, which remains valid JSON. */
+/** Changes one node of a document and keeps the JSON valid. */
 export function mutate(document: Anything, { node, action, junk }: Mutation): Anything {
   const nodes = nodesOf(document)
   const { parent, key }: { parent?: Anything; key: Anything } = nodes[node % nodes.length]
@@ -84,10 +84,10 @@ export const mutation = fc.record<Mutation>({
 })
 
 /**
- * Holds a schema against a parser, in many mutated documents: it must accept whatever the parser accepts.
+ * Compares a schema with a parser on many mutated documents. The schema must accept everything that the parser accepts.
  *
- * @param parse throws for what it refuses.
- * @returns how many documents the parser accepted, and the part of those it refused that the schema accepted.
+ * @param parse throws for invalid documents.
+ * @returns number of documents that the parser accepted, and the fraction of refused ones that the schema accepted.
  */
 export function compareWithParser(
   document: Anything,

@@ -23,7 +23,7 @@ const CURVE: Curve = [
   [1, 1],
 ]
 
-/** A driver of every type, with all defaults, and one of an unknown type. */
+/** Drivers of every type with all defaults, and one of an unknown type. */
 export const DRIVERS: WrinkleDriver[] = [
   {
     type: 'morph',
@@ -60,7 +60,7 @@ export const DRIVERS: WrinkleDriver[] = [
   },
 ]
 
-/** A document with every kind of curve and shape. */
+/** Document with every kind of curve and shape. */
 export const SHAPES = [
   { mesh: 'Head', target: 'key_12', shape: 'browInnerUp' },
   { target: 'slider', extras: { by: 'hand' } },
@@ -128,7 +128,7 @@ export const STROKES = {
   ],
 }
 
-/** A quad with one blendshape, two layers with every slot, and five areas in the channels of two images. */
+/** Creates a quad with one blendshape, two layers with every slot, and five areas in the channels of two images. */
 export async function createSample(): Promise<Document> {
   const document = new Document().setLogger(silent)
   const texture = async (name: string, seed: number, channels: 3 | 4 = 3) =>
@@ -196,7 +196,7 @@ export function wrinkleMapsOf(document: Document): MaterialWrinkles {
   return material.getExtension<MaterialWrinkles>(NAME)!
 }
 
-/** The extension as plain data, with images by name: what tools must preserve. */
+/** Returns the extension as plain data with images by name: the content that tools must preserve. */
 export function summary(document: Document) {
   const wrinkles = wrinkleMapsOf(document)
   const slots = ['normal', 'baseColor', 'roughness', 'occlusion', 'height', 'blood'] as const

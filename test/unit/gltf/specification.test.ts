@@ -29,7 +29,7 @@ beforeAll(() => {
   validate = ajv.getSchema(`material.${NAME}.schema.json`)!
 })
 
-/** Rows of the table below a heading of the page. */
+/** Returns rows of the table below a heading of the page. */
 function tableOf(heading: string): { name: string; type: string; required: string }[] {
   const [, section = ''] = page.split(`\n### ${heading}\n`)
   const rows = section.split(/\n##/)[0].matchAll(/^\| \*\*(\w+)\*\* \| `(.+?)` \| .+ \| (.+) \|$/gm)

@@ -10,7 +10,7 @@ import {
 } from 'three'
 import { describe, expect, it } from 'vitest'
 
-/** Arrays of a geometry. */
+/** Returns the arrays of a geometry. */
 function meshOf({ attributes, index }: PlaneGeometry | SphereGeometry | IcosahedronGeometry) {
   const positions = attributes.position.array as Float32Array
   return {
@@ -32,13 +32,13 @@ const vectorsOf = (list: ArrayLike<number>) =>
     (_, i) => new Vector3(list[3 * i], list[3 * i + 1], list[3 * i + 2]),
   )
 
-/** Largest angle between the vectors of two lists, in radians. */
+/** Returns the largest angle between the vectors of two lists, radians. */
 function largestAngle(a: ArrayLike<number>, b: ArrayLike<number>): number {
   const others = vectorsOf(b)
   return vectorsOf(a).reduce((most, vector, i) => Math.max(most, vector.angleTo(others[i])), 0)
 }
 
-/** Offsets of each point, and the normals of a mesh after them. */
+/** Returns offsets of each point, and the normals of a mesh after them. */
 function deform(mesh: ReturnType<typeof meshOf>, move: (point: Vector3) => Vector3) {
   const deformed = new DeformedNormals(mesh)
   const out = new Float32Array(mesh.normals.length)
@@ -47,9 +47,9 @@ function deform(mesh: ReturnType<typeof meshOf>, move: (point: Vector3) => Vecto
 }
 
 describe('DeformedNormals', () => {
-  it('returns the authored normals at rest and after scaling and translation', () => {
+  it('equal the authored normals at rest and after scaling and translation', () => {
     const mesh = meshOf(new SphereGeometry(1, 24, 16))
-    // Unlike the geometric normals.
+    // Different from the geometric normals.
     const authored = moved(mesh.normals, (n) => n.add(new Vector3(0.2, 0.1, 0)).normalize())
     const deformed = new DeformedNormals({ ...mesh, normals: authored })
     const out = new Float32Array(authored.length)
@@ -62,7 +62,7 @@ describe('DeformedNormals', () => {
     expect(largestAngle(out, authored)).toBeLessThan(1e-3)
   })
 
-  it('rotates the authored normals and tangents', () => {
+  it('rotate the authored normals and tangents', () => {
     const mesh = meshOf(new IcosahedronGeometry(1, 16))
     const rotation = new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), 0.5)
     const { deformed, out } = deform(mesh, (p) => p.applyQuaternion(rotation))
@@ -75,7 +75,7 @@ describe('DeformedNormals', () => {
     expect(Math.max(...vectorsOf(tangents).map((t, i) => Math.abs(t.dot(normals[i]))))).toBeLessThan(0.02)
   })
 
-  it('follows the bending of a plane, within the resolution of its triangles', () => {
+  it('follow the bending of a plane, within the resolution of its triangles', () => {
     const mesh = meshOf(new PlaneGeometry(2, 2, 80, 4))
     const wave = (x: number) => 0.3 * Math.sin(2 * x)
     const { out } = deform(mesh, (p) => p.setZ(wave(p.x)))
@@ -83,7 +83,7 @@ describe('DeformedNormals', () => {
     expect(largestAngle(out, expected)).toBeLessThan(0.02)
   })
 
-  it('agrees with the inverse transpose of a scaling, on a sphere without an index', () => {
+  it('agree with the inverse transpose of a scaling, on a sphere without an index', () => {
     const mesh = meshOf(new IcosahedronGeometry(1, 24))
     const scaling = new Matrix4().makeScale(1.3, 0.8, 1)
     const { out } = deform(mesh, (p) => p.applyMatrix4(scaling))
@@ -93,7 +93,7 @@ describe('DeformedNormals', () => {
     expect(Math.max(...vectorsOf(out).map((n) => Math.abs(n.length() - 1)))).toBeLessThan(1e-5)
   })
 
-  it('keeps the normals of vertices without adjacent area', () => {
+  it('keep the normals of vertices without adjacent area', () => {
     const deformed = new DeformedNormals({
       positions: [0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 5, 5],
       normals: [0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0, 0],

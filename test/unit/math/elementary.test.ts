@@ -11,11 +11,11 @@ const SOURCES = [
   'packages/files/src',
 ]
 
-/** Functions whose rounding is left to each engine, and powers other than squares and those of 2. */
+/** Functions whose rounding varies between engines, and powers other than squares and powers of 2. */
 const ENGINE_ROUNDS =
   /Math\.(a?(sin|cos|tan)h?|atan2|exp|expm1|log|log10|log1p|pow|cbrt|hypot)\b|(?<!\b2) \*\* (?!2(?![.\d]))/
 
-/** Distance of two numbers in units of the last place of the second. */
+/** Returns the distance of two numbers in units of the second's last place. */
 function unitsApart(a: number, b: number): number {
   return a === b ? 0 : Math.abs(a - b) / 2 ** (Math.floor(Math.log2(Math.abs(b))) - 52)
 }
@@ -25,38 +25,38 @@ describe('elementary functions', () => {
   const between = (low: number, high: number) => low + random() * (high - low)
 
   it.each([
-    { what: 'exp', own: exp, engine: Math.exp, arguments: () => [between(-700, 700)] as const, most: 2 },
+    { name: 'exp', own: exp, engine: Math.exp, arguments: () => [between(-700, 700)] as const, most: 2 },
     {
-      what: 'log',
+      name: 'log',
       own: log,
       engine: Math.log,
       arguments: () => [Math.exp(between(-700, 700))] as const,
       most: 2,
     },
     {
-      what: 'log near 1',
+      name: 'log near 1',
       own: log,
       engine: Math.log,
       arguments: () => [between(0.8, 1.3)] as const,
       most: 2,
     },
-    { what: 'sin', own: sin, engine: Math.sin, arguments: () => [between(-1e4, 1e4)] as const, most: 2 },
-    { what: 'cos', own: cos, engine: Math.cos, arguments: () => [between(-1e4, 1e4)] as const, most: 2 },
+    { name: 'sin', own: sin, engine: Math.sin, arguments: () => [between(-1e4, 1e4)] as const, most: 2 },
+    { name: 'cos', own: cos, engine: Math.cos, arguments: () => [between(-1e4, 1e4)] as const, most: 2 },
     {
-      what: 'atan2',
+      name: 'atan2',
       own: atan2,
       engine: Math.atan2,
       arguments: () => [between(-9, 9), between(-9, 9)] as const,
       most: 2,
     },
     {
-      what: 'power',
+      name: 'power',
       own: power,
       engine: Math.pow,
       arguments: () => [between(1e-9, 9), between(0, 3)] as const,
       most: 100,
     },
-  ])('$what is that of the engine, to the last bits', ({ own, engine, arguments: make, most }) => {
+  ])("$name equals the engine's, to the last bits", ({ own, engine, arguments: make, most }) => {
     for (let i = 0; i < 20_000; i++) {
       const given = make() as [number, number]
       expect(unitsApart(own(...given), engine(...given)), String(given)).toBeLessThanOrEqual(most)
@@ -80,18 +80,18 @@ describe('elementary functions', () => {
 })
 
 test.each(SOURCES)(
-  '%s makes the same bytes in every engine: it calls nothing whose rounding is open',
+  '%s gives the same bytes in every engine, because it calls nothing with unspecified rounding',
   (folder) => {
     const files = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((file) =>
       file.endsWith('.ts'),
     )
-    const faults = files.flatMap((file) =>
+    const calls = files.flatMap((file) =>
       readFileSync(join(folder, file), 'utf8')
         .split('\n')
         .filter((line) => !/^\s*(\/?\*|\/\/)/.test(line) && ENGINE_ROUNDS.test(line.replace(/\/\/.*/, '')))
         .map((line) => `${file}: ${line.trim()}`),
     )
     expect(files.length).toBeGreaterThan(0)
-    expect(faults).toEqual([])
+    expect(calls).toEqual([])
   },
 )

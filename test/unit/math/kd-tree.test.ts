@@ -2,12 +2,12 @@ import { expect, test } from 'vitest'
 import { KdTree } from '../../../packages/furrow/src/math/kd-tree.ts'
 import { seeded } from '../../random.ts'
 
-/** Random coordinates; steps of a tenth give equal points and equal distances. */
+/** Random coordinates. Steps of a tenth give equal points and equal distances. */
 function coordinates(random: () => number, count: number, isStepped: boolean): number[] {
   return Array.from({ length: count }, () => (isStepped ? Math.round(10 * random()) / 10 : random()))
 }
 
-/** Square of the distance of each point. */
+/** Returns the squared distance of each point. */
 function squaresTo(points: readonly number[], dimensions: number, query: readonly number[]): number[] {
   return Array.from({ length: points.length / dimensions }, (_, i) =>
     query.reduce((sum, x, d) => sum + (points[i * dimensions + d]! - x) ** 2, 0),
@@ -21,7 +21,7 @@ test.each([
   [2, 200],
   [3, 500],
 ])(
-  '%i dimensions and %i points: a tree finds the points that a search through all finds',
+  '%i dimensions and %i points: a tree finds the same points as a linear search',
   (dimensions, count) => {
     const random = seeded(100 * dimensions + count)
     for (const isStepped of [false, true]) {

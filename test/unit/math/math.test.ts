@@ -28,7 +28,7 @@ it('bezierAt agrees with three.js', () => {
   }
 })
 
-it('length2 and length3 are right for vectors of any size', () => {
+it('length2 and length3 are accurate for vectors of any size', () => {
   expect(length3(3, -4, 12)).toBe(13)
   expect(length2(-3, 4)).toBe(5)
   expect([length3(0, 0, 0), length2(0, 0)]).toEqual([0, 0])
@@ -48,7 +48,7 @@ it('boundingBoxSize spans all points', () => {
   expect(boundingBoxSize([0, 5, 1, 2, -1, 1, -3, 0, 1])).toEqual([5, 6, 0])
 })
 
-it('hash32 gives the finaliser of MurmurHash3', () => {
+it('hash32 returns the finaliser of MurmurHash3', () => {
   expect(hash32(0)).toBe(0)
   expect(hash32(1)).toBe(0x514e28b7)
   expect(hash32(-1)).toBe(0x81f16f39)

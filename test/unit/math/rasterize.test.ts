@@ -4,7 +4,7 @@ import { rasterize } from '../../../packages/furrow/src/math/rasterize.ts'
 import { seeded } from '../../random.ts'
 import { across } from '../../strokes.ts'
 
-/** Pixels that a triangle covers, as [column, row, a, b, c]. */
+/** Pixels covered by a triangle, as [column, row, a, b, c]. */
 function covered(triangle: number[], ...rest: [tolerance?: number, box?: [number, number, number, number]]) {
   const pixels: number[][] = []
   rasterize(triangle, rest[0] ?? 1e-6, (...pixel) => pixels.push(pixel), rest[1])
@@ -14,7 +14,7 @@ function covered(triangle: number[], ...rest: [tolerance?: number, box?: [number
 const pixelsOf = (pixels: number[][]) => pixels.map(([column, row]) => [column, row])
 
 describe('rasterize', () => {
-  it('visits the pixels whose centres are inside, row by row, whichever way the corners turn', () => {
+  it('visits the pixels whose centres are inside, row by row, for both orientations', () => {
     const expected = [
       [0, 0],
       [1, 0],
@@ -27,11 +27,11 @@ describe('rasterize', () => {
     expect(pixelsOf(covered([0, 0, 0, 2, 2, 0]))).toEqual(expected)
   })
 
-  it('gives barycentric coordinates of the corners in their order', () => {
+  it('passes barycentric coordinates in the order of the corners', () => {
     expect(covered([0, 0, 4, 0, 0, 2]).find(([x, y]) => x === 1 && y === 1)).toEqual([1, 1, 0.25, 0.25, 0.5])
   })
 
-  it('gives the coordinates of barycentrics2, bit for bit', () => {
+  it('passes the coordinates of barycentrics2, bit for bit', () => {
     const random = seeded(5)
     const weights = new Float64Array(3)
     for (let i = 0; i < 50; i++) {
@@ -43,13 +43,13 @@ describe('rasterize', () => {
     }
   })
 
-  it('visits negative pixels too, but none beyond the box', () => {
+  it('visits negative pixels, but none beyond the box', () => {
     const triangle = [-2, -2, 4, -2, -2, 4]
     expect(pixelsOf(covered(triangle))).toContainEqual([-2, -2])
     expect(pixelsOf(covered(triangle, 1e-6, [0, 0, 1, 0]))).toEqual(across(0, 0, 1))
   })
 
-  it('visits centres outside by no more than the tolerance', () => {
+  it('visits outside centres within the tolerance', () => {
     const triangle = [0, 0, 1.99, 0, 0, 1.99]
     expect(pixelsOf(covered(triangle, 0))).not.toContainEqual([1, 1])
     expect(pixelsOf(covered(triangle, 0.01))).toContainEqual([1, 1])

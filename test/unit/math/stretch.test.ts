@@ -3,11 +3,11 @@ import { Quaternion, Vector3 } from 'three'
 import { describe, expect, it } from 'vitest'
 import { seeded } from '../../random.ts'
 
-/** Principal stretches of a triangle from one shape to another. */
+/** Returns the principal stretches of a triangle between two shapes. */
 function stretchesOf(rest: number[], now: number[]): number[] {
   const out = new Float64Array(2)
   const inverse = restInverse(0, 1, 2, rest) ?? []
-  // Not the first of many.
+  // At an offset into the arrays.
   principalStretches(out, [9, 9, 9, ...inverse], 3, 0, 1, 2, now)
   return [...out]
 }
@@ -27,7 +27,7 @@ describe('principalStretches', () => {
     expect(larger).toBeCloseTo(1, 7)
   })
 
-  it('are the scales along two perpendicular axes, whichever they are', () => {
+  it('are the scales along any two perpendicular axes', () => {
     const random = seeded(3)
     for (let i = 0; i < 20; i++) {
       const [a, b] = [0.2 + random(), 0.2 + random()]
@@ -39,7 +39,7 @@ describe('principalStretches', () => {
     }
   })
 
-  it('need a triangle with area', () => {
+  it('require a triangle with area', () => {
     expect(restInverse(0, 1, 2, [0, 0, 0, 1, 1, 1, 2, 2, 2])).toBeUndefined()
     expect(restInverse(0, 0, 1, rest)).toBeUndefined()
     expect(stretchesOf(rest, [0, 0, 0, 1, 0, 0, 0.5, 0, 0])[0]).toBe(0)

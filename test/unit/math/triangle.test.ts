@@ -34,7 +34,7 @@ describe('vectors', () => {
 })
 
 describe('triangles', () => {
-  it('have a normal as long as twice their area, towards where they are counterclockwise', () => {
+  it('have a normal of twice their area, facing their counterclockwise side', () => {
     const out = new Float64Array(3)
     triangleNormal(out, [9, 9, 9, 0, 0, 0, 2, 0, 0, 0, 3, 0], 1, 2, 3)
     expect([...out]).toEqual([0, 0, 6])
@@ -46,7 +46,7 @@ describe('triangles', () => {
     }
   })
 
-  it('have an area in the texture whichever way they turn', () => {
+  it('have a positive area in the texture for both orientations', () => {
     const uvs = [0.5, 0.5, 0, 0, 1, 0, 0, 1]
     expect(uvArea(uvs, 1, 2, 3)).toBe(0.5)
     expect(uvArea(uvs, 1, 3, 2)).toBe(0.5)
@@ -63,7 +63,7 @@ describe('triangles', () => {
 describe('barycentric coordinates', () => {
   const weights = new Float64Array(3)
 
-  it('lead back to the point, inside and outside a triangle of the plane', () => {
+  it('reproduce the point, inside and outside a triangle of the plane', () => {
     for (const values of cases) {
       const [x, y] = [values[6], values[7]]
       barycentrics2(weights, values, x, y)
@@ -75,7 +75,7 @@ describe('barycentric coordinates', () => {
     }
   })
 
-  it('are those of three.js for a point beside a triangle in space', () => {
+  it("equal three.js's for a point beside a triangle in space", () => {
     for (const values of cases) {
       const point = numbers(3)
       barycentrics3(weights, values, 0, 1, 2, point)
@@ -92,7 +92,7 @@ describe('barycentric coordinates', () => {
     expect([...weights].every(Number.isFinite)).toBe(false)
   })
 
-  it('interpolate as many values as there is room for, of any stride', () => {
+  it('interpolate as many values as fit, with any stride', () => {
     const values = [1, 2, 3, 4, 5, 6, 7, 8, 10, 20, 30, 40]
     const out = new Float64Array(3)
     interpolate(out, values, 4, 0, 1, 2, 0.5, 0.25, 0.25)

@@ -1,10 +1,10 @@
 import { SphereGeometry } from 'three'
 import type { CoarseMesh } from '../../../packages/furrow/src/relief/coarse-mesh.ts'
 
-/** A sphere with a seam of the texture, and with many vertices at each pole. */
+/** Makes a sphere with a UV seam, and with many vertices at each pole. */
 export function sphere(radius: number, segments = 12): CoarseMesh & { normals: ArrayLike<number> } {
   const { attributes, index } = new SphereGeometry(radius, segments, segments)
-  // Cosine and sine of a full turn are not to the bit those of none.
+  // Snaps cosine and sine of a full turn to those of zero.
   const positions = Float32Array.from(attributes.position.array, (value) => Math.round(value * 1e6) / 1e6 + 0)
   return {
     positions,

@@ -4,14 +4,14 @@ import { heightLevels } from '../../../packages/furrow/src/relief/height-levels.
 import { firstVertices } from '../../../packages/furrow/src/relief/welded-edges.ts'
 import { sphere } from './coarse.ts'
 
-/** A square of 10 mm that takes all of the texture, and one of 40 mm beside it that does so too. */
+/** A square of 10 mm and one of 40 mm, each with the complete texture. */
 const squares = {
   positions: [0, 0, 0, 0.01, 0, 0, 0.01, 0.01, 0, 0, 0.01, 0, 1, 0, 0, 1.04, 0, 0, 1.04, 0.04, 0, 1, 0.04, 0],
   uvs: [0, 0, 1, 0, 1, 1, 0, 1, 0, 0, 1, 0, 1, 1, 0, 1],
   triangles: [0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7],
 }
 
-it('texels are half as wide as edges are long, or as wide as they are in the map', () => {
+it('texels are half as wide as edges, or as wide as in the map', () => {
   const levels = heightLevels(
     squares,
     Uint32Array.from({ length: 8 }, (_, i) => i),
@@ -28,7 +28,7 @@ it('texels are half as wide as edges are long, or as wide as they are in the map
   expect([...coarse]).toEqual(new Array(8).fill(0))
 })
 
-it('vertices at one position have one level, and triangles without area or with NaN do no harm', () => {
+it('vertices at one position share a level, and triangles without area or with NaN are harmless', () => {
   const mesh = sphere(0.05)
   const firstOf = firstVertices(mesh.positions)
   const levels = heightLevels(mesh, firstOf, 0.0012, { width: 2048, height: 1024 })
@@ -43,7 +43,7 @@ it('vertices at one position have one level, and triangles without area or with 
   expect([...found]).toEqual([0, 0, 0])
 })
 
-it('a mipmap is the mean of its texels, and levels between two of them lie between', () => {
+it('a mipmap averages its texels, and levels in between interpolate', () => {
   const data = Uint8Array.from({ length: 64 }, (_, i) => (i % 8 === 3 ? 255 : 127))
   const heights = { width: 8, height: 8, depth: 1, channels: 1 as const, data }
   const field = new HeightField({ slice: 0, amplitude: 0.255, areas: [] }, heights, null)

@@ -7,13 +7,13 @@ import { finish } from './coarse.ts'
 
 const SIDE = 64
 
-/** How often an edge of two triangles is halved at most, 16 texels wide, on the left and on the right of the texture. */
+/** Returns the largest number of halvings of an edge of two triangles, 16 texels wide, on the left and right of the texture. */
 function halvings(...args: Parameters<typeof ofEdges>): number[] {
   const [a, b, c, d, e, f] = ofEdges(...args)
   return [Math.ceil(Math.max(a, b, c, 0)), Math.ceil(Math.max(d, e, f, 0))]
 }
 
-/** Halvings of all of their edges: along the row, from the right to the upper corner, and down the column. */
+/** Returns the halvings of all edges: along the row, from the right to the upper corner, and down the column. */
 function ofEdges(
   heightAt: (x: number, y: number) => number,
   amplitude = 0.001,
@@ -40,13 +40,13 @@ function ofEdges(
 const narrow = (x: number) => (x === 15 ? 0 : 128)
 const broad = (x: number) => 128 + 127 * Math.sin((x / SIDE) * 2 * Math.PI)
 
-it('skin without heights is not split, nor is skin that heights lift evenly', () => {
+it('skin without heights is not split, and neither is evenly raised skin', () => {
   expect(halvings(() => 128)).toEqual([0, 0])
   expect(halvings(() => 255)).toEqual([0, 0])
   expect(halvings((x, y) => 40 + 2 * x + y)).toEqual([0, 0])
 })
 
-it('a narrow valley takes more halvings than a broad bulge, and only where it is', () => {
+it('a narrow valley needs more halvings than a broad bulge, and only in its place', () => {
   const [valley, beside] = halvings(narrow)
   expect(beside).toBe(0)
   expect(valley).toBeGreaterThan(2)
@@ -55,7 +55,7 @@ it('a narrow valley takes more halvings than a broad bulge, and only where it is
   expect(bulge).toBeLessThan(valley)
 })
 
-it('a valley is split across, and not along itself', () => {
+it('a valley is split across, and not along', () => {
   const [alongRow, slanted, downColumn] = ofEdges(broad)
   expect(downColumn).toBeLessThan(-1)
   expect(Math.abs(slanted - alongRow)).toBeLessThan(0.2)
@@ -64,7 +64,7 @@ it('a valley is split across, and not along itself', () => {
 })
 
 it.each([0, 0.4, 1.1, 2])(
-  'a surface that is split by them misses waves in the direction %f by hardly more than the tolerance',
+  'a surface split accordingly follows waves in the direction %f within about the tolerance',
   (turn) => {
     const [along, across] = [Math.cos(turn), Math.sin(turn)]
     const data = Uint8Array.from({ length: SIDE * SIDE }, (_, i) => {
@@ -109,7 +109,7 @@ it.each([0, 0.4, 1.1, 2])(
   },
 )
 
-it('no edge has more parts than the other two together, and a finer version has no fewer than a coarser one', () => {
+it('no edge has more parts than the other two in total, and a finer version has at least as many as a coarser one', () => {
   for (let seed = 1; seed <= 50; seed++) {
     const rng = new Rng(seed)
     const bytes = Array.from({ length: SIDE * SIDE }, () => rng.next() * 255)
@@ -127,24 +127,24 @@ it('no edge has more parts than the other two together, and a finer version has 
   }
 })
 
-it('weights of areas are read between their texels: their borders are no steps', () => {
+it('area weights are interpolated between texels, so their borders are no steps', () => {
   const data = new Uint8Array(SIDE * SIDE).fill(255)
   const heights = { width: SIDE, height: SIDE, depth: 1, channels: 1 as const, data }
   const areas = { width: 4, height: 1, depth: 1, channels: 1 as const, data: new Uint8Array([0, 255, 0, 0]) }
   const field = new HeightField({ slice: 0, amplitude: 0.002, areas: [0] }, heights, areas)
-  // The texel of weight begins at 16 and has its centre at 23.5.
+  // The weighted texel begins at 16 and has its centre at 23.5.
   expect(field.between(23.5, 8)).toBeCloseTo(0.001, 9)
   expect(field.between(15.5, 8)).toBeCloseTo(0.0005, 9)
   expect(field.between(7.5, 8)).toBe(0)
 })
 
-it('a triangle that is curved between its corners is split where heights move it', () => {
+it('a triangle that is curved between its corners is split if heights move it', () => {
   const turned = Float32Array.from({ length: 18 }, (_, i) => (i % 9 === 3 ? 0.2 : Number(i % 3 === 2)))
   expect(halvings(() => 255, 0.001, 1, turned)).toEqual([2, 2])
   expect(halvings(() => 128, 0.001, 1, turned)).toEqual([0, 0])
 })
 
-it('a coarser version takes fewer halvings, and so does a valley that is narrower than mipmaps show', () => {
+it('a coarser version needs fewer halvings, and so does a valley too narrow for its mipmaps', () => {
   const rough = (version: number) => halvings(broad, 0.001, 1, undefined, { version })[0]
   const versions = TOLERANCES.map((_, version) => rough(version))
   expect(versions[0]).toBeGreaterThan(versions[2])
@@ -152,12 +152,12 @@ it('a coarser version takes fewer halvings, and so does a valley that is narrowe
   expect(halvings(narrow, 0.0005, 1, undefined, { mipmap: 2 })[0]).toBeLessThan(halvings(narrow, 0.0005)[0])
 })
 
-it('a valley that nobody sees takes none, unless layers have it together', () => {
+it('an invisible valley needs none, unless layers have it in common', () => {
   expect(halvings(narrow, 1.4 * TOLERANCES[0])).toEqual([0, 0])
   expect(halvings(narrow, 1.4 * TOLERANCES[0], 2)[0]).toBeGreaterThan(0)
 })
 
-it('heights of a single texel, and triangles without area or with coordinates that are not numbers, need none', () => {
+it('heights of a single texel, and triangles without area or with NaN coordinates, need none', () => {
   const texel = {
     width: 1,
     height: 1,

@@ -3,7 +3,7 @@ import { outwardRoom } from '../../../packages/furrow/src/relief/outward-room.ts
 import { firstVertices } from '../../../packages/furrow/src/relief/welded-edges.ts'
 import { finish, sphere } from './coarse.ts'
 
-/** A sheet of 20 x 20 squares of 1 mm, at a height, that faces up or down. */
+/** Makes a sheet of 20 x 20 squares of 1 mm at a height, facing up or down. */
 function sheet(y: number, up: 1 | -1) {
   const positions: number[] = []
   const normals: number[] = []
@@ -24,7 +24,7 @@ function sheet(y: number, up: 1 | -1) {
 const CENTRE = 10 * 21 + 10
 const REACH = 0.001
 
-it('surfaces that face each other may fill less than half of the gap, and those that turn away all', () => {
+it('facing surfaces may fill less than half of the gap, and surfaces turned away all of it', () => {
   const roomBetween = (gap: number, facing: 1 | -1) => {
     const [lower, upper] = [sheet(0, facing), sheet(gap, -facing as 1 | -1)]
     const mesh = {
@@ -41,7 +41,7 @@ it('surfaces that face each other may fill less than half of the gap, and those 
   expect(roomBetween(0.001, -1)[CENTRE]).toBeGreaterThan(2 * REACH)
 })
 
-it('nothing bulges at the border of a mesh, and the more the farther from it', () => {
+it("nothing bulges at a mesh's border, and room grows with distance from it", () => {
   const mesh = { ...sheet(0, 1), uvs: new Float32Array(882) }
   const firstOf = firstVertices(mesh.positions)
   const room = finish(outwardRoom(mesh, mesh.normals, firstOf, REACH))

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest'
 import { PairNumbers } from '../../../packages/furrow/src/relief/pair-numbers.ts'
 
-it('numbers pairs in the order in which they come, each once, however many there are', () => {
+it('numbers pairs once, in order of arrival, for any number of pairs', () => {
   const side = 40
   const numbers = new PairNumbers(side * side)
   const pairs = Array.from({ length: side * side }, (_, i) => [i % side, Math.floor(i / side)] as const)
@@ -10,7 +10,7 @@ it('numbers pairs in the order in which they come, each once, however many there
   expect(numbers.count).toBe(side * side)
 })
 
-it('has pairs of vertices whose numbers take all bits', () => {
+it('accepts pairs of vertices with 32-bit indices', () => {
   const numbers = new PairNumbers(3)
   expect([numbers.numberOf(0xfffffffe, 0), numbers.numberOf(0, 0xfffffffe)]).toEqual([0, 1])
   expect(numbers.numberOf(0xfffffffe, 0)).toBe(0)

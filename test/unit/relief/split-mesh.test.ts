@@ -10,7 +10,7 @@ import { finish, sphere } from './coarse.ts'
 const RADIUS = 0.05
 const EDGE = 0.003
 
-/** Covers the triangles whose centre fulfils a condition. */
+/** Covers the triangles whose centre meets a condition. */
 function cover(mesh: CoarseMesh, isCovered: (x: number, y: number, z: number) => boolean): Float32Array {
   return Float32Array.from(mesh.triangles, (_, corner) => {
     const t = Math.floor(corner / 3)
@@ -34,7 +34,7 @@ function positionsOf(mesh: CoarseMesh, dense: DenseMesh): Float64Array {
   return out
 }
 
-/** How many triangles have each edge, vertices at one position being the same. */
+/** Counts the triangles at each edge, with vertices at one position merged. */
 function edgeCounts(positions: Float64Array, triangles: Uint32Array): number[] {
   const names = Array.from({ length: positions.length / 3 }, (_, i) =>
     positions.subarray(3 * i, 3 * i + 3).join(),
@@ -59,7 +59,7 @@ it('a closed surface stays closed: split triangles and their neighbours meet wit
   expect(new Set(edgeCounts(positionsOf(mesh, dense), dense.triangles))).toEqual(new Set([2]))
 })
 
-it('coarser versions are closed too, and have vertices of the finest and no others outside of its triangles', () => {
+it('coarser versions are closed too, and outside their triangles have only vertices of the finest', () => {
   const mesh = sphere(RADIUS)
   const finest = half(mesh).map((most, corner) => Math.min(most, 1 + (Math.floor(corner / 3) % 4)))
   const coarser = [1, 2, 9].map((less) => finest.map((halvings) => Math.max(halvings - less, 0)))
@@ -75,7 +75,7 @@ it('coarser versions are closed too, and have vertices of the finest and no othe
   expect(dense.coarser[2]).toEqual(Uint32Array.from(mesh.triangles))
 })
 
-it('edges of covered triangles have the length that is asked for, and others stay whole', () => {
+it('edges of covered triangles have the requested length, and others are not split', () => {
   const mesh = sphere(RADIUS)
   const covered = half(mesh)
   const dense = finish(splitMesh(mesh, covered, { edge: EDGE }))
@@ -95,7 +95,7 @@ it('edges of covered triangles have the length that is asked for, and others sta
   }
 })
 
-it('triangles keep their orientation, and their area altogether', () => {
+it('triangles keep their orientation and total area', () => {
   const mesh = sphere(RADIUS)
   const dense = finish(splitMesh(mesh, half(mesh), { edge: EDGE }))
   const area = (positions: ArrayLike<number>, triangles: ArrayLike<number>) => {
@@ -113,7 +113,7 @@ it('triangles keep their orientation, and their area altogether', () => {
   expect(area(positionsOf(mesh, dense), dense.triangles)).toBeCloseTo(area(mesh.positions, mesh.triangles), 8)
 })
 
-it('displaced vertices at a seam stay together to the bit, though heights differ there', () => {
+it('displaced vertices at a seam stay equal to the bit, although heights differ there', () => {
   const mesh = sphere(RADIUS)
   const dense = finish(splitMesh(mesh, half(mesh), { edge: EDGE }))
   const room = new Float32Array(mesh.positions.length / 3).fill(1)
@@ -122,7 +122,7 @@ it('displaced vertices at a seam stay together to the bit, though heights differ
   expect(new Set(edgeCounts(out, dense.triangles))).toEqual(new Set([2]))
 })
 
-it('Phong tessellation rounds a sphere, heights move it outwards, and no amount leaves it as it is', () => {
+it('Phong tessellation rounds a sphere, heights move it outwards, and amount 0 does not change it', () => {
   const mesh = sphere(RADIUS)
   const dense = finish(
     splitMesh(
@@ -155,7 +155,7 @@ it('Phong tessellation rounds a sphere, heights move it outwards, and no amount 
   expect(farthestFrom(RADIUS + 0.001, narrow)).toBeLessThan(flat / 10)
 })
 
-it('displacement adds up the layers as far as they show; middle gray is the surface', () => {
+it('displacement sums the visible layers; middle gray is the surface', () => {
   const layers = [
     { influence: 0.5, height: 1, amplitude: 0.002 },
     { influence: 1, height: 0.25, amplitude: 0.001 },
@@ -175,7 +175,7 @@ it('longer edges keep a mesh within its budget of triangles', () => {
   expect(whole.triangles).toEqual(Uint32Array.from(mesh.triangles))
 })
 
-it('triangles without area, or with coordinates that are not numbers, are kept as they are', () => {
+it('triangles without area or with NaN coordinates are kept unchanged', () => {
   const mesh = {
     positions: [0, 0, 0, 0.01, 0, 0, 0.02, 0, 0, Number.NaN, 0, 0],
     uvs: [0, 0, 0.5, 0, 1, 0, 0, Number.NaN],
@@ -196,7 +196,7 @@ it('the work is done in slices', () => {
   expect(slices).toBeGreaterThan(20)
 })
 
-it('a triangle that is to be split in one direction becomes strips, and stays closed with its neighbours', () => {
+it('a triangle split in one direction becomes strips, and stays closed with its neighbours', () => {
   const mesh = sphere(RADIUS)
   const strips = Float32Array.from(mesh.triangles, (_, corner) => [-2, 2.7, 2.7][corner % 3])
   const dense = finish(splitMesh(mesh, strips, { edge: 1e-4 }))

@@ -6,13 +6,13 @@ import { Face } from '../../../packages/furrow/src/runtime/face.ts'
 const slots = { slots: [], version: 0 } as unknown as Face['slots']
 const faces = (count: number) => Array.from({ length: count }, () => new Face(slots, []))
 
-describe('where a cell of the atlas is sampled', () => {
+describe('the sample position of an atlas cell', () => {
   it.each([
     [1, 1, 1],
     [1, 7, 3],
     [16, 16, 1],
     [128, 64, 5],
-  ])('%i x %i texels, one of %i: half a texel within it at least', (width, height, count) => {
+  ])('%i x %i texels, one of %i: at least half a texel within the cell', (width, height, count) => {
     const cells = new AtlasCells(width, height)
     cells.add(faces(count))
     const { inside, grid } = cells

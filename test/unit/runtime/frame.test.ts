@@ -10,12 +10,12 @@ import { morph, ramp, STRAIGHT } from '../../drivers.ts'
 import { seeded } from '../../random.ts'
 import { frameOf } from '../three/stub-renderer.ts'
 
-/** A renderer that counts the pictures it draws. */
+/** Renderer that counts its pictures. */
 interface Engine {
   pictures: number
 }
 
-/** Members that write down what is called, and a frame of them. */
+/** Returns members that record their calls, and a frame of them. */
 function recorded(names: string[]) {
   const log: string[] = []
   const frame = new Frame<Engine>((engine) => engine.pictures)
@@ -52,16 +52,16 @@ function recorded(names: string[]) {
     entries,
     hidden,
     engine,
-    /** Draws one picture of some members, and returns what was called. */
+    /** Draws one picture of some members, and returns the calls. */
     draw: (...seen: string[]) => drawOn(engine, ...seen),
     drawOn,
     log,
   }
 }
 
-/** What an engine calls that tells before it draws a picture of a scene. */
+/** Draws like an engine that announces each picture of a scene. */
 function early({ frame, entries, engine, log }: ReturnType<typeof recorded>, isCounted = false) {
-  /** One that was drawn last, of the scene. */
+  /** Last drawn member of the scene. */
   let known: string | undefined
   return (...seen: string[]): string[] => {
     log.length = 0
@@ -78,7 +78,7 @@ function early({ frame, entries, engine, log }: ReturnType<typeof recorded>, isC
   }
 }
 
-/** All phases of some members. */
+/** Returns all phases of some members. */
 const phases = (...names: string[]) => [
   ...['inputs', 'drivers', 'activations', 'influence'].flatMap((phase) =>
     names.map((name) => `${phase} ${name}`),
@@ -88,7 +88,7 @@ const phases = (...names: string[]) => [
 ]
 
 describe('a frame', () => {
-  it('does each phase for all faces before the next, when the first face is drawn', () => {
+  it('runs each phase for all faces before the next, when the first face is drawn', () => {
     const { draw } = recorded(['a', 'b', 'c'])
     expect(draw('a', 'b', 'c')).toEqual([...phases('a', 'b', 'c'), 'draw a', 'draw b', 'draw c'])
     expect(draw('b', 'a')).toEqual([...phases('a', 'b', 'c'), 'draw b', 'draw a'])
@@ -96,7 +96,7 @@ describe('a frame', () => {
     expect(draw('a', 'b')).toEqual([...phases('a', 'b'), 'draw a', 'draw b'])
   })
 
-  it('runs the phases of a face that comes into sight later by themselves, and each once in a frame', () => {
+  it('runs the phases of newly visible faces separately, each once per frame', () => {
     const { draw } = recorded(['a', 'b'])
     draw('a', 'b')
     draw('a')
@@ -110,7 +110,7 @@ describe('a frame', () => {
     ])
   })
 
-  it('drives a face that shows no influence, and draws it as soon as it does', () => {
+  it('drives a face that shows no influence, and draws influence as soon as there is some', () => {
     const { draw, hidden } = recorded(['a', 'b'])
     draw('a', 'b')
     hidden.add('a')
@@ -122,7 +122,7 @@ describe('a frame', () => {
     expect(log).toEqual(phases('c'))
   })
 
-  it('is one of each engine, whatever they have counted', () => {
+  it('is separate for each engine, whatever their counts', () => {
     for (const lead of [0, 1, 2]) {
       const { draw, drawOn } = recorded(['a', 'b'])
       const other = { pictures: lead }
@@ -131,25 +131,25 @@ describe('a frame', () => {
         expect(drawOn(other, 'b', 'b')).toEqual([...phases('b'), 'draw b', 'draw b'])
         expect(draw('a')).toEqual([...phases('a'), 'draw a'])
       }
-      // A face that both draw.
+      // Both engines draw this face.
       expect(drawOn(other, 'b', 'a')).toEqual([...phases('b'), 'draw b', ...phases('a'), 'draw a'])
       expect(draw('a')).toEqual([...phases('a'), 'draw a'])
     }
   })
 
-  it.each([false, true])('begins before anything of a picture is drawn, counted already: %s', (isCounted) => {
+  it.each([false, true])('begins before anything of a picture is drawn, with the picture already counted: %s', (isCounted) => {
     const all = recorded(['a', 'b'])
     const draw = early(all, isCounted)
-    // Those that never ran too.
+    // Includes members that never ran.
     expect(draw('a')).toEqual([...phases('a', 'b'), 'picture', 'draw a'])
     expect(draw('a')).toEqual([...phases('a'), 'picture', 'draw a'])
     expect(draw('a', 'b')).toEqual([...phases('a'), 'picture', 'draw a', ...phases('b'), 'draw b'])
-    // A picture without them is none of theirs.
+    // A picture without members does not remove them.
     for (let i = 0; i < 2; i++) expect(draw()).toEqual([...phases('a', 'b'), 'picture'])
     expect(draw('b', 'a')).toEqual([...phases('a', 'b'), 'picture', 'draw b', 'draw a'])
   })
 
-  it('waits with members that must until the first is drawn, and takes them together', () => {
+  it('delays members that need it until the first is drawn, and runs them together', () => {
     const all = recorded(['a', 'late', 'later'])
     for (const name of ['late', 'later']) all.entries[name].isLate = true
     const draw = early(all)
@@ -163,7 +163,7 @@ describe('a frame', () => {
     ])
   })
 
-  it('takes members together in pictures that it is not told of, between those that it is', () => {
+  it('runs members together in unannounced pictures between announced ones', () => {
     const all = recorded(['a', 'b'])
     const draw = early(all)
     draw('a', 'b')
@@ -173,7 +173,7 @@ describe('a frame', () => {
     }
   })
 
-  it('is each scene its own, where an engine draws several in turns', () => {
+  it('is separate for each scene if an engine draws several in turn', () => {
     const all = recorded(['a', 'b'])
     const [first, second] = [early(all), early(all)]
     first('a')
@@ -184,7 +184,7 @@ describe('a frame', () => {
     }
   })
 
-  it('is brought up to date by hand, up to the activations where nothing draws', () => {
+  it('can be updated manually, up to the activations if nothing is drawn', () => {
     const { frame, entries, engine, log } = recorded(['a', 'b'])
     frame.update(entries.b, null)
     expect(log).toEqual(['inputs b', 'drivers b', 'activations b'])
@@ -203,7 +203,7 @@ function wrinklesOn<M extends Mesh>(mesh: M) {
   return { mesh, wrinkles, draw: frameOf(mesh) }
 }
 
-/** Two instances whose blendshape is at 0.25 and 0.75. */
+/** Two instances with the blendshape at 0.25 and 0.75. */
 function instances() {
   const pose = blendMesh('jawOpen')
   const mesh = new InstancedMesh(pose.geometry, pose.material, 2)
@@ -235,7 +235,7 @@ describe('instances', () => {
     expect(activations('brow')).toEqual([0.25, 0.75])
   })
 
-  it('have inputs of their own', () => {
+  it('have their own inputs', () => {
     const { wrinkles, draw, activations } = instances()
     wrinkles.inputs.set('age', 70)
     wrinkles.inputs.set('age', 45, 1)
@@ -244,7 +244,7 @@ describe('instances', () => {
   })
 })
 
-it('keeps what is set on an area that age alone drives, also before a VRM’s expressions are found', () => {
+it("keep set activations of areas driven only by age, also before a VRM's expressions are found", () => {
   const { wrinkles, draw } = wrinklesOn(blendMesh())
   let found = 0
   const expressions = () => {
@@ -262,7 +262,7 @@ it('keeps what is set on an area that age alone drives, also before a VRM’s ex
   expect(found).toBe(1)
 })
 
-it('knows what is driven from the drivers alone', () => {
+it('know driven areas from the drivers alone', () => {
   const { wrinkles } = wrinklesOn(blendMesh())
   const between: WrinkleDriver = {
     type: 'area',

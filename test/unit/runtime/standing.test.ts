@@ -38,7 +38,7 @@ function makeFaces() {
   return Array.from({ length: FACES }, () => new Face(slots, AREAS))
 }
 
-/** Runs a frame; returns the activations of the first area, and how many faces were evaluated. */
+/** Runs a frame. Returns the activations of the first area, and the number of evaluated faces. */
 function run(drivers: DriverRuntime<unknown>, faces: readonly Face[], clock = { now: () => 0 }) {
   evaluated.mockClear()
   drivers.readInputs(faces, clock, null)
@@ -51,7 +51,7 @@ function run(drivers: DriverRuntime<unknown>, faces: readonly Face[], clock = { 
 }
 
 describe('drivers of blendshapes', () => {
-  it('are evaluated for faces whose blendshapes have moved', () => {
+  it('are evaluated for faces whose blendshapes moved', () => {
     const [drivers, faces] = [runtimeOf(DRIVERS), makeFaces()]
     expect(run(drivers, faces)).toEqual({ brows: [0, 0.25, 0.5], count: FACES })
     expect(run(drivers, faces)).toEqual({ brows: [0, 0.25, 0.5], count: 0 })
@@ -60,7 +60,7 @@ describe('drivers of blendshapes', () => {
     expect(run(drivers, faces).count).toBe(0)
   })
 
-  it('are evaluated where the application changes activations, or the areas', () => {
+  it('are evaluated if the application changes activations or areas', () => {
     const [drivers, faces] = [runtimeOf(DRIVERS), makeFaces()]
     run(drivers, faces)
     // Lasts until the next frame.
@@ -75,7 +75,7 @@ describe('drivers of blendshapes', () => {
   })
 })
 
-it('drivers follow areas that change their place', () => {
+it('drivers follow areas that change their position', () => {
   const drivers = runtimeOf([...DRIVERS, morph('chin', 'jawOpen')])
   const faces = makeFaces()
   run(drivers, faces)
@@ -91,7 +91,7 @@ it('drivers follow areas that change their place', () => {
 })
 
 describe('drivers with inputs and delays', () => {
-  it('are evaluated for the faces whose inputs the application changes', () => {
+  it('are evaluated for faces whose inputs the application changes', () => {
     const inputs = new NamedInputs(FACES, () => {})
     const curve: MorphDriver['curve'] = STRAIGHT
     const [drivers, faces] = [
@@ -104,7 +104,7 @@ describe('drivers with inputs and delays', () => {
     expect(run(drivers, faces).count).toBe(0)
   })
 
-  it('are evaluated until a face has come to rest, however long its clock is stopped', () => {
+  it('are evaluated until a face has come to rest, also after its clock was stopped', () => {
     const drivers = runtimeOf([...DRIVERS, { type: 'time', area: 'brow', attack: 0.1, release: 0.1 }])
     const faces = makeFaces()
     let milliseconds = 0
@@ -123,8 +123,8 @@ describe('drivers with inputs and delays', () => {
   })
 })
 
-describe('cells of faces that stand', () => {
-  it('are drawn once small changes have added up', () => {
+describe('cells of still faces', () => {
+  it('are redrawn once small changes have added up', () => {
     const [face] = makeFaces()
     face.activations.set('brow', 0.5)
     const cells = new AtlasCells(8, 8)
@@ -143,7 +143,7 @@ describe('cells of faces that stand', () => {
       return draw()
     })
     expect(moved).toEqual([false, false, true])
-    // A frame in which it could not be drawn.
+    // Frame in which it could not be drawn.
     face.activations.set('brow', 0.25)
     cells.changes = 0
     cells.collect(added)
