@@ -15,32 +15,32 @@ import { serveFaces } from './test/gpu/serve-faces.ts'
 
 const { resolve, ssr } = SOURCES
 
-// Milliseconds. Limits guard against a hang and no more: a slow or busy machine is no fault.
+// Milliseconds. The limits only guard against hangs: slow or busy machines must pass.
 const SOON = { testTimeout: 300_000, hookTimeout: 300_000 }
 const LATE = { testTimeout: 900_000, hookTimeout: 900_000 }
 
-// By default Vitest leaves one core idle, which is half of two.
+// By default Vitest leaves one core idle, which would be half of two.
 const ALL_CORES = { maxWorkers: '100%' }
-// They begin in half the time of processes: a seventh of what all unit tests take.
+// Threads start in half the time of processes, which saves a seventh of all unit tests' time.
 const IN_THREADS = { pool: 'threads' } as const
 
 declare module 'vitest' {
   export interface ProvidedContext {
-    /** Whether tests run on all rendering paths and in all random cases, which takes several times as long. */
+    /** Whether tests run on all rendering paths and with all random cases, which takes several times as long. */
     inDepth: boolean
     /** Whether the browser may lack WebGPU. */
     mayLackWebGPU: boolean
   }
 }
 
-/** As `npm run test:all` runs them. */
+/** Set by `npm run test:all`. */
 const inDepth = process.env.FURROW_TESTS === 'all'
 const provide = { inDepth, mayLackWebGPU: false }
 const HEAVY = inDepth ? [] : ['test/unit/**/*.heavy.test.ts']
 
 const PROMISES_ON_GPU = PROMISES.filter((file) => file.startsWith('test/gpu/'))
 
-// `scripts/lib/test-files.mjs` says which files of these `npm test` runs.
+// `scripts/lib/test-files.mjs` lists which of these files `npm test` runs.
 export default defineConfig({
   test: {
     projects: [
@@ -71,7 +71,7 @@ export default defineConfig({
   },
 })
 
-/** Applications that install what npm publishes, beside each other like the unit tests: they mostly wait for npm. */
+/** Applications that install the published packages. They run in parallel like unit tests, because they mostly wait for npm. */
 function packagesProject(name: string): TestProjectInlineConfiguration {
   const globalSetup = 'test/packages/tarballs.ts'
   return {
@@ -81,9 +81,9 @@ function packagesProject(name: string): TestProjectInlineConfiguration {
   }
 }
 
-/** Whole pages and commands, one at a time. */
+/** Complete pages and commands, one at a time. */
 function pagesProject(name: string): TestProjectInlineConfiguration {
-  // What a page shows comes when it has been drawn, which a busy machine takes more than a second for.
+  // A page updates after drawing, which takes a busy machine more than a second.
   const poll = { timeout: 120_000 }
   return {
     resolve,
@@ -92,7 +92,7 @@ function pagesProject(name: string): TestProjectInlineConfiguration {
   }
 }
 
-/** The modules of Babylon.js that are imported: each by its path, as its applications do. */
+/** Lists the Babylon.js modules that are imported, each by its path, as applications do. */
 function babylonModules(): string[] {
   const folders = ['packages/furrow/src/babylon', 'test/gpu/babylon', 'test/gpu/conformance']
   const texts = folders.flatMap((folder) =>
@@ -100,21 +100,21 @@ function babylonModules(): string[] {
       .filter((path) => path.endsWith('.ts'))
       .map((path) => readFileSync(`${folder}/${path}`, 'utf8')),
   )
-  // Those of which only types are imported are gone when the code runs.
+  // Type-only imports vanish at run time.
   const imports = texts.flatMap((text) => [
     ...text.matchAll(/^(?:import|} from) (?!type)(?:.* from )?'(@babylonjs[^']+)'/gm),
   ])
   return [...new Set(imports.map(([, name]) => name))]
 }
 
-/** A project in the browser, on the rendering paths of `test/gpu/harness.ts`. */
+/** Project in the browser, on the rendering paths of `test/gpu/harness.ts`. */
 function gpuProject(name: string, include: string[]): TestProjectInlineConfiguration {
   return {
     resolve,
     ssr,
     plugins: [serveFaces(SOURCES), mtoonNodes()],
     optimizeDeps: {
-      // What is found late is optimised then, and reloads the page in the middle of a test: what is not listed is served as it is.
+      // Optimising a dependency late would reload the page in the middle of a test. Unlisted ones are served unchanged.
       noDiscovery: true,
       include: [
         'three',
@@ -147,7 +147,7 @@ function gpuProject(name: string, include: string[]): TestProjectInlineConfigura
         'meshoptimizer/decoder',
         ...babylonModules(),
       ],
-      // The first is changed by `mtoonNodes`; the others find their WebAssembly beside their own modules.
+      // `mtoonNodes` changes the first. The others find their WebAssembly next to their own modules.
       exclude: ['@pixiv/three-vrm-materials-mtoon/nodes', 'ktx2-encoder', '@bokuweb/zstd-wasm'],
     },
     test: {
@@ -173,7 +173,7 @@ function gpuProject(name: string, include: string[]): TestProjectInlineConfigura
   }
 }
 
-/** Runs a project in another browser than Chromium. */
+/** Runs a project in a browser other than Chromium. */
 function onBrowser(
   kind: BrowserKind,
   project: TestProjectInlineConfiguration,

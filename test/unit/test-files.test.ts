@@ -20,7 +20,7 @@ beforeAll(async () => {
   tests = await listTests()
 })
 
-it('every file of tests is run by npm test or by npm run test:all', () => {
+it('every test file is run by npm test or by npm run test:all', () => {
   const run = new Set(tests.filter((test) => isQuick(test) || isInAll(test)).map(({ file }) => file))
   const files = readdirSync(join(ROOT, 'test'), { recursive: true, encoding: 'utf8' })
     .map((file) => `test/${file.replaceAll('\\', '/')}`)
@@ -29,12 +29,12 @@ it('every file of tests is run by npm test or by npm run test:all', () => {
   expect(files.filter((file) => !run.has(file))).toEqual([])
 })
 
-it.each([...PROMISES, ...MORE_CASES])('%s is there, and npm test runs it', (file) => {
+it.each([...PROMISES, ...MORE_CASES])('%s exists, and npm test runs it', (file) => {
   expect(existsSync(join(ROOT, file))).toBe(true)
   expect(tests.filter((test) => test.file === file && isQuick(test))).toHaveLength(1)
 })
 
-it('where time is limited each test has its turn', () => {
+it('with a time limit each test gets its turn', () => {
   const key = ({ project, file }: TestFile) => `${project} ${file}`
   expect(changedFirst(tests).map(key).sort()).toEqual(tests.map(key).sort())
 })

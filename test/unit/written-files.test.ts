@@ -12,7 +12,7 @@ import {
   withHashes,
 } from '../fixtures/observe.ts'
 
-/** Files that users have, see the README.md there. */
+/** Users' files, see the README.md there. */
 const FILES = fileURLToPath(new URL('../fixtures/files-2026-11/', import.meta.url))
 
 const faces = readdirSync(FILES, { recursive: true, encoding: 'utf8' }).filter((path) => {
@@ -25,7 +25,7 @@ const folders = [
   ['unpacked/studio', 'studio/exported.glb'],
 ]
 
-it.each(faces)('%s means what it meant when it was written', async (path) => {
+it.each(faces)('%s has the same meaning as when it was written', async (path) => {
   await expectRecorded(path, await observeFace(join(FILES, path)))
 })
 
@@ -33,22 +33,22 @@ it.each(folders)('the folder %s packs to %s', async (folder, face) => {
   await expectRecorded(face, await observePacked(join(FILES, folder)))
 })
 
-it.each(folders)('the folder %s opens in the studio as it did', async (folder) => {
+it.each(folders)('the folder %s opens in the studio as before', async (folder) => {
   await expectRecorded(`${folder}-project`, await observeProject(filesOf(join(FILES, folder))))
 })
 
-it('strokes.json is drawn as it was, within a level', async () => {
+it('strokes.json is drawn as before, within one level', async () => {
   const differences = Object.entries(await differencesOfDrawing(join(FILES, 'drawn')))
   expect(differences.length).toBe(11)
   expect(differences.filter(([, most]) => most > 1)).toEqual([])
 })
 
-it('a downloaded project opens as it did', async () => {
+it('a downloaded project opens as before', async () => {
   const zip = new Blob([readFileSync(join(FILES, 'studio/project.zip'))])
   await expectRecorded('studio/project', await observeProject(await unzipFolder(zip, 'project.zip')))
 })
 
-it('a project in the browser opens as it did', async () => {
+it('a project in the browser opens as before', async () => {
   const { documents, images, projects } = JSON.parse(readFileSync(join(FILES, 'studio/records.json'), 'utf8'))
   const bytes = (text: string) => new Uint8Array(Buffer.from(text, 'base64'))
   const records = images.map((image: { bytes?: string; data: string }, i: number) => [
@@ -63,7 +63,7 @@ it('a project in the browser opens as it did', async () => {
   )
 })
 
-/** All files of a folder, as a page has them. */
+/** Returns all files of a folder as a page receives them. */
 function filesOf(folder: string) {
   const items = readdirSync(folder, { recursive: true, withFileTypes: true })
   const paths = items.filter((item) => item.isFile()).map((item) => join(item.parentPath, item.name))
@@ -78,7 +78,7 @@ async function expectRecorded(name: string, observed: object): Promise<void> {
   await expect(`${text(observed)}\n`).toMatchFileSnapshot(recorded)
 }
 
-/** JSON with numbers to six digits; what fits in a line is on one. */
+/** Formats JSON with numbers to six digits, and short values on one line. */
 function text(value: unknown, indent = ''): string {
   if (typeof value === 'number') return String(Number(value.toPrecision(6)))
   if (typeof value !== 'object' || value === null) return JSON.stringify(value)

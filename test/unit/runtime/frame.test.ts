@@ -137,17 +137,20 @@ describe('a frame', () => {
     }
   })
 
-  it.each([false, true])('begins before anything of a picture is drawn, with the picture already counted: %s', (isCounted) => {
-    const all = recorded(['a', 'b'])
-    const draw = early(all, isCounted)
-    // Includes members that never ran.
-    expect(draw('a')).toEqual([...phases('a', 'b'), 'picture', 'draw a'])
-    expect(draw('a')).toEqual([...phases('a'), 'picture', 'draw a'])
-    expect(draw('a', 'b')).toEqual([...phases('a'), 'picture', 'draw a', ...phases('b'), 'draw b'])
-    // A picture without members does not remove them.
-    for (let i = 0; i < 2; i++) expect(draw()).toEqual([...phases('a', 'b'), 'picture'])
-    expect(draw('b', 'a')).toEqual([...phases('a', 'b'), 'picture', 'draw b', 'draw a'])
-  })
+  it.each([false, true])(
+    'begins before anything of a picture is drawn, with the picture already counted: %s',
+    (isCounted) => {
+      const all = recorded(['a', 'b'])
+      const draw = early(all, isCounted)
+      // Includes members that never ran.
+      expect(draw('a')).toEqual([...phases('a', 'b'), 'picture', 'draw a'])
+      expect(draw('a')).toEqual([...phases('a'), 'picture', 'draw a'])
+      expect(draw('a', 'b')).toEqual([...phases('a'), 'picture', 'draw a', ...phases('b'), 'draw b'])
+      // A picture without members does not remove them.
+      for (let i = 0; i < 2; i++) expect(draw()).toEqual([...phases('a', 'b'), 'picture'])
+      expect(draw('b', 'a')).toEqual([...phases('a', 'b'), 'picture', 'draw b', 'draw a'])
+    },
+  )
 
   it('delays members that need it until the first is drawn, and runs them together', () => {
     const all = recorded(['a', 'late', 'later'])

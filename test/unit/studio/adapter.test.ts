@@ -2,7 +2,7 @@ import { expect, it, vi } from 'vitest'
 import type { Renderer } from '../../../stage/stage.ts'
 import { adapterName } from '../../../studio/src/viewer/adapter.ts'
 
-it('WebGL is asked for the name of its adapter once: the answer waits until all is drawn', () => {
+it("WebGL is asked for its adapter's name once, because the answer waits until everything is drawn", () => {
   const getParameter = vi.fn(() => 'A graphics adapter')
   const context = { getExtension: () => ({ UNMASKED_RENDERER_WEBGL: 1 }), getParameter }
   const renderer = { isWebGLRenderer: true, getContext: () => context } as unknown as Renderer

@@ -19,8 +19,8 @@ beforeEach(() => {
 const names = () => session.document.value!.areas.map(({ name }) => name)
 const chosen = () => areas.chosen.value?.name
 
-describe('the chosen area', () => {
-  it('stays chosen under another name, and what is new is chosen', () => {
+describe('the selected area', () => {
+  it('stays selected when renamed, and a new area is selected', () => {
     areas.choose('frown')
     const seen: unknown[] = []
     const stop = effect(() => void seen.push(areas.chosen.value?.name))
@@ -36,7 +36,7 @@ describe('the chosen area', () => {
     expect(areas.chosen.value!.weights).toEqual(weightsOf(7))
   })
 
-  it('is none once it is removed, and again the same after undo', () => {
+  it('is none after removal, and the same again after undo', () => {
     areas.choose('frown')
     areas.remove('frown')
     expect(chosen()).toBeUndefined()
@@ -44,7 +44,7 @@ describe('the chosen area', () => {
     expect(chosen()).toBe('frown')
   })
 
-  it('keeps its name where the new one is refused', () => {
+  it('keeps its name if the new one is refused', () => {
     areas.choose('frown')
     areas.rename('frown', 'cheeks')
     expect(chosen()).toBe('frown')
@@ -61,8 +61,8 @@ describe('the chosen area', () => {
   })
 })
 
-describe('what the stage leaves out', () => {
-  it('are muted areas, and all but the soloed ones', () => {
+describe('areas hidden on the stage', () => {
+  it('are muted ones, and all but soloed ones', () => {
     areas.toggleMute('frown')
     expect(areas.hidden.value).toEqual(['frown'])
     areas.toggleSolo('cheeks')
@@ -72,7 +72,7 @@ describe('what the stage leaves out', () => {
     expect(areas.hidden.value).toEqual([])
   })
 
-  it('is muted under another name too, and the document is left alone', () => {
+  it('stay hidden when renamed, and the document does not change', () => {
     const before = session.document.value
     areas.toggleMute('frown')
     expect(session.document.value).toBe(before)
@@ -80,7 +80,7 @@ describe('what the stage leaves out', () => {
     expect(areas.hidden.value).toEqual(['glabella'])
   })
 
-  it('stays the same list while the document changes elsewhere: the face need not be drawn again', () => {
+  it('stay the same list while the document changes elsewhere, so that the face need not be redrawn', () => {
     areas.toggleMute('frown')
     const before = areas.hidden.value
     session.edit('Remove lines', (document) => ({ ...document, strokes: [] }))
@@ -88,14 +88,14 @@ describe('what the stage leaves out', () => {
     expect(areas.hidden.value).toBe(before)
   })
 
-  it('is nothing once the only soloed area is removed', () => {
+  it('are none once the only soloed area is removed', () => {
     areas.toggleSolo('frown')
     areas.remove('frown')
     expect(areas.hidden.value).toEqual([])
   })
 })
 
-it('a slider that moves is one step of undo, until it is let go', () => {
+it("a slider's movement is one undo step until it is released", () => {
   for (const activation of [0.2, 0.4]) areas.set('frown', { activation })
   areas.settle()
   areas.set('frown', { activation: 0.6 })

@@ -15,14 +15,14 @@ import { areaOf, frozen, sampleDocument, weightsOf } from './sample-document.ts'
 
 const document = frozen(sampleDocument())
 
-/** The parts of a document that an operation made anew. */
+/** Returns the parts of a document replaced by an operation. */
 const changedParts = (after: StudioDocument) =>
   (Object.keys(after) as (keyof StudioDocument)[]).filter((key) => after[key] !== document[key])
 
 const areaNames = ({ areas }: StudioDocument) => areas.map(({ name }) => name)
 
 describe('an area', () => {
-  it('is added at the end; everything else is as it was', () => {
+  it('is added at the end, and everything else stays', () => {
     const area = areaOf('nose', 'up')
     const after = addArea(document, area)
     expect(after.areas.at(-1)).toBe(area)
@@ -30,7 +30,7 @@ describe('an area', () => {
     expect(changedParts(after)).toEqual(['areas'])
   })
 
-  it('can begin empty, on the first layer', () => {
+  it('can start empty, on the first layer', () => {
     const after = addEmptyArea(document, 'nose')
     expect(after.areas.at(-1)).toMatchObject({ layer: 'up', activation: 0, weights: { width: 4, height: 4 } })
     expect(after.areas.at(-1)!.weights.data).toEqual(new Uint8Array(16))
@@ -72,7 +72,7 @@ describe('an area', () => {
     expect(() => paintArea(document, 'frown', { ...weights, width: 3 })).toThrow('another size')
   })
 
-  it('is set within its ranges, on layers that exist', () => {
+  it('is set within its ranges, on existing layers', () => {
     const after = setArea(document, 'frown', { combine: 'max', activation: 0.5, layer: 'up' })
     expect(after.areas[1]).toEqual({ ...document.areas[1], combine: 'max', activation: 0.5, layer: 'up' })
     for (const activation of [-0.1, 1.1, Number.NaN]) {
@@ -86,12 +86,12 @@ describe('an area', () => {
 describe('renaming an area', () => {
   const after = renameArea(document, 'frown', 'glare')
 
-  it('renames it in drivers, in those that read it and in expressions', () => {
+  it('renames it in drivers that drive or read it, and in expressions', () => {
     const old = JSON.stringify(document.drivers)
     expect(JSON.stringify(after.drivers)).toBe(old.replaceAll('"frown"', '"glare"'))
   })
 
-  it('renames it in strokes and the shapes made of them', () => {
+  it('renames it in strokes and their shapes', () => {
     expect(after.strokes.map(({ group }) => group)).toEqual(['forehead', 'glare', 'glare'])
     expect(after.strokeAreas![1]).toEqual({
       name: 'glare',
@@ -100,7 +100,7 @@ describe('renaming an area', () => {
     })
   })
 
-  it('leaves what does not name it', () => {
+  it('keeps everything that does not name it', () => {
     expect(after.areas[0]).toBe(document.areas[0])
     expect(after.areas[1].weights).toBe(document.areas[1].weights)
     expect(after.drivers[0]).toBe(document.drivers[0])
@@ -110,7 +110,7 @@ describe('renaming an area', () => {
     expect(after.layers).toBe(document.layers)
   })
 
-  it('leaves whole lists that do not name it', () => {
+  it('keeps complete lists that do not name it', () => {
     const bare = addEmptyArea(document, 'nose')
     const renamed = renameArea(bare, 'nose', 'snout')
     expect(renamed.strokes).toBe(document.strokes)
@@ -118,7 +118,7 @@ describe('renaming an area', () => {
     expect(renamed.strokeAreas).toBe(document.strokeAreas)
   })
 
-  it('to its own name is nothing, to a taken or unusable one an error', () => {
+  it('to its own name does nothing, to a taken or invalid name throws', () => {
     expect(renameArea(document, 'frown', 'frown')).toBe(document)
     expect(() => renameArea(document, 'frown', 'cheeks')).toThrow('two of the areas would have one name')
     expect(() => renameArea(document, 'frown', '')).toThrow('no usable name')
@@ -129,7 +129,7 @@ describe('renaming an area', () => {
 describe('removing an area', () => {
   const after = removeArea(document, 'frown')
 
-  it('removes the drivers that activate it, and those that read nothing else', () => {
+  it('removes the drivers that activate it, and drivers that read nothing else', () => {
     expect(areaNames(after)).toEqual(['forehead', 'cheeks'])
     const types = after.drivers.map(({ type }) => type)
     expect(types).toEqual(['morph', 'area', 'muscle', 'conflict', 'expression'])
@@ -137,29 +137,29 @@ describe('removing an area', () => {
     expect(after.drivers[1]).toMatchObject({ areas: [{ name: 'forehead', weight: 1 }] })
   })
 
-  it('leaves a muscle that moves the skin', () => {
+  it('keeps a muscle that moves the skin', () => {
     const { area, ...muscle } = document.drivers[4] as WrinkleDriver & { area: string }
     expect(after.drivers[2]).toEqual(muscle)
   })
 
-  it('removes its shapes and leaves its strokes', () => {
+  it('removes its shapes and keeps its strokes', () => {
     expect(after.strokes).toBe(document.strokes)
     expect(after.strokeAreas).toEqual([document.strokeAreas![0]])
   })
 
-  it('leaves drivers that never named it', () => {
+  it('keeps drivers that never named it', () => {
     const without = removeArea(addEmptyArea(document, 'nose'), 'nose')
     expect(without.drivers).toBe(document.drivers)
     expect(without.strokeAreas).toBe(document.strokeAreas)
   })
 
-  it('that is unknown is an error', () => {
+  it('throws if the area is unknown', () => {
     expect(() => removeArea(document, 'nose')).toThrow('no such area')
   })
 })
 
 describe('duplicating an area', () => {
-  it('copies the drivers that activate it and has the weights in common', () => {
+  it('copies the drivers that activate it and shares the weights', () => {
     const after = duplicateArea(document, 'cheeks')
     expect(areaNames(after)).toEqual(['forehead', 'frown', 'cheeks', 'cheeks 2'])
     expect(after.areas[3].weights).toBe(document.areas[2].weights)
@@ -176,19 +176,19 @@ describe('duplicating an area', () => {
     expect(added[1]).toMatchObject({ area: 'frown 2', targets: [{ name: 'corrugator', weight: 1 }] })
   })
 
-  it('counts on from copies', () => {
+  it('numbers copies of copies consecutively', () => {
     const twice = duplicateArea(duplicateArea(document, 'cheeks'), 'cheeks 2')
     expect(areaNames(twice).slice(3)).toEqual(['cheeks 2', 'cheeks 3'])
   })
 
-  it('with the longest name shortens it', () => {
+  it('shortens a name of maximum length', () => {
     const name = '皺'.repeat(256)
     const after = duplicateArea(addEmptyArea(document, name), name)
     expect(after.areas.at(-1)!.name).toBe(`${'皺'.repeat(254)} 2`)
   })
 })
 
-it('automatic wrinkles made anew leave the shapes of the areas that stay', () => {
+it('remaking automatic wrinkles keeps the shapes of remaining areas', () => {
   const areas = document.areas.map((area) => ({ ...area, isAutomatic: area.name === 'frown' }))
   const { strokeAreas: _, ...made } = document
   expect(remake({ ...document, areas }, made).strokeAreas).toEqual([document.strokeAreas![0]])

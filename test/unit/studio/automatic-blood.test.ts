@@ -36,15 +36,15 @@ async function fileOf(
   return { mimeType: 'image/png', bytes: Uint8Array.from(await encodePng({ ...map, channels: 1 })) }
 }
 
-/** A channel of an image. */
+/** Returns a channel of an image. */
 async function channel(bytes: Uint8Array, index: 0 | 1 | 2 | 3): Promise<Buffer> {
   return sharp(bytes).toColourspace('srgb').removeAlpha().extractChannel(index).raw().toBuffer()
 }
 
 const text = (bytes: Uint8Array) => JSON.parse(new TextDecoder().decode(bytes))
 
-describe('a project of automatic wrinkles has what furrow auto writes', () => {
-  it('the same areas, flushed and pale ones among them, on the same layers', async () => {
+describe('a project of automatic wrinkles equals the output of furrow auto', () => {
+  it('in its areas and their layers, including flushed and pale ones', async () => {
     const { layers, areas } = text(files.get('wrinkles.json')!)
     const names = packed.layers.map(({ name }) => name)
     expect(areas.map(({ name, layer }: { name: string; layer: string }) => [name, layer])).toEqual(
@@ -60,11 +60,11 @@ describe('a project of automatic wrinkles has what furrow auto writes', () => {
     }
   })
 
-  it('the same drivers', async () => {
+  it('in its drivers', async () => {
     expect(text(files.get('wrinkles.json')!).drivers).toEqual(JSON.parse(JSON.stringify(packed.drivers)))
   })
 
-  it('the same maps of each layer, blood among them', async () => {
+  it('in the maps of each layer, including blood', async () => {
     const { layers } = text(files.get('wrinkles.json')!)
     for (const [i, made] of packed.layers.entries()) {
       const own = layers[i]
@@ -82,13 +82,13 @@ describe('a project of automatic wrinkles has what furrow auto writes', () => {
     }
   })
 
-  it('and is read again with its automatic blood', async () => {
+  it('after saving and reading it with its automatic blood', async () => {
     const read = await readProject(opened(files), 'Face')
     expect(read.document.layers).toEqual(document.layers)
   })
 })
 
-describe('made anew', () => {
+describe('remaking automatic wrinkles', () => {
   let other: StudioDocument
   const image: ImageFile = { mimeType: 'image/png', bytes: Uint8Array.of(1, 2, 3) }
   const bloodOf = (each: StudioDocument, i = 0) => each.layers[i].maps.blood
@@ -98,18 +98,18 @@ describe('made anew', () => {
     other = { ...document, mapSize: 256, layers }
   })
 
-  it('blood is that of the new lines, with the strength that an artist has set', () => {
+  it("replaces the blood by that of the new lines, at the artist's strength", () => {
     const { name } = document.layers[0]
     const made = remake(setLayer(document, name, { bloodAmplitude: 0.5 }), other)
     expect(bloodOf(made)).toBe(bloodOf(other))
     expect(made.layers[0]).toMatchObject({ bloodAmplitude: 0.5, isBloodAutomatic: true })
-    // Automatic maps do not hold the size of the others.
+    // Automatic maps do not fix the size of the others.
     expect(made.mapSize).toBe(256)
     const stronger = { ...other, auto: { ...SETTINGS, strength: 2 } }
     expect(remake(made, stronger).layers[0].bloodAmplitude).toBe(other.layers[0].bloodAmplitude)
   })
 
-  it('a blood map that an artist imported stays', () => {
+  it('keeps a blood map imported by the artist', () => {
     const [{ name }] = document.layers
     const made = remake(setMap(document, name, 'blood', image), other)
     expect(bloodOf(made)).toBe(image)
@@ -117,7 +117,7 @@ describe('made anew', () => {
     expect(bloodOf(made, 1)).toBe(bloodOf(other, 1))
   })
 
-  it('flushed areas are replaced, and one that was painted stays with its drivers', () => {
+  it('replaces flushed areas, and keeps a painted one with its drivers', () => {
     const painted = document.areas.map((area) =>
       area.name === 'flushBrows' ? { ...area, isAutomatic: false } : area,
     )

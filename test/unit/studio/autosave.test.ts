@@ -8,7 +8,7 @@ import { frozen, sampleDocument } from './sample-document.ts'
 const start = frozen(sampleDocument())
 const changedBy = (activation: number) => setArea(start, 'frown', { activation })
 
-/** Stands in for the page. */
+/** Fake page. */
 class Page extends EventTarget {
   visibilityState: DocumentVisibilityState = 'visible'
 
@@ -18,7 +18,7 @@ class Page extends EventTarget {
   }
 }
 
-/** Saves that a test ends. */
+/** Saves that the test finishes. */
 class Saves {
   readonly documents: StudioDocument[] = []
   running = 0
@@ -59,7 +59,7 @@ afterEach(() => {
 })
 
 describe('automatic saving', () => {
-  it('does nothing while nothing changes', async () => {
+  it('does nothing without changes', async () => {
     const { saves, page, kind } = begin()
     page.hide()
     await vi.advanceTimersByTimeAsync(60_000)
@@ -67,7 +67,7 @@ describe('automatic saving', () => {
     expect(kind()).toBe('saved')
   })
 
-  it('saves a change at once, and says so', async () => {
+  it('saves a change immediately, and says so', async () => {
     const { document, saves, kind } = begin()
     document.value = changedBy(0.1)
     expect(kind()).toBe('saving')
@@ -78,7 +78,7 @@ describe('automatic saving', () => {
     expect(kind()).toBe('saved')
   })
 
-  it('saves at most once a second, and each change within one', async () => {
+  it('saves at most once a second, and every change within a second', async () => {
     const { document, saves } = begin()
     for (let i = 1; i <= 29; i++) {
       document.value = changedBy(i / 100)
@@ -90,7 +90,7 @@ describe('automatic saving', () => {
     expect(saves.documents.at(-1)).toBe(document.value)
   })
 
-  it('never saves twice at a time, and saves what changed meanwhile', async () => {
+  it('never runs two saves at a time, and then saves changes made during a save', async () => {
     const { document, saves, kind } = begin()
     document.value = changedBy(0.1)
     await vi.advanceTimersByTimeAsync(0)
@@ -115,7 +115,7 @@ describe('automatic saving', () => {
     expect(saves.documents.at(-1)).toBe(document.value)
   })
 
-  it('saves right after what a hidden page was saving', async () => {
+  it('saves right after the save in progress if the page is hidden', async () => {
     const { document, saves, page } = begin()
     document.value = changedBy(0.1)
     await vi.advanceTimersByTimeAsync(0)
@@ -126,7 +126,7 @@ describe('automatic saving', () => {
     expect(saves.most).toBe(1)
   })
 
-  it('that fails gives the reason, and is tried again', async () => {
+  it('reports why it failed, and tries again', async () => {
     const { document, saves, autosave, kind } = begin()
     document.value = changedBy(0.1)
     await vi.advanceTimersByTimeAsync(0)
@@ -143,7 +143,7 @@ describe('automatic saving', () => {
     expect(kind()).toBe('saved')
   })
 
-  it('is content when a change that failed is undone', async () => {
+  it('is up to date if a change that failed to save is undone', async () => {
     const { document, saves, kind } = begin()
     document.value = changedBy(0.1)
     await vi.advanceTimersByTimeAsync(0)
@@ -154,7 +154,7 @@ describe('automatic saving', () => {
     expect(saves.documents.length).toBe(1)
   })
 
-  it('flushes what is not saved, after what is being saved', async () => {
+  it('flushes unsaved changes after the save in progress', async () => {
     const { document, saves, autosave } = begin()
     document.value = changedBy(0.1)
     await vi.advanceTimersByTimeAsync(0)
@@ -168,7 +168,7 @@ describe('automatic saving', () => {
     expect(saves.documents.length).toBe(2)
   })
 
-  it('ends with what is not saved', async () => {
+  it('saves unsaved changes when it ends', async () => {
     const { document, saves, autosave, page } = begin()
     document.value = changedBy(0.1)
     const disposed = autosave.dispose()
@@ -181,7 +181,7 @@ describe('automatic saving', () => {
     expect(saves.documents.length).toBe(1)
   })
 
-  it('saves the last document when it is disposed, though another face is open by then', async () => {
+  it('saves the last document when disposed, although another face is open by then', async () => {
     const { document, saves, autosave } = begin()
     document.value = changedBy(0.25)
     await vi.advanceTimersByTimeAsync(0)

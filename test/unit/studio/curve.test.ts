@@ -32,8 +32,8 @@ describe('the step of a range', () => {
   })
 })
 
-describe('a point that is moved', () => {
-  it('goes where it is moved, in steps', () => {
+describe('a moved point', () => {
+  it('moves in steps', () => {
     expect(movePoint(line, 1, [0.3333, 0.6666], UNIT)[1]).toEqual([0.33, 0.67])
   })
 
@@ -48,7 +48,7 @@ describe('a point that is moved', () => {
     expect(movePoint(line, 2, [3, 3], UNIT)[2]).toEqual([1, 1])
   })
 
-  it('keeps its input where its neighbours leave no step', () => {
+  it('keeps its input if its neighbours leave no step', () => {
     const narrow: Curve = [
       [0.5, 0],
       [0.505, 0.5],
@@ -57,7 +57,7 @@ describe('a point that is moved', () => {
     expect(movePoint(narrow, 1, [0.9, 0.1], UNIT)[1]).toEqual([0.505, 0.1])
   })
 
-  it('leaves the curve that was, and the other points as they are', () => {
+  it('does not modify the old curve or other points', () => {
     const moved = movePoint(line, 1, [0.4, 0.4], UNIT)
     expect(moved).not.toBe(line)
     expect(moved[0]).toBe(line[0])
@@ -65,7 +65,7 @@ describe('a point that is moved', () => {
     expect(line[1]).toEqual([0.5, 0.2])
   })
 
-  it('never makes a curve whose inputs do not increase, whatever is dragged where', () => {
+  it('never makes a curve with non-increasing inputs, wherever points are dragged', () => {
     const random = seeded(1)
     let curve = line
     for (let i = 0; i < 500; i++) {
@@ -79,15 +79,15 @@ describe('a point that is moved', () => {
   })
 })
 
-describe('a point that is added', () => {
-  it('lies on the curve, which stays as it was', () => {
+describe('an added point', () => {
+  it('lies on the curve, which keeps its shape', () => {
     const more = addPoint(line, 0.75, UNIT)
     expect(more).toHaveLength(4)
     expect(more[2]).toEqual([0.75, 0.6])
     for (const input of [0, 0.2, 0.6, 0.9]) expect(curveAt(more, input)).toBeCloseTo(curveAt(line, input), 10)
   })
 
-  it('is none where there is one already', () => {
+  it('is none at an existing point', () => {
     expect(addPoint(line, 0.502, UNIT)).toEqual(line)
   })
 
@@ -107,12 +107,12 @@ it('the last two points cannot be removed', () => {
   expect(removePoint(two, 0)).toEqual(two)
 })
 
-describe('the range that a curve is drawn over', () => {
-  it('is the usual one where that holds it', () => {
+describe('the displayed range of a curve', () => {
+  it('is the default range if the curve fits', () => {
     expect(rangeAround(line, [0, 1])).toEqual([0, 1])
   })
 
-  it('otherwise has room at both ends', () => {
+  it('otherwise has a margin at both ends', () => {
     const loudness: Curve = ramp(60, 95)
     const [low, high] = rangeAround(loudness)
     expect(low).toBeLessThan(60)

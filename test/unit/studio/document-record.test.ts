@@ -15,7 +15,7 @@ const record = (): DocumentRecord => structuredClone(recordOf(document, (image) 
 
 const open = (changed: unknown) => documentOf(changed as DocumentRecord, byNumber, 'Face')
 
-/** A record in which one field of the document is another. */
+/** Returns a record with one field of the document replaced. */
 function withField(path: readonly (string | number)[], value: unknown): unknown {
   const changed = record()
   let at = changed.document as unknown as Record<string | number, unknown>
@@ -25,7 +25,7 @@ function withField(path: readonly (string | number)[], value: unknown): unknown 
 }
 
 describe('the record of a document', () => {
-  it('is read as the document that was stored', () => {
+  it('is read as the stored document', () => {
     expect(open(record())).toEqual(document)
   })
 
@@ -50,12 +50,12 @@ describe('the record of a document', () => {
     [['mapSize'], 1e9],
     [['areaSize'], undefined],
     [['mesh'], []],
-  ])('whose %j is %j is one error', (path, value) => {
+  ])('throws one error if %j is %j', (path, value) => {
     expect(() => open(withField(path, value))).toThrow(/^Studio: cannot open Face \(its document/)
   })
 
   it.each([undefined, null, 5, {}, { version: 1 }, { version: 1, document: [] }])(
-    'that is %j is one error',
+    'throws one error if it is %j',
     (value) => {
       expect(() => open(value)).toThrow(/^Studio: /)
     },

@@ -27,7 +27,7 @@ function open() {
 }
 
 describe('a new driver', () => {
-  it.each(AREA_DRIVER_TYPES)('of type %s is one that files may have, and is added and undone', (type) => {
+  it.each(AREA_DRIVER_TYPES)('of type %s is valid in files, and can be added and undone', (type) => {
     const { session, editor, errors, drivers } = open()
     const before = drivers()
     editor.add(createDriver(type, 'cheeks', session.document.peek()!, face)!)
@@ -38,19 +38,19 @@ describe('a new driver', () => {
     expect(drivers()).toBe(before)
   })
 
-  it('reads the blendshape that is raised most', () => {
+  it('reads the blendshape with the highest weight', () => {
     const { targets } = createDriver('morph', 'cheeks', sampleDocument(), face) as MorphDriver
     expect(targets[0].name).toBe('browInnerUp')
   })
 
-  it('does not take a name that another has', () => {
+  it('does not take an existing name', () => {
     const document = sampleDocument()
     const first = createDriver('input', 'cheeks', document, face)!
     const second = createDriver('input', 'cheeks', { ...document, drivers: [first] }, face)!
     expect((second as { name: string }).name).not.toBe((first as { name: string }).name)
   })
 
-  it('is none where the face has nothing to read', () => {
+  it('is none if the face has nothing to read', () => {
     const bare: Drivable = { pose: new Map(), targets: [], joints: [], muscle: () => null }
     const { areas, ...document } = sampleDocument()
     const alone = { ...document, areas: areas.slice(0, 1) }
@@ -61,7 +61,7 @@ describe('a new driver', () => {
 })
 
 describe('a change of a driver', () => {
-  it('is one step while a point is dragged, and another after it was let go', () => {
+  it('is one step while a point is dragged, and another after its release', () => {
     const { session, editor, drivers } = open()
     const before = drivers()
     const drag = (input: number) => editor.set(0, 'curve', { curve: ramp(input, 1) })
@@ -88,7 +88,7 @@ describe('a change of a driver', () => {
     expect((drivers()[1] as MorphDriver).rule).toBe('sum')
   })
 
-  it('that no file may have is refused with an error, and the driver stays', () => {
+  it('is refused with an error if invalid in files, and the driver stays', () => {
     const { editor, errors, drivers } = open()
     const before = drivers()
     editor.set(0, 'curve', { curve: [[0, 0]] })
@@ -96,7 +96,7 @@ describe('a change of a driver', () => {
     expect(drivers()).toBe(before)
   })
 
-  it('leaves out a field that is set to nothing', () => {
+  it('removes a field that is set to nothing', () => {
     const { session, editor, drivers } = open()
     const bone = { type: 'bone', joints: ['a', 'b'], measure: 'angle', axis: [1, 0, 0] }
     const [driver] = parseDrivers(
@@ -114,7 +114,7 @@ describe('a change of a driver', () => {
     expect(drivers().at(-1)).not.toHaveProperty('axis')
   })
 
-  it('removes it, and undo brings it back in its position', () => {
+  it('can remove it, and undo restores its position', () => {
     const { session, editor, drivers } = open()
     const before = drivers()
     editor.remove(1)

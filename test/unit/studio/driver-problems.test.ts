@@ -17,12 +17,12 @@ const morph = (names: string[], rule = 'sum') => ({
   targets: names.map((name) => ({ name })),
 })
 
-describe('what is wrong with a driver is said, with a remedy', () => {
-  it('of one that is right: nothing', () => {
+describe('an invalid driver is reported with a remedy:', () => {
+  it('not a valid one', () => {
     expect(problemsOf([morph(['browInnerUp', 'browOuterUpLeft'])])).toEqual([])
   })
 
-  it('of another area: nothing', () => {
+  it('not one of another area', () => {
     expect(problemsOf([morph(['noseSneerLeft'])], 'nose')).toEqual([])
   })
 
@@ -64,12 +64,12 @@ describe('what is wrong with a driver is said, with a remedy', () => {
     expect(problem.removes).toBe(0)
   })
 
-  it('but not where the larger of the two counts', () => {
+  it('but not if the larger of the two counts', () => {
     expect(problemsOf([conflict, morph(['browDownLeft', 'browInnerUp'], 'max')])).toEqual([])
   })
 })
 
-it('an area lists the conflicts of what drives it, in any spelling, and those that concern no area', () => {
+it("an area lists the conflicts of its drivers' blendshapes in any spelling, and those that concern no area", () => {
   const drivers = parseDrivers(
     [
       morph(['browInnerUp_L', 'browInnerUp']),

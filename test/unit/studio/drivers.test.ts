@@ -7,7 +7,7 @@ import { DRIVERS, frozen, sampleDocument } from './sample-document.ts'
 const document = frozen(sampleDocument())
 const driver = document.drivers[0]
 
-/** What the links of the last driver sum up to in a pose. */
+/** Returns the sum of the last driver's links in a pose. */
 function sumIn(pose: ReadonlyMap<string, number>, drivers: readonly WrinkleDriver[]): number {
   const { targets } = drivers.at(-1) as { targets: { name: string; weight: number }[] } & WrinkleDriver
   return targets.reduce((sum, { name, weight }) => sum + weight * pose.get(name)!, 0)
@@ -18,7 +18,7 @@ describe('recording a pose', () => {
     [{ browInnerUp: 1 }],
     [{ browInnerUp: 0.4, browOuterUpLeft: 0.9, jawOpen: 0.02 }],
     [{ browInnerUp: 0.011 }],
-  ])('makes a driver whose sum is 1 in it: %j', (weights) => {
+  ])('makes a driver whose sum is 1 in the pose: %j', (weights) => {
     const pose = new Map(Object.entries(weights))
     const after = recordPose(document, 'cheeks', pose)
     expect(after.drivers.at(-1)).toMatchObject({ type: 'morph', area: 'cheeks', rule: 'sum' })
@@ -26,24 +26,24 @@ describe('recording a pose', () => {
     expect(after.areas).toBe(document.areas)
   })
 
-  it('keeps that sum over many blendshapes', () => {
+  it('keeps that sum with many blendshapes', () => {
     const pose = new Map(Array.from({ length: 60 }, (_, i) => [`shape ${i}`, 0.5]))
     expect(sumIn(pose, recordPose(document, 'cheeks', pose).drivers)).toBeCloseTo(1, 2)
   })
 
-  it('replaces what read blendshapes for this area, and nothing else', () => {
+  it("replaces only this area's drivers of blendshapes", () => {
     const after = recordPose(document, 'frown', new Map([['jawOpen', 1]]))
     expect(after.drivers.length).toBe(document.drivers.length)
     expect(after.drivers).not.toContain(document.drivers[1])
     expect(document.drivers.filter((each) => after.drivers.includes(each))).toHaveLength(6)
   })
 
-  it('at rest only removes it', () => {
+  it('at rest only removes them', () => {
     const after = recordPose(document, 'frown', new Map([['jawOpen', 0.005]]))
     expect(after.drivers).toEqual(document.drivers.filter((each) => each !== document.drivers[1]))
   })
 
-  it('makes it 1 as drivers read it, after conflicts', () => {
+  it('gives 1 as drivers read the pose, after conflicts', () => {
     const pose = new Map([
       ['browInnerUp', 1],
       ['browDownLeft', 0.25],
@@ -61,7 +61,7 @@ describe('recording a pose', () => {
     expect(read.parts[0].links.map(({ link }) => link.name)).toEqual(['browInnerUp'])
   })
 
-  it('of blendshapes that cancel each other is an error', () => {
+  it('throws for blendshapes that cancel each other', () => {
     const pose = new Map([
       ['browInnerUp', 0.5],
       ['browDownLeft', 0.5],
@@ -71,7 +71,7 @@ describe('recording a pose', () => {
     )
   })
 
-  it('of an unknown area is an error', () => {
+  it('throws for an unknown area', () => {
     expect(() => recordPose(document, 'nose', new Map())).toThrow('no such area')
   })
 })
@@ -91,7 +91,7 @@ describe('a driver', () => {
     expect(removeDriver(document, 0).drivers).toEqual(document.drivers.slice(1))
   })
 
-  it('that is malformed or names an unknown area is refused', () => {
+  it('is refused if malformed or for an unknown area', () => {
     const wrong = { ...driver, area: 'nose' } as WrinkleDriver
     expect(() => addDriver(document, wrong)).toThrow('Studio: drivers[0].area')
     expect(() => setDriver(document, 0, { type: 'morph', area: 'frown' })).toThrow('drivers[0].targets')

@@ -13,7 +13,7 @@ import { sampleDocument, strokeOf } from './sample-document.ts'
 
 const shop = new Workshop()
 
-/** The files of a folder, as a page has them. */
+/** Returns the files of a folder as a page receives them. */
 async function projectAt(name: string) {
   const folder = await shop.makeFolder(name)
   const entries = Object.entries(shop.files(name))
@@ -43,36 +43,36 @@ function texels(channels: number, valueAt: (index: number) => number): Uint8Arra
   return Uint8Array.from({ length: channels * SIDE ** 2 }, (_, i) => valueAt(i))
 }
 
-/** A document whose first layer has lines instead of its maps, and whose last has neither. */
+/** Returns a document whose first layer has lines instead of its maps, and whose last has neither. */
 function withLines(document: StudioDocument): StudioDocument {
   const [age, ...others] = document.layers
   const layers = [age, ...others.map((layer) => ({ ...layer, maps: {} }))]
   return { ...document, mapSize: SIDE, layers, strokes: [strokeOf('age', 'brow')] }
 }
 
-/** Writes the folder of a document with a face; returns its path. */
+/** Writes the folder of a document with a face, and returns its path. */
 function saved(name: string, source: DocumentToPack, face: Uint8Array): string {
   for (const [path, bytes] of projectFiles(source)) shop.write(`${name}/${path}`, bytes)
   shop.write(`${name}/face.glb`, face)
   return shop.path(name)
 }
 
-describe('the files beside a face', () => {
+describe('the files next to a face', () => {
   const bytes = Uint8Array.of(1, 2, 3)
   const read = referencesIn(new Map([['images/my skin.png', bytes]]), 'face.gltf', 'Studio')
 
-  it('are found by any address of them, each as one object', async () => {
+  it('are found by any form of their URLs, each as one object', async () => {
     const found = await read('images/my%20skin.png')
     expect(found).toEqual({ bytes, path: 'images/my skin.png' })
     expect(await read('./images\\x/../my skin.png')).toBe(found)
   })
 
-  it('are found by the address itself, where they were dropped from elsewhere', async () => {
+  it('are found by the URL itself if dropped from elsewhere', async () => {
     const read = referencesIn(new Map([['tex/skin%20a.png', bytes]]), 'face.gltf', 'Studio')
     expect(await read('tex/skin%20a.png')).toEqual({ bytes, path: 'tex/skin a.png' })
   })
 
-  it('are not needed where the address holds the data', async () => {
+  it('are not needed for data URIs', async () => {
     expect(await read('data:;base64,AQID')).toEqual({ bytes })
     expect(await read('data:,%01b')).toEqual({ bytes: Uint8Array.of(1, 98) })
   })
@@ -87,13 +87,13 @@ describe('the files beside a face', () => {
     ['an absolute path', '/images/skin.png', 'it was not opened with it'],
     ['the network', 'https://example.org/skin.png', 'refers to a file that is not on this computer'],
     ['no address', '', 'face.gltf has an empty address'],
-  ])('are missed: %s', async (_, uri, message) => {
+  ])('are reported missing: %s', async (_, uri, message) => {
     await expect(read(uri)).rejects.toThrow(message)
   })
 })
 
 describe('a project', () => {
-  it('becomes the bytes of furrow pack, validated, and a project again', async () => {
+  it('exports the bytes of furrow pack, validated, and reads back as a project', async () => {
     const { files, face } = await projectAt('whole')
     const { document } = await readProject(opened(files), 'whole')
     const images = { document, drawn: new Map() }
@@ -124,7 +124,7 @@ describe('a project', () => {
     expect(Buffer.from(twice).equals(bytes)).toBe(true)
   })
 
-  it('keeps corrections of blendshapes in the file, as furrow pack does', async () => {
+  it('keeps shape corrections in the file, like furrow pack', async () => {
     const { files, face } = await projectAt('corrected')
     const { document } = await readProject(opened(files), 'corrected')
     const shapes = [{ target: 'smile', shape: 'mouthFrown' }, { target: 'jaw' }]
@@ -143,7 +143,7 @@ describe('a project', () => {
     )
   })
 
-  it('is not there in a face without wrinkles', async () => {
+  it('is undefined in a face without wrinkles', async () => {
     const { face } = await projectAt('bare')
     const { folder, face: bytes } = await readFace(face)
     expect(folder).toBeUndefined()

@@ -29,7 +29,7 @@ function documentOf(maps: StudioDocument['layers'][number]['maps'], heightAmplit
 const entryOf = (files: ReadonlyMap<string, Uint8Array>) =>
   JSON.parse(new TextDecoder().decode(files.get('wrinkles.json')!)).layers[0]
 
-it('lines give their layer a height map in millimetres, of half the side', async () => {
+it('lines give their layer a height map in millimetres, at half size', async () => {
   const document = documentOf({})
   const files = projectFiles({ document, drawn: new Map([['up', lines()]]) })
   expect(entryOf(files)).toMatchObject({
@@ -41,11 +41,11 @@ it('lines give their layer a height map in millimetres, of half the side', async
     .raw()
     .toBuffer({ resolveWithObject: true })
   expect([info.width, info.height]).toEqual([SIDE / 2, SIDE / 2])
-  // 127.5 is the smooth skin, 0 the deepest line.
+  // 127.5 is the smooth skin, and 0 the deepest line.
   expect([data[0], data[SIDE / 2 - 1]]).toEqual([0, 191])
 })
 
-it('a project is read without the heights that its lines make anew', async () => {
+it('a project is read without the heights that its lines make again', async () => {
   const document = documentOf({})
   const files = projectFiles({ document, drawn: new Map([['up', lines()]]) })
   const read = async (paths: (path: string) => boolean) => {
@@ -53,11 +53,11 @@ it('a project is read without the heights that its lines make anew', async () =>
     return (await readProject(folder, 'Face')).document.layers[0]
   }
   expect(await read(() => true)).toEqual(document.layers[0])
-  // As `furrow unpack` gives it.
+  // As written by `furrow unpack`.
   expect(await read((path) => path !== 'studio.json')).toEqual(document.layers[0])
 })
 
-it("a layer's own height map stays beside lines", async () => {
+it("a layer's own height map stays next to lines", async () => {
   const height = { mimeType: 'image/png', bytes: Uint8Array.of(1, 2, 3) }
   const document = documentOf({ height }, 0.02)
   const files = projectFiles({ document, drawn: new Map([['up', lines()]]) })

@@ -7,7 +7,7 @@ const ROOT = fileURLToPath(new URL('../../../', import.meta.url))
 const EXPORT = join(ROOT, 'studio/src/export')
 const FILES = join(ROOT, 'packages/files')
 
-/** Modules that differ between Node and browsers, by the imported name. */
+/** Modules that differ between Node and browsers, by import name. */
 const PLATFORMS: Record<string, { node: string; default: string }> = JSON.parse(
   readFileSync(join(FILES, 'package.json'), 'utf8'),
 ).imports
@@ -29,13 +29,13 @@ const PORTABLE = [
   'three-mesh-bvh',
 ]
 
-/** What a file imports besides types. */
+/** Returns a file's imports, without types. */
 function importsOf(path: string): string[] {
   const text = readFileSync(path, 'utf8').replace(/^(import|export) type [^']* from '[^']+'$/gm, '')
   return [...text.matchAll(/(?:from|import|new URL)\s*\(?\s*'([^']+)'/g)].map(([, name]) => name)
 }
 
-/** All files of ours that the studio's export loads, and the packages, each with a file that imports it. */
+/** Returns all our files that the studio's export loads, and packages with a file that imports each. */
 function loaded() {
   const files = new Set<string>()
   const packages = new Map<string, string>()
@@ -53,7 +53,7 @@ function loaded() {
   return { files: [...files], packages }
 }
 
-it('what the studio exports with is free of Node', () => {
+it("the studio's export is free of Node", () => {
   const { files, packages } = loaded()
   expect(files).toContain(join(FILES, 'src/pack/pack.ts'))
   expect([...packages].filter(([name]) => !PORTABLE.includes(name))).toEqual([])

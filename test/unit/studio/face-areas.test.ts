@@ -18,7 +18,7 @@ describe('images that cannot be areas', () => {
     [1, /^FurrowError: 0\.png: not a readable image/],
     [256, /^256 of 256 images were not added; the first: 0\.png: not a readable image/],
     [60_000, /^FurrowError: Studio: too many images to add as areas, got 60000, allowed: 256/],
-  ])('are one message where there are %i', async (count, message) => {
+  ])('are reported in one message for %i of them', async (count, message) => {
     expect(await added(count)).toEqual([expect.stringMatching(message)])
   })
 })

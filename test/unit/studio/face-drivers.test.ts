@@ -14,7 +14,7 @@ import { seeded } from '../../random.ts'
 const SHAPES = ['browInnerUp', 'browDownLeft', 'squash']
 const AREAS = ['brow', 'glabella', 'lines', 'cold', 'neck', 'cheek', 'spare']
 
-/** One of each type that activates an area, and a conflict. */
+/** One driver of each type that activates an area, and a conflict. */
 const DRIVERS = parseDrivers(
   [
     { type: 'conflict', targets: ['browInnerUp', 'browDownLeft'] },
@@ -53,7 +53,7 @@ beforeEach(() => {
   geometry.morphTargetsRelative = true
   geometry.morphAttributes.position = SHAPES.map((name) => {
     const offsets = new Float32Array(12)
-    // Towards the middle, by half.
+    // Halfway towards the middle.
     if (name === 'squash')
       for (let i = 0; i < 4; i++) offsets[3 * i] = -geometry.getAttribute('position').getX(i) / 2
     const attribute = new BufferAttribute(offsets, 3)
@@ -92,14 +92,14 @@ function activations(): Record<string, number> {
 }
 
 describe('drivers on the stage', () => {
-  it('at rest give what is at rest', () => {
+  it('at rest give the state at rest', () => {
     pose([0, 0, 0], 0)
     const { lines, ...others } = activations()
     expect(lines).toBeCloseTo(0.1, 6)
     expect(others).toEqual({ brow: 0, glabella: 0, cold: 0.5, neck: 0, cheek: 0 })
   })
 
-  it('of every type give what the engine gives', () => {
+  it("of every type give the engine's activations", () => {
     addDrivers(
       wrinkles,
       DRIVERS.filter(({ type }) => type !== 'time'),
@@ -122,13 +122,13 @@ describe('drivers on the stage', () => {
     }
   })
 
-  it('say what their links and curves read', () => {
+  it('report the inputs of their links and curves', () => {
     pose([0.7, 0.2, 0], 0)
     const given = drivers.contributions()
     expect(given).toHaveLength(DRIVERS.length)
     expect(given[0]).toBeNull()
     expect(given[7]).toBeNull()
-    // What the conflict leaves of 0.7, through the link's curve, by half.
+    // The rest of 0.7 after the conflict, through the link's curve, times 0.5.
     const { inputs: read, links, combined, activation } = given[1]!
     expect(read[0]).toBeCloseTo(0.5, 6)
     expect(links[0]).toBeCloseTo(0.25, 6)
@@ -154,7 +154,7 @@ describe('drivers on the stage', () => {
   })
 })
 
-it('joints come after those that they hang on', () => {
+it('joints come after their parents', () => {
   expect(jointsOf(mesh.parent!)).toEqual([['chest', 'head']])
 })
 
@@ -170,7 +170,7 @@ describe('a muscle of the document', () => {
     return Array.from(mesh.geometry.morphAttributes.position![index].array)
   }
 
-  it('is a blendshape, which pulls as it is changed', () => {
+  it('is a blendshape, which follows changes of the muscle', () => {
     const targets = new MuscleTargets([mesh])
     targets.update(muscle(0.2))
     expect(Object.keys(mesh.morphTargetDictionary!)).toEqual([...SHAPES, 'frontalis'])
@@ -185,7 +185,7 @@ describe('a muscle of the document', () => {
     expect(Math.hypot(...pull())).toBeCloseTo(2 * Math.hypot(...weak), 5)
   })
 
-  it('is gone when it is removed; others pull on, and it comes back by undo', () => {
+  it('is removed while others keep pulling, and returns with undo', () => {
     const targets = new MuscleTargets([mesh])
     const other = { ...muscle(0.3)[0], name: 'corrugator' }
     targets.update([...muscle(0.2), other])
@@ -202,7 +202,7 @@ describe('a muscle of the document', () => {
     expect(Math.hypot(...pull())).toBeGreaterThan(0)
   })
 
-  it('has a slider that is harmless once it is removed, and those of others go on', () => {
+  it('has a slider that is harmless after removal, while other sliders work', () => {
     const targets = new MuscleTargets([mesh])
     const other = { ...muscle(0.3)[0], name: 'corrugator' }
     targets.update([...muscle(0.2), other])
@@ -217,7 +217,7 @@ describe('a muscle of the document', () => {
     expect(dial('corrugator').read()).toBe(0.7)
   })
 
-  it('leaves a blendshape of the file alone', () => {
+  it('does not change a blendshape of the file', () => {
     const targets = new MuscleTargets([mesh])
     const before = mesh.geometry.morphAttributes.position![2].array.slice()
     targets.update([{ ...muscle(0.2)[0], name: 'squash' }])
@@ -225,7 +225,7 @@ describe('a muscle of the document', () => {
     expect(mesh.geometry.morphAttributes.position![2].array).toEqual(before)
   })
 
-  it('begins in the middle of its area', () => {
+  it('starts in the middle of its area', () => {
     const left = { width: 2, height: 1, data: Uint8Array.of(255, 0) }
     const { origin, insertion } = muscleAxis(mesh, left)!
     expect(insertion[0]).toBeCloseTo(-0.5, 6)

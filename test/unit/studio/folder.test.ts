@@ -20,7 +20,7 @@ import { sampleDocument } from './sample-document.ts'
 
 const shop = new Workshop()
 
-/** An archive by Python's zipfile, with all numbers in the fields of zip64. */
+/** Archive by Python's zipfile, with all numbers in the fields of zip64. */
 const ZIP_64 =
   'UEsDBC0AAAAAAAAAIQDZqbWP//////////8IABQAeC9hLmpzb24BABAAHAAAAAAAAAAcAAAAAAAAAHsiYSI6IFsxLCAxLCAxLCAxLCAxLCAxLCAxXX1QSwMELQAAAAAAAAAhAIamEDb//////////wcAFAB4L2IudHh0AQAQAAUAAAAAAAAABQAAAAAAAABoZWxsb1BLAQItAy0AAAAAAAAAIQDZqbWP//////////8IABQAAAAAAAAAAACAAQAAAAB4L2EuanNvbgEAEAAcAAAAAAAAABwAAAAAAAAAUEsBAi0DLQAAAAAAAAAhAIamEDb//////////wcAHAAAAAAAAAAAAIAB/////3gvYi50eHQBABgABQAAAAAAAAAFAAAAAAAAAFYAAAAAAAAAUEsGBiwAAAAAAAAALQAtAAAAAAAAAAAAAgAAAAAAAAACAAAAAAAAAJsAAAAAAAAAlAAAAAAAAABQSwYHAAAAAC8BAAAAAAAAAQAAAFBLBQYAAAAAAgACAJsAAACUAAAAAAA='
 
@@ -29,7 +29,7 @@ async function imageOf(side: number, value: number) {
   return { mimeType: 'image/png', bytes: new Uint8Array(await sharp({ create }).png().toBuffer()) }
 }
 
-/** The sample with images that can be decoded, areas that are not uniform, and all kinds of flags. */
+/** Returns the sample with decodable images, non-uniform areas, and all kinds of flags. */
 async function wholeDocument(): Promise<StudioDocument> {
   const document = sampleDocument()
   const [up, down] = document.layers
@@ -58,7 +58,7 @@ async function wholeDocument(): Promise<StudioDocument> {
 
 const SIDE = 64
 
-/** Maps of lines that differ from layer to layer. */
+/** Returns maps of lines that differ per layer. */
 function strokeMaps(value: number): StrokeMaps {
   const texels = SIDE ** 2
   return {
@@ -74,11 +74,11 @@ function drawnMaps({ layers }: StudioDocument): Map<string, StrokeMaps> {
 
 const FACE = [{ path: 'avatar.vrm', file: new Blob(['the face']) }]
 
-/** The files as they are read again. */
+/** Returns the files as a page reads them. */
 const asRead = (files: readonly FolderFile[]) =>
   files.map(({ path, content }) => ({ path, file: new Blob([content as BlobPart]) }))
 
-/** Files of a folder of the workshop. */
+/** Returns files of a folder of the workshop. */
 function onDisk(name: string) {
   return Object.entries(shop.files(name)).map(([path, base64]) => ({
     path,
@@ -91,7 +91,7 @@ function write(document: StudioDocument, face = FACE): FolderFile[] {
 }
 
 describe('the folder of a project', () => {
-  it('is read as the same document and the same face', async () => {
+  it('reads back as the same document and face', async () => {
     const document = await wholeDocument()
     const { document: read, face } = await readFolder(asRead(write(document)), 'Face', decodeGray)
     expect(read).toEqual(document)
@@ -104,11 +104,11 @@ describe('the folder of a project', () => {
     const files = write(renamed)
     for (const { path } of files) expect(path).toMatch(/^[\w/ -]+\.\w+$/)
     const { document } = await readFolder(asRead(files), 'Face', decodeGray)
-    // A shape of strokes must have the name of a file.
+    // A stroke's shape must be named like a file.
     expect(document).toEqual({ ...renamed, strokeAreas: [renamed.strokeAreas![0]] })
   })
 
-  it('is a document without areas, strokes, drivers and maps too', async () => {
+  it('can hold a document without areas, strokes, drivers and maps', async () => {
     const bare: StudioDocument = {
       scale: 10,
       mapSize: 32,
@@ -127,7 +127,7 @@ describe('the folder of a project', () => {
     })
   })
 
-  it('has a face with files beside it as they were', async () => {
+  it('has a face with unchanged separate files', async () => {
     const face = ['head/face.gltf', 'head/face.bin', 'skin.png'].map((path) => ({
       path,
       file: new Blob([path]),
@@ -166,8 +166,8 @@ describe('furrow pack', () => {
   })
 })
 
-describe('a folder made by hand', () => {
-  it('opens without documents, as furrow pack reads it', async () => {
+describe('a hand-made folder', () => {
+  it('opens without documents, like furrow pack reads it', async () => {
     await shop.makeFolder('plain')
     const { document, face } = await readFolder(onDisk('plain'), 'plain', decodeGray)
     expect(document.layers.map(({ name, maps }) => [name, Object.keys(maps)])).toEqual([
@@ -190,7 +190,7 @@ describe('a folder made by hand', () => {
     expect((await readFolder(onDisk('sized'), 'sized', decodeGray)).document.mapSize).toBe(32)
   })
 
-  it('with strokes has them drawn again instead of their maps', async () => {
+  it('has strokes redrawn instead of their maps', async () => {
     await shop.makeFolder('lines')
     const points = across(0.2, 0.1, 0.4)
     const strokes = [{ layer: 'age', points, width: 2, depth: 1 }]
@@ -200,7 +200,7 @@ describe('a folder made by hand', () => {
     expect(document.layers.map(({ maps }) => Object.keys(maps))).toEqual([[], ['normal', 'baseColor']])
   })
 
-  it('may hold its images in the addresses of its document', async () => {
+  it('may contain its images as data URIs in the document', async () => {
     const bytes = Uint8Array.from(
       Buffer.from(await encodePng({ width: 2, height: 2, channels: 1, data: new Uint8Array(4) })),
     )
@@ -233,7 +233,7 @@ describe('a folder made by hand', () => {
     await expect(readFolder(list, 'hand', decodeGray)).rejects.toThrow(message)
   })
 
-  it('with a studio.json that is none opens as without it', async () => {
+  it('with an invalid studio.json opens as without it', async () => {
     await shop.makeFolder('odd')
     const without = await readFolder(onDisk('odd'), 'odd', decodeGray)
     for (const text of ['{ "version": 7, "layers": 3 }', '5', 'null', '{ "version": 1', '[]']) {
@@ -262,19 +262,22 @@ describe('a folder made by hand', () => {
     [{ face: 'face.glb' }, 'face must be an object'],
     [{ face: { path: 5 } }, 'face.path must be text'],
     [{ files: [5] }, 'files[0] must be text'],
-  ])('opens without what is wrong in a studio.json of %j, and one line says so', async (wrong, problem) => {
-    await shop.makeFolder('wrong')
-    // Comparing all weights takes a second.
-    const read = async (json: object) => {
-      shop.json('wrong/studio.json', json)
-      const { document, face, notes } = await readFolder(onDisk('wrong'), 'wrong', decodeGray)
-      return { document: { ...document, areas: document.areas.length }, face, notes }
-    }
-    const note = expect.stringContaining(`Opened without a part of studio.json: studio.json: ${problem}`)
-    expect(await read({ version: 1, ...wrong })).toEqual({ ...(await read({ version: 1 })), notes: [note] })
-  })
+  ])(
+    'opens without the invalid part of a studio.json of %j, with one line about it',
+    async (wrong, problem) => {
+      await shop.makeFolder('wrong')
+      // Comparing all weights takes a second.
+      const read = async (json: object) => {
+        shop.json('wrong/studio.json', json)
+        const { document, face, notes } = await readFolder(onDisk('wrong'), 'wrong', decodeGray)
+        return { document: { ...document, areas: document.areas.length }, face, notes }
+      }
+      const note = expect.stringContaining(`Opened without a part of studio.json: studio.json: ${problem}`)
+      expect(await read({ version: 1, ...wrong })).toEqual({ ...(await read({ version: 1 })), notes: [note] })
+    },
+  )
 
-  it('keeps what is right beside what is wrong', async () => {
+  it('keeps valid parts next to invalid ones', async () => {
     await shop.makeFolder('partly')
     const auto = { age: 60, strength: 1, size: 1024, seed: 3, seeds: { chin: 4 }, regions: ['chin'] }
     shop.json('partly/studio.json', { version: 1, auto, mapSize: 5, files: 5 })
@@ -290,14 +293,14 @@ describe('a .zip', () => {
     { path: 'layers/a/normal.png', content: new Blob(['image']) },
   ]
 
-  it('holds one folder, which is left out when it is read', async () => {
+  it('contains one folder, which is stripped on reading', async () => {
     const zip = await zipFolder(files, 'Gesicht ä')
     const read = await unzipFolder(zip, 'a.zip')
     expect(read.map(({ path }) => path)).toEqual(['wrinkles.json', 'layers/a/normal.png'])
     expect(await read[1].file.text()).toBe('image')
   })
 
-  it('is read without what systems leave in it', async () => {
+  it("is read without operating systems' extra files", async () => {
     const left = ['__MACOSX/._x', '.DS_Store'].map((path) => ({
       path: `../${path}`,
       content: new Uint8Array(1),
@@ -317,11 +320,11 @@ describe('a .zip', () => {
     ['fewer', 10],
     ['more', 2 ** 22],
     ['far more', 0xfffffff0],
-  ])('whose entry says that it has %s bytes than it has is one message, soon', async (_, claimed) => {
+  ])('with an entry that claims %s bytes more is quickly one message', async (_, claimed) => {
     const content = new Uint8Array(2 ** 24)
     const zip = new Uint8Array(await (await zipFolder([{ path: 'a.json', content }], 'x')).arrayBuffer())
     const view = new DataView(zip.buffer)
-    // The size in the list of entries, which ends 22 bytes before the end.
+    // Size in the list of entries, which ends 22 bytes before the end.
     const list = view.getUint32(zip.length - 6, true)
     expect(view.getUint32(list + 24, true)).toBe(content.length)
     view.setUint32(list + 24, claimed, true)
@@ -333,7 +336,7 @@ describe('a .zip', () => {
     expect(performance.now() - start).toBeLessThan(1000)
   })
 
-  it('whose entries are too large together is not unpacked', async () => {
+  it('is not unpacked if its entries are too large in total', async () => {
     const content = new Uint8Array(1000)
     const files = Array.from({ length: 3 }, (_, i) => ({ path: `${i}.json`, content }))
     const zip = new Uint8Array(await (await zipFolder(files, 'x')).arrayBuffer())
@@ -354,7 +357,7 @@ describe('a .zip', () => {
     )
   })
 
-  it('that another program wrote is read, by zip64 too', async () => {
+  it('by another program is read, including zip64', async () => {
     const wide = Buffer.from(ZIP_64, 'base64')
     const files = await unzipFolder(new Blob([wide]), 'wide.zip')
     expect(files.map(({ path, file }) => [path, file.size])).toEqual([
@@ -372,7 +375,7 @@ describe('a .zip', () => {
     ])
   })
 
-  it('that is cut off or damaged ends in files or in one message', async () => {
+  it('that is truncated or damaged ends in files or in one message', async () => {
     const bytes = new Uint8Array(await (await zipFolder(files, 'x')).arrayBuffer())
     for (let i = 0; i < bytes.length; i += 3) {
       const damaged = bytes.slice()

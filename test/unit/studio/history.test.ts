@@ -7,7 +7,7 @@ import { frozen, sampleDocument, strokeOf } from './sample-document.ts'
 const start = frozen(sampleDocument())
 const withActivation = (activation: number) => setArea(start, 'frown', { activation })
 
-/** How often undo finds something to undo. */
+/** Counts the undo steps. */
 function undoSteps(history: History): number {
   let steps = 0
   for (; history.undoLabel !== undefined; steps++) history.undo()
@@ -15,7 +15,7 @@ function undoSteps(history: History): number {
 }
 
 describe('the history', () => {
-  it('undoes to the very documents that were, and redoes', () => {
+  it('undoes to exactly the previous documents, and redoes', () => {
     const history = new History(start)
     const [one, two] = [withActivation(0.1), withActivation(0.2)]
     history.push('one', one)
@@ -34,7 +34,7 @@ describe('the history', () => {
     expect([history.undoLabel, history.redoLabel]).toEqual(['two', undefined])
   })
 
-  it('forgets what was undone when something else is done', () => {
+  it('drops undone steps after another change', () => {
     const history = new History(start)
     history.push('one', withActivation(0.1))
     history.undo()
@@ -44,7 +44,7 @@ describe('the history', () => {
     expect(history.document).toBe(start)
   })
 
-  it('ignores a step that changes nothing, and keeps what can be redone', () => {
+  it('ignores a step that changes nothing, and keeps redo steps', () => {
     const history = new History(start)
     history.push('one', withActivation(0.1))
     history.undo()
@@ -67,7 +67,7 @@ describe('the history', () => {
     expect(history.document).toEqual(withActivation(0.2))
   })
 
-  it('keeps steps of different keys or none apart', () => {
+  it('does not merge steps with different keys or none', () => {
     const history = new History(start)
     history.push('a', withActivation(0.1), 'a')
     history.push('b', withActivation(0.2), 'b')
@@ -76,7 +76,7 @@ describe('the history', () => {
     expect(undoSteps(history)).toBe(4)
   })
 
-  it('does not merge into a step that was there before an undo or redo', () => {
+  it('does not merge into a step from before an undo or redo', () => {
     const history = new History(start)
     history.push('drag', withActivation(0.1), 'slider')
     history.push('other', withActivation(0.2))
@@ -95,8 +95,8 @@ describe('the history', () => {
     expect(history.document).toEqual(withActivation(100 / 3000))
   })
 
-  it('keeps 200 steps however large, and more up to 64 MB', () => {
-    // Never written to, so that they cost no memory.
+  it('keeps 200 steps of any size, and more up to 64 MB', () => {
+    // Never written to, so that they use no memory.
     const painted = (side: number, steps: number) => {
       const weights = () => ({ width: side, height: side, data: new Uint8Array(side * side) })
       const history = new History(addEmptyArea({ ...start, areas: [], areaSize: side }, 'large'))
@@ -107,8 +107,8 @@ describe('the history', () => {
     expect(painted(512, 300)).toBe(256)
   })
 
-  it('counts only what the present document has no longer', () => {
-    // 128 MB in the present document, which every step has in common.
+  it('counts only data that the current document no longer has', () => {
+    // 128 MB in the current document, shared by every step.
     const bytes = new Uint8Array(2 ** 27)
     const layers = [{ ...start.layers[0], maps: { normal: { mimeType: 'image/png', bytes } } }]
     const history = new History({ ...start, layers })
@@ -117,7 +117,7 @@ describe('the history', () => {
     expect(undoSteps(history)).toBe(300)
   })
 
-  it('counts a dragged slider once, by what its step replaced', () => {
+  it('counts a dragged slider once, by the data that its step replaced', () => {
     const history = new History(start)
     for (let i = 0; i < 5000; i++) history.push('drag', withActivation(i / 5000), 'slider')
     expect(undoSteps(history)).toBe(1)

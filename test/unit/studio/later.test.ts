@@ -1,8 +1,8 @@
 import { expect, it, vi } from 'vitest'
 import { nextTask, runInTurn } from '../../../studio/src/later.ts'
 
-it('tasks that can wait run one at a time, in their order, and not once they are cancelled', async () => {
-  /** Starts the next task, as the page does when it rests. */
+it('deferred tasks run one at a time, in order, and not after they are cancelled', async () => {
+  /** Starts the next task, like an idle page. */
   let rest: (() => void) | null = null
   vi.stubGlobal('requestIdleCallback', (callback: () => void) => {
     rest = callback

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
 import { Latest } from '../../../studio/src/session/latest.ts'
 
-/** A task whose runs the test ends. */
+/** Task whose runs the test finishes. */
 function slowTask() {
   const begun: number[] = []
   const ends: { end(): void; fail(error: Error): void }[] = []
@@ -15,7 +15,7 @@ function slowTask() {
 
 const turn = () => new Promise<void>((resolve) => setTimeout(resolve))
 
-test('of the values that come during a run, the last one alone gets a run, and after it', async () => {
+test('only the last of the values during a run gets a run, after the current one', async () => {
   const { begun, ends, latest } = slowTask()
   for (const value of [1, 2, 3, 4]) void latest.run(value)
   await turn()
@@ -29,7 +29,7 @@ test('of the values that come during a run, the last one alone gets a run, and a
   expect(begun).toEqual([1, 4, 5])
 })
 
-test('a value that was dropped gets no run', async () => {
+test('a dropped value gets no run', async () => {
   const { begun, ends, latest } = slowTask()
   void latest.run(1)
   void latest.run(2)
@@ -39,7 +39,7 @@ test('a value that was dropped gets no run', async () => {
   expect(begun).toEqual([1])
 })
 
-test('a run that fails does not keep the next one from starting', async () => {
+test('a failing run does not prevent the next one', async () => {
   const { begun, ends, latest } = slowTask()
   const failed = latest.run(1)
   ends[0].fail(new Error('no wrinkles'))

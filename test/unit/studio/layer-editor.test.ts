@@ -18,7 +18,7 @@ beforeEach(() => {
 const names = () => session.document.value!.layers.map(({ name }) => name)
 const named = (name: string) => session.document.value!.layers.find((layer) => layer.name === name)!
 
-it('adds layers under free names, and moves them; at either end nothing happens', () => {
+it('adds layers with free names and moves them; at either end nothing happens', () => {
   layers.add()
   layers.add()
   expect(names()).toEqual(['up', 'down', 'layer', 'layer 2'])
@@ -32,7 +32,7 @@ it('adds layers under free names, and moves them; at either end nothing happens'
   expect(names()).toEqual(['up', 'down'])
 })
 
-it('a slider that moves is one step, with its label', () => {
+it("a slider's movement is one step with its label", () => {
   for (const normalScale of [1.2, 1.4, 1.6]) layers.set('up', { normalScale })
   layers.settle()
   layers.set('up', { normalScale: 0.5 })
@@ -43,7 +43,7 @@ it('a slider that moves is one step, with its label', () => {
   expect(named('up').normalScale).toBe(1)
 })
 
-it('a map is removed, and comes back by undo', () => {
+it('a map can be removed, and undo restores it', () => {
   const { normal } = named('up').maps
   layers.removeMap('up', 'normal')
   expect(named('up').maps).toEqual({})
@@ -51,7 +51,7 @@ it('a map is removed, and comes back by undo', () => {
   expect(named('up').maps.normal).toBe(normal)
 })
 
-it('says why a layer cannot be removed or renamed, and leaves the document', () => {
+it('explains why a layer cannot be removed or renamed, and keeps the document', () => {
   layers.remove('up')
   layers.rename('up', 'down')
   expect(errors).toEqual([

@@ -29,7 +29,7 @@ describe('a layer', () => {
     expect(() => addLayer(document, 'up')).toThrow('two of the layers would have one name')
   })
 
-  it('is renamed in areas and strokes; the others are as they were', () => {
+  it('is renamed in areas and strokes, and other layers stay', () => {
     const after = renameLayer(document, 'up', 'raised')
     expect(layerNames(after)).toEqual(['raised', 'down'])
     expect(after.areas.map(({ layer }) => layer)).toEqual(['raised', 'down', 'down'])
@@ -48,7 +48,7 @@ describe('a layer', () => {
     expect(renameLayer(document, 'up', 'up')).toBe(document)
   })
 
-  it('that nothing uses is renamed and removed without a change elsewhere', () => {
+  it('is renamed and removed without other changes if unused', () => {
     const more = addLayer(document, 'left')
     for (const after of [renameLayer(more, 'left', 'right'), removeLayer(more, 'left')]) {
       expect(after.areas).toBe(document.areas)
@@ -56,7 +56,7 @@ describe('a layer', () => {
     }
   })
 
-  it('is removed with its strokes when no area shows it', () => {
+  it('is removed with its strokes if no area shows it', () => {
     const after = removeLayer({ ...document, areas: [areaOf('frown', 'down')] }, 'up')
     expect(layerNames(after)).toEqual(['down'])
     expect(after.strokes).toEqual(document.strokes.slice(1))
@@ -71,7 +71,7 @@ describe('a layer', () => {
     expect(layerNames(moveLayer(document, 'down', 0))).toEqual(['down', 'up'])
   })
 
-  it('is set within what files may hold', () => {
+  it('is limited to values allowed in files', () => {
     const after = setLayer(document, 'up', { kind: 'replace', normalScale: 2 })
     expect(after.layers[0]).toEqual({ ...document.layers[0], kind: 'replace', normalScale: 2 })
     expect(after.layers[0].maps).toBe(document.layers[0].maps)
@@ -92,7 +92,7 @@ describe('a layer', () => {
 })
 
 describe('a stroke', () => {
-  it('is added at the end of a layer that exists', () => {
+  it('is added at the end of an existing layer', () => {
     const stroke = strokeOf('down', 'cheeks')
     const after = addStroke(document, stroke)
     expect(strokesOf(after, 'down')).toEqual([...document.strokes.slice(1), stroke])

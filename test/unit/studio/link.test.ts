@@ -17,11 +17,11 @@ const whole: Link = {
 }
 
 describe('a link', () => {
-  it('says what it was made of', () => {
+  it('reads back as what it was made from', () => {
     expect(parseLink(`#${formatLink(whole, PAGE)}`, PAGE)).toEqual(whole)
   })
 
-  it('is short: a model beside the page by its path, weights of 0 not at all', () => {
+  it('is short: a local model is a path, and weights of 0 are left out', () => {
     const model = 'https://studio.example/furrow/faces/human.glb'
     const pose = new Map([
       ['jawOpen', 0.25],
@@ -44,7 +44,7 @@ describe('a link', () => {
     expect(parseLink('pose=', PAGE).pose).toEqual(new Map())
   })
 
-  it('may have parts that this page does not know', () => {
+  it('may have unknown parts', () => {
     expect(parseLink('#look=new&top', PAGE)).toEqual(parseLink('', PAGE))
   })
 

@@ -30,7 +30,7 @@ describe('an area on the other side', () => {
   )
   const document = frozen(addDriver(one, driver))
 
-  it('is added with drivers that read the blendshapes of its side', () => {
+  it("is added with drivers that read its side's blendshapes", () => {
     const both = mirrorArea(document, 'cheekLeft', weightsOf(7))
     expect(both.areas.at(-1)).toMatchObject({ name: 'cheekRight', layer: 'up', weights: weightsOf(7) })
     expect(both.drivers.at(-1)).toMatchObject({
@@ -39,7 +39,7 @@ describe('an area on the other side', () => {
     })
   })
 
-  it('is painted anew where it is there, and keeps its drivers', () => {
+  it('is repainted if it exists, and keeps its drivers', () => {
     const both = mirrorArea(document, 'cheekLeft', weightsOf(7))
     const again = mirrorArea(both, 'cheekLeft', weightsOf(9))
     expect(again.areas.length).toBe(both.areas.length)
@@ -47,7 +47,7 @@ describe('an area on the other side', () => {
     expect(again.drivers).toBe(both.drivers)
   })
 
-  it('has a free name where its name tells no side', () => {
+  it('has a free name if its name has no side', () => {
     expect(mirroredName(document, 'forehead')).toBe('forehead 2')
     expect(mirrorArea(document, 'forehead', weightsOf(7)).areas.at(-1)?.name).toBe('forehead 2')
   })
@@ -58,6 +58,6 @@ it.each([
   ['mouthSmile_R', 'mouthSmile', '_R'],
   ['chin', 'chin', ''],
   ['Left', '', 'Left'],
-])('what tells the side of %s is known', (name, start, side) => {
+])('the side of %s is recognised', (name, start, side) => {
   expect(splitSide(name)).toEqual([start, side])
 })

@@ -29,7 +29,7 @@ function operation<T>(
   return values.map((value) => ({ name, run: (document) => run(document, value) }))
 }
 
-/** Operations with arguments that need not fit the document. */
+/** Operations with arguments that may be invalid for the document. */
 const operations: fc.Arbitrary<Operation> = fc.oneof(
   operation('add', area, areas.addEmptyArea),
   operation('remove', area, areas.removeArea),
@@ -48,7 +48,7 @@ const operations: fc.Arbitrary<Operation> = fc.oneof(
   operation('remove driver', fc.nat(9), removeDriver),
 )
 
-/** What an operation makes, or the document itself where it refuses. */
+/** Returns the result of an operation, or the document if the operation refuses. */
 function tried(document: StudioDocument, run: Operation['run']): StudioDocument {
   try {
     return frozen(run(document))
@@ -58,7 +58,7 @@ function tried(document: StudioDocument, run: Operation['run']): StudioDocument 
   }
 }
 
-/** That nothing in a document names what it does not have. */
+/** Checks that nothing in a document names missing items. */
 function checkNames({ areas, layers, strokes, drivers, strokeAreas = [] }: StudioDocument): void {
   const areaNames = areas.map(({ name }) => name)
   const layerNames = layers.map(({ name }) => name)
@@ -72,7 +72,7 @@ function checkNames({ areas, layers, strokes, drivers, strokeAreas = [] }: Studi
 const SEED = { seed: 16, numRuns: 200 }
 
 describe('any sequence of operations', () => {
-  it('never changes a document, and leaves no name of what is gone', () => {
+  it('never changes a document, and leaves no dangling names', () => {
     fc.assert(
       fc.property(fc.array(operations, { maxLength: 40 }), (sequence) => {
         let document = frozen(sampleDocument())
@@ -83,7 +83,7 @@ describe('any sequence of operations', () => {
     )
   })
 
-  it('is undone to the start and redone to the same documents', () => {
+  it('can be undone to the start and redone to the same documents', () => {
     const step = fc.tuple(operations, fc.constantFrom(undefined, 'a', 'b'))
     fc.assert(
       fc.property(fc.array(step, { maxLength: 60 }), (steps) => {

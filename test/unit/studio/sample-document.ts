@@ -43,7 +43,7 @@ export const DRIVERS: readonly WrinkleDriver[] = parseDrivers(
   ['forehead', 'frown', 'cheeks'],
 )
 
-/** Two layers, three areas, three strokes with shapes, and drivers of every kind that names areas. */
+/** Makes two layers, three areas, three strokes with shapes, and drivers of every kind that names areas. */
 export function sampleDocument(): StudioDocument {
   const normal = { mimeType: 'image/png', bytes: Uint8Array.of(1, 2, 3) }
   return {
@@ -85,14 +85,14 @@ export function sampleDocument(): StudioDocument {
   }
 }
 
-/** A document that throws where anything changes it. */
+/** Freezes a document, so that changes throw. */
 export function frozen<T>(value: T): T {
   if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value)) return value
   for (const part of Object.values(value)) frozen(part)
   return Object.freeze(value)
 }
 
-/** Runs tasks, and keeps the messages of those that fail. */
+/** Runs tasks, and collects the messages of failures. */
 export function attempts() {
   const errors: string[] = []
   const attempt = (task: () => void) => {

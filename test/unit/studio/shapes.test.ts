@@ -36,7 +36,7 @@ function open(shapes: StudioDocument['shapes']) {
 }
 
 describe('a correction of a blendshape', () => {
-  it('is kept by the names in the file, and is one step to undo', () => {
+  it("is stored under the file's names, and is one undo step", () => {
     const { session, editor, shapes, corrections } = open(undefined)
     editor.correct('key_2', 'browDown')
     expect(shapes()).toEqual([{ mesh: 'Head', target: 'key_2', shape: 'browDown' }])
@@ -47,7 +47,7 @@ describe('a correction of a blendshape', () => {
     expect(corrections()).toEqual([undefined, undefined, undefined, undefined])
   })
 
-  it('takes the place of another one, and of one by another name of the mesh', () => {
+  it('replaces a previous one, also under another name of the mesh', () => {
     const { editor, shapes, corrections } = open([
       { mesh: 'Other', target: 'key_1', shape: 'jawOpen' },
       { mesh: 'node of the head', target: 'key_1', shape: 'mouthClose' },
@@ -59,7 +59,7 @@ describe('a correction of a blendshape', () => {
     expect(corrections()[0]).toBeNull()
   })
 
-  it('is gone when the blendshape is automatic again, whatever names it', () => {
+  it('is removed when the blendshape is automatic again, whatever names it', () => {
     const other = { mesh: 'Other', target: 'key_1', shape: 'jawOpen' }
     const { editor, shapes, corrections } = open([other, { target: 'browInnerUp', shape: 'browDown' }])
     expect(corrections().slice(2)).toEqual(['browDown', 'browDown'])
@@ -68,7 +68,7 @@ describe('a correction of a blendshape', () => {
     expect(shapes()).toEqual([other])
   })
 
-  it('is one step with those before it while a list is gone through', () => {
+  it('merges with previous ones in one step while going through a list', () => {
     const { session, editor, corrections } = open(undefined)
     editor.correct('key_1', 'browDown')
     editor.correct('key_1', 'browDownLeft')
@@ -95,7 +95,7 @@ describe('automatic wrinkles', () => {
     expect(hasOutdatedWrinkles({ shapes: present, auto: { ...auto, shapes: made } })).toBe(isOutdated)
   })
 
-  it('that are none are not outdated', () => {
+  it('are not outdated if there are none', () => {
     expect(hasOutdatedWrinkles({ shapes })).toBe(false)
   })
 
@@ -109,7 +109,7 @@ describe('studio.json', () => {
   it.each([
     ['a number instead of a list', 5],
     ['a shape that ARKit does not have', [{ target: 'key_1', shape: 'browUpward' }]],
-  ])('with corrections that are %s is read without what was made with them', (_, shapes) => {
+  ])('with corrections that are %s is read without the corrections of its wrinkles', (_, shapes) => {
     const { studio, note } = parseStudioFile({
       version: 1,
       scale: 10,

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { type Scope, SHORTCUTS, shortcutOf } from '../../../studio/src/shortcuts.ts'
 
-/** A key as the browser reports it. */
+/** Key event as the browser reports it. */
 function press(
   key: string,
   ...modifiers: ('Control' | 'Meta' | 'Shift' | 'Alt' | 'AltGraph')[]
@@ -31,19 +31,19 @@ describe('a key', () => {
     expect(shortcutOf('everywhere', event)).toBe(name)
   })
 
-  it('with Shift moves the divider far', () => {
+  it('moves the divider far with Shift', () => {
     expect(shortcutOf('divider', press('ArrowLeft'))).toBe('left')
     expect(shortcutOf('divider', press('ArrowLeft', 'Shift'))).toBe('farLeft')
   })
 
-  it('of a bracket is the same on keyboards that have it on AltGr', () => {
+  it('for brackets also works on keyboards that need AltGr', () => {
     expect(shortcutOf('painting', press('['))).toBe('smaller')
     expect(shortcutOf('painting', press('[', 'Control', 'Alt', 'AltGraph'))).toBe('smaller')
     expect(shortcutOf('painting', press('X', 'Shift'))).toBe('swap')
   })
 })
 
-it('no key does two things in one place', () => {
+it('never does two things in one place', () => {
   for (const scope of Object.keys(SHORTCUTS) as Scope[]) {
     const keys = Object.values(SHORTCUTS[scope]).flatMap(
       (shortcut: { keys: readonly string[] }) => shortcut.keys,

@@ -14,27 +14,27 @@ const faceOf = async (contents: Record<string, string>) => {
   return { face: sorted.face.path, wrinkles: sorted.wrinkles?.name, notes: sorted.notes }
 }
 
-describe('what was dropped', () => {
+describe('a drop', () => {
   it.each(['a.glb', 'a.vrm', 'a.gltf', 'A.GLB'])('is a face: %s', async (name) => {
     expect(await faceOf({ [name]: '' })).toEqual({ face: name, wrinkles: undefined, notes: [] })
   })
 
-  it('is a face of any name, known by its contents', async () => {
+  it('is a face of any name, recognised by its content', async () => {
     expect((await faceOf({ 'notes.txt': 'text', 'avatar.bin': GLB })).face).toBe('avatar.bin')
   })
 
-  it('is the highest of several faces, which a note tells', async () => {
+  it('is the topmost of several faces, with a note', async () => {
     const { face, notes } = await faceOf({ 'a/deep/a.glb': GLB, 'a/z.vrm': GLB, 'a/b.glb': GLB })
     expect(face).toBe('a/b.glb')
     expect(notes).toEqual(['Opened a/b.glb, one of 3 faces'])
   })
 
-  it('is a folder of wrinkles with its face, whatever other faces are there', async () => {
+  it('is a folder of wrinkles with its face, whatever other faces there are', async () => {
     const files = { 'a.glb': GLB, 'my-face/face.glb': GLB, 'my-face/wrinkles.json': '{}' }
     expect(await faceOf(files)).toMatchObject({ face: 'my-face/face.glb', wrinkles: 'my-face' })
   })
 
-  it('is a folder of wrinkles without a document, and a face beside it', async () => {
+  it('is a folder of wrinkles without a document, with a separate face', async () => {
     const files = { 'avatar.vrm': GLB, 'w/layers/up/normal.png': '', 'w/areas/brow.png': '' }
     const sorted = await sortFiles(dropped(files))
     expect(sorted).toMatchObject({ kind: 'avatar', face: { path: 'avatar.vrm' }, wrinkles: { name: 'w' } })
@@ -47,7 +47,7 @@ describe('what was dropped', () => {
     expect(sorted).toMatchObject({ kind: 'wrinkles', wrinkles: { name: 'wrinkles' } })
   })
 
-  it('is images, which are areas, whatever else is there', async () => {
+  it('is images, which become areas, whatever else there is', async () => {
     const sorted = await sortFiles(
       dropped({ 'areas/a.png': '', 'areas/b.JPG': '', 'areas/notes.txt': 'text' }),
     )
@@ -79,13 +79,13 @@ describe('what was dropped', () => {
       'drop a .glb, .vrm or .gltf, a folder of wrinkles, gray images, or a CSV of Live Link Face',
     ],
     ['unknown', '\x00\x01', 'its contents are unknown', 'drop a .glb'],
-  ])('is not usable: %s', async (name, text, problem, remedy) => {
+  ])('is unusable: %s', async (name, text, problem, remedy) => {
     const error = await sortFiles(dropped({ [name]: text })).catch((thrown: Error) => thrown.message)
     expect(error).toContain(`Studio: ${name} is not usable: ${problem}`)
     expect(error).toContain(`; ${remedy}`)
   })
 
-  it('is what is in a .zip, which may be none', async () => {
+  it('is the content of a .zip, which may be unusable', async () => {
     const content = new Uint8Array([1])
     const zip = await zipFolder(
       ['face.glb', 'wrinkles.json'].map((path) => ({ path, content })),
@@ -102,13 +102,13 @@ describe('what was dropped', () => {
     )
   })
 
-  it('is nothing', async () => {
+  it('is empty', async () => {
     await expect(sortFiles([])).rejects.toThrow('Studio: no file was dropped; drop a .glb')
   })
 })
 
 describe('the files of a drop', () => {
-  it('are those of folders too, without hidden ones', async () => {
+  it('include those of folders, without hidden ones', async () => {
     const transfer = transferOf([
       file('a.glb'),
       folder('tex', [
@@ -121,7 +121,7 @@ describe('the files of a drop', () => {
     expect(paths).toEqual(['a.glb', 'tex/deep/b.png'])
   })
 
-  it('are read in folders of more files than a browser lists at once', async () => {
+  it('are read from folders with more files than a browser lists at once', async () => {
     const many = Array.from({ length: 250 }, (_, i) => file(`${i}.png`))
     expect(await filesOfTransfer(transferOf([folder('many', many)]))).toHaveLength(250)
   })
@@ -134,7 +134,7 @@ describe('the files of a drop', () => {
     expect(await filesOfTransfer(transfer)).toEqual([{ path: 'image.png', file: pasted }])
   })
 
-  it('are 5,000 at most, and no folder is followed without end', async () => {
+  it('are at most 5,000, and endless folders are not followed', async () => {
     const many = Array.from({ length: 5001 }, (_, i) => file(`${i}.png`))
     const expected =
       'Studio: too many files in what is dropped at once, allowed: 5,000 files; drop the folder of the avatar alone'
@@ -144,7 +144,7 @@ describe('the files of a drop', () => {
     expect((await filesOfTransfer(transferOf([endless]))).length).toBeLessThan(100)
   })
 
-  it('are named where one cannot be read', async () => {
+  it('are named if one cannot be read', async () => {
     const gone = {
       ...file('gone.glb'),
       file: (_: unknown, fail: (error: Error) => void) => fail(new Error('no')),
@@ -153,7 +153,7 @@ describe('the files of a drop', () => {
     await expect(filesOfTransfer(transferOf([gone as never]))).rejects.toThrow(expected)
   })
 
-  it('have the paths that a folder input gives them', () => {
+  it('have the paths of a folder input', () => {
     const chosen = new File([''], 'a.png')
     Object.defineProperty(chosen, 'webkitRelativePath', { value: 'folder/a.png' })
     expect(filesOfInput([chosen, new File([''], 'b.png')]).map(({ path }) => path)).toEqual([
@@ -168,7 +168,7 @@ function file(name: string): FileSystemEntry {
   return entry as unknown as FileSystemEntry
 }
 
-/** Lists a hundred entries at a time, as Chrome does. */
+/** Lists a hundred entries at a time, like Chrome. */
 function folder(name: string, children: FileSystemEntry[]): FileSystemEntry {
   const createReader = () => {
     let from = 0

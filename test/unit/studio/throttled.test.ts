@@ -9,7 +9,7 @@ afterEach(() => {
   vi.useRealTimers()
 })
 
-it('numbers to be read change a few times a second, and end with the last one', () => {
+it('displayed numbers change a few times a second, and end with the last one', () => {
   const source = signal(0)
   const [slow, stop] = throttled(source, 250)
   const seen: number[] = []
@@ -27,7 +27,7 @@ it('numbers to be read change a few times a second, and end with the last one', 
   expect(slow.value).toBe(60)
 })
 
-it('the first change is seen at once', () => {
+it('the first change shows immediately', () => {
   const source = signal(0)
   const [slow, stop] = throttled(source, 250)
   source.value = 1

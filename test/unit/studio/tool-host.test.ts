@@ -3,11 +3,11 @@ import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import type { StageTool } from '../../../studio/src/tools/stage-tool.ts'
 import { ToolHost } from '../../../studio/src/tools/tool-host.ts'
 
-/** What the tool was told, in order. */
+/** Calls of the tool, in order. */
 let told: string[]
 let stage: EventTarget
 let host: ToolHost
-/** What the tool waits for; null where it is ready. */
+/** Promise that the tool waits for; null if the tool is ready. */
 let waiting: Promise<unknown> | null
 let isTaken: boolean
 
@@ -51,12 +51,12 @@ function draw(from: number, to: number): void {
   send('pointerup', to)
 }
 
-it('gives the pointer to the tool from its beginning to its end', () => {
+it('gives the pointer to the tool from start to end', () => {
   draw(10, 20)
   expect(told).toEqual(['begin 10', 'move 20', 'end'])
 })
 
-it('keeps what the pointer does while the tool waits, and does it then', async () => {
+it('queues pointer events while the tool waits, and then delivers them', async () => {
   let ready = () => {}
   waiting = new Promise<void>((resolve) => {
     ready = resolve
@@ -72,7 +72,7 @@ it('keeps what the pointer does while the tool waits, and does it then', async (
   expect(told).toEqual(['begin 10', 'move 20', 'end', 'begin 30', 'move 40', 'end', 'begin 50', 'move 60'])
 })
 
-it('goes on where what the tool waits for fails, and leaves a pointer that it does not take', async () => {
+it("continues if the tool's wait fails, and releases a pointer that the tool refuses", async () => {
   waiting = Promise.reject(new Error('no skin'))
   isTaken = false
   draw(10, 20)
@@ -81,7 +81,7 @@ it('goes on where what the tool waits for fails, and leaves a pointer that it do
   expect(told).toEqual(['begin 10'])
 })
 
-it('forgets what was kept when another tool is chosen', async () => {
+it('drops queued events when another tool is selected', async () => {
   waiting = Promise.resolve()
   draw(10, 20)
   host.choose(null)

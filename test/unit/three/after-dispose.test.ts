@@ -47,7 +47,7 @@ describe('after dispose', () => {
     expect((mesh.material as MeshStandardMaterial).normalMap).toBeNull()
   })
 
-  it('dispose again does nothing, also to other faces', () => {
+  it('a second dispose does nothing, also to other faces', () => {
     const other = face()
     const draw = frameOf(other.mesh)
     draw()

@@ -14,7 +14,7 @@ const collectGarbage = runInNewContext('gc') as () => void
 
 const FRAMES = 20_000
 
-/** The optimiser runs in parallel and may be late; a real allocation occurs in every round. */
+/** The optimiser runs in parallel and may be late. A real allocation occurs in every round. */
 const ROUNDS = 10
 
 it('allocates nothing per frame during a transition', () => {
@@ -26,7 +26,7 @@ it('allocates nothing per frame during a transition', () => {
   expect(bytesPerFrame(frames)).toBeLessThan(4)
 })
 
-it('allocates nothing per frame in which an area moves', () => {
+it('allocates nothing per frame while an area moves', () => {
   const { mesh, wrinkles } = movingFace()
   const draw = frameOf(mesh)
   const areas = wrinkles.areaNames.slice(0, 1)
@@ -42,7 +42,7 @@ it('allocates nothing per frame in which an area moves', () => {
   expect(wrinkles.getActivation(areas[0])).toBe(0.75)
 })
 
-it("allocates nothing while it reads a VRM's combined blendshapes", () => {
+it("allocates nothing while reading a VRM's combined blendshapes", () => {
   const nodes = [{ mesh: 0 }]
   const happy = { morphTargetBinds: [0, 1].map((index) => ({ node: 0, index, weight: 0.5 })) }
   const extensions = { VRMC_vrm: { expressions: { preset: { happy } } } }
@@ -60,7 +60,7 @@ it("allocates nothing while it reads a VRM's combined blendshapes", () => {
   expect([names, values]).toEqual([['cheek', 'mouth', 'happy'], Float64Array.of(0.45, 0.45, 0.9)])
 })
 
-/** Minimum over some rounds. Reading the heap size allocates a little itself; one number per frame would be 16 bytes. */
+/** Minimum over several rounds. Reading the heap size allocates a little; one number per frame would be 16 bytes. */
 function bytesPerFrame(frames: (count: number) => void): number {
   frames(FRAMES) // warm-up for the optimiser
   const used = Array.from({ length: ROUNDS }, () => {
@@ -72,7 +72,7 @@ function bytesPerFrame(frames: (count: number) => void): number {
   return Math.min(...used)
 }
 
-/** A face with every blendshape and area that the expressions use. */
+/** Creates a face with every blendshape and area that the expressions use. */
 function movingFace() {
   const targets = [...new Set(EXPRESSIONS.flatMap((expression) => Object.keys(expression.targets)))]
   const areas = [...new Set(EXPRESSIONS.flatMap((expression) => Object.keys(expression.activations)))]

@@ -17,13 +17,13 @@ import { RecomputedNormals as RecomputedOnGpu, Wrinkles as WebGPUWrinkles } from
 import { describe, expect, it } from 'vitest'
 import { expectRefused, face, plain, set } from './refused.ts'
 
-/** What plain JavaScript may pass. */
+/** Lets tests pass values that only plain JavaScript can. */
 const any = (value: unknown) => value as never
 
-/** Beginnings of the errors of calls. */
+/** Calls, with the start of the error of each. */
 type Calls = [start: RegExp, run: () => unknown][]
 
-describe('wrong arguments are refused in one line', () => {
+describe('invalid arguments are refused in one line', () => {
   const { mesh, wrinkles } = face()
   const [area] = set().areas
   const { normal } = set().layers[0]

@@ -12,7 +12,7 @@ const normal = { width: 2, height: 2, data: new Uint8Array(16).fill(255) }
 const layer = (name: string, maps: Partial<Layer>): Layer => ({ name, kind: 'detail', normal, ...maps })
 
 describe('blood on the GPU', () => {
-  it('needs no further texture beside the occlusion', () => {
+  it('shares its texture with the occlusion', () => {
     const layers = [
       layer('both', { occlusion: gray(10), blood: gray(200), bloodAmplitude: 0.25 }),
       layer('neither', {}),
@@ -28,7 +28,7 @@ describe('blood on the GPU', () => {
     expect(textures.bloodAmplitude.value.toArray()).toEqual([0.25, 0, 0.5, 1])
   })
 
-  it('costs nothing where there is none', () => {
+  it('costs nothing if missing', () => {
     const { values } = createTextures([layer('plain', { occlusion: gray(10) })], 1)
     expect(Object.keys(values)).toEqual(['occlusion'])
     expect((values.occlusion!.texture.image as { data: Uint8Array }).data).toHaveLength(4)

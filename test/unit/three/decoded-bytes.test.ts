@@ -3,7 +3,7 @@ import { expect, test, vi } from 'vitest'
 
 const decoded = vi.hoisted(() => ({ count: 0 }))
 
-// Images of the size that their first byte times 1024 tells.
+// Fake images whose first byte times 1024 is their size.
 vi.mock('../../../packages/furrow/src/runtime/file/decode-image.ts', () => ({
   decodeBytes: async ([side]: Uint8Array) => {
     decoded.count++
@@ -11,7 +11,7 @@ vi.mock('../../../packages/furrow/src/runtime/file/decode-image.ts', () => ({
   },
 }))
 
-/** A parser of a file with two faces, each with layers whose normal maps have these sides. */
+/** Returns a parser of a file with two faces, each with layers whose normal maps have these sizes. */
 function parserOf(...faces: number[][]) {
   const sides = faces.flat()
   let next = 0
@@ -42,12 +42,12 @@ const read = (...faces: number[][]) => {
   return Promise.allSettled(faces.map((_, material) => ofMaterial(material)))
 }
 
-test('images of 512 MiB together are loaded', async () => {
+test('images of 512 MiB in total are loaded', async () => {
   const [face] = await read([8, 8])
   expect(face).toMatchObject({ status: 'fulfilled' })
 })
 
-test('more are refused, and what follows is not decoded', async () => {
+test('more are refused, and later ones are not decoded', async () => {
   const [face] = await read([8, 8, 8, 8])
   expect(face).toMatchObject({
     status: 'rejected',

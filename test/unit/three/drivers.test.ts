@@ -27,9 +27,9 @@ describe('addDrivers', () => {
     mesh.morphTargetInfluences![1] = 0.1
     head.rotation.x = 0.4
     wrinkles.inputs.set('age', 50)
-    // The square is 30% narrower, so that 0.3 are of tension and 0.5 * 0.6 of the blendshape.
+    // The square is 30% narrower: 0.3 from tension, and 0.5 * 0.6 from the blendshape.
     expect(activations()).toEqual([0.6, 0.6, 0.4])
-    // Moving the mesh as a whole changes nothing.
+    // Moving the complete mesh changes nothing.
     mesh.position.set(1, 2, 3)
     mesh.rotation.y = 2
     expect(activations()).toEqual([0.6, 0.6, 0.4])
@@ -42,14 +42,14 @@ describe('addDrivers', () => {
     ['names are numbers out of order', ['7', '3', 'jawOpen'], '3', 1],
     ['several blendshapes have one name', ['jawOpen', 'jawOpen', 'browDownLeft'], 'browDownLeft', 2],
     ['another has the same name, by its index', ['jawOpen', 'jawOpen', 'browDownLeft'], '0', 0],
-  ])('reads the weight of the right blendshape where %s', (_, targets, name, index) => {
+  ])('reads the weight of the right blendshape if %s', (_, targets, name, index) => {
     const { mesh, activations } = drivenFace([morph('brow', name)], targets)
     expect(activations()[0]).toBe(0)
     mesh.morphTargetInfluences![index] = 0.5
     expect(activations()[0]).toBe(0.5)
   })
 
-  it('keeps the drivers before, which setDrivers replaces', () => {
+  it('keeps existing drivers, which setDrivers replaces', () => {
     const [brow, nose, neck] = [
       morph('brow', 'browDownLeft'),
       morph('nose', 'jawOpen'),
@@ -68,7 +68,7 @@ describe('addDrivers', () => {
     expect(wrinkles.drivers).toEqual([])
   })
 
-  it('leaves the drivers as they are where one of the new ones is malformed', () => {
+  it('keeps existing drivers if a new one is malformed', () => {
     const brow = morph('brow', 'browDownLeft')
     const { mesh, wrinkles, activations } = drivenFace([brow])
     expect(() => addDrivers(wrinkles, [{ type: 'morph', area: 'nose' }])).toThrow(/got "morph"; read them by/)
@@ -80,7 +80,7 @@ describe('addDrivers', () => {
     expect(activations()).toEqual([0.5, 0.2, 0])
   })
 
-  it('wrinkles of another mesh have its drivers, and may get others', () => {
+  it('wrinkles of another mesh share its drivers, and can get others', () => {
     const { mesh, wrinkles } = drivenFace([morph('brow', 'browDownLeft')])
     const copy = mesh.clone()
     copy.material = mesh.material.clone()
@@ -103,7 +103,7 @@ describe('addDrivers', () => {
       measure: 'angle',
       curve: STRAIGHT,
     })
-    // The mesh itself is not a bone: its driver starts from the pose that it finds.
+    // The mesh itself is not a bone, so its driver starts from the current pose.
     const { mesh, head, wrinkles, activations } = drivenFace([])
     mesh.name = 'body'
     head.rotation.x = 0.4

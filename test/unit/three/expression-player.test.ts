@@ -9,7 +9,7 @@ const EXPRESSIONS: Expression[] = [
   { name: 'shout', targets: { jawOpen: 1 }, activations: { area0: 1 } },
 ]
 
-it('starts from the current state of the face, also if sliders have changed it', () => {
+it('starts from the current state of the face, also after sliders changed it', () => {
   const { mesh, wrinkles } = face()
   const player = new ExpressionPlayer(mesh, wrinkles, EXPRESSIONS)
   mesh.morphTargetInfluences![0] = 0.8
@@ -29,7 +29,7 @@ it('does not change the face after the transition', () => {
   expect(mesh.morphTargetInfluences![0]).toBe(0.2)
 })
 
-it('measures the time if it is not given', () => {
+it('measures time if none is given', () => {
   const now = vi.spyOn(performance, 'now').mockReturnValue(5000)
   const { mesh, wrinkles } = face()
   const player = new ExpressionPlayer(mesh, wrinkles, EXPRESSIONS)
@@ -63,7 +63,7 @@ it('moves a face without wrinkles', () => {
   expect(mesh.morphTargetInfluences).toEqual([1])
 })
 
-it('brings areas that an expression does not name back to rest', () => {
+it('returns areas that an expression does not name to rest', () => {
   const mesh = blendMesh('jawOpen')
   const { areas, layers } = set()
   const scarred = areas.map((area, i) => (i === 0 ? { ...area, activation: 0.75 } : area))

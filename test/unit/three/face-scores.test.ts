@@ -8,7 +8,7 @@ const scoreList = (scores: Record<string, number>) =>
 
 afterEach(() => vi.restoreAllMocks())
 
-it('moves every mesh of the face, whatever its spelling, and keeps other blendshapes', () => {
+it('moves every mesh of the face in any spelling, and keeps other blendshapes', () => {
   const warn = vi.spyOn(console, 'warn')
   const skin = blendMesh('browDown_L', 'browInnerUp_L', 'browInnerUp_R', 'tongueOut')
   const lashes = blendMesh('Fcl.browDownLeft')
@@ -23,7 +23,7 @@ it('moves every mesh of the face, whatever its spelling, and keeps other blendsh
   expect(warn).not.toHaveBeenCalled()
 })
 
-it('warns once of the names that the face lacks', () => {
+it('logs one warning for names that the face lacks', () => {
   const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
   const face = blendMesh('jawOpen')
   const scores = new FaceScores(face)

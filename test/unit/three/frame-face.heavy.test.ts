@@ -26,7 +26,7 @@ import {
 import { anyIO, HUMAN } from '../cli/auto-variants.ts'
 import { toVRoid } from '../cli/vroid.ts'
 
-/** Where a camera is and what it looks at, as it frames a file. */
+/** Camera and its target after framing a file. */
 interface Shot {
   camera: PerspectiveCamera
   target: Vector3
@@ -34,7 +34,7 @@ interface Shot {
 
 type Change = (document: Document) => unknown
 
-/** The bounds of the shipped face's skin. */
+/** Bounds of the shipped face's skin. */
 const SKIN = { min: [-0.104, 0.62, -0.05], max: [0.104, 0.907, 0.17] }
 const MIDDLE = new Vector3().fromArray([0, 1, 2].map((k) => (SKIN.min[k]! + SKIN.max[k]!) / 2))
 
@@ -53,7 +53,7 @@ test('the shipped face fills nine tenths of the height, seen from the front', ()
   expect(high! - low!).toBeLessThan(2 * 0.95)
 })
 
-/** Each draws the same face in the same place. */
+/** Variants of the same face in the same place. */
 const SAME: readonly [string, Change][] = [
   ...Object.entries(FORMATS),
   ['with unknown names alone', unname],
@@ -61,18 +61,18 @@ const SAME: readonly [string, Change][] = [
   ['whose quantisation was undone', (d) => d.transform(quantize(), dequantize())],
 ]
 
-test.each(SAME)('a face %s is framed alike', async (_, change) => {
+test.each(SAME)('a face %s is framed the same', async (_, change) => {
   expectLike(await frame(change), plain)
 })
 
-test("a VRoid avatar that looks along -Z is seen from there, as VRM 0's are", async () => {
+test("a VRoid avatar that looks along -Z is seen from its front, like VRM 0's", async () => {
   expectLike(await frame(toVRoid), plain, 180)
 })
 
 test.each([0, 5, 30, 90, 145, 180, -90])(
   'a face turned by %d degrees is seen from the front',
   async (degrees) => {
-    // Within ten degrees of an axis it is seen along that axis.
+    // Within ten degrees of an axis the face is seen along that axis.
     const seen = degrees === 5 ? 0 : degrees
     const { camera, target } = await frame((d) => turnScene(d, degrees))
     const back = camera.position.clone().sub(target).setY(0)
@@ -90,7 +90,7 @@ test('a mirrored face is seen from the front', async () => {
   expect(camera.position.z).toBeGreaterThan(target.z)
 })
 
-test.each([0.01, 1, 100])('a face scaled by %d is framed alike', async (factor) => {
+test.each([0.01, 1, 100])('a face scaled by %d is framed the same', async (factor) => {
   const { camera, target } = await frame((d) => {
     for (const node of d.getRoot().listScenes()[0]!.listChildren()) node.setScale([factor, factor, factor])
   })
@@ -101,7 +101,7 @@ test.each([0.01, 1, 100])('a face scaled by %d is framed alike', async (factor) 
   expect(camera.far).toBeGreaterThan(camera.position.distanceTo(target) + 0.2 * factor)
 })
 
-describe('of an avatar with a body, the head is framed', () => {
+describe('only the head of an avatar with a body is framed:', () => {
   const BODY_SHAPES = ['Body_Fat', 'Body_Thin', 'Body_Tall', 'Body_Young']
 
   test.each<[string, Change]>([
@@ -155,7 +155,7 @@ test.each(SCANS)('a scan without wrinkles is seen from the front', async ({ path
   expect(camera.position.z).toBeGreaterThan(target.z)
 })
 
-test('the views are as their angles say, from where the face looks', async () => {
+test("views follow their angles, relative to the face's direction", async () => {
   const turned = await load(await changed((d) => turnScene(d, 90)))
   const from = (view: FaceView) => {
     const { camera, target } = shoot(turned, view)
@@ -185,7 +185,7 @@ test('damaged vertices are ignored', async () => {
   expectLike(shoot(scene), plain)
 })
 
-test('a narrow picture shows the whole head', async () => {
+test('a narrow picture shows the complete head', async () => {
   const camera = new PerspectiveCamera(22, 0.4)
   frameFace(camera, await load(await changed(() => {})))
   camera.updateMatrixWorld()
@@ -201,13 +201,16 @@ test('an object without triangles is refused', () => {
   }
 })
 
-test.each([0, 180])('a VRM 0 without blendshapes, turned by %d degrees after loading', async (degrees) => {
-  const scene = await load(await changed(asVrm0((d) => addBody(d), only(/^$/))))
-  // As VRMUtils.rotateVRM0 does.
-  scene.rotation.y = (degrees * Math.PI) / 180
-  const { camera, target } = shoot(scene)
-  expect(Math.sign(camera.position.z - target.z)).toBe(degrees === 0 ? -1 : 1)
-})
+test.each([0, 180])(
+  'a VRM 0 without blendshapes is seen from the front when turned by %d degrees after loading',
+  async (degrees) => {
+    const scene = await load(await changed(asVrm0((d) => addBody(d), only(/^$/))))
+    // Same as VRMUtils.rotateVRM0.
+    scene.rotation.y = (degrees * Math.PI) / 180
+    const { camera, target } = shoot(scene)
+    expect(Math.sign(camera.position.z - target.z)).toBe(degrees === 0 ? -1 : 1)
+  },
+)
 
 test.each([
   [1, 1],
@@ -215,7 +218,7 @@ test.each([
   [0.4, 1],
   [1, 100],
 ])(
-  'an orthographic picture %d times as wide as high shows the whole head, %d units high',
+  'an orthographic picture %d times as wide as high shows the complete head, %d units high',
   async (aspect, height) => {
     const [x, y] = [(height * aspect) / 2, height / 2]
     const camera = new OrthographicCamera(-x, x, y, -y)
@@ -232,12 +235,12 @@ test.each([
   },
 )
 
-/** Turns a file to look along -Z, as VRM 0's do. */
+/** Turns a file to look along -Z, like VRM 0's. */
 function asVrm0(...changes: Change[]): Change {
   return (d) => d.transform(...(changes as never[]), (d: Document) => turnScene(d, 180))
 }
 
-/** Shapes of one name keep having one name. */
+/** Shapes with equal names keep equal names. */
 function unname(document: Document): void {
   const numbers = new Map<string, string>()
   const number = (name: string) => numbers.get(name) ?? numbers.set(name, `Key ${numbers.size}`).get(name)!
@@ -261,7 +264,7 @@ function only(pattern: RegExp): Change {
 
 async function changed(change: Change): Promise<Document> {
   const document = await (await anyIO()).readBinary(new Uint8Array(file))
-  // Node has no images, and the camera does not need them.
+  // Node has no images, and the camera needs none.
   for (const texture of document.getRoot().listTextures())
     if (change !== transformCoordinates && change !== quantiseCoordinates) texture.dispose()
   await change(document)
@@ -286,7 +289,7 @@ async function frame(change: Change): Promise<Shot> {
   return shoot(await load(await changed(change)))
 }
 
-/** Within a millimetre, turned round the upright axis. */
+/** Expects equal shots within a millimetre, rotated about the vertical axis. */
 function expectLike(shot: Shot, other: Shot, degrees = 0): void {
   const turned = (point: Vector3) =>
     point.clone().applyAxisAngle(new Vector3(0, 1, 0), (degrees * Math.PI) / 180)
@@ -294,7 +297,7 @@ function expectLike(shot: Shot, other: Shot, degrees = 0): void {
   expect(shot.camera.position.distanceTo(turned(other.camera.position)), 'camera').toBeLessThan(2e-3)
 }
 
-/** A point in the picture, -1 to 1 in both directions. */
+/** Projects a point to the picture, -1 to 1 in both directions. */
 function onScreen(camera: PerspectiveCamera, x: number, y: number, z: number): Vector3 {
   return new Vector3(x, y, z).project(camera)
 }

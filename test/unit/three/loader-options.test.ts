@@ -24,7 +24,7 @@ describe.each([WebGLPlugin, WebGPUPlugin])('the loader plugin', (Plugin) => {
   })
 })
 
-it('a wrinkle set brings its drivers', () => {
+it("adds a wrinkle set's drivers", () => {
   const mesh = blendMesh('jawOpen')
   mesh.morphTargetInfluences![0] = 1
   const set: WrinkleSet = { ...randomSet(seeded(1), 1, 8), drivers: [morph('area0', 'jawOpen')] }
@@ -33,7 +33,7 @@ it('a wrinkle set brings its drivers', () => {
   expect(wrinkles.getActivation('area0')).toBe(1)
 })
 
-it('a class of its own that extends Wrinkles has instances of its own only', () => {
+it('tracks instances of a class that extends Wrinkles separately', () => {
   class Own extends Wrinkles {}
   const create = (Class: typeof Wrinkles) => new Class(blendMesh(), randomSet(seeded(1), 1, 2))
   expect(create(Own)).toBeInstanceOf(Own)

@@ -18,7 +18,7 @@ const createSet = (): WrinkleSet => ({
 
 const face = () => new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
 
-/** The texels of its textures of normals and occlusion. */
+/** Returns the texels of its textures of normals and occlusion. */
 function texelsOf(wrinkles: WrinklesBase): Uint8Array[] {
   const { normals, values } = meshOf(wrinkles).shaderInputs.textures
   return [normals, values.occlusion!].map(
@@ -26,32 +26,29 @@ function texelsOf(wrinkles: WrinklesBase): Uint8Array[] {
   )
 }
 
-/** With another layer, whose maps share arrays with those of the first. */
+/** Set with another layer, whose maps share arrays with those of the first. */
 const createLayered = (): WrinkleSet => {
   const { layers, areas } = createSet()
   const second = { name: 'pores', kind: 'replace' as const, normal: map(254, 4), occlusion: map(201, 1) }
   return { layers: [...layers, second], areas }
 }
 
-it.each([createSet, createLayered])(
-  'maps of a file are in memory once, those of their textures',
-  (create) => {
-    const set = create()
-    const values = set.layers.map(({ normal, occlusion }) => [normal.data[0], occlusion!.data[0]])
-    const wrinkles = new Wrinkles(face(), new ReadSet(set))
-    const [normals, occlusions] = texelsOf(wrinkles)
-    for (const [i, { normal, occlusion }] of set.layers.entries()) {
-      expect(normal.data).toEqual(normals.subarray(16 * i, 16 * (i + 1)))
-      expect(occlusion!.data).toEqual(occlusions.subarray(4 * i, 4 * (i + 1)))
-      expect(normal.data.buffer).toBe(normals.buffer)
-      expect(occlusion!.data.buffer).toBe(occlusions.buffer)
-      expect([normal.data[0], occlusion!.data[0]]).toEqual(values[i])
-    }
-    wrinkles.dispose()
-  },
-)
+it.each([createSet, createLayered])('maps of a file are in memory once, in their textures', (create) => {
+  const set = create()
+  const values = set.layers.map(({ normal, occlusion }) => [normal.data[0], occlusion!.data[0]])
+  const wrinkles = new Wrinkles(face(), new ReadSet(set))
+  const [normals, occlusions] = texelsOf(wrinkles)
+  for (const [i, { normal, occlusion }] of set.layers.entries()) {
+    expect(normal.data).toEqual(normals.subarray(16 * i, 16 * (i + 1)))
+    expect(occlusion!.data).toEqual(occlusions.subarray(4 * i, 4 * (i + 1)))
+    expect(normal.data.buffer).toBe(normals.buffer)
+    expect(occlusion!.data.buffer).toBe(occlusions.buffer)
+    expect([normal.data[0], occlusion!.data[0]]).toEqual(values[i])
+  }
+  wrinkles.dispose()
+})
 
-it.each([createSet, createLayered])('maps of a set that a page made remain its own', (create) => {
+it.each([createSet, createLayered])("maps of a set made by a page stay the page's own", (create) => {
   const set = create()
   const images = set.layers.flatMap(({ normal, occlusion }) => [normal, occlusion!])
   const given = images.map(({ data }) => data)
@@ -67,7 +64,7 @@ it.each([createSet, createLayered])('maps of a set that a page made remain its o
   wrinkles.dispose()
 })
 
-it('an image that two layers have is not changed where one of them is', () => {
+it('an image shared by two layers does not change when one of them does', () => {
   const { layers, areas } = createLayered()
   for (const layer of layers) layer.normal = layers[0].normal
   const wrinkles = new Wrinkles(face(), new ReadSet({ layers, areas }))

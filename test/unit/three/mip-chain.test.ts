@@ -21,7 +21,7 @@ const decode = (byte: number) => {
 const encode = (light: number) =>
   255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055)
 
-describe('the mipmaps of a changed slice', () => {
+describe('mipmaps of a changed slice', () => {
   it.each([
     [16, 16, 4],
     [32, 4, 1],
@@ -51,7 +51,7 @@ describe('the mipmaps of a changed slice', () => {
     }
   })
 
-  it('average colours as light, and their opacity as it is', () => {
+  it('average colours as linear light, and their opacity unchanged', () => {
     const { texture, data } = arrayTexture(8, 8, 4, SRGBColorSpace)
     const [, half] = new MipChain(texture, SLICE).levels
     for (let c = 0; c < 4; c++) {
@@ -66,7 +66,7 @@ describe('the mipmaps of a changed slice', () => {
     { x0: 5, y0: 3, x1: 9, y1: 4 },
     { x0: 0, y0: 0, x1: 1, y1: 1 },
     { x0: 15, y0: 15, x1: 16, y1: 16 },
-  ])('are the same when only those of a rectangle are computed again: %j', (bounds) => {
+  ])("are the same when only a rectangle's are recomputed: %j", (bounds) => {
     const { texture, data } = arrayTexture(16, 16, 4)
     const chain = new MipChain(texture, SLICE)
     for (let y = bounds.y0; y < bounds.y1; y++)
@@ -78,7 +78,7 @@ describe('the mipmaps of a changed slice', () => {
     expect(chain.levels.map((level) => [...level.data])).toEqual(whole.levels.map((level) => [...level.data]))
   })
 
-  it('are left to the GPU for sides that are no powers of two, and do not exist without a filter for them', () => {
+  it('are left to the GPU for sides that are no powers of two, and do not exist without a mipmap filter', () => {
     expect(new MipChain(arrayTexture(12, 16, 1).texture, SLICE).levels).toHaveLength(1)
     const { texture } = arrayTexture(16, 16, 1)
     texture.minFilter = LinearFilter

@@ -21,7 +21,7 @@ import { afterEach, describe, expect, it, vi } from 'vitest'
 import { ramp } from '../../drivers.ts'
 import { expectRefused, face, plain, set } from './refused.ts'
 
-/** Values that only plain JavaScript passes. */
+/** Values that only plain JavaScript can pass. */
 const any = (value: unknown) => value as never
 
 const { mesh, wrinkles } = face()
@@ -121,7 +121,7 @@ describe('mistakes', () => {
       /^ExpressionPlayer: the wrinkles of the face, got "a list of 0"/,
       () => new babylon.ExpressionPlayer(any({}), any([])),
     ],
-  ])('one error names what is right: %s', (error, run) => {
+  ])('throw one error with the remedy: %s', (error, run) => {
     expectRefused(run, error)
   })
 
@@ -138,7 +138,7 @@ describe('mistakes', () => {
       /^wrinklesOf: files have no wrinkles before registerWrinkleMaps is called; /,
       () => [babylon.wrinklesOf({ meshes: [] }), babylon.wrinklesOf({ meshes: [] })],
     ],
-  ])('one warning: %s', async (warning, run) => {
+  ])('log one warning: %s', async (warning, run) => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     await Promise.all([run()].flat())
     expect(warn.mock.calls).toEqual([[expect.stringMatching(warning)]])

@@ -27,7 +27,7 @@ describe('addMuscles', () => {
       typeof mesh.geometry.morphAttributes
     >
     expect(position.map(({ name }) => name)).toEqual(['a', 'b'])
-    // The middle of the sheet moves by a quarter of the muscle's length; the edge does not move.
+    // The middle of the sheet moves by a quarter of the muscle's length. The edge does not move.
     const middle = 40
     expect(position[0].getZ(middle)).toBeCloseTo(-0.25, 6)
     expect(position[0].getZ(0)).toBe(0)
@@ -64,7 +64,7 @@ describe('addMuscles', () => {
   })
 })
 
-it('drivers of a face add its muscles to all its meshes, once to a geometry that several have', () => {
+it('drivers of a face add its muscles to all its meshes, once per shared geometry', () => {
   const { mesh, wrinkles } = face()
   const [other, twin, late] = [new PlaneGeometry(), mesh.geometry, new PlaneGeometry()].map(
     (geometry) => new Mesh(geometry, mesh.material),

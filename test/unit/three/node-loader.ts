@@ -5,7 +5,7 @@ import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { vi } from 'vitest'
 import { decodeArray } from '../../../packages/files/src/ktx2/ktx2.ts'
 
-/** Decodes as a browser does, though by another library. */
+/** Decodes like a browser, with another library. */
 async function createImageBitmap(blob: Blob) {
   const bytes = new Uint8Array(await blob.arrayBuffer())
   const image = sharp(bytes, { failOn: 'truncated', ignoreIcc: true }).toColourspace('srgb').ensureAlpha()
@@ -13,7 +13,7 @@ async function createImageBitmap(blob: Blob) {
   return { width: info.width, height: info.height, data: new Uint8Array(data), close() {} }
 }
 
-/** Transcodes for nothing, and returns textures of the right kind and size. */
+/** Fake transcoder that returns textures of the right kind and size. */
 const ktx2Loader = {
   async loadAsync(url: string): Promise<CompressedTexture> {
     const bytes = new Uint8Array(await (await fetch(url)).arrayBuffer())
@@ -25,7 +25,7 @@ const ktx2Loader = {
   },
 }
 
-/** Loads a file with three.js's GLTFLoader, in Node. */
+/** Loads a file with three.js's GLTFLoader in Node. */
 export async function loadInNode(bytes: Uint8Array): Promise<GLTF> {
   vi.stubGlobal('self', globalThis)
   vi.stubGlobal('createImageBitmap', createImageBitmap)

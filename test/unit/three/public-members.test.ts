@@ -9,7 +9,7 @@ const MEMBERS = [
 ]
 const OF_THREE = ['cloneMaterial', 'createInfluenceMaterial', 'relief', 'reliefReady']
 
-/** Names of everything that can be reached on an object, but for those that all objects have. */
+/** Lists the names of everything reachable on an object, except members that all objects have. */
 function membersOf(object: object): string[] {
   const names = new Set<string>()
   for (let own = object; own !== Object.prototype; own = Object.getPrototypeOf(own))
@@ -20,8 +20,8 @@ function membersOf(object: object): string[] {
 
 it.each([
   ['three.js', face().wrinkles, [...MEMBERS, ...OF_THREE]],
-  // Its maps need a GPU.
+  // Babylon.js's maps need a GPU.
   ['Babylon.js', BabylonWrinkles.prototype, MEMBERS],
-])('wrinkles of %s have the documented members alone', (_, wrinkles, members) => {
+])('wrinkles of %s have only the documented members', (_, wrinkles, members) => {
   expect(membersOf(wrinkles)).toEqual([...members].sort())
 })

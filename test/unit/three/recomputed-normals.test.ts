@@ -3,7 +3,7 @@ import { Float32BufferAttribute, Mesh, PlaneGeometry, SphereGeometry } from 'thr
 import { describe, expect, it } from 'vitest'
 import { seeded } from '../../random.ts'
 
-/** A ball with two random blendshapes that move coincident vertices alike. */
+/** Creates a ball with two random blendshapes that move coincident vertices equally. */
 function ball(relative = true) {
   const geometry = new SphereGeometry(1, 20, 14)
   const { position } = geometry.attributes

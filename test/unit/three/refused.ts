@@ -5,17 +5,17 @@ import { blendMesh } from '../../blend-mesh.ts'
 import { randomSet } from '../../cases.ts'
 import { seeded } from '../../random.ts'
 
-/** Wrinkles, always the same. */
+/** Deterministic wrinkles. */
 export const set = () => randomSet(seeded(1), 2, 8)
 
-/** A face with one blendshape, and wrinkles. */
+/** Creates a face with one blendshape, and wrinkles. */
 export function face() {
   const mesh = blendMesh('jawOpen')
   mesh.name = 'head'
   return { mesh, wrinkles: new Wrinkles(mesh, set()) }
 }
 
-/** Expects an error of the library that begins, or reads, as said, and none of JavaScript's own. */
+/** Expects a library error whose message matches, and no JavaScript error. */
 export function expectRefused(run: () => unknown, start: RegExp) {
   let error: unknown
   try {
@@ -28,5 +28,5 @@ export function expectRefused(run: () => unknown, start: RegExp) {
   expect((error as Error).message).not.toMatch(/undefined is not|Cannot read|reading '/)
 }
 
-/** A mesh without either. */
+/** Creates a mesh without blendshapes and wrinkles. */
 export const plain = () => blendMesh()

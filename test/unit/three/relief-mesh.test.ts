@@ -17,7 +17,7 @@ import { createReliefMesh } from '../../../packages/furrow/src/three/relief/reli
 /** Metres per unit of quantised positions. */
 const SCALE = 0.1
 
-/** A triangle with positions of -1..1, as quantised files have it. */
+/** Triangle with positions of -1..1, like quantised files. */
 function quantised(): BufferGeometry {
   const geometry = new BufferGeometry()
   const positions = Int16Array.of(-32767, -32767, 0, 32767, -32767, 0, 0, 32767, 32767)
@@ -38,7 +38,7 @@ function skinned(): Mesh {
   const mesh = new SkinnedMesh(quantised(), new MeshStandardMaterial())
   const bone = new Bone()
   mesh.add(bone)
-  // The inverse bind matrix takes quantised positions to metres.
+  // The inverse bind matrix converts quantised positions to metres.
   mesh.bind(new Skeleton([bone], [new Matrix4().makeScale(SCALE, SCALE, SCALE)]), new Matrix4())
   return mesh
 }
@@ -60,7 +60,7 @@ test.each([
   ['a skinned mesh', skinned],
   ['a mesh that its node scales', scaled],
   ['an instanced mesh', instanced],
-])('relief leaves the bounds of %s as they are', (_, create) => {
+])('relief keeps the bounds of %s', (_, create) => {
   const mesh = create()
   mesh.updateMatrixWorld(true)
   const boxes = () => [false, true].map((isPrecise) => new Box3().setFromObject(mesh, isPrecise))

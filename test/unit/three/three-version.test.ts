@@ -46,7 +46,7 @@ const SET: WrinkleSet = {
   areas: [{ name: 'nose', weights: { width: 1, height: 1, data: new Uint8Array(1) } }],
 }
 
-/** What every guard's error ends with. */
+/** End of every guard's error. */
 const found = (name: string) =>
   new RegExp(
     `three\\.js lacks ${name}, got "r${REVISION}", allowed: up to r${NEWEST_THREE}; install a three\\.js release`,
@@ -65,7 +65,7 @@ describe('the versions of three.js', () => {
   it.each([
     ['furrow/three', WebGLWrinkles],
     ['furrow/webgpu', Wrinkles],
-  ] as const)('are checked by %s before the mesh is', (entry, Wrinkles) => {
+  ] as const)('are checked by %s before the mesh', (entry, Wrinkles) => {
     const oldest = OLDEST_THREE[entry]
     shown.revision = String(oldest - 1)
     const message = `Wrinkles of ${entry}: three.js is too old, got "r${oldest - 1}", allowed: r${oldest} or later; npm install three@^0.${oldest}.0`
@@ -76,7 +76,7 @@ describe('the versions of three.js', () => {
 })
 
 describe('internals of three.js', () => {
-  it('are passed on where they are there, false and 0 included', () => {
+  it('are passed on if they exist, including false and 0', () => {
     for (const value of [0, false, '', {}])
       expect(requireInternal(value, 'Wrinkles', 'x', REVISION)).toBe(value)
     for (const value of [null, undefined])
@@ -91,7 +91,7 @@ describe('internals of three.js', () => {
       'workerPool.setWorkerCreator',
       { init: async () => {}, transcoderBinary: new ArrayBuffer(0), workerSourceURL: 'blob:' },
     ],
-  ])('are named where KTX2Loader lacks %s', async (name, internals) => {
+  ])('are named if KTX2Loader lacks %s', async (name, internals) => {
     const ktx2Loader = Object.assign(new (class KTX2Loader {})(), {
       workerConfig: { dxtSupported: true },
       ...internals,
@@ -109,7 +109,7 @@ describe('internals of three.js', () => {
     await expect(loadMapArray(parser as never, 0, () => {})).rejects.toThrow(found(`KTX2Loader.${name}`))
   })
 
-  it('are named where WebGLRenderer lacks what it knows of a target', () => {
+  it("are named if WebGLRenderer lacks a target's state", () => {
     const texture = {} as Texture
     const hasContents = (renderer: object) =>
       quadMaterials.hasContents(renderer as WebGLRenderer, { texture } as never)
@@ -122,7 +122,7 @@ describe('internals of three.js', () => {
     )
   })
 
-  it('are named where a batch draws in an order that cannot be read', () => {
+  it('are named if a batch draws in an order that cannot be read', () => {
     const batch = new BatchedMesh(1, 3, 3, new MeshStandardMaterial())
     expect(() => checkBatch(batch)).not.toThrow()
     const { getDrawIndex } = NodeBuilder.prototype as unknown as { getDrawIndex: unknown }

@@ -14,10 +14,10 @@ const CAPTURE: Capture = {
   ]),
 }
 
-/** A face of meshes with these blendshapes. */
+/** Returns a face of meshes with these blendshapes. */
 const faceOf = (...meshes: string[][]) => new Group().add(...meshes.map((names) => blendMesh(...names)))
 
-/** Weights of the meshes at a time. */
+/** Returns the weights of the meshes at a time. */
 function weightsAt(face: Group, time: number): number[][] {
   const mixer = new AnimationMixer(face)
   mixer.clipAction(captureClip(CAPTURE, face)).play()
@@ -33,7 +33,7 @@ it.each([
   expect(weightsAt(faceOf(names), 1)).toEqual([[0.5, 0.25]])
 })
 
-it('a capture moves every mesh, and both halves of a blendshape that the avatar has in two', () => {
+it('a capture moves every mesh, and both halves of a split blendshape', () => {
   const face = faceOf(['jawOpen', 'smile'], ['browInnerUp_L', 'browInnerUp_R', 'jawOpen'])
   expect(weightsAt(face, 1)).toEqual([
     [0.25, 0],
@@ -41,7 +41,7 @@ it('a capture moves every mesh, and both halves of a blendshape that the avatar 
   ])
 })
 
-it('a capture for a face without any of its blendshapes is refused', () => {
+it('a capture is refused if the face has none of its blendshapes', () => {
   expect(() => captureClip(CAPTURE, faceOf(['Fcl_ALL_Joy']))).toThrow(
     'Studio: the face has none of the blendshapes in take, allowed: names of ARKit, such as browInnerUp; name its',
   )

@@ -29,8 +29,8 @@ const refused = (text: BlobPart) =>
     ({ name, message }: Error) => `${name}: ${message}`,
   )
 
-describe('a take of Live Link Face', () => {
-  it('has the weights of its blendshapes over time, also past midnight, and no rotations', async () => {
+describe('a Live Link Face take', () => {
+  it('has its blendshape weights over time, also past midnight, and no rotations', async () => {
     const { name, times, weights } = await read(TAKE)
     expect(name).toBe('take')
     expect([...times]).toEqual([0, Math.fround(1 / 60), Math.fround(2 / 60)])
@@ -47,13 +47,13 @@ describe('a take of Live Link Face', () => {
     ['it has tabs', textOf(TAKE, '\t')],
     ['its cells are quoted', textOf(TAKE.map((cells) => cells.map((cell) => `"${cell}"`)))],
     ['its last row is cut off', `${textOf(TAKE)}00:00:00:01.250,9,0.`],
-  ])('is the same where %s', async (_, text) => {
-    // Fractions of frames in decimal commas are not meant.
+  ])('is read the same with %s', async (_, text) => {
+    // Decimal commas cannot have fractional frames.
     const restored = text.replace(/:(\d\d),(\d+)/g, ':$1.$2')
     expect(await readLiveLinkFace(file(restored))).toEqual(await read(TAKE))
   })
 
-  it('may lack columns, and have others in another order', async () => {
+  it('may lack columns, and may have columns in another order', async () => {
     const short = TAKE.map((cells) => [cells[3], cells[0]])
     const { weights } = await read(short)
     expect([...weights]).toEqual([['JawOpen', (await read(TAKE)).weights.get('JawOpen')]])
@@ -71,7 +71,7 @@ describe('a take of Live Link Face', () => {
     expect(times[2]).toBe(1)
   })
 
-  it('leaves out frames that are not later than the last one', async () => {
+  it('skips frames that are not later than the last one', async () => {
     const { times, weights } = await read([
       HEADER,
       row('10:00:00:00', 0.1),
@@ -95,10 +95,10 @@ describe('a take of Live Link Face', () => {
   })
 })
 
-describe('a cell that is skipped', () => {
+describe('a skipped cell', () => {
   const take = (...rows: string[]) => readLiveLinkFace(file(`Timecode,JawOpen,JawLeft\n${rows.join('\n')}\n`))
 
-  it('of a weight lies between its neighbours, or is the nearest', async () => {
+  it('of a weight is interpolated between its neighbours, or takes the nearest', async () => {
     const { weights } = await take(
       '1:0:0:0,,',
       '1:0:0:1,0.2,',
@@ -120,13 +120,13 @@ describe('a cell that is skipped', () => {
     ['at the end', ['1:0:0:0', '1:0:0:1', '17']],
     ['everywhere', ['0', '1', '2']],
     ['over midnight', ['23:59:59:59', '', '0:0:0:1']],
-  ])('of a timecode lies between its neighbours: %s', async (_, timecodes) => {
+  ])('of a timecode is interpolated between its neighbours: %s', async (_, timecodes) => {
     const { times } = await take(...timecodes.map((timecode) => `${timecode},0.5,0`))
     expect([...times].map((time) => Math.round(60 * time))).toEqual([0, 1, 2])
   })
 })
 
-describe('what cannot be played is told in one line', () => {
+describe('an unplayable take is reported in one line:', () => {
   const header = `${HEADER.join(',')}\n`
   it.each([
     ['nothing', '', 'its first row has no Timecode, allowed: a CSV of Live Link Face'],

@@ -6,7 +6,7 @@ import { sampleDocument } from '../sample-document.ts'
 
 const prepared: unknown[] = []
 
-/** A worker that notes what it is asked to prepare, and draws nothing. */
+/** Worker that records what it is asked to prepare, and draws nothing. */
 function FakeWorker() {
   const { port1, port2 } = new MessageChannel()
   const service = {
@@ -34,7 +34,7 @@ describe('the worker that draws strokes', () => {
     vi.unstubAllGlobals()
   })
 
-  it('is told which stroke may be edited next by its index in the layer, and when it is none', async () => {
+  it('receives the index in the layer of the stroke that may be edited next, or none', async () => {
     const stroke = sampleDocument().strokes[0]
     const others = [{ ...stroke }, stroke]
     await drawing.draw(stroke.layer, others, null)
@@ -43,7 +43,7 @@ describe('the worker that draws strokes', () => {
     expect(prepared).toEqual([{ layer: stroke.layer, index: 1 }, null])
   })
 
-  it('is not asked to prepare a stroke that it has not drawn: what it prepares goes on', async () => {
+  it('keeps preparing if the next stroke was not drawn by it', async () => {
     const stroke: LayerStroke = sampleDocument().strokes[0]
     await drawing.prepare(stroke)
     await drawing.draw(stroke.layer, [stroke], null)

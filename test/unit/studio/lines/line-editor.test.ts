@@ -21,7 +21,7 @@ beforeEach(() => {
   editor.mode.value = 'edit'
 })
 
-/** The sample with areas of another size: the first covers the upper half, the others nothing. */
+/** Returns the sample with areas of another size: the first covers the upper half, the others nothing. */
 function documentOn(size: number): StudioDocument {
   const sample = sampleDocument()
   const areas = sample.areas.map((area, n) => {
@@ -35,10 +35,10 @@ function documentOn(size: number): StudioDocument {
 const strokes = () => session.document.value!.strokes
 const before = () => documentOn(SIZE).strokes
 
-describe('a chosen line', () => {
+describe('a selected line', () => {
   beforeEach(() => editor.choose(strokes()[0]))
 
-  test('is bent in one step however often its point moves, stays chosen, and is automatic no more', () => {
+  test('is bent in one step however often its point moves, stays selected, and counts as hand-edited', () => {
     editor.point.value = 0
     for (const v of [0.3, 0.35, 0.4]) editor.movePoint([0.1, v])
     editor.settle()
@@ -56,7 +56,7 @@ describe('a chosen line', () => {
     expect(editor.chosen.value).toBe(strokes()[0])
   })
 
-  test('takes its area along where a point is moved off it, in the same step; elsewhere the area stays', () => {
+  test('extends its area if a point is moved off it, in the same step; otherwise the area stays', () => {
     const area = () => session.document.value!.areas[0]
     const at = ([u, v]: Uv) => area().weights.data[Math.floor(v * SIZE) * SIZE + Math.floor(u * SIZE)]
     editor.choose(strokes().find(({ group }) => group === area().name)!)
@@ -69,14 +69,14 @@ describe('a chosen line', () => {
     for (const v of [0.6, 0.7, 0.8]) editor.movePoint([0.2, v])
     editor.settle()
     expect(at([0.2, 0.8])).toBeGreaterThan(200)
-    // Not where the pointer has been on its way.
+    // Not along the pointer's path.
     expect(at([0.05, 0.6])).toBe(0)
     session.undo()
     expect(area().weights).toBe(weights)
     expect(editor.chosen.value!.points[0]).toEqual([0.2, 0.4])
   })
 
-  test('is removed whole, whichever point is chosen', () => {
+  test('is removed completely, whichever point is selected', () => {
     editor.point.value = 0
     const count = strokes().length
     expect(editor.pointCount).toBe(2)
@@ -85,7 +85,7 @@ describe('a chosen line', () => {
     expect([editor.chosen.value, editor.point.value, editor.pointCount]).toEqual([null, -1, 0])
   })
 
-  test('two gestures are two steps', () => {
+  test('has one step per gesture', () => {
     editor.point.value = 0
     editor.movePoint([0.1, 0.3])
     editor.settle()
@@ -95,7 +95,7 @@ describe('a chosen line', () => {
     expect(strokes()[0].points[0]).toEqual([0.1, 0.3])
   })
 
-  test('takes a new point where it is clicked, and loses it again', () => {
+  test('gets a new point on click, and loses it again', () => {
     editor.insertPoint(0.5)
     expect(strokes()[0].points.length).toBe(3)
     expect(editor.point.value).toBe(1)
@@ -104,7 +104,7 @@ describe('a chosen line', () => {
     expect(strokes().length).toBe(3)
   })
 
-  test('is removed where no point is chosen, and where only two are left', () => {
+  test('is removed if no point is selected, or if only two are left', () => {
     editor.point.value = 1
     editor.remove()
     expect(strokes()).toEqual(before().slice(1))
@@ -118,7 +118,7 @@ describe('a chosen line', () => {
     expect(strokes()[1].points[0]).toEqual(strokes()[0].points.at(-1))
   })
 
-  test('is mirrored: its image is added and chosen', () => {
+  test('is mirrored, and its mirror image is added and selected', () => {
     editor.point.value = 0
     editor.movePoint([0.3, 0.2])
     editor.mirror()
@@ -137,7 +137,7 @@ describe('a chosen line', () => {
     expect(session.undoLabel.value).toBeUndefined()
   })
 
-  test('gets banks and a lean, each a step', () => {
+  test('gets banks and a lean, in a step each', () => {
     editor.setShape({ bank: [5, 5] })
     editor.setShape({ bank: [6, 6] })
     editor.setShape({ lean: -0.3 })
@@ -160,13 +160,13 @@ describe('a chosen line', () => {
   })
 })
 
-describe('a line that is drawn', () => {
+describe('a drawn line', () => {
   beforeEach(() => {
     editor.mode.value = 'draw'
     editor.setShape({ width: 5, depth: 1 })
   })
 
-  test('belongs to the area under it and has the shape that is set', () => {
+  test('belongs to the area under it and has the set shape', () => {
     editor.draw(across(0.3, 0.2, 0.8))
     expect(strokes()[3]).toMatchObject({
       group: 'forehead',
@@ -181,13 +181,13 @@ describe('a line that is drawn', () => {
     expect(strokes()).toEqual(before())
   })
 
-  test('gets an area of its own where there is none', () => {
+  test('gets a new area if there is none', () => {
     editor.draw(across(0.8, 0.2, 0.8))
     expect(strokes()[3].group).toBe('lines')
     expect(session.document.value!.areas.at(-1)).toMatchObject({ name: 'lines', activation: 1 })
   })
 
-  test('widens the area that is named', () => {
+  test('widens the named area', () => {
     editor.setGroup('frown')
     editor.draw(across(0.8, 0.2, 0.8))
     const { areas } = session.document.value!
@@ -197,7 +197,7 @@ describe('a line that is drawn', () => {
   })
 })
 
-test('nothing stays chosen when automatic wrinkles are made anew', () => {
+test('nothing stays selected when automatic wrinkles are made again', () => {
   editor.choose(strokes()[0])
   session.edit('Make automatic wrinkles', (document) => ({
     ...document,

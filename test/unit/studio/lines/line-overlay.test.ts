@@ -3,7 +3,7 @@ import { LineOverlay, seenParts } from '../../../../studio/src/lines/line-overla
 import type { ProjectedLine } from '../../../../studio/src/lines/project-lines.ts'
 import { strokeOf } from '../sample-document.ts'
 
-/** A line with points 0.5 pixels apart. */
+/** Line with points 0.5 pixels apart. */
 const line = (isSeen: boolean[]) => ({
   x: Float32Array.from(isSeen, (_, i) => i / 2),
   y: new Float32Array(isSeen.length),
@@ -16,7 +16,7 @@ describe('a line over the face', () => {
     expect(seenParts(line([true, true]))).toEqual([[0, 1]])
   })
 
-  it('has a part for each stretch that is seen, to the point behind it', () => {
+  it('has a part for each visible stretch, up to the first hidden point', () => {
     const isSeen = [true, true, false, false, ...Array(9).fill(true), false, false]
     expect(seenParts(line(isSeen))).toEqual([
       [0, 2],
@@ -28,8 +28,8 @@ describe('a line over the face', () => {
   describe('among others', () => {
     afterEach(() => vi.unstubAllGlobals())
 
-    it('is hovered, chosen again and drawn without drawing the others again, until they move', () => {
-      /** Curves and their shadows that are drawn on each canvas. */
+    it('is hovered, selected again and drawn without redrawing the others until they move', () => {
+      /** Counts curves and their shadows drawn on each canvas. */
       const strokes: number[] = []
       const createElement = () => {
         const own = strokes.push(0) - 1

@@ -37,7 +37,7 @@ beforeEach(() => {
   })
 })
 
-/** The sheet as seen from straight above: its texture, of which the right tenth is not skin. */
+/** The sheet's texture seen from above; the right tenth is not skin. */
 function pick({ origin: { x, y } }: Ray): SkinHit | undefined {
   if (x > 0.9 * SIDE) return undefined
   const position = [x / 10, y / 10, 0] as const
@@ -63,12 +63,12 @@ function at(x: number, y: number, shift = false): StagePointer {
 
 const strokes = () => session.document.value!.strokes
 
-test('a pointer beside all lines is the camera’s', () => {
+test('a pointer off all lines moves the camera', () => {
   expect(tool.begin(at(500, 300))).toBe(false)
   expect(editor.chosen.value).toBeNull()
 })
 
-test('a click chooses the line under it and changes nothing', () => {
+test('a click selects the line under it and changes nothing', () => {
   const { value: document } = session.document
   expect(tool.begin(at(500, 204))).toBe(true)
   tool.end()
@@ -76,7 +76,7 @@ test('a click chooses the line under it and changes nothing', () => {
   expect(session.document.value).toBe(document)
 })
 
-test('a point of the chosen line follows the pointer over the skin in one step, and stays where that leaves it', () => {
+test("a point of the selected line follows the pointer over the skin in one step, and stops at the skin's edge", () => {
   editor.choose(strokes()[0])
   expect(tool.begin(at(104, 203))).toBe(true)
   tool.move([at(120, 250), at(130, 260)])
@@ -89,7 +89,7 @@ test('a point of the chosen line follows the pointer over the skin in one step, 
   expect(session.undoLabel.value).toBeUndefined()
 })
 
-test('Escape puts the point back', () => {
+test('Escape restores the point', () => {
   editor.choose(strokes()[0])
   tool.begin(at(100, 200))
   tool.move([at(150, 300)])
@@ -97,7 +97,7 @@ test('Escape puts the point back', () => {
   expect(strokes()[0].points[0]).toEqual([0.1, 0.2])
 })
 
-test('a click with Shift on the chosen line adds a point there, which the same step moves', () => {
+test('a click with Shift on the selected line adds a point, and the same step moves it', () => {
   editor.choose(strokes()[0])
   tool.begin(at(500, 202, true))
   tool.move([at(500, 260)])
@@ -108,7 +108,7 @@ test('a click with Shift on the chosen line adds a point there, which the same s
   expect(strokes()[0].points.length).toBe(2)
 })
 
-test('a stroke on free skin becomes a line of few points; off the skin it is the camera’s', () => {
+test('a stroke on free skin becomes a line of few points; off the skin it moves the camera', () => {
   editor.mode.value = 'draw'
   expect(tool.begin(at(950, 700))).toBe(false)
   expect(tool.begin(at(200, 700))).toBe(true)
@@ -126,7 +126,7 @@ test('a stroke on free skin becomes a line of few points; off the skin it is the
   expect(strokes().length).toBe(3)
 })
 
-test('Escape, or a mere click, draws nothing', () => {
+test('Escape or a plain click draws nothing', () => {
   editor.mode.value = 'draw'
   tool.begin(at(200, 700))
   tool.end()

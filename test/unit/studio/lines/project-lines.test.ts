@@ -7,7 +7,7 @@ import { sampleDocument } from '../sample-document.ts'
 
 const SIZE = [800, 600] as const
 
-/** A skin on which every line has two points. */
+/** Skin on which every line has two points. */
 const skin = {
   follow() {},
   lineOf: vi.fn((_: LayerStroke) => ({
@@ -40,7 +40,7 @@ beforeEach(() => {
   project(strokes)
 })
 
-test('only a line that changed is looked for again', () => {
+test('only a changed line is projected again', () => {
   const bent = { ...strokes[1] }
   const { projected, searched } = project(strokes.with(1, bent))
   expect(searched).toEqual([bent])
@@ -48,7 +48,7 @@ test('only a line that changed is looked for again', () => {
   expect(project(strokes.with(1, bent)).searched).toEqual([])
 })
 
-test('all lines are looked for again when the camera, the face or the stage changes', () => {
+test('all lines are projected again when the camera, the face or the stage changes', () => {
   const before = project(strokes).projected[0]
   camera.position.x = 1
   const moved = project(strokes)

@@ -4,13 +4,13 @@ import { type PathPoint, reducePath } from '../../../../studio/src/lines/reduce-
 
 const point = (x: number, y: number): PathPoint => ({ position: [x, y, 0], uv: [x / 100, y / 100] })
 
-/** An arc of 60 mm with the tremor of a hand. */
+/** Arc of 60 mm with a hand's tremor. */
 const arc = Array.from({ length: 200 }, (_, i) => {
   const t = (Math.PI * i) / 199
   return point(30 - 30 * Math.cos(t), 20 * Math.sin(t) + 0.1 * Math.sin(17 * i))
 })
 
-test('the way of a pointer becomes a spline of few points that follows it', () => {
+test("a pointer's path becomes a spline of few points that follows it", () => {
   const reduced = reducePath(arc)
   expect(reduced.length).toBeGreaterThan(2)
   expect(reduced.length).toBeLessThan(12)
@@ -26,12 +26,12 @@ test('the way of a pointer becomes a spline of few points that follows it', () =
   }
 })
 
-test('a straight way has two points, however many the pointer reports', () => {
+test('a straight path has two points, however many the pointer reports', () => {
   const straight = Array.from({ length: 500 }, (_, i) => point(i / 10, 3))
   expect(reducePath(straight).length).toBe(2)
 })
 
-test('a way that comes back to where it began is a loop', () => {
+test('a path that returns to its start is a loop', () => {
   const loop = Array.from({ length: 101 }, (_, i) => {
     const t = (2 * Math.PI * (i % 100)) / 100
     return point(50 + 10 * Math.cos(t), 50 + 10 * Math.sin(t))

@@ -34,7 +34,7 @@ const paintOn = (
 const largestDifference = (a: GrayImage, b: GrayImage) =>
   a.data.reduce((worst, value, i) => Math.max(worst, Math.abs(value - b.data[i])), 0)
 
-/** Fractions of the way along a line of points. */
+/** Returns points at even fractions along a polyline. */
 const along = (skin: PaintSkin, corners: readonly [number, number][], samples: number): SkinPoint[] => {
   const lengths = corners.slice(1).map(([x, y], i) => Math.hypot(x - corners[i][0], y - corners[i][1]))
   const total = lengths.reduce((sum, length) => sum + length, 0)
@@ -49,7 +49,7 @@ const along = (skin: PaintSkin, corners: readonly [number, number][], samples: n
 }
 
 describe('the falloff of a brush', () => {
-  it('is full where its softness has not begun, half in the middle of it and nothing from its radius on', () => {
+  it('is full inside the softness, half in its middle and zero from the radius on', () => {
     expect(falloff(0, 10, 1)).toBe(1)
     expect(falloff(5.9, 10, 0.4)).toBe(1)
     expect(falloff(8, 10, 0.4)).toBeCloseTo(0.5, 12)
@@ -57,7 +57,7 @@ describe('the falloff of a brush', () => {
     expect(falloff(10, 10, 0.4)).toBe(0)
   })
 
-  it('is an edge where the brush is hard', () => {
+  it('is an edge for a hard brush', () => {
     expect(falloff(9.999, 10, 0)).toBe(1)
     expect(falloff(10, 10, 0)).toBe(0)
   })
@@ -68,7 +68,7 @@ describe('a dab', () => {
   const map = skin.mapOf(SIZE)
 
   it.each([0, 0.3, 1])(
-    'of softness %d has its falloff on both sides of a seam, and beyond it',
+    'of softness %d has its falloff on both sides of a seam, and beyond the seam',
     (softness) => {
       const image = paintOn(skin, [pointNear(skin, 5, 8)], { softness })
       let [below, above, beyond, worst] = [0, 0, 0, 0]
@@ -105,7 +105,7 @@ describe('a dab', () => {
     }
   })
 
-  it('leaves alone a lip that is near the other and not connected with it within reach', () => {
+  it('does not reach a nearby lip that is not connected within its radius', () => {
     const mouth = paintSkin(lips())
     const image = paintOn(mouth, [pointNear(mouth, -10, 2)])
     const weights = onIslands(mouth, image)
@@ -140,7 +140,7 @@ describe('a stroke', () => {
       { flow, radius: 6 },
     )
     const lengths = corners.slice(1).map(([x, y], i) => Math.hypot(x - corners[i][0], y - corners[i][1]))
-    // All corners among them.
+    // Includes all corners.
     const points = corners.slice(1).flatMap((corner, i) => {
       const count = Math.round(lengths[i] / 0.34)
       return along(skin, [corners[i], corner], count).slice(i === 0 ? 0 : 1)
@@ -149,7 +149,7 @@ describe('a stroke', () => {
     expect(largestDifference(few, paintOn(skin, points, { flow, radius: 6 }))).toBeLessThanOrEqual(1)
   })
 
-  it('depends on the distance from its line only, across seams', () => {
+  it('depends only on the distance from its line, across seams', () => {
     const image = paintOn(skin, [pointNear(skin, -20, -20), pointNear(skin, 20, 30)], { softness: 1 })
     const length = Math.hypot(40, 50)
     let worst = 0
@@ -159,11 +159,11 @@ describe('a stroke', () => {
       const distance = Math.abs((x + 20) * 50 - (y + 20) * 40) / length
       worst = Math.max(worst, Math.abs(weight - 255 * falloff(distance, 15, 1)))
     }
-    // Between two dabs the distance is a little more.
+    // The distance is slightly larger between two dabs.
     expect(worst).toBeLessThanOrEqual(2)
   })
 
-  it('approaches its opacity by its flow where it rests or passes again, and never covers more', () => {
+  it('approaches its opacity by its flow where it rests or passes again, and never exceeds it', () => {
     const point = pointNear(skin, 0, -10)
     const [, beside] = [point, pointNear(skin, 0, -10.001)]
     const peak = (points: SkinPoint[], settings: Partial<Brush>) =>
@@ -171,11 +171,11 @@ describe('a stroke', () => {
     expect(peak([point], { flow: 0.25 })).toBe(Math.round(0.25 * 255))
     const again = [point, pointNear(skin, 20, -10), pointNear(skin, -20, -10), pointNear(skin, 20, -10)]
     expect(peak(again, { flow: 0.25, opacity: 0.6 })).toBe(Math.round(0.6 * 255))
-    // A pointer that does not move adds nothing.
+    // A still pointer adds nothing.
     expect(peak([point, point, beside, point], { flow: 0.25 })).toBe(Math.round(0.25 * 255))
   })
 
-  it('is as soft at full flow wherever it passes twice', () => {
+  it('is equally soft at full flow where it passes twice', () => {
     const line = [pointNear(skin, -20, -20), pointNear(skin, 20, -20)]
     const [once, thrice] = [paintOn(skin, line), paintOn(skin, [...line, line[0], line[1]])]
     let worst = 0
@@ -185,7 +185,7 @@ describe('a stroke', () => {
     expect(worst).toBeLessThanOrEqual(2)
   })
 
-  it('adds to what is there, and removes it', () => {
+  it('adds to existing weights, and removes them', () => {
     const point = pointNear(skin, 0, -10)
     const half = empty(SIZE, 128)
     const centre = (image: GrayImage) => {
@@ -201,20 +201,20 @@ describe('a stroke', () => {
     expect(half.data.every((weight) => weight === 128)).toBe(true)
   })
 
-  it('is fainter where the pen presses less, evenly from point to point', () => {
+  it('is fainter with less pen pressure, evenly from point to point', () => {
     const stroke = new BrushStroke(empty(SIZE), brush({ radius: 5, softness: 0 }), skin)
     stroke.moveTo(pointNear(skin, -40, -20), 0)
     stroke.moveTo(pointNear(skin, 40, -20), 1)
     let worst = 0
     for (const { x, y, weight } of placesOf(skin.mapOf(SIZE), stroke.end().image)) {
       if (Math.abs(y + 20) > 2 || Math.abs(x) > 30) continue
-      // The dab with the hardest pressure that covers a texel is about a radius further on.
+      // The strongest dab that covers a texel is about a radius further along.
       worst = Math.max(worst, Math.abs(weight / 255 - (x + 40 + 5) / 80))
     }
     expect(worst).toBeLessThan(0.02)
   })
 
-  it('begins anew where it was off the face', () => {
+  it('restarts after leaving the face', () => {
     const ends = [pointNear(skin, -30, -30), pointNear(skin, 30, -30)]
     const apart = paintOn(skin, [ends[0], undefined, ends[1]], { radius: 5 })
     const places = [...placesOf(skin.mapOf(SIZE), apart)]
@@ -222,7 +222,7 @@ describe('a stroke', () => {
     expect(paintOn(skin, [undefined]).data.every((weight) => weight === 0)).toBe(true)
   })
 
-  it('begins anew where the skin does not connect two points', () => {
+  it('restarts where the skin does not connect two points', () => {
     const mouth = paintSkin(lips())
     const image = paintOn(mouth, [pointNear(mouth, -20, 20), pointNear(mouth, -20, -20)], { radius: 5 })
     const weights = onIslands(mouth, image)
@@ -233,7 +233,7 @@ describe('a stroke', () => {
     ).toBe(true)
   })
 
-  it('tells after each move what it changed, and at the end all of it', () => {
+  it('reports its changes after each move, and all of them at the end', () => {
     const image = empty(SIZE)
     const stroke = new BrushStroke(image, brush({ radius: 4 }), skin)
     let before = image.data.slice()
@@ -248,7 +248,7 @@ describe('a stroke', () => {
     expect(image.data.every((weight) => weight === 0)).toBe(true)
   })
 
-  it('changes nothing, and says so, where it is off the face', () => {
+  it('changes nothing off the face, and says so', () => {
     const stroke = new BrushStroke(empty(SIZE), brush(), skin)
     expect(stroke.moveTo(undefined)).toBeUndefined()
     expect(stroke.end().dirty).toBeUndefined()
@@ -258,7 +258,7 @@ describe('a stroke', () => {
 describe('a stroke in the texture', () => {
   const skin = paintSkin(cutSheet())
 
-  it('paints the skin on the other side of a seam too', () => {
+  it('also paints the skin on the other side of a seam', () => {
     const stroke = new BrushStroke(empty(SIZE), brush({ radius: 8 }), skin)
     // Just below the seam at y = 10, on the left of the texture.
     stroke.moveInTexture(0.2, 0.69)
@@ -266,7 +266,7 @@ describe('a stroke in the texture', () => {
     expect(places.some(({ y, isBeyondIsland, weight }) => y > 12 && !isBeyondIsland && weight > 0)).toBe(true)
   })
 
-  it('goes straight in the texture and does not cross the skin between two islands', () => {
+  it('is straight in the texture and does not cross the skin between two islands', () => {
     const stroke = new BrushStroke(empty(SIZE), brush({ radius: 2 }), skin)
     stroke.moveInTexture(0.1, 0.8)
     stroke.moveInTexture(0.9, 0.7)
@@ -278,7 +278,7 @@ describe('a stroke in the texture', () => {
   })
 })
 
-describe('what cannot be painted with', () => {
+describe('invalid input for painting', () => {
   const skin = paintSkin(plainSheet())
   it.each([
     [{ radius: 0 }, 'radius'],
@@ -305,7 +305,7 @@ describe('what cannot be painted with', () => {
     expect(() => new BrushStroke(image, brush(), skin)).toThrow(FurrowError)
   })
 
-  it('as a pressure counts as none or full', () => {
+  it('is replaced by no or full pressure', () => {
     for (const [pressure, peak] of [
       [-1, 0],
       [Number.NaN, 0],
@@ -318,7 +318,7 @@ describe('what cannot be painted with', () => {
   })
 })
 
-/** Where an image differs from weights. */
+/** Returns the bounds in which an image differs from weights. */
 function boundsOf(before: Uint8Array, { width, data }: GrayImage) {
   const changed = [...data.keys()].filter((i) => data[i] !== before[i])
   if (changed.length === 0) return undefined

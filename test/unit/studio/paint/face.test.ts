@@ -25,15 +25,15 @@ describe.each(FACES)('painting on %s', async (_, path, name) => {
   const map = skin.mapOf(SIZE)
   const near = (x: number, y: number, z: number): SkinPoint => skin.mirrored([-x, y, z])
 
-  it('is in millimetres in the frame of the face', () => {
-    // Across the eyes, whose middles are 63 mm apart, the face is about twice as wide.
+  it("is in millimetres in the face's frame", () => {
+    // The face is about twice as wide at the eyes, whose middles are 63 mm apart.
     const [left, right] = [near(200, 0, 0), near(-200, 0, 0)]
     expect(left.position[0] - right.position[0]).toBeGreaterThan(110)
     expect(left.position[0] - right.position[0]).toBeLessThan(200)
     expect(Math.abs(left.position[0] + right.position[0])).toBeLessThan(10)
   })
 
-  it('leaves no trace at seams of the texture, wherever they are', () => {
+  it('leaves no trace at any seam of the texture', () => {
     const seams = seamPoints(skin)
     const chosen = seams.filter((_, i) => i % Math.ceil(seams.length / 12) === 0)
     let beyond = 0
@@ -43,7 +43,7 @@ describe.each(FACES)('painting on %s', async (_, path, name) => {
         ...place,
         distance: Math.hypot(place.x - position[0], place.y - position[1], place.z - position[2]),
       }))
-      // On the two triangles of the edge, and where either continues beyond its island as far as filtering reads.
+      // On the two triangles of the edge, and where they continue beyond their islands for filtering.
       const beside = places.filter(({ triangle, distance }) => triangles.includes(triangle) && distance < 9)
       const wrong = beside.filter(
         ({ weight, distance }) => Math.abs(weight - 255 * falloff(distance, 9, 1)) > 1,
@@ -51,7 +51,7 @@ describe.each(FACES)('painting on %s', async (_, path, name) => {
       expect(wrong).toEqual([])
       beyond += beside.filter(({ isBeyondIsland }) => isBeyondIsland).length
     }
-    // The texture of the scan has no seams.
+    // The scan's texture has no seams.
     expect(beyond > 20 || seams.length === 0).toBe(true)
   })
 
@@ -74,7 +74,7 @@ describe.each(FACES)('painting on %s', async (_, path, name) => {
 
   it('does not reach the lower lip from the upper one', () => {
     const picker = new SkinPicker(skin.meshes, skin, skin.made)
-    // Up the middle of the face: the lips part where the way over the skin from one point to the next goes into the mouth.
+    // Moves up the middle of the face. The lips part where the path over the skin goes into the mouth.
     const centre = new Vector3()
     mesh.geometry.computeBoundingBox()
     mesh.geometry.boundingBox!.getCenter(centre).applyMatrix4(mesh.matrixWorld)
@@ -95,7 +95,7 @@ describe.each(FACES)('painting on %s', async (_, path, name) => {
   })
 })
 
-/** The middles of edges where the texture is cut, and the two triangles of each. */
+/** Returns the middles of edges where the texture is cut, and the two triangles of each. */
 function seamPoints({ skin: { uvs, indices }, surface }: ReturnType<typeof paintSkin>) {
   const { adjacent, corners, skinTriangles, pointOf, points } = surface
   const found: { position: SkinPoint['position']; triangles: [number, number] }[] = []
@@ -115,7 +115,7 @@ function seamPoints({ skin: { uvs, indices }, surface }: ReturnType<typeof paint
   return found
 }
 
-/** Points at even fractions of the way along a path; the last is its end. */
+/** Returns points at even fractions along a path, including its end. */
 function divided(path: readonly SkinPoint[], count: number): SkinPoint[] {
   const lengths = path.slice(1).map(({ position: [x, y, z] }, i) => {
     const [fromX, fromY, fromZ] = path[i].position

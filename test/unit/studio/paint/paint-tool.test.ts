@@ -10,7 +10,7 @@ import { empty, pickerOf, plainSheet, pointerAt } from './skins.ts'
 const SIZE = 64
 const area: StudioArea = { name: 'cheek', layer: 'up', combine: 'sum', activation: 0, weights: empty(SIZE) }
 
-/** A tool on a sheet, and what it has shown, kept and asked for. */
+/** Creates a tool on a sheet that records what the tool shows, stores and requests. */
 function toolOnSheet() {
   const { skin, picker } = pickerOf(plainSheet())
   const [shown, kept]: GrayImage[][] = [[], []]
@@ -28,7 +28,7 @@ function toolOnSheet() {
 
 const total = ({ data }: GrayImage) => data.reduce((sum, weight) => sum + weight, 0)
 
-it('shows a stroke once per frame while it grows, and keeps it once when it ends', () => {
+it('shows a growing stroke once per frame, and stores it once at its end', () => {
   const { tool, shown, kept, calls } = toolOnSheet()
   expect(tool.begin(pointerAt(0, 0))).toBe(true)
   tool.move([pointerAt(0.01, 0), pointerAt(0.02, 0)])
@@ -45,7 +45,7 @@ it('shows a stroke once per frame while it grows, and keeps it once when it ends
   expect(total(area.weights)).toBe(0)
 })
 
-it('shows the old weights again after a stroke is cancelled, and keeps nothing', () => {
+it('restores the old weights after a stroke is cancelled, and stores nothing', () => {
   const { tool, shown, kept } = toolOnSheet()
   tool.begin(pointerAt(0, 0))
   tool.showStroke()
@@ -55,20 +55,20 @@ it('shows the old weights again after a stroke is cancelled, and keeps nothing',
   expect(kept).toEqual([])
 })
 
-it('leaves the pointer to the camera beside the face and with Alt', () => {
+it('leaves the pointer to the camera off the face and with Alt', () => {
   const { tool } = toolOnSheet()
   expect(tool.begin(pointerAt(0.2, 0))).toBe(false)
   expect(tool.begin(pointerAt(0, 0, { alt: true }))).toBe(false)
 })
 
-it('keeps nothing of a stroke that changes no weight', () => {
+it('stores no stroke that changes no weight', () => {
   const { tool, kept } = toolOnSheet()
   tool.begin(pointerAt(0, 0, { pressure: 0 }))
   tool.end()
   expect(kept).toEqual([])
 })
 
-it('tells where the brush is over the face, and that it has left', () => {
+it('reports the brush position over the face, and when the brush leaves', () => {
   const { tool, calls } = toolOnSheet()
   tool.hover(pointerAt(0, 0))
   tool.hover(pointerAt(0.2, 0))
@@ -80,7 +80,7 @@ it.each([
   [0, 0, 1],
   [1, 0, 0],
   [0.6, 0.8, 0],
-])('the outline of the brush lies across the normal %f, %f, %f', (...components) => {
+])('the outline of the brush is perpendicular to the normal %f, %f, %f', (...components) => {
   const [centre, normal] = [new Vector3(1, 2, 3), new Vector3(...components)]
   for (const corner of circle(centre, normal, 0.5)) {
     expect(corner.distanceTo(centre)).toBeCloseTo(0.5, 9)

@@ -32,11 +32,11 @@ import {
 } from './skins.ts'
 
 describe('picking', () => {
-  it('finds the triangle, where it is at rest, and in the texture', () => {
+  it('finds the triangle, its position at rest and in the texture', () => {
     const { picker, skin } = pickerOf(cutSheet())
     const hit = picker.pick(rayAt(0.012, 0.031))!
     for (const [k, value] of [12, 31, 0].entries()) expect(hit.position[k]).toBeCloseTo(value, 4)
-    // In the upper island, which is turned.
+    // In the upper island, which is rotated.
     expect(hit.uv[0]).toBeCloseTo(0.98 - 0.4 * (21 / 40), 5)
     expect(hit.uv[1]).toBeCloseTo(0.02 + 0.9 * 0.62, 5)
     expect(hit.point.distanceTo(new Vector3(0.012, 0.031, 0))).toBeLessThan(1e-6)
@@ -46,7 +46,7 @@ describe('picking', () => {
     expect(mixed).toBeCloseTo(12, 4)
   })
 
-  it('finds nothing off the face, and nothing from behind a skin that has one side', () => {
+  it('finds nothing off the face, and nothing behind one-sided skin', () => {
     const { picker } = pickerOf(plainSheet())
     expect(picker.pick(rayAt(0.2, 0))).toBeUndefined()
     expect(picker.pick(new Ray(new Vector3(0, 0, -1), new Vector3(0, 0, 1)))).toBeUndefined()
@@ -93,7 +93,7 @@ describe('picking', () => {
     for (const [k, value] of [30, -10, 0].entries()) expect(hit.position[k]).toBeCloseTo(value, 4)
   })
 
-  it('takes the parts of a skin as one surface', () => {
+  it('treats the parts of a skin as one surface', () => {
     const [lower, upper] = [0, 0.5].map((from) =>
       meshOf({
         n: 20,
@@ -109,7 +109,7 @@ describe('picking', () => {
     expect(painted.some(({ y }) => y > 2) && painted.some(({ y }) => y < -2)).toBe(true)
   })
 
-  it('is not lost on triangles and vertices that are broken', () => {
+  it('survives invalid triangles and vertices', () => {
     const mesh = plainSheet()
     const { position } = mesh.geometry.attributes
     position.setX(0, Number.NaN)
@@ -119,7 +119,7 @@ describe('picking', () => {
     expect(picker.pick(rayAt(0.012, 0.031))!.position[0]).toBeCloseTo(12, 4)
   })
 
-  it('refuses a mesh without texture coordinates, without triangles, or of no size', () => {
+  it('refuses a mesh without texture coordinates, triangles or size', () => {
     const mesh = plainSheet()
     mesh.geometry.deleteAttribute('uv')
     expect(() => readSkin([mesh])).toThrow(FurrowError)
@@ -132,7 +132,7 @@ describe('picking', () => {
   })
 })
 
-describe('what is seen', () => {
+describe('visible skin', () => {
   const { picker, skin } = pickerOf(ball())
   const sight = picker.sightFrom(new Vector3(0, 0, 1))
 
@@ -140,7 +140,7 @@ describe('what is seen', () => {
     const stroke = new BrushStroke(empty(128), { ...BRUSH_DEFAULTS, radius: 45, flow: 1 }, skin, sight)
     stroke.moveTo(pointNear(skin, 45, 0, 22))
     const places = onIslands(skin, stroke.end().image)
-    // What a camera sees of a ball of 50 mm from 1 m has z > 2.5.
+    // A camera 1 m away sees z > 2.5 of a ball of 50 mm.
     const painted = places.filter(({ weight }) => weight > 0)
     expect(painted.filter(({ z }) => z > 5).length).toBeGreaterThan(50)
     expect(painted.filter(({ z }) => z < -1)).toEqual([])
@@ -149,7 +149,7 @@ describe('what is seen', () => {
     expect(behind.length).toBeGreaterThan(50)
   })
 
-  it('counts on the other side where its counterpart is seen', () => {
+  it('includes the other side if its counterpart is visible', () => {
     const fromLeft = picker.sightFrom(new Vector3(1, 0, 0.2))
     const settings = { ...BRUSH_DEFAULTS, radius: 12, flow: 1, mirror: true }
     const stroke = new BrushStroke(empty(128), settings, skin, fromLeft)
@@ -160,7 +160,7 @@ describe('what is seen', () => {
     expect(Math.abs(left.length - right.length)).toBeLessThanOrEqual(2)
   })
 
-  it('is not what other skin hides, as it is deformed now', () => {
+  it('excludes skin hidden by other skin in the current pose', () => {
     const at = (z: number, v: number) => ({
       n: 10,
       m: 10,
@@ -219,7 +219,7 @@ describe('a polygon on the skin', () => {
     expect(new Set(hard.data)).toEqual(new Set([0, 255]))
   })
 
-  it('removes, and covers up to its opacity', () => {
+  it('removes weight, and covers up to its opacity', () => {
     const removed = paintPolygon(empty(128, 200), square, { ...settings, mode: 'remove', opacity: 0.5 }, skin)
     expect(Math.min(...removed.image.data)).toBe(100)
   })
@@ -237,7 +237,7 @@ describe('a polygon on the skin', () => {
     expect(Math.abs(places.length - 2 * right)).toBeLessThan(0.1 * right)
   })
 
-  it('leaves out the far side of a closed surface, and with sight what is not seen', () => {
+  it('leaves out the far side of a closed surface, and with sight everything hidden', () => {
     const { picker, skin } = pickerOf(ball())
     const front = [
       [-25, -25],

@@ -33,7 +33,7 @@ beforeEach(() => {
   })
 })
 
-/** A pixel per millimetre. */
+/** One pixel per millimetre. */
 const at = (x: number, y: number, others = {}) => pointerAt(x / 1000, y / 1000, { x, y, ...others })
 
 function click(x: number, y: number): boolean {
@@ -45,7 +45,7 @@ function click(x: number, y: number): boolean {
 const places = (points: readonly SkinHit[]) =>
   points.map(({ position }) => position.slice(0, 2).map((value) => Math.round(value)))
 
-it('clicks add points, and one near the first point closes the polygon', () => {
+it('clicks add points, and a click near the first point closes the polygon', () => {
   click(0, 0)
   click(30, 0)
   click(3, 3)
@@ -63,7 +63,7 @@ it('clicks add points, and one near the first point closes the polygon', () => {
   expect(polygon.points).toEqual([])
 })
 
-it('a point follows the pointer until it is let go, and Escape takes it back', () => {
+it('a point follows the pointer until release, and Escape removes it', () => {
   click(0, 0)
   tool.begin(at(10, 0))
   tool.move([at(20, 0), at(25, 5)])
@@ -75,7 +75,7 @@ it('a point follows the pointer until it is let go, and Escape takes it back', (
   expect(places(polygon.points)).toEqual([[0, 0]])
 })
 
-it('two points enclose nothing; the last one is removed, and all of them', () => {
+it('two points enclose nothing; the last point can be removed, and then all', () => {
   click(0, 0)
   click(30, 0)
   expect(polygon.take()).toBeNull()
@@ -85,7 +85,7 @@ it('two points enclose nothing; the last one is removed, and all of them', () =>
   expect(polygon.points).toEqual([])
 })
 
-it('leaves the pointer to the camera beside the face and with Alt', () => {
+it('leaves the pointer to the camera off the face and with Alt', () => {
   expect(click(200, 0)).toBe(false)
   expect(tool.begin(at(0, 0, { alt: true }))).toBe(false)
 })

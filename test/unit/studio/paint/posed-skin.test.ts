@@ -24,13 +24,13 @@ it('painting and lines read the skin of an avatar once', () => {
   expect(posedSkinOf([...meshes], SCALE).skin).not.toBe(skin)
 })
 
-it('another scale of the face is another skin', () => {
+it('a face at another scale is another skin', () => {
   const meshes: [Mesh] = [plainSheet()]
   const [metres, half] = [SCALE, SCALE / 2].map((scale) => posedSkinOf(meshes, scale).skin.surface.points[0])
   expect(half).toBeCloseTo(metres / 2, 6)
 })
 
-it('a skin that was read before has the present pose', () => {
+it('a skin that was read earlier has the current pose', () => {
   const mesh = plainSheet()
   const meshes: [Mesh] = [mesh]
   posedSkinOf(meshes, SCALE)
@@ -40,7 +40,7 @@ it('a skin that was read before has the present pose', () => {
   expect(hit?.position[1]).toBeCloseTo(20, 4)
 })
 
-it('a face that rests is not read again, nor one whose pose comes again', () => {
+it('a still face is not read again, and neither is one whose pose repeats', () => {
   const mesh = plainSheet()
   mesh.morphTargetInfluences = [0, 0]
   const meshes: [Mesh] = [mesh]
@@ -56,7 +56,7 @@ it('a face that rests is not read again, nor one whose pose comes again', () => 
   expect(refit).toHaveBeenCalledTimes(1)
 })
 
-it('joints, parents, blendshapes that are added and muscles that change are another pose', () => {
+it('joints, parents, added blendshapes and changed muscles change the pose', () => {
   const plain = plainSheet()
   const mesh = new SkinnedMesh(plain.geometry, plain.material)
   const bone = new Bone()
@@ -86,12 +86,12 @@ it('joints, parents, blendshapes that are added and muscles that change are anot
   }
 })
 
-describe('a skin that is made in a worker', () => {
+describe('a skin made in a worker', () => {
   const AREA = 64
-  /** Skins that workers were asked for. */
+  /** Number of skins requested from workers. */
   let asked = 0
 
-  /** A worker in the same thread: what it is sent and answers is copied, or moved. */
+  /** Worker in the same thread. Messages are copied or transferred. */
   function FakeWorker() {
     const { port1, port2 } = new MessageChannel()
     const service = {
@@ -113,14 +113,14 @@ describe('a skin that is made in a worker', () => {
   })
   afterEach(() => vi.unstubAllGlobals())
 
-  it('is that of all tools, and the same as one that is made on the page', async () => {
+  it('is shared by all tools, and equals one made on the page', async () => {
     const mesh = plainSheet()
     const meshes: [Mesh] = [mesh]
     await prepareSkin(meshes, SCALE, AREA)
     const own = posedSkinOf([mesh], SCALE)
     const prepared = posedSkinOf(meshes, SCALE)
     expect(prepared.skin.surface).toEqual(own.skin.surface)
-    // It came with the map of the areas: none is made on the page.
+    // Came with the areas' map, so the page makes none.
     const map = prepared.skin.mapOf(AREA)
     expect(prepared.skin.mapOf(AREA)).toBe(map)
     const { locator, ...arrays } = map
@@ -133,7 +133,7 @@ describe('a skin that is made in a worker', () => {
     expect(asked).toBe(1)
   })
 
-  it('has the pose of the face when it is ready, and of every moment after it', async () => {
+  it('has the pose of the face when it is ready, and at every later time', async () => {
     const mesh = plainSheet()
     const meshes: [Mesh] = [mesh]
     const preparation = prepareSkin(meshes, SCALE, AREA)
@@ -145,7 +145,7 @@ describe('a skin that is made in a worker', () => {
     expect(posedSkinOf(meshes, SCALE).picker.pick(down(0.2))?.position[1]).toBeCloseTo(20, 4)
   })
 
-  it('does not replace the one that was needed before it came, but brings the map of the areas', async () => {
+  it("does not replace a skin needed before it arrived, but provides the areas' map", async () => {
     const meshes: [Mesh] = [plainSheet()]
     const preparation = prepareSkin(meshes, SCALE, AREA)
     const needed = posedSkinOf(meshes, SCALE)
@@ -159,7 +159,7 @@ describe('a skin that is made in a worker', () => {
     expect(asked).toBe(1)
   })
 
-  it('is made once however often it is asked for, and tools have it only then', async () => {
+  it('is made once however often it is requested, and only then available to tools', async () => {
     const meshes: [Mesh] = [plainSheet()]
     const preparations = [prepareSkin(meshes, SCALE, AREA), prepareSkin(meshes, SCALE, AREA)]
     expect(preparedSkin(meshes, SCALE, AREA)).toBeNull()
@@ -170,7 +170,7 @@ describe('a skin that is made in a worker', () => {
     expect(asked).toBe(1)
   })
 
-  it('has the canvas for lines from a worker too, the same as one of the page', async () => {
+  it("has a canvas for lines that equals the page's", async () => {
     const meshes: [Mesh] = [plainSheet()]
     const { canvas } = await readLineSkin(meshes, SCALE, AREA)
     const { skin } = posedSkinOf(meshes, SCALE).skin
@@ -182,7 +182,7 @@ describe('a skin that is made in a worker', () => {
     expect(weights[0]).toEqual(weights[1])
   })
 
-  it('is made on the page where the worker cannot, which says why', async () => {
+  it('is made on the page if the worker fails, which says why', async () => {
     const meshes: [Mesh] = [plainSheet()]
     await expect(prepareSkin(meshes, SCALE, 1.5)).rejects.toThrow('side of an area')
     expect(posedSkinOf(meshes, SCALE).skin.surface.corners.length).toBeGreaterThan(0)

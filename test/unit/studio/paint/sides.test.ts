@@ -16,7 +16,7 @@ const SIZE = 128
 const BRUSH = { flow: 0.5, radius: 10 }
 
 describe('mirror', () => {
-  it.each(['add', 'smooth'] as const)('paints both sides alike, over the middle too: %s', (mode) => {
+  it.each(['add', 'smooth'] as const)('paints both sides equally, also across the middle: %s', (mode) => {
     const skin = paintSkin(plainSheet())
     const image = empty(SIZE)
     for (let i = 0; i < image.data.length; i++) {
@@ -38,7 +38,7 @@ describe('mirror', () => {
     expect(Math.max(...data)).toBe(128)
   })
 
-  it('finds the nearest skin on the other side of a mesh that is not symmetric', () => {
+  it('finds the nearest skin on the other side of an asymmetric mesh', () => {
     const skin = paintSkin(
       meshOf({ n: 20, m: 20, at: (i, j) => [100 * i - 50, 100 * j - 50, i > 0.5 ? 8 : 0, i, 1 - j] }),
     )
@@ -47,7 +47,7 @@ describe('mirror', () => {
   })
 })
 
-describe('texels that both halves of a face use', () => {
+describe('texels shared by both halves of a face', () => {
   const skin = paintSkin(foldedSheet())
 
   it.each([25, -25, 3, -3])('are painted by a dab at x = %d on either half', (x) => {
@@ -62,9 +62,9 @@ describe('texels that both halves of a face use', () => {
     }
   })
 
-  it('give what a dab has on one half, whichever it is', () => {
+  it('give a dab the same weights from either half', () => {
     const [left, right] = [17.3, -17.3].map((x) => paint(empty(SIZE), BRUSH, skin, pointNear(skin, x, 5)))
-    // Beyond the islands only the left half continues.
+    // Only the left half continues beyond the islands.
     const differences = onIslands(skin, left).map(({ texel }) =>
       Math.abs(left.data[texel] - right.data[texel]),
     )
@@ -75,7 +75,7 @@ describe('texels that both halves of a face use', () => {
 describe('a closed surface', () => {
   it('is painted across all of its seams, with both sides alike', () => {
     const skin = paintSkin(ball())
-    // Over the seam at z = 0 and the pole.
+    // Across the seam at z = 0 and the pole.
     const points = [
       pointNear(skin, 40, 0, 30),
       pointNear(skin, 40, 0, -30),
@@ -95,7 +95,7 @@ describe('a closed surface', () => {
         .filter(({ distance }) => distance > 0 && distance < 1),
     )
     expect(pairs.length).toBeGreaterThan(20)
-    // The softness of 0.7 falls by 1.5 / 7 per millimetre at most.
+    // A softness of 0.7 falls by at most 1.5 / 7 per millimetre.
     expect(pairs.filter(({ distance, difference }) => difference > 2 + 55 * distance)).toEqual([])
   })
 })

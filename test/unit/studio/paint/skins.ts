@@ -9,10 +9,10 @@ import { SkinPicker } from '../../../../studio/src/paint/picker.ts'
 import { type MeshSkin, readSkin } from '../../../../studio/src/paint/read-skin.ts'
 import type { StagePointer } from '../../../../studio/src/tools/stage-tool.ts'
 
-/** A point of a grid: x, y and z in millimetres, and u and v. */
+/** Point of a grid: x, y and z in millimetres, and u and v. */
 type GridPoint = readonly [x: number, y: number, z: number, u: number, v: number]
 
-/** A mesh of grids of n x m squares, each with vertices of its own, in metres as glTF has it. */
+/** Makes a mesh of grids of n x m squares, each with its own vertices, in metres like glTF. */
 export function meshOf(
   ...grids: readonly { n: number; m: number; at(i: number, j: number): GridPoint }[]
 ): Mesh<BufferGeometry, MeshStandardMaterial> {
@@ -36,18 +36,18 @@ export function meshOf(
   return new Mesh(geometry, new MeshStandardMaterial())
 }
 
-/** A sheet of 100 x 100 mm in front of x = 0, that faces +z, in two islands that meet at y = 10; the upper one is turned and larger. */
+/** Sheet of 100 x 100 mm that faces +z, in two islands that meet at y = 10. The upper island is rotated and larger. */
 export const cutSheet = () =>
   meshOf(
     { n: 20, m: 12, at: (i, j) => [100 * i - 50, 60 * j - 50, 0, 0.02 + 0.45 * i, 0.98 - 0.3 * j] },
     { n: 20, m: 8, at: (i, j) => [100 * i - 50, 10 + 40 * j, 0, 0.98 - 0.4 * j, 0.02 + 0.9 * i] },
   )
 
-/** A sheet of 100 x 100 mm with a texture of its own size. */
+/** Sheet of 100 x 100 mm that fills its texture. */
 export const plainSheet = () =>
   meshOf({ n: 20, m: 20, at: (i, j) => [100 * i - 50, 100 * j - 50, 0, i, 1 - j] })
 
-/** Two sheets side by side, 1 mm apart, which a strip joins where x > 40 only. */
+/** Two sheets side by side, 1 mm apart, joined by a strip only where x > 40. */
 export const lips = () =>
   meshOf(
     { n: 20, m: 10, at: (i, j) => [100 * i - 50, 50 * j + 0.5, 0, 0.05 + 0.9 * i, 0.45 - 0.4 * j] },
@@ -55,20 +55,20 @@ export const lips = () =>
     { n: 2, m: 1, at: (i, j) => [40 + 10 * i, j - 0.5, 0, 0.86 + 0.09 * i, 0.55 - 0.1 * j] },
   )
 
-/** A sheet whose left and right half use the same texels, and a patch beside it that uses texels of both. */
+/** Sheet whose left and right half share texels, and a patch that uses texels of both. */
 export const foldedSheet = () =>
   meshOf(
     { n: 10, m: 20, at: (i, j) => [50 * i, 100 * j - 50, 0, 0.05 + 0.9 * i, 0.95 - 0.9 * j] },
     { n: 10, m: 20, at: (i, j) => [50 * i - 50, 100 * j - 50, 0, 0.95 - 0.9 * i, 0.95 - 0.9 * j] },
   )
 
-/** A sphere of radius 50 mm round the origin, in an island for its front and one for its back. */
+/** Sphere of radius 50 mm around the origin, with one island for its front and one for its back. */
 export const ball = () => {
   const half = (sign: number, u0: number) => ({
     n: 24,
     m: 24,
     at: (i: number, j: number): GridPoint => {
-      // From left to right as seen from outside; the poles are at the top and at the bottom.
+      // From left to right as seen from outside. The poles are at the top and the bottom.
       const [longitude, latitude] = [Math.PI * (i - 0.5), Math.PI * (j - 0.5)]
       const [x, z] = [Math.sin(longitude), Math.cos(longitude)].map(
         (value) => sign * 50 * Math.cos(latitude) * value,
@@ -85,16 +85,16 @@ export function paintSkin(mesh: Mesh, ...parts: Mesh[]): PaintSkin & { meshes: M
   return Object.assign(new PaintSkin(meshes.skin, made.surface), { meshes, made })
 }
 
-/** A skin to paint on, and what finds its points under rays. */
+/** Returns a skin to paint on, and a picker of its points. */
 export function pickerOf(mesh: Mesh, ...parts: Mesh[]) {
   const skin = paintSkin(mesh, ...parts)
   return { skin, picker: new SkinPicker(skin.meshes, skin, skin.made) }
 }
 
-/** From metres in front of a position, along -z. */
+/** Ray from metres in front of a position, along -z. */
 export const rayAt = (x: number, y: number) => new Ray(new Vector3(x, y, 5), new Vector3(0, 0, -1))
 
-/** A pointer on the stage, over a position in metres. */
+/** Pointer on the stage over a position in metres. */
 export const pointerAt = (x: number, y: number, others: Partial<StagePointer> = {}): StagePointer => ({
   ray: rayAt(x, y),
   pressure: 1,
@@ -105,7 +105,7 @@ export const pointerAt = (x: number, y: number, others: Partial<StagePointer> = 
   ...others,
 })
 
-/** Paints through points of a skin, at full flow; returns the weights. */
+/** Paints through points of a skin at full flow. Returns the weights. */
 export function paint(
   image: GrayImage,
   settings: Partial<Brush>,
@@ -121,7 +121,7 @@ export function empty(size: number, weight = 0): GrayImage {
   return { width: size, height: size, data: new Uint8Array(size * size).fill(weight) }
 }
 
-/** Where on the skin the places of a map are, and the weight that a texture has there. */
+/** Yields the positions of a map's places on the skin, and the weight of each. */
 export function* placesOf(map: PaintMap, { data }: GrayImage) {
   for (let triangle = 0; triangle + 1 < map.starts.length; triangle++) {
     for (let place = map.starts[triangle]; place < map.starts[triangle + 1]; place++) {
@@ -132,10 +132,10 @@ export function* placesOf(map: PaintMap, { data }: GrayImage) {
   }
 }
 
-/** The places that are on the islands of the texture. */
+/** Places on the islands of the texture. */
 export const onIslands = (skin: PaintSkin, image: GrayImage) =>
   [...placesOf(skin.mapOf(image.width), image)].filter(({ isBeyondIsland }) => !isBeyondIsland)
 
-/** The point of a skin nearest to a position. */
+/** Returns the point of a skin nearest to a position. */
 export const pointNear = (skin: PaintSkin, x: number, y: number, z = 0): SkinPoint =>
   skin.mirrored([-x, y, z])

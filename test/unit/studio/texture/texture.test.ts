@@ -18,7 +18,7 @@ function cutSkin() {
   return { skin, picker, texture: new TexturePicker(skin, picker, SIZE) }
 }
 
-/** As a camera over the texture sends it. */
+/** Ray of a camera above the texture. */
 const rayAt = ([u, v]: readonly [number, number]) => new Ray(new Vector3(u, -v, 1), new Vector3(0, 0, -1))
 
 it.each([
@@ -33,7 +33,7 @@ it.each([
   expect(hit.normal.distanceTo(onFace.normal)).toBeLessThan(1e-5)
 })
 
-it('a point between islands is not on the skin', () => {
+it('a point between islands is off the skin', () => {
   expect(cutSkin().texture.pick(rayAt([0.52, 0.5]))).toBeUndefined()
 })
 
@@ -41,7 +41,7 @@ it.each([
   [0.2, 0.8],
   [0.75, 0.5],
 ])(
-  'the outline of the brush is its radius away on the skin, however the texture stretches it: %f, %f',
+  'the outline of the brush is at its radius on the skin, however the texture is stretched: %f, %f',
   (u, v) => {
     const { skin, texture } = cutSkin()
     const hit = texture.pick(rayAt([u, v]))!
@@ -54,7 +54,7 @@ it.each([
   },
 )
 
-it('a quick stroke between two islands goes straight in the texture, and not over the skin between them', () => {
+it('a quick stroke between two islands is straight in the texture, and does not cross the skin in between', () => {
   const { skin, texture } = cutSkin()
   let painted: GrayImage | undefined
   const tool = new PaintTool({
@@ -79,7 +79,7 @@ it('a quick stroke between two islands goes straight in the texture, and not ove
   const places = [...placesOf(skin.mapOf(SIZE), painted!)].filter(({ weight }) => weight > 0)
   const uv = places.map(({ texel }) => [(texel % SIZE) / SIZE, Math.floor(texel / SIZE) / SIZE])
   expect(uv.some(([u]) => u > 0.85)).toBe(true)
-  // What is beside the line of the stroke, by more than the brush.
+  // No painted texel is farther from the stroke's line than the brush.
   expect(uv.filter(([u, v]) => Math.abs(v - (0.8 - (u - 0.1) / 8)) > 0.04)).toEqual([])
 })
 

@@ -8,20 +8,20 @@ function withRectangle(size: number, x0: number, y0: number, x1: number, y1: num
   return image
 }
 
-it('a small area is shown with its surroundings, inside of the texture', () => {
+it('a small area is shown with its surroundings, inside the texture', () => {
   const { x, y, side } = cropOf(withRectangle(100, 0, 48, 4, 52))
   expect(side).toBe(0.35)
   expect(x).toBe(0)
   expect(y).toBeCloseTo(0.5 - side / 2)
 })
 
-it('a large area is shown whole, and so is the texture of an empty one', () => {
+it('a large area is shown completely, and so is the texture of an empty one', () => {
   expect(cropOf(withRectangle(100, 5, 5, 95, 50)).side).toBe(1)
   expect(cropOf(withRectangle(100, 30, 40, 80, 50))).toEqual({ x: 0.55 - 0.325, y: 0.45 - 0.325, side: 0.65 })
   expect(cropOf(empty(16))).toEqual({ x: 0, y: 0, side: 1 })
 })
 
-it('a pixel is the mean of the texels below it, in larger and in smaller sizes', () => {
+it('a pixel averages the texels below it, at larger and smaller sizes', () => {
   const image = withRectangle(8, 0, 0, 3, 8)
   expect([...shrink(image, { x: 0, y: 0, side: 1 }, 4).data.subarray(0, 4)]).toEqual([255, 127, 0, 0])
   expect([...shrink(image, { x: 0, y: 0, side: 0.5 }, 8).data.subarray(0, 8)]).toEqual([

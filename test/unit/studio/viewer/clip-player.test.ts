@@ -17,7 +17,7 @@ let joint: Object3D
 let player: ClipPlayer
 let begun: number
 
-/** Half a turn about x in two seconds, and two blendshapes, as GLTFLoader reads them. */
+/** Half a turn about x in two seconds, and two blendshapes, as read by GLTFLoader. */
 const nod = () =>
   new AnimationClip('nod', 2, [
     new QuaternionKeyframeTrack(`${joint.uuid}.quaternion`, [0, 2], [0, 0, 0, 1, 1, 0, 0, 0]),
@@ -42,17 +42,17 @@ beforeEach(() => {
 const pose = () =>
   [...mesh.morphTargetInfluences!, joint.quaternion.x].map((value) => Number(value.toFixed(4)))
 const REST = [0, 0, 0]
-/** A quarter turn. */
+/** Pose after a quarter turn. */
 const HALFWAY = [0.5, 0.5, Number(Math.SQRT1_2.toFixed(4))]
 
-it('nothing moves by itself', () => {
+it('nothing plays on its own', () => {
   player.advance(1)
   expect(pose()).toEqual(REST)
   expect(player.clip.value?.name).toBe('nod')
   expect({ begun, isPlaying: player.isPlaying.value }).toEqual({ begun: 0, isPlaying: false })
 })
 
-it('joints and blendshapes move together, until it is paused', () => {
+it('joints and blendshapes move together until paused', () => {
   player.play()
   player.advance(0.5)
   player.advance(0.5)
@@ -77,7 +77,7 @@ it('scrubbing shows a time without playing, forwards and backwards', () => {
   expect(player.isShown.value).toBe(true)
 })
 
-it('a clip that loops goes on from its begin; another one stays at its end, and plays again from there', () => {
+it('a looping clip continues from its start; another one stops at its end, and plays again from the start', () => {
   player.play()
   player.advance(3)
   expect(pose()).toEqual(HALFWAY)
@@ -89,14 +89,14 @@ it('a clip that loops goes on from its begin; another one stays at its end, and 
   expect(pose()).toEqual([0, 1, 0])
 })
 
-it('the speed counts', () => {
+it('speed is applied', () => {
   player.speed.value = 0.25
   player.play()
   player.advance(4)
   expect(pose()).toEqual(HALFWAY)
 })
 
-it('stopping gives the pose before it back', () => {
+it('stopping restores the previous pose', () => {
   mesh.morphTargetInfluences![0] = 0.25
   player.play()
   player.advance(1)
@@ -105,7 +105,7 @@ it('stopping gives the pose before it back', () => {
   expect({ time: player.time.value, isShown: player.isShown.value }).toEqual({ time: 0, isShown: false })
 })
 
-it('another clip begins from that pose too, and plays on', () => {
+it('another clip also starts from that pose, and keeps playing', () => {
   player.play()
   player.advance(1)
   const path = `${mesh.uuid}.morphTargetInfluences[jawOpen]`
@@ -116,7 +116,7 @@ it('another clip begins from that pose too, and plays on', () => {
   expect(player.clips.value.map(({ name }) => name)).toEqual(['nod', 'talk'])
 })
 
-it('a blendshape that was added meanwhile, as by a muscle, is left alone', () => {
+it("a blendshape added during playback, such as a muscle's, does not change", () => {
   mesh.morphTargetInfluences!.push(0.3)
   player.play()
   player.advance(1)
@@ -125,7 +125,7 @@ it('a blendshape that was added meanwhile, as by a muscle, is left alone', () =>
   expect(mesh.morphTargetInfluences).toEqual([0, 0, 0.3])
 })
 
-it('key frames in steps stay steps', () => {
+it('stepped key frames stay stepped', () => {
   const track = new NumberKeyframeTrack(
     `${mesh.uuid}.morphTargetInfluences`,
     [0, 1],

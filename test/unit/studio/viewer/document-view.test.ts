@@ -12,7 +12,7 @@ import { sampleDocument } from '../sample-document.ts'
 
 const SIZE = 8
 
-/** Of the viewer what shows documents. */
+/** Fake of the viewer's document view. */
 function stubViewer() {
   const mesh = blendMesh()
   const viewer = {
@@ -50,7 +50,7 @@ const withLayer = (change: Partial<StudioLayer>): StudioDocument => {
 
 const scale = () => meshOf(viewer.wrinkles!).shaderInputs.normalScale.value.x
 
-test('the scale of a layer moves without wrinkles being made anew', () => {
+test("changing a layer's scale does not recreate wrinkles", () => {
   for (const normalScale of [0.5, 0.4, 0.3]) show(withLayer({ normalScale }))
   expect(scale()).toBe(0.3)
   show(document)
@@ -58,7 +58,7 @@ test('the scale of a layer moves without wrinkles being made anew', () => {
   expect(viewer.setWrinkles).toHaveBeenCalledTimes(1)
 })
 
-test('another kind or name of a layer makes wrinkles anew', () => {
+test("changing a layer's kind or name recreates wrinkles", () => {
   const { kind } = document.layers[0]
   show(withLayer({ kind: kind === 'detail' ? 'replace' : 'detail' }))
   expect(viewer.setWrinkles).toHaveBeenCalledTimes(2)

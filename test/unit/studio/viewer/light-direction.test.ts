@@ -13,7 +13,7 @@ it.each([
   [-46, 44],
   [90, 0],
   [30, -85],
-])('a light from %i to the right and %i above comes from there', (yaw, pitch) => {
+])('a light %i to the right and %i above comes from there', (yaw, pitch) => {
   const position = lightPosition({ yaw, pitch }, new Vector3())
   expect(position.length()).toBeCloseTo(1, 9)
   expect(Math.sign(Math.round(1e6 * position.x))).toBe(Math.sign(yaw))
@@ -21,7 +21,7 @@ it.each([
   expect(lightFrom(position)).toEqual({ yaw, pitch })
 })
 
-it('a ball is brightest where it is touched; beside it, at its border', () => {
+it('a ball is brightest where it is touched, and at its border if touched outside', () => {
   for (const [x, y] of [
     [0, 0],
     [-0.5, 0.4],

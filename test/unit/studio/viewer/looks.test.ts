@@ -10,7 +10,7 @@ it.each<Parameters<Looks['choose']>[0]>([
   { name: 'strain' },
   { name: 'wireframe' },
   { name: 'marked', area: ['brow'] },
-])('after the look $name is drawn, every mesh has its own material and is visible', (look) => {
+])('after the look $name every mesh has its own material and is visible', (look) => {
   const [skin, eyes] = ['skin', 'eyes'].map(
     (own) => new Mesh(new BoxGeometry(), new MeshStandardMaterial({ name: own })),
   )

@@ -26,7 +26,7 @@ const expressions = [
 const perform = (area: string) => performanceOf(area, drivers, expressions, TARGETS)
 const targetsOf = (area: string) => Object.fromEntries(perform(area)?.targets ?? [])
 
-it('is the expression that drives the area most, through other areas too', () => {
+it('is the expression that drives the area most, also through other areas', () => {
   expect(targetsOf('forehead')).toEqual({ brow_up: 0.9, jawOpen: 0.5 })
   expect(targetsOf('both')).toEqual({ brow_up: 0.9, jawOpen: 0.5 })
   expect(targetsOf('frown')).toEqual({ browDown: 0.8 })
@@ -36,10 +36,10 @@ it('is the expression that activates the area itself', () => {
   expect(perform('chin')?.activations.get('chin')).toBe(0.7)
 })
 
-it('is what its drivers read, fully set, where no expression shows the area', () => {
+it('is the inputs of its drivers at full weight if no expression shows the area', () => {
   expect(targetsOf('cheeks')).toEqual({ cheek: 1 })
 })
 
-it('is nothing for an area that no blendshape shows', () => {
+it('is empty for an area that no blendshape shows', () => {
   expect(perform('lines')).toBeNull()
 })
