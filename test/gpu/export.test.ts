@@ -75,7 +75,7 @@ describe("the studio's export", () => {
     }
     const cut = project.get('layers/age/normal.png')!.subarray(0, 60)
     await expect(exportDocument(face, withNormal(cut))).rejects.toThrow(
-      'Studio: cannot read the image normal of age (it is cut off)',
+      'Studio: cannot read the image normal of age (truncated file)',
     )
     const bare = { ...document, areas: [], drivers: [] }
     await expect(exportDocument(face, { document: bare, drawn: new Map() })).rejects.toThrow(

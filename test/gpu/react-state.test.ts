@@ -145,7 +145,7 @@ describe('the state of wrinkles in React', () => {
     expect(face.inputs.get('stress')).toBe(0.5)
     const texts = warn.mock.calls.map(([text]) => String(text))
     for (const fault of [
-      /unknown mode, got "fancy"/,
+      /invalid mode, got "fancy"/,
       /"age" is NaN/,
       /expression.*got "unknown"/,
       /unknown option, got "activation".*did you mean "activations"/,

@@ -79,7 +79,7 @@ export { DecodedBytes } from '../src/core/maps/decoded-bytes.ts'
 export { imageDamage } from '../src/core/maps/image-file.ts'
 export { type ImageFileType, imageTypeOf } from '../src/core/maps/image-type.ts'
 export {
-  type Ktx2Fault,
+  type FailKtx2,
   type Ktx2Header,
   type Ktx2Image,
   readKtx2Header,

@@ -244,7 +244,7 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
         const { source } = json.textures[maps.layers[0].normalTexture.index]
         json.bufferViews[json.images[source].bufferView].byteLength = 60
       },
-      /not a readable image, got "it is cut off"/,
+      /not a readable image, got "truncated file"/,
     ],
     [
       'a file that does not declare it',
@@ -303,8 +303,8 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
 
 describe('features that only three.js supports', () => {
   it.each([
-    [{ mode: 'paper' }, /mode unsupported in Babylon.js, got "paper"/],
-    [{ mode: 'composed' }, /mode unsupported in Babylon.js/],
+    [{ mode: 'paper' }, /invalid mode for Babylon.js, got "paper"/],
+    [{ mode: 'composed' }, /invalid mode for Babylon.js/],
     [{ relief: 'on' }, /option unsupported in Babylon.js, got "relief"/],
     [{ auto: {} }, /option unsupported in Babylon.js, got "auto"/],
     [{ fadeBelow: 100 }, /option unsupported in Babylon.js/],

@@ -157,16 +157,20 @@ describe('slices', () => {
       (_, maps) => (maps.layers[1].normalTexture.slice = 7),
       /layer "expression": normal: no such slice, got 7, allowed: 0 to 1/,
     ],
-    ['an area outside the array', (_, maps) => (maps.areas[0].texture.slice = 9), /no such slice, got 9/],
+    [
+      'an area outside the array',
+      (_, maps) => (maps.areas[0].texture.slice = 9),
+      /no such slice, got 9/,
+    ],
     [
       'an image among slices',
       (_, maps) => delete maps.layers[0].normalTexture.slice,
-      /layers\[0\]\.normalTexture is not in the same array/,
+      /layers\[0\]\.normalTexture is in another texture array/,
     ],
     [
       'two arrays for one kind of map',
       (_, maps) => (maps.areas[2].texture.index = maps.layers[0].normalTexture.index),
-      /areas\[2\]\.texture is not in the same array/,
+      /areas\[2\]\.texture is in another texture array/,
     ],
     [
       'an array that serves as an image too',
@@ -176,7 +180,7 @@ describe('slices', () => {
     [
       'an array as the normal map of the skin',
       (json, maps) => (json.materials[0].normalTexture.index = maps.layers[0].normalTexture.index),
-      /is an array of 2, and a texture info without a slice refers to it; .* \(ARRAY_AS_IMAGE\)/,
+      /is an array of 2 slices, but is used without a slice index; .* \(ARRAY_AS_IMAGE\)/,
     ],
     [
       'arrays without slices',

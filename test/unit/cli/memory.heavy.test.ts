@@ -59,7 +59,7 @@ const ktx2 = (side: number, layers?: number) => (bytes: Buffer) => {
 it('images that take more than 512 MiB in total are refused', async () => {
   const glb = await readGlbFile(withImages('packed.glb', png(8192)), 'test')
   const messages = (await checkWrinkles(glb)).map(({ message }) => message)
-  expect(messages.join('\n')).toContain('the images of the wrinkles are too large together')
+  expect(messages.join('\n')).toContain('total size of the wrinkle images too large')
 })
 
 describe.each(['inspect', 'validate', 'unpack'])('%s takes at most 1 GB and 10 s for', (command) => {

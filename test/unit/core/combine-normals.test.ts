@@ -57,7 +57,7 @@ describe('combineNormals', () => {
     const base = texel(...tilted(10, 0))
     const detail: RgbaImage = { width: 2, height: 1, data: new Uint8Array(8) }
     expect(() => combineNormals(base, detail)).toThrow(
-      'combineNormals: the two normal maps differ in size, got "2 x 1", allowed: 1 x 1, the base\'s; render the detail at the size of the base, or scale the base',
+      'combineNormals: size of the detail map differs from the base map, got "2 x 1", allowed: 1 x 1; render the detail map at the size of the base map, or scale the base map',
     )
     const before = [...base.data]
     combineNormals(base, texel(...tilted(10, 90)))

@@ -8,9 +8,9 @@ test('images may take 512 MiB in total, at four bytes per texel', () => {
   decoded.add(0, large, 'face')
   decoded.add(1, { width: 1024, height: 1024, slices: 64 }, 'face')
   expect(() => decoded.add(2, { width: 4, height: 4, slices: 0 }, 'face')).toThrow(
-    'face: the images of the wrinkles are too large together, got "513 MiB decoded", allowed: 512 MiB for all of a file; scale them down',
+    'face: total size of the wrinkle images too large, got "513 MiB decoded", allowed: 512 MiB per file; scale the images down',
   )
-  expect(() => decoded.check('face')).toThrow('too large together')
+  expect(() => decoded.check('face')).toThrow('total size')
 })
 
 test('an image shared by several maps counts once', () => {

@@ -32,7 +32,7 @@ describe('a damaged image', () => {
     expect(imageDamage(bytes)).toBeUndefined()
     expect(imageDamage(Buffer.concat([bytes, Buffer.from('a camera appends this')]))).toBeUndefined()
     for (let length = 12; length < bytes.length; length++) {
-      expect(imageDamage(bytes.subarray(0, length)), `${length}`).toBe('it is cut off')
+      expect(imageDamage(bytes.subarray(0, length)), `${length}`).toBe('truncated file')
     }
   })
 
@@ -48,12 +48,12 @@ describe('a damaged image', () => {
   it('is detected if a PNG has no header', async () => {
     const bytes = await draw((own) => own.png())
     const end = bytes.subarray(bytes.length - 12)
-    expect(imageDamage(Buffer.concat([bytes.subarray(0, 8), end]))).toBe('it has no header')
+    expect(imageDamage(Buffer.concat([bytes.subarray(0, 8), end]))).toBe('missing header')
   })
 
   it('is detected by a marker that JPEG lacks', async () => {
     const bytes = await draw((own) => own.jpeg())
     const damaged = Buffer.concat([bytes.subarray(0, -2), Buffer.of(0xff, 0x30, 0xff, 0xd9)])
-    expect(imageDamage(damaged)).toBe('it has an unknown marker')
+    expect(imageDamage(damaged)).toBe('unknown JPEG marker')
   })
 })

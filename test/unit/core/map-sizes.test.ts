@@ -21,7 +21,7 @@ describe("the sizes of a set's maps", () => {
     ['occlusion and blood', [{ occlusion: gray(4) }, { blood: gray(8) }]],
   ] satisfies [string, Partial<Layer>[]][])('must be equal for %s', (kinds, maps) => {
     expect(() => checkMapSizes(maps.map(layer))).toThrow(
-      `Wrinkles ${kinds} maps of the layers: image 1 differs in size from image 0, got "8 x 8", allowed: 4 x 4, as all images of one array; scale them to one size`,
+      `Wrinkles ${kinds} maps of the layers: image 1 differs in size from image 0, got "8 x 8", allowed: 4 x 4; scale all images of the array to one size`,
     )
   })
 

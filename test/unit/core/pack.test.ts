@@ -25,7 +25,7 @@ describe('packColours', () => {
   it('refuses maps of unequal size, and names them', () => {
     const random = seeded(1)
     expect(() => packColours([randomImage(random, 4), randomImage(random, 4, 8)])).toThrow(
-      'packColours: image 1 differs in size from image 0, got "4 x 8", allowed: 4 x 4, as all images of one array; scale them to one size',
+      'packColours: image 1 differs in size from image 0, got "4 x 8", allowed: 4 x 4; scale all images of the array to one size',
     )
   })
 
@@ -33,7 +33,7 @@ describe('packColours', () => {
     [
       'too few bytes',
       { width: 4, height: 4, data: new Uint8Array(63) },
-      /wrong length, got "63 bytes", allowed: 64 bytes/,
+      /wrong length of RGBA image data, got "63 bytes", allowed: 64 bytes/,
     ],
     [
       'no width',
@@ -44,7 +44,7 @@ describe('packColours', () => {
     [
       '16384 texels',
       { width: 16384, height: 1, data: new Uint8Array(65536) },
-      /side out of range.*scale the image/,
+      /side out of range.*resize the image/,
     ],
   ])('refuses an image with %s', (_, image, message) => {
     expect(() => packColours([image])).toThrow(message)

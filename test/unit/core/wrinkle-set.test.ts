@@ -14,7 +14,7 @@ describe('checkWrinkleSet', () => {
   it('accepts a valid set', () => expect(() => checkWrinkleSet(good)).not.toThrow())
 
   it.each<[WrinkleSet, string]>([
-    [{ ...good, areas: [] }, 'no areas, got 0, allowed: 1 to 256 areas; give at least one'],
+    [{ ...good, areas: [] }, 'no areas, got 0, allowed: 1 to 256 areas; add at least one'],
     [{ ...good, layers: [] }, 'no layers, got 0, allowed: 1 to 4 layers'],
     [
       { ...good, layers: [0, 1, 2, 3, 4].map((i) => ({ name: `l${i}`, kind: 'detail' as const, normal })) },
@@ -22,7 +22,7 @@ describe('checkWrinkleSet', () => {
     ],
     [
       { ...good, layers: [{ ...good.layers[0], height: weights }] },
-      'heights of layer "skin" without heightAmplitude, got "undefined", allowed: metres from black to white',
+      'invalid heightAmplitude of layer "skin", got "undefined", allowed: metres from black to white',
     ],
     ...[Number.NaN, Infinity, -0.001].map((heightAmplitude): [WrinkleSet, string] => [
       { ...good, layers: [{ ...good.layers[0], height: weights, heightAmplitude }] },
@@ -33,14 +33,14 @@ describe('checkWrinkleSet', () => {
       'layer "skin" height',
     ],
     [{ ...good, areas: [...good.areas, ...good.areas] }, 'two areas with the same name, got "nose"'],
-    [{ ...good, areas: [{ name: '', weights }] }, 'an? area without a name, got ""'],
+    [{ ...good, areas: [{ name: '', weights }] }, 'area without a name, got ""'],
     [
       { ...good, areas: [{ name: 'nose', weights, layer: 'skim' }] },
       'area "nose" is on an unknown layer, got "skim", allowed: "skin"; did you mean "skin"?',
     ],
     [
       { ...good, areas: [{ name: 'nose', weights: { ...weights, width: 3 } }] },
-      'WrinkleSet area "nose": gray image data of the wrong length, got "4 bytes", allowed: 6 bytes for 3 x 2',
+      'WrinkleSet area "nose": wrong length of gray image data, got "4 bytes", allowed: 6 bytes for 3 x 2',
     ],
   ])('refuses %#: $1', (set, message) => {
     expect(() => checkWrinkleSet(set)).toThrow(new RegExp(message.replaceAll('(', '\\(')))
@@ -58,7 +58,7 @@ describe('areaWeights', () => {
 
   it('refuses a single texel', () => {
     expect(() => areaWeights({ width: 1, height: 1, data: Uint8Array.of(0) }, 'paper', 'dot.png')).toThrow(
-      'dot.png: an area one texel wide or high cannot say where its wrinkles are, got "1 x 1", allowed: at least 2 x 2; paint it',
+      'dot.png: area image too small, got "1 x 1", allowed: at least 2 x 2 texels; paint the area',
     )
   })
 })
@@ -89,7 +89,7 @@ describe('parseWrinkleSetDocument', () => {
 
   it.each<[unknown, string]>([
     [null, 'the document must be an object, got null; write { ... }'],
-    [{ ...document, version: 2 }, 'unknown version, got 2, allowed: 1; write it in version 1'],
+    [{ ...document, version: 2 }, 'unknown version, got 2, allowed: 1; write "version": 1'],
     [{ ...document, layers: {} }, 'layers must be an array, got {}, allowed: 1 to 4 items'],
     [{ ...document, areas: [] }, 'areas has the wrong number of items, got 0, allowed: 1 to 256 items'],
     [

@@ -49,7 +49,7 @@ describe('a file with an invalid field', () => {
     [
       'layers.0.bloodTexture.index',
       4,
-      'layers[0].bloodTexture is not that of the occlusion, got "4", allowed: 5',
+      'layers[0].bloodTexture differs from occlusionTexture, got "4", allowed: 5',
     ],
     ['layers.0.occlusionTexture.strength', 2, 'layers[0].occlusionTexture.strength is out of range'],
     ['areas.2.texture.index', 10, 'areas[2].texture.index is out of range, got 10, allowed: 0..9'],

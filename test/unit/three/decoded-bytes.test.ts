@@ -52,9 +52,7 @@ test('more are refused, and later ones are not decoded', async () => {
   expect(face).toMatchObject({
     status: 'rejected',
     reason: {
-      message: expect.stringMatching(
-        /the images of the wrinkles are too large together, got "768 MiB decoded"/,
-      ),
+      message: expect.stringMatching(/total size of the wrinkle images too large, got "768 MiB decoded"/),
     },
   })
   await Promise.resolve()

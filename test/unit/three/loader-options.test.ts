@@ -16,8 +16,8 @@ describe.each([WebGLPlugin, WebGPUPlugin])('the loader plugin', (Plugin) => {
   })
 
   it.each<[object, string]>([
-    [{ mode: 'bogus' }, 'WrinkleLoaderPlugin: unknown mode, got "bogus", allowed: default,'],
-    [{ relief: true }, 'WrinkleLoaderPlugin: unknown relief, got true, allowed: off, on, near'],
+    [{ mode: 'bogus' }, 'WrinkleLoaderPlugin: invalid mode, got "bogus", allowed: default,'],
+    [{ relief: true }, 'WrinkleLoaderPlugin: invalid relief, got true, allowed: off, on, near'],
   ])('refuses %j', (options, message) => {
     expect(() => create(options)).toThrow(FurrowError)
     expect(() => create(options)).toThrow(message)

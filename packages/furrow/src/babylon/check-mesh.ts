@@ -15,7 +15,7 @@ const KINDS: Readonly<Record<string, ShaderKind>> = { PBRMaterial: 'pbr', Standa
 /** @throws FurrowError if a value is not a mesh of Babylon.js. */
 export function checkIsMesh(mesh: AbstractMesh, who: string): void {
   if (typeof mesh?.isVerticesDataPresent === 'function') return
-  throw wrongArgument(who, 'invalid mesh', mesh, 'a Mesh or InstancedMesh of Babylon.js')
+  throw wrongArgument(who, 'mesh', mesh, 'a Mesh or InstancedMesh of Babylon.js')
 }
 
 /** @throws FurrowError if the mesh has no positions, normals or UVs. */

@@ -32,7 +32,7 @@ export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = {
 /** @throws FurrowError if Babylon.js does not support the mode. */
 export function checkMode(mode: WrinkleMode, who = 'Wrinkles.mode'): void {
   if (mode === 'default' || mode === 'off') return
-  throw wrongArgument(who, 'mode unsupported in Babylon.js', mode, 'default, off')
+  throw wrongArgument(who, 'mode for Babylon.js', mode, 'default, off')
 }
 
 /**

@@ -46,7 +46,7 @@ export function wrinklesOf(
 
 function wrongSource(value: unknown): FurrowError {
   const limit = 'a Mesh, an InstancedMesh, or a file loaded by Babylon.js'
-  return wrongArgument('wrinklesOf', 'invalid argument', value, limit)
+  return wrongArgument('wrinklesOf', 'argument', value, limit)
 }
 
 function facesOf(meshes: readonly AbstractMesh[]): WrinklesBase[] {

@@ -1,6 +1,6 @@
 import { WRINKLE_MAPS } from './maps/declared.ts'
 
-/** Target of an animation channel: the activation at rest of one area. */
+/** Target of an animation channel: the resting activation of one area. */
 export interface ActivationPointer {
   /** Index of the material in the file. */
   material: number
@@ -13,7 +13,7 @@ const POINTER = new RegExp(`^/materials/(\\d+)/extensions/${WRINKLE_MAPS}/areas/
 /**
  * Parses a pointer of KHR_animation_pointer, such as `/materials/0/extensions/FURROW_wrinkle_maps/areas/2/activation`.
  *
- * @returns undefined if it points at anything else.
+ * @returns undefined for any other pointer.
  */
 export function parseActivationPointer(pointer: unknown): ActivationPointer | undefined {
   const match = typeof pointer === 'string' ? POINTER.exec(pointer) : null

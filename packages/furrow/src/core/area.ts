@@ -2,17 +2,17 @@ import { FurrowError } from './error.ts'
 import { checkImage } from './image.ts'
 import type { GrayImage } from './types.ts'
 
-/** `paper`: white = no wrinkles, black = fully visible. `weight`: the opposite, as in memory. */
+/** Meaning of gray in an area's image. `paper`: black = fully visible. `weight`: white = fully visible, as in memory. */
 export type AreaConvention = 'paper' | 'weight'
 
 /**
  * Converts a painted gray image to the weights of an area (255 = fully visible).
  *
- * @param image painted gray, 8 bits; not modified.
- * @param convention how it was painted; `paper` by default.
- * @param who names the image in errors.
+ * @param image gray, 8 bits per texel; not modified.
+ * @param convention meaning of gray in the image; `paper` by default.
+ * @param who name of the image in errors.
  * @returns a new image of the same size.
- * @throws FurrowError when the image is malformed, or only one texel wide or high: it cannot say where wrinkles are.
+ * @throws FurrowError if the image is malformed, or only one texel wide or high.
  */
 export function areaWeights(
   image: GrayImage,
@@ -24,10 +24,10 @@ export function areaWeights(
     throw new FurrowError({
       code: 'out-of-range',
       who,
-      problem: 'an area one texel wide or high cannot say where its wrinkles are',
+      problem: 'area image too small',
       value: `${image.width} x ${image.height}`,
-      limit: 'at least 2 x 2',
-      remedy: 'paint it in the UV layout of the mesh, at 128 x 128 or so',
+      limit: 'at least 2 x 2 texels',
+      remedy: 'paint the area in the UV layout of the mesh, e.g. at 128 x 128 texels',
     })
   }
   const data = convention === 'paper' ? image.data.map((value) => 255 - value) : image.data.slice()

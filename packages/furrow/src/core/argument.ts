@@ -1,22 +1,29 @@
 import { FurrowError } from './error.ts'
 
 /**
- * What a function throws that was called with something else than it takes.
+ * Creates the error for an invalid argument.
  *
- * @param who the function, as its caller knows it.
- * @param what names the argument, or what is wrong with it.
+ * @param who function that the user called.
+ * @param argument name of the argument, without an article.
+ * @param limit allowed values.
  */
-export function wrongArgument(who: string, problem: string, value: unknown, limit: string): FurrowError {
-  return new FurrowError({ who, problem, value: value ?? String(value), limit, remedy: 'correct the call' })
+export function wrongArgument(who: string, argument: string, value: unknown, limit: string): FurrowError {
+  return new FurrowError({
+    who,
+    problem: `invalid ${argument}`,
+    value: value ?? String(value),
+    limit,
+    remedy: 'correct the argument',
+  })
 }
 
-/** Whether a value is an object, and not null. */
+/** Whether a value is a non-null object. */
 export function isObject(value: unknown): value is object {
   return typeof value === 'object' && value !== null
 }
 
-/** @throws FurrowError when a number is given that is not finite. */
-export function checkFinite(value: number | undefined, problem: string, who: string): void {
+/** @throws FurrowError if the value is NaN or infinite; undefined is allowed. */
+export function checkFinite(value: number | undefined, argument: string, who: string): void {
   if (value !== undefined && !Number.isFinite(value))
-    throw wrongArgument(who, problem, value, 'a finite number')
+    throw wrongArgument(who, argument, value, 'a finite number')
 }

@@ -1,6 +1,6 @@
 import type { ImageArray } from './image-array.ts'
 
-/** A rectangle of texels: columns x0 to x1 and rows y0 to y1, x1 and y1 excluded; empty where x1 <= x0. */
+/** A rectangle of texels: columns x0 to x1 and rows y0 to y1, x1 and y1 excluded; empty if x1 <= x0. */
 export interface Bounds {
   x0: number
   y0: number
@@ -16,7 +16,7 @@ export function widen(bounds: Bounds, { x0, y0, x1, y1 }: Readonly<Bounds>): voi
   bounds.y1 = Math.max(bounds.y1, y1)
 }
 
-/** The smallest rectangle that contains all texels above 0 of one slice of a single-channel array; empty if there are none. */
+/** Returns the bounds of all texels above 0 in one slice of a single-channel array; empty if there are none. */
 export function boundsOf({ width, height, data }: ImageArray, slice: number): Bounds {
   const bounds = { x0: width, y0: height, x1: 0, y1: 0 }
   const start = slice * width * height

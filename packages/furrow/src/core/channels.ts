@@ -1,15 +1,15 @@
 import type { GrayImage, RgbaImage } from './types.ts'
 
-/** Channels of single-value maps in their images, as in glTF: 0 = R to 2 = B. Blood is in the image of the occlusion. */
+/** Channels of single-value maps in their images, as in glTF: 0 = R to 2 = B. Blood shares the image of occlusion. */
 export const CHANNEL = { occlusion: 0, roughness: 1, blood: 2, height: 0 } as const
 
 /**
- * Extracts one channel of an image, its values unchanged.
+ * Extracts one channel of an image.
  *
  * @param channel 0 = R to 3 = A.
  */
 export function channelOf({ width, height, data }: RgbaImage, channel: number): GrayImage {
-  // The lowest byte of each texel, which typed arrays convert natively: a loop that runs for the first time takes several times as long.
+  // Typed arrays convert texels to their lowest byte natively; a cold loop takes several times as long.
   const texels = new Uint8Array(4 * width * height)
   texels.set(data.subarray(channel))
   return { width, height, data: new Uint8Array(new Uint32Array(texels.buffer)) }

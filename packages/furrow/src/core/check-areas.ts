@@ -12,9 +12,9 @@ export function isSlice(map: object | undefined): map is ArraySlice {
 }
 
 /**
- * Checks the areas of a set: 1 to 256 with distinct names, each on a layer that exists.
+ * Checks the areas of a set: 1 to 256 with unique names and existing layers.
  *
- * @throws FurrowError at the first fault.
+ * @throws FurrowError for the first problem found.
  */
 export function checkAreas(
   areas: readonly Area<ArraySlice>[],
@@ -27,7 +27,7 @@ export function checkAreas(
 }
 
 function checkArea(area: Area<ArraySlice>, layers: readonly { name: string }[], who: string): void {
-  if (!isObject(area)) throw wrongArgument(who, 'an area', area, 'an object with a name and weights')
+  if (!isObject(area)) throw wrongArgument(who, 'area', area, 'an object with name and weights')
   checkName(area.name, 'area', who)
   if (!isObject(area.weights)) {
     throw wrongArgument(who, `weights of area "${area.name}"`, area.weights, 'a gray image')
@@ -41,9 +41,9 @@ function checkArea(area: Area<ArraySlice>, layers: readonly { name: string }[], 
 }
 
 /**
- * Index of the layer that an area is on: the first if it names none.
+ * Returns the index of an area's layer; 0 if the area names none.
  *
- * @throws FurrowError when it names an unknown one.
+ * @throws FurrowError if the area names an unknown layer.
  */
 export function layerIndex(
   area: { name: string; layer?: string },
@@ -59,13 +59,13 @@ export function layerIndex(
       problem: `area "${area.name}" is on an unknown layer`,
       value: area.layer,
       limit: listNames(layers),
-      remedy: didYouMean(area.layer, namesOf(layers), 'name one of the layers of the set'),
+      remedy: didYouMean(area.layer, namesOf(layers), 'use the name of a layer in this set'),
     })
   }
   return index
 }
 
-/** The error for a name that no area has. */
+/** Creates the error for an unknown area name. */
 export function unknownArea(name: string, areas: readonly string[], who: string): FurrowError {
   return new FurrowError({
     code: 'unknown-name',
@@ -73,11 +73,11 @@ export function unknownArea(name: string, areas: readonly string[], who: string)
     problem: 'unknown area',
     value: name,
     limit: areas.map((area) => `"${area}"`).join(', '),
-    remedy: didYouMean(name, areas, 'use the name of an area of this set, or add the area first'),
+    remedy: didYouMean(name, areas, 'use the name of an area in this set, or add the area first'),
   })
 }
 
-/** The names of areas or layers, for errors. */
+/** Lists names of areas or layers for an error. */
 export function listNames(named: readonly { name: string }[]): string {
   return named.map(({ name }) => `"${name}"`).join(', ')
 }
@@ -86,42 +86,43 @@ function namesOf(named: readonly { name: string }[]): string[] {
   return named.map(({ name }) => name)
 }
 
-export function checkCount(count: number, what: string, most: number, who: string): void {
-  if (count >= 1 && count <= most) return
+/** @throws FurrowError unless `count` is 1 to `max`; `items` is the plural noun for the error. */
+export function checkCount(count: number, items: string, max: number, who: string): void {
+  if (count >= 1 && count <= max) return
   throw new FurrowError({
     code: 'out-of-range',
     who,
-    problem: `${count === 0 ? 'no' : 'too many'} ${what}`,
+    problem: `${count === 0 ? 'no' : 'too many'} ${items}`,
     value: count,
-    limit: `1 to ${most} ${what}`,
-    remedy: count === 0 ? 'give at least one' : 'merge those that always move together',
+    limit: `1 to ${max} ${items}`,
+    remedy: count === 0 ? 'add at least one' : `merge ${items} that always move together`,
   })
 }
 
-export function checkNames(named: readonly { name: string }[], what: string, who: string): void {
+/** @throws FurrowError if a name is invalid or used twice; `kind` is the noun for the error. */
+export function checkNames(named: readonly { name: string }[], kind: string, who: string): void {
   const seen = new Set<string>()
   for (const { name } of named) {
-    checkName(name, what, who)
+    checkName(name, kind, who)
     if (seen.has(name)) {
       throw new FurrowError({
         who,
-        problem: `two ${what}s with the same name`,
+        problem: `two ${kind}s with the same name`,
         value: name,
-        remedy: `give every ${what} a distinct name`,
+        remedy: `give each ${kind} a different name`,
       })
     }
     seen.add(name)
   }
 }
 
-function checkName(name: unknown, what: string, who: string): void {
+function checkName(name: unknown, kind: string, who: string): void {
   if (isName(name)) return
   throw new FurrowError({
     who,
-    problem:
-      name === undefined || name === '' ? `a ${what} without a name` : `a ${what} with an unusable name`,
+    problem: name === undefined || name === '' ? `${kind} without a name` : `invalid ${kind} name`,
     value: name,
     limit: NAME_RULE,
-    remedy: `give every ${what} a distinct name`,
+    remedy: `give each ${kind} a valid name`,
   })
 }

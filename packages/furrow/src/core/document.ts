@@ -1,22 +1,22 @@
 import type { AreaConvention } from './area.ts'
 import { MAX_BLOOD_AMPLITUDE } from './blood.ts'
-import { type JsonReader, or } from './json.ts'
+import { type JsonReader, orDefault } from './json.ts'
 import { LARGEST, LONGEST_NAME, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS, MIN_AREA_SIZE } from './limits.ts'
 import type { Combine, LayerKind } from './types.ts'
 
 /** The layers and areas of `wrinkles.json`; image URLs are relative to it. */
 export interface SetDocument {
   version: 1
-  /** Name of the mesh that wrinkles, or of its node; for `furrow pack`. */
+  /** Name of the wrinkled mesh or its node; for `furrow pack`. */
   mesh?: string
-  /** Name of its material; for `furrow pack`. */
+  /** Name of the wrinkled material; for `furrow pack`. */
   material?: string
   layers: {
     name: string
     kind: LayerKind
     /** Tangent-space normal map, linear, +Y towards smaller v; `layers/NAME/normal.png` by default. */
     normal: string
-    /** Factor on x and y of the normals, 1 by default. */
+    /** Factor for x and y of the normals; default 1. */
     normalScale?: number
     /** Skin colour, sRGB. */
     baseColor?: string
@@ -24,50 +24,50 @@ export interface SetDocument {
     roughness?: string
     /** Occlusion in the R channel, linear. */
     occlusion?: string
-    /** 0 = none, 1 = as in the map; 1 by default. */
+    /** 0 = no occlusion, 1 = as in the map; default 1. */
     occlusionStrength?: number
-    /** Height in the R channel, linear, 0.5 = the surface. */
+    /** Height in the R channel, linear, 0.5 = undisplaced skin. */
     height?: string
-    /** Metres from black to white of the height map; required with it. */
+    /** Metres from black to white of the height map; required with `height`. */
     heightAmplitude?: number
-    /** Blood in the B channel, linear, 128 of 255 = as at rest. Gray images have it in all. */
+    /** Blood in the B channel, or a gray image; linear, 128 of 255 = no change. */
     blood?: string
-    /** Optical depth that green light gains from 128 to 255, 0..2; required with it. */
+    /** Optical depth of green at 255, 0..2; required with `blood`. */
     bloodAmplitude?: number
   }[]
   areas: {
     name: string
     /** Gray image; `areas/NAME.png` by default. */
     image: string
-    /** Name of its layer; the first by default. */
+    /** Name of the layer; default: the first layer. */
     layer?: string
     /** `sum` by default. */
     combine?: Combine
     /** `paper` by default. */
     convention?: AreaConvention
-    /** Activation at rest, 0..1, 0 by default. */
+    /** Resting activation, 0..1; default 0. */
     activation?: number
   }[]
-  /** Side in texels that areas are resampled to when they are packed, 128 by default. */
+  /** Side of the packed areas in texels; default 128. */
   areaSize?: number
-  /** The lines of the layers, a document of strokes; for `furrow pack`. */
+  /** URL of the strokes document; for `furrow pack`. */
   strokes?: string
-  /** Corrections of recognised blendshapes, unchecked; for `furrow pack`. */
+  /** Corrections to the recognised blendshapes, unchecked; for `furrow pack`. */
   shapes?: unknown
 }
 
 /** The optional maps of a layer. */
 const MAPS = ['baseColor', 'roughness', 'occlusion', 'height', 'blood'] as const
 
-/** Most characters of a URL. */
+/** Maximum length of a URL. */
 const MAX_URL_LENGTH = 2048
 
 /**
- * Reads `wrinkles.json` except its drivers, which are returned unchecked.
+ * Reads `wrinkles.json`. Drivers are returned unchecked.
  *
- * @param json anything `JSON.parse` can return.
- * @param convention of areas that do not name one.
- * @throws FurrowError that names the first field which is missing, has the wrong type or is out of range.
+ * @param json result of `JSON.parse`.
+ * @param convention default for areas without one.
+ * @throws FurrowError naming the first field that is missing, has the wrong type or is out of range.
  */
 export function readSetDocument(
   reader: JsonReader,
@@ -75,8 +75,8 @@ export function readSetDocument(
   convention: AreaConvention,
 ): SetDocument & { drivers: unknown } {
   const root = reader.object(json, 'the document')
-  if (or(root.version, 1) !== 1)
-    reader.fail('unknown version', root.version, '1', 'write it in version 1 of the format')
+  if (orDefault(root.version, 1) !== 1)
+    reader.fail('unknown version', root.version, '1', 'write "version": 1')
   const layers = reader
     .array(root.layers, 'layers', 1, MAX_LAYERS)
     .map((item, i) => readLayer(reader, item, `layers[${i}]`))
@@ -101,11 +101,11 @@ export function readSetDocument(
 function readLayer(reader: JsonReader, item: unknown, at: string): SetDocument['layers'][number] {
   const json = reader.object(item, at)
   const name = reader.name(json.name, `${at}.name`)
-  const usual = `layers/${encodeURIComponent(name)}/normal.png`
+  const defaultUrl = `layers/${encodeURIComponent(name)}/normal.png`
   const layer: SetDocument['layers'][number] = {
     name,
-    kind: reader.choice(or(json.kind, 'replace'), `${at}.kind`, ['replace', 'detail']),
-    normal: reader.text(or(json.normal, usual), `${at}.normal`, MAX_URL_LENGTH),
+    kind: reader.choice(orDefault(json.kind, 'replace'), `${at}.kind`, ['replace', 'detail']),
+    normal: reader.text(orDefault(json.normal, defaultUrl), `${at}.normal`, MAX_URL_LENGTH),
   }
   for (const map of MAPS) {
     if (json[map] !== undefined) layer[map] = reader.text(json[map], `${at}.${map}`, MAX_URL_LENGTH)
@@ -139,13 +139,13 @@ function readArea(
 ): SetDocument['areas'][number] {
   const area = reader.object(item, at)
   const name = reader.name(area.name, `${at}.name`)
-  const usual = `areas/${encodeURIComponent(name)}.png`
+  const defaultUrl = `areas/${encodeURIComponent(name)}.png`
   return {
     name,
-    image: reader.text(or(area.image, usual), `${at}.image`, MAX_URL_LENGTH),
+    image: reader.text(orDefault(area.image, defaultUrl), `${at}.image`, MAX_URL_LENGTH),
     ...(area.layer !== undefined && { layer: reader.name(area.layer, `${at}.layer`) }),
-    combine: reader.choice<Combine>(or(area.combine, 'sum'), `${at}.combine`, ['sum', 'max']),
-    convention: reader.choice<AreaConvention>(or(area.convention, convention), `${at}.convention`, [
+    combine: reader.choice<Combine>(orDefault(area.combine, 'sum'), `${at}.combine`, ['sum', 'max']),
+    convention: reader.choice<AreaConvention>(orDefault(area.convention, convention), `${at}.convention`, [
       'paper',
       'weight',
     ]),

@@ -1,15 +1,13 @@
 /**
- * The kind of an error, for programs. Messages may change between versions, codes do not.
+ * Machine-readable kind of an error. Messages may change between versions; codes do not.
  *
- * | code | meaning |
- * | --- | --- |
- * | `invalid` | a value or file is not what it must be; the default |
- * | `out-of-range` | a number, size or count is beyond its limit |
- * | `unknown-name` | nothing has that name: a mesh, blendshape, area, or one of a fixed list |
- * | `unreadable` | a file or image is missing, cut off, or in an unknown format |
- * | `unwritable` | a file cannot be written |
- * | `unsupported` | the material, renderer, browser or memory at hand cannot do it |
- * | `usage` | the command line is not understood |
+ * - `invalid`: invalid value or file; the default
+ * - `out-of-range`: number, size or count outside its limits
+ * - `unknown-name`: no mesh, blendshape, area or option has the name
+ * - `unreadable`: file or image missing, truncated or in an unknown format
+ * - `unwritable`: file cannot be written
+ * - `unsupported`: not supported by the material, renderer or browser, or too little memory
+ * - `usage`: invalid command line
  */
 export type ErrorCode =
   | 'invalid'
@@ -22,21 +20,21 @@ export type ErrorCode =
 
 /** The parts of every Furrow error, in the order in which they are printed. */
 export interface ErrorParts {
-  /** `invalid` by default. */
+  /** Default `invalid`. */
   code?: ErrorCode
-  /** Who reports it: the class, function or command that the caller used. */
+  /** Class, function or command that the user called. */
   who: string
-  /** What is wrong. */
+  /** One phrase that names the problem. */
   problem: string
-  /** The value that was given. */
+  /** The rejected value. */
   value?: unknown
-  /** What would have been accepted. */
+  /** The allowed values. */
   limit?: string | undefined
-  /** What the caller can do about it. */
+  /** How the user can fix the problem. */
   remedy: string
 }
 
-/** The one error class of the package: `Module: what, the value, the limit; the remedy`. */
+/** The package's only error class. Messages read `Module: problem, got VALUE, allowed: LIMIT; remedy`. */
 export class FurrowError extends Error implements ErrorParts {
   override readonly name = 'FurrowError'
   declare readonly code: ErrorCode
@@ -51,27 +49,27 @@ export class FurrowError extends Error implements ErrorParts {
     Object.assign(this, parts, { code: parts.code ?? 'invalid' })
   }
 
-  /** The same error as `who` would report it: callers of a function know nothing of those that it calls. */
+  /** Returns this error in the name of `who`: users should see the function they called, not its helpers. */
   reportedBy(who: string): FurrowError {
     return new FurrowError({ ...this, who }, { cause: this })
   }
 }
 
-/** One problem as one line, for errors and warnings alike. */
+/** Formats one problem as one line, for errors and warnings. */
 export function sentence({ who, problem, value, limit, remedy }: ErrorParts): string {
   const given = value === undefined ? '' : `, got ${printable(value)}`
   const allowed = limit === undefined ? '' : `, allowed: ${limit}`
   return `${who}: ${problem}${given}${allowed}; ${remedy}`
 }
 
-/** At most 120 characters. */
+/** Formats a value in at most 120 characters. */
 function printable(value: unknown): string {
   const isPlain = (typeof value !== 'object' || value === null) && typeof value !== 'string'
   const text = isPlain ? String(value) : (toJson(value) ?? 'an object')
   return text.length > 120 ? `${text.slice(0, 117)}...` : text
 }
 
-/** Undefined where there is none: parsed JSON may be nested too deeply, and other objects may be cyclic. */
+/** Returns undefined if the value cannot be serialised (cyclic, or nested too deeply). */
 function toJson(value: unknown): string | undefined {
   try {
     return JSON.stringify(value)

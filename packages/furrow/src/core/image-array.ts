@@ -1,14 +1,14 @@
 import type { GrayImage, RgbaImage } from './types.ts'
 
 /**
- * Images of one size in one buffer: texel (x, y) of slice d starts at `(x + y * width + d * width * height) * channels` (the paper's
- * section on packing).
+ * Images of one size in one buffer. Texel (x, y) of slice d starts at `(x + y * width + d * width * height) * channels` (section on
+ * packing in the paper).
  */
 export interface ImageArray {
   /** Size of each image in texels. */
   width: number
   height: number
-  /** Number of images. */
+  /** Number of images (slices). */
   depth: number
   channels: 1 | 2 | 4
   /** width x height x depth x channels bytes. */
@@ -18,7 +18,7 @@ export interface ImageArray {
 /**
  * Copies images into one array.
  *
- * @param images at least one, all of one size, which is not checked.
+ * @param images at least one; all must have one size (unchecked).
  */
 export function imageArray(images: readonly (GrayImage | RgbaImage)[], channels: 1 | 4): ImageArray {
   const [{ width, height }] = images

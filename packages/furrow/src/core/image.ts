@@ -8,8 +8,8 @@ const CHANNELS_OF = { gray: 1, RGBA: 4 } as const
 /**
  * Checks an image's size and the length of its data.
  *
- * @throws FurrowError when a side is not an integer from 1 to 8192, or the data is not width x height x channels bytes long
- *   (1 channel for gray, 4 for RGBA).
+ * @throws FurrowError if a side is not an integer from 1 to 8192, or the data is not width x height x channels bytes long (1 channel
+ *   for gray, 4 for RGBA).
  */
 export function checkImage(
   image: GrayImage | RgbaImage,
@@ -17,24 +17,20 @@ export function checkImage(
   who: string,
 ): void {
   checkSides(image.width, image.height, who)
-  if (!ArrayBuffer.isView(image.data)) throw wrongArgument(who, 'data of an image', image.data, 'bytes')
+  if (!ArrayBuffer.isView(image.data)) throw wrongArgument(who, 'image data', image.data, 'a Uint8Array')
   const expected = image.width * image.height * CHANNELS_OF[layout]
   if (image.data.length !== expected) {
     throw new FurrowError({
       who,
-      problem: `${layout} image data of the wrong length`,
+      problem: `wrong length of ${layout} image data`,
       value: `${image.data.length} bytes`,
       limit: `${expected} bytes for ${image.width} x ${image.height}`,
-      remedy: 'give one byte per texel and channel',
+      remedy: 'pass one byte per texel and channel',
     })
   }
 }
 
-/**
- * Checks an image's size.
- *
- * @throws FurrowError when a side is not an integer from 1 to 8192.
- */
+/** @throws FurrowError if a side is not an integer from 1 to 8192. */
 function checkSides(width: number, height: number, who: string): void {
   for (const side of [width, height]) {
     if (Number.isInteger(side) && side >= 1 && side <= MAX_IMAGE_SIDE) continue
@@ -44,31 +40,36 @@ function checkSides(width: number, height: number, who: string): void {
       problem: 'image side out of range',
       value: `${width} x ${height}`,
       limit: `1 to ${MAX_IMAGE_SIDE} texels`,
-      remedy: 'scale the image',
+      remedy: 'resize the image',
     })
   }
 }
 
 /**
- * Resamples a gray image to a square: bilinearly where it grows; where it shrinks by a triangle filter as wide as a new texel's
- * footprint, so that thin features are averaged instead of skipped.
+ * Resamples a gray image to a square. Enlarging is bilinear. Shrinking uses a triangle filter as wide as a new texel's footprint, which
+ * averages thin features instead of skipping them.
  *
  * @param size side of the square in texels.
- * @returns the image itself if it has that size already, otherwise a new one.
+ * @returns the same image if the size matches, otherwise a new one.
  */
 export function resampleGray(image: GrayImage, size: number): GrayImage {
   const { width, height, data } = image
   if (width === size && height === size) return image
-  const columns = stretched(data, width, height, size)
-  const rows = stretched(columns, height, size, size)
+  const columns = resampleTransposed(data, width, height, size)
+  const rows = resampleTransposed(columns, height, size, size)
   return { width: size, height: size, data: Uint8Array.from(rows, Math.round) }
 }
 
 /**
- * The rows of an image at another width, as columns: twice, they are rows again. The filter is centred on each new texel, with a radius
- * of at least one source texel; edges are clamped.
+ * Resamples the rows of an image to another width and transposes the result; two passes restore the orientation. The filter radius is
+ * at least one source texel; edges are clamped.
  */
-function stretched(data: ArrayLike<number>, width: number, height: number, size: number): Float64Array {
+function resampleTransposed(
+  data: ArrayLike<number>,
+  width: number,
+  height: number,
+  size: number,
+): Float64Array {
   const columns = new Float64Array(size * height)
   const scale = width / size
   const radius = Math.max(scale, 1)

@@ -2,10 +2,10 @@ import { type ErrorCode, FurrowError } from './error.ts'
 import { isName, NAME_RULE } from './name.ts'
 import { didYouMean } from './nearest-name.ts'
 
-/** A point of the texture: u to the right, v downwards, both 0..1. */
+/** Texture coordinates: u to the right, v downwards, both 0..1. */
 export type Uv = [u: number, v: number]
 
-/** Checks one JSON document field by field; errors name the field by its path, e.g. `areas[2].name`. */
+/** Checks a JSON document field by field. Errors name the path of the field, e.g. `areas[2].name`. */
 export class JsonReader {
   readonly #who: string
 
@@ -13,7 +13,7 @@ export class JsonReader {
     this.#who = who
   }
 
-  /** The value as an object without keys other than `known`, where that is given. Throws otherwise. */
+  /** Reads an object. Throws for other types, and for keys outside `known` if given. */
   object(value: unknown, path: string, known?: readonly string[]): Record<string, unknown> {
     if (typeof value !== 'object' || value === null || Array.isArray(value)) {
       const fields = known ? ` with ${known.join(', ')}` : ''
@@ -33,7 +33,7 @@ export class JsonReader {
     return value as Record<string, unknown>
   }
 
-  /** The value as an array of `low` to `high` items. Throws otherwise. */
+  /** Reads an array of `low` to `high` items. Throws otherwise. */
   array(value: unknown, path: string, low: number, high: number): unknown[] {
     const range = `${low} to ${high} items`
     if (!Array.isArray(value)) this.fail(`${path} must be an array`, value, range, 'write [ ... ]')
@@ -49,7 +49,7 @@ export class JsonReader {
     return value
   }
 
-  /** The value as a finite number from `low` to `high`. Throws otherwise. */
+  /** Reads a finite number from `low` to `high`. Throws otherwise. */
   number(value: unknown, path: string, low: number, high: number, unit: string): number {
     const range = `${low}..${high}${unit === '' ? '' : ` ${unit}`}`
     if (typeof value !== 'number' || !Number.isFinite(value)) {
@@ -61,7 +61,7 @@ export class JsonReader {
     return value
   }
 
-  /** The value as an integer from `low` to `high`. Throws otherwise. */
+  /** Reads an integer from `low` to `high`. Throws otherwise. */
   integer(value: unknown, path: string, low: number, high: number): number {
     const number = this.number(value, path, low, high, '')
     if (!Number.isInteger(number)) {
@@ -70,7 +70,7 @@ export class JsonReader {
     return number
   }
 
-  /** Two numbers, or one number that counts for both. Throws otherwise. */
+  /** Reads two numbers, or one number for both. Throws otherwise. */
   pair(value: unknown, path: string, low: number, high: number): [number, number] {
     if (!Array.isArray(value)) {
       const both = this.number(value, path, low, high, '')
@@ -83,7 +83,7 @@ export class JsonReader {
     ]
   }
 
-  /** The value as text of 1 to `longest` characters. Throws otherwise. */
+  /** Reads text of 1 to `longest` characters. Throws otherwise. */
   text(value: unknown, path: string, longest = 64): string {
     if (typeof value !== 'string' || value === '' || value.length > longest) {
       this.fail(`${path} must be text`, value, `1 to ${longest} characters`, 'write it in quotes')
@@ -91,13 +91,13 @@ export class JsonReader {
     return value
   }
 
-  /** The value as the name of a layer or an area, see `isName`. Throws otherwise. */
+  /** Reads the name of a layer or an area, see `isName`. Throws otherwise. */
   name(value: unknown, path: string): string {
     if (!isName(value)) this.fail(`${path} must be text`, value, NAME_RULE, 'choose another name')
     return value
   }
 
-  /** The value as one of `allowed`. Throws otherwise. */
+  /** Reads one of the `allowed` texts. Throws otherwise. */
   choice<T extends string>(value: unknown, path: string, allowed: readonly T[]): T {
     if (!allowed.includes(value as T)) {
       this.fail(`${path} is unknown`, value, allowed.join(' or '), 'use one of them', 'unknown-name')
@@ -105,12 +105,12 @@ export class JsonReader {
     return value as T
   }
 
-  /** An array of `low` to 4096 points [u, v], both 0..1. Throws otherwise. */
+  /** Reads `low` to 4096 points [u, v], both 0..1. Throws otherwise. */
   points(value: unknown, path: string, low: number): Uv[] {
     return this.array(value, path, low, 4096).map((point, i) => this.point(point, `${path}[${i}]`))
   }
 
-  /** A point of the texture. Throws otherwise. */
+  /** Reads a point [u, v], both 0..1. Throws otherwise. */
   point(value: unknown, path: string): Uv {
     const [u, v] = this.array(value, path, 2, 2)
     return [
@@ -119,25 +119,25 @@ export class JsonReader {
     ]
   }
 
-  /** Throws FurrowError. Of a field that is missing it says so: `undefined` would not be printed. */
-  fail(what: string, value: unknown, limit: string | undefined, remedy: string, code?: ErrorCode): never {
-    const problem = value === undefined ? `${what}, got nothing` : what
-    throw new FurrowError({ code, who: this.#who, problem: problem, value, limit, remedy })
+  /** Throws a FurrowError. Adds "got nothing" for missing fields, because `undefined` is not printed. */
+  fail(message: string, value: unknown, limit: string | undefined, remedy: string, code?: ErrorCode): never {
+    const problem = value === undefined ? `${message}, got nothing` : message
+    throw new FurrowError({ code, who: this.#who, problem, value, limit, remedy })
   }
 }
 
-/** Runs a reader of one item. Its FurrowError goes to `onFault`, and the result is undefined. */
-export function unlessFaulty<T>(read: () => T, onFault: (fault: FurrowError) => void): T | undefined {
+/** Calls `read`. If it throws a FurrowError, passes the error to `onError` and returns undefined. */
+export function tryRead<T>(read: () => T, onError: (error: FurrowError) => void): T | undefined {
   try {
     return read()
   } catch (error) {
     if (!(error instanceof FurrowError)) throw error
-    onFault(error)
+    onError(error)
     return undefined
   }
 }
 
-/** Applies a default. `null` gets none: glTF has no null. */
-export function or(value: unknown, usual: unknown): unknown {
-  return value === undefined ? usual : value
+/** Returns `fallback` for undefined. Null is kept, so that it fails the checks: glTF has no null. */
+export function orDefault(value: unknown, fallback: unknown): unknown {
+  return value === undefined ? fallback : value
 }

@@ -2,7 +2,7 @@ import { isSlice } from './check-areas.ts'
 import { checkSizes } from './pack.ts'
 import type { ArraySlice, GrayImage, Layer, RgbaImage } from './types.ts'
 
-/** The kinds of maps that are in one array, occlusion and blood where there are both, after their layout. */
+/** Image layout, then the kinds of maps that share an array. */
 const ARRAYS = [
   ['RGBA', 'normal'],
   ['RGBA', 'baseColor'],
@@ -13,9 +13,9 @@ const ARRAYS = [
 ] as const
 
 /**
- * Checks that the layers' images of each kind have one size, as those of an array must. Slices are of one array anyway.
+ * Checks that the images of each kind have one size, because each kind becomes one array.
  *
- * @throws FurrowError when they have not.
+ * @throws FurrowError if sizes differ.
  */
 export function checkMapSizes(layers: readonly Layer<ArraySlice>[]): void {
   for (const [layout, ...kinds] of ARRAYS) {

@@ -1,14 +1,14 @@
 import { LONGEST_NAME } from './limits.ts'
 
-/** A class of characters that names must not have: they break lines, terminals, shaders and the encoding of files. */
+/** Excludes characters that break lines, terminals, shaders or file encodings. */
 const NAME = new RegExp(`^[^\\p{Cc}\\p{Cs}\\p{Zl}\\p{Zp}]{1,${LONGEST_NAME}}$`, 'u')
 
-/** The rule, for errors. */
+/** Rule for names, as the limit in errors. */
 export const NAME_RULE = `1 to ${LONGEST_NAME} characters, none of them a control character or a line break`
 
 /**
- * Whether a value can be the name of a layer or of an area: text of 1 to 256 characters (Unicode code points), none of them a control
- * character, a line or paragraph separator, or half of a surrogate pair. Two names are the same if their characters are.
+ * Whether a value is a valid name of a layer or area: 1 to 256 Unicode code points without control characters, line or paragraph
+ * separators, or lone surrogates. Names are compared without normalisation.
  */
 export function isName(value: unknown): value is string {
   return typeof value === 'string' && NAME.test(value)

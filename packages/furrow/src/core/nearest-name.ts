@@ -1,18 +1,18 @@
 import { FurrowError } from './error.ts'
 
-/** Longer names are not typed by hand, and slow to compare. */
-const LONGEST = 64
+/** Longer names are rarely typed by hand, and slow to compare. */
+const MAX_LENGTH = 64
 
-/** Largest part of a name that may be misspelt. */
-const MOST_WRONG = 0.4
+/** Maximum fraction of a name's characters that may be misspelt. */
+const MAX_MISSPELT = 0.4
 
-/** The name that a misspelt one was probably meant to be, whatever its case; undefined where none is near. */
+/** Returns the most similar name, ignoring case; undefined if none is similar enough. */
 export function nearestName(name: string, names: readonly string[]): string | undefined {
-  if (name.length > LONGEST) return undefined
+  if (name.length > MAX_LENGTH) return undefined
   let best: string | undefined
-  let least = Math.max(1, Math.floor(MOST_WRONG * name.length)) + 1
+  let least = Math.max(1, Math.floor(MAX_MISSPELT * name.length)) + 1
   for (const other of names) {
-    if (other.length > LONGEST) continue
+    if (other.length > MAX_LENGTH) continue
     const edits = editDistance(name.toLowerCase(), other.toLowerCase())
     if (edits >= least) continue
     least = edits
@@ -21,17 +21,17 @@ export function nearestName(name: string, names: readonly string[]): string | un
   return best
 }
 
-/** The remedy for an unknown name: the nearest one, or `otherwise` where none is near. */
-export function didYouMean(name: unknown, names: readonly string[], otherwise: string): string {
+/** Returns the remedy for an unknown name: the most similar name, or `fallback`. */
+export function didYouMean(name: unknown, names: readonly string[], fallback: string): string {
   const best = typeof name === 'string' ? nearestName(name, names) : undefined
-  return best === undefined ? otherwise : `did you mean "${best}"?`
+  return best === undefined ? fallback : `did you mean "${best}"?`
 }
 
 /**
  * Checks the names of options.
  *
- * @param who the caller, in errors.
- * @throws FurrowError at the first name that is not known.
+ * @param who name of the caller in errors.
+ * @throws FurrowError for the first unknown name.
  */
 export function checkOptionNames(options: object, known: readonly string[], who: string): void {
   const unknown = Object.keys(options).find((name) => !known.includes(name))
@@ -42,11 +42,11 @@ export function checkOptionNames(options: object, known: readonly string[], who:
     problem: 'unknown option',
     value: unknown,
     limit: known.join(', '),
-    remedy: didYouMean(unknown, known, 'correct the name or leave it out'),
+    remedy: didYouMean(unknown, known, 'correct the name or remove the option'),
   })
 }
 
-/** Levenshtein's distance: single characters to insert, delete or replace. Keeps one row of the usual table. */
+/** Levenshtein distance, with one row of the table in memory. */
 function editDistance(a: string, b: string): number {
   const row = Array.from({ length: b.length + 1 }, (_, j) => j)
   for (let i = 1; i <= a.length; i++) {

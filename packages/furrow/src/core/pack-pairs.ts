@@ -2,10 +2,10 @@ import type { ImageArray } from './image-array.ts'
 import type { GrayImage } from './types.ts'
 
 /**
- * Packs two single-channel maps of each layer into the channels of one image, as occlusion and blood are.
+ * Packs two single-channel maps of each layer, such as occlusion and blood, into the channels of one image.
  *
- * @param pairs of each layer both maps, at least one of which exists, all of one size, which is not checked; copied.
- * @param neutral what a map that is missing holds, 0..255.
+ * @param pairs two maps per layer, at least one present; copied. All must have one size (unchecked).
+ * @param neutral fill values for missing maps, 0..255.
  */
 export function packPairs(
   pairs: readonly (readonly [GrayImage | undefined, GrayImage | undefined])[],

@@ -6,12 +6,11 @@ import { DEFAULT_AREA_SIZE, MAX_AREAS } from './limits.ts'
 import type { GrayImage, RgbaImage } from './types.ts'
 
 /**
- * Packs RGBA images into one array: for the paper's shader its diffuse texture, smooth normals and wrinkled normals; for the default
- * mode the normals, or the base colours, of the layers.
+ * Packs RGBA images into one array, such as the normals or base colours of the layers.
  *
  * @param images at least one, all of one size; copied.
- * @param who names the caller in errors.
- * @throws FurrowError when there is none, one is malformed, or their sizes differ.
+ * @param who name of the caller in errors.
+ * @throws FurrowError if there are no images, one is malformed, or sizes differ.
  */
 export function packColours(images: readonly RgbaImage[], who = 'packColours'): ImageArray {
   checkSizes(images, 'RGBA', who)
@@ -22,8 +21,8 @@ export function packColours(images: readonly RgbaImage[], who = 'packColours'): 
  * Packs single-channel maps of the skin, such as roughness, into one array.
  *
  * @param images at least one, all of one size; copied.
- * @param who names the caller in errors.
- * @throws FurrowError when there is none, one is malformed, or their sizes differ.
+ * @param who name of the caller in errors.
+ * @throws FurrowError if there are no images, one is malformed, or sizes differ.
  */
 export function packGrays(images: readonly GrayImage[], who = 'packGrays'): ImageArray {
   checkSizes(images, 'gray', who)
@@ -31,12 +30,12 @@ export function packGrays(images: readonly GrayImage[], who = 'packGrays'): Imag
 }
 
 /**
- * Packs areas of any size into one single-channel array by resampling them to a common square grid.
+ * Resamples areas to squares of one size and packs them into one single-channel array.
  *
- * @param weights 1 to 256 gray images of weights (255 = fully visible); copied.
- * @param size side of the common grid in texels; 128 by default, as in the paper.
- * @param who names the caller in errors.
- * @throws FurrowError when there are none or too many, or one is malformed.
+ * @param weights 1 to 256 gray images of any size, 255 = fully visible; copied.
+ * @param size side of the squares in texels; default 128, as in the paper.
+ * @param who name of the caller in errors.
+ * @throws FurrowError if there are none or too many, or one is malformed.
  */
 export function packAreas(
   weights: readonly GrayImage[],
@@ -51,7 +50,7 @@ export function packAreas(
   return imageArray(images, 1)
 }
 
-/** @throws FurrowError when there is no image, one is malformed, or their sizes differ. */
+/** @throws FurrowError if there are no images, one is malformed, or sizes differ. */
 export function checkSizes(
   images: readonly (GrayImage | RgbaImage)[],
   layout: 'gray' | 'RGBA',
@@ -63,7 +62,7 @@ export function checkSizes(
       problem: 'no images',
       value: 0,
       limit: 'at least 1',
-      remedy: 'give an image',
+      remedy: 'pass an image',
     })
   }
   const { width, height } = images[0]
@@ -74,8 +73,8 @@ export function checkSizes(
       who,
       problem: `image ${index} differs in size from image 0`,
       value: `${image.width} x ${image.height}`,
-      limit: `${width} x ${height}, as all images of one array`,
-      remedy: 'scale them to one size',
+      limit: `${width} x ${height}`,
+      remedy: 'scale all images of the array to one size',
     })
   }
 }

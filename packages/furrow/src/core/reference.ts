@@ -1,6 +1,6 @@
 /**
- * The paper's formulas in float64 on the CPU (C. D. G. Reis, J. M. De Martino, H. C. Batagelo, "Real-time Simulation of Wrinkles",
- * WSCG 2008): the reference that tests compare every GPU path with. Colours and values are linear.
+ * Reference implementation of the paper in float64 (C. D. G. Reis, J. M. De Martino, H. C. Batagelo, "Real-time Simulation of Wrinkles",
+ * WSCG 2008). Tests compare every GPU path with it. Colours and values are linear.
  */
 import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from './blood.ts'
 import type { ImageArray } from './image-array.ts'
@@ -8,22 +8,22 @@ import { repeat } from './repeat.ts'
 import { TOON_LINE } from './toon-line.ts'
 import type { Combine, LayerKind } from './types.ts'
 
-/** An area as far as the influence depends on it, apart from its weights. */
+/** State of an area that its influence depends on, besides its weights. */
 export interface ActiveArea {
   /** 0..1 */
   activation: number
-  /** Index of the layer whose wrinkles it shows. */
+  /** Index of the layer. */
   layer: number
-  /** How it combines with others of that layer. */
+  /** How the area combines with others of its layer. */
   combine: Combine
 }
 
 /**
- * Samples one channel of an array bilinearly with clamped edges, as a GPU does: texel centres are at (i + 0.5) / width.
+ * Samples one channel of an array bilinearly with clamped edges, as a GPU does. Texel centres are at (i + 0.5) / width.
  *
  * @param array 8 bits per channel.
- * @param u texture coordinate, repeating outside 0..1.
- * @param v the same, downwards.
+ * @param u texture coordinate; repeats outside 0..1.
+ * @param v texture coordinate, downwards; repeats outside 0..1.
  * @param slice index in the array.
  * @param channel index within a texel.
  * @returns the value, 0..1.
@@ -35,12 +35,12 @@ export function sampleArray(array: ImageArray, u: number, v: number, slice: numb
 }
 
 /**
- * Interpolates the values of texels bilinearly, with clamped edges.
+ * Interpolates texels bilinearly with clamped edges.
  *
- * @param size of the texture, in texels.
- * @param u texture coordinate, repeating outside 0..1.
- * @param v the same, downwards.
- * @param texel value of the texel in column i and row j.
+ * @param size texture size in texels.
+ * @param u texture coordinate; repeats outside 0..1.
+ * @param v texture coordinate, downwards; repeats outside 0..1.
+ * @param texel returns the value in column i and row j.
  */
 export function interpolate(
   size: { width: number; height: number },
@@ -51,7 +51,7 @@ export function interpolate(
   return interpolateTexels(size, repeat(u) * size.width - 0.5, repeat(v) * size.height - 0.5, texel)
 }
 
-/** `interpolate` at a column and row, which are whole numbers at the centres of texels. */
+/** `interpolate` at a column and row; integers are texel centres. */
 export function interpolateTexels(
   { width, height }: { width: number; height: number },
   column: number,
@@ -70,13 +70,13 @@ export function interpolateTexels(
 }
 
 /**
- * The influence of one layer at a point: the paper's sum over all areas of weight times activation, clamped to 1, and no less than
- * that of any area that combines by `max`.
+ * Computes the influence of one layer at a point: the paper's sum of weight times activation over all areas, clamped to 1, and at least
+ * that of every `max` area.
  *
  * @param areas single-channel array, one slice per area.
- * @param active one for each slice, in their order.
- * @param u texture coordinate, repeating outside 0..1.
- * @param v the same, downwards.
+ * @param active state of each area, in the order of the slices.
+ * @param u texture coordinate; repeats outside 0..1.
+ * @param v texture coordinate, downwards; repeats outside 0..1.
  * @param layer index of the layer.
  * @returns the influence, 0..1.
  */
@@ -92,13 +92,13 @@ export function influence(
 }
 
 /**
- * The same as the influence map of the default mode gives it: computed at the texels of the areas, interpolated between them, and
- * clamped to 1 last. Equal to `influence` where no area combines by `max`.
+ * Computes the influence as the influence map of the default mode does: at texels, then interpolated, then clamped to 1. Equals
+ * `influence` if no area combines by `max`.
  *
  * @param areas single-channel array, one slice per area.
- * @param active one for each slice, in their order.
- * @param u texture coordinate, repeating outside 0..1.
- * @param v the same, downwards.
+ * @param active state of each area, in the order of the slices.
+ * @param u texture coordinate; repeats outside 0..1.
+ * @param v texture coordinate, downwards; repeats outside 0..1.
  * @param layer index of the layer.
  * @returns the influence, 0..1.
  */
@@ -118,7 +118,7 @@ export function influenceFromMap(
   return Math.min(1, interpolate(areas, u, v, texel))
 }
 
-/** Weight times activation of a layer's areas: the sum over those that add up, and the maximum of the others. */
+/** Combines weight times activation of a layer's areas: the sum over `sum` areas, and the maximum over `max` areas. */
 function combine(
   active: readonly ActiveArea[],
   layer: number,
@@ -136,11 +136,11 @@ function combine(
 }
 
 /**
- * Base colour, roughness or occlusion: the material's own value, interpolated towards those of the layers that have one. Where their
- * influences sum to more than 1, they are divided by the sum.
+ * Mixes base colour, roughness or occlusion: interpolates from the material's value to the values of the layers. Influences that sum to
+ * more than 1 are divided by the sum.
  *
- * @param base the material's own value, linear, any number of channels.
- * @param layers of each the value, with as many channels, and the influence, 0..1.
+ * @param base value of the material, linear, any number of channels.
+ * @param layers value with the same number of channels, and influence, 0..1, of each layer with such a map.
  */
 export function mixValues(
   base: readonly number[],
@@ -153,10 +153,10 @@ export function mixValues(
 }
 
 /**
- * What a blood map says at a point: 0 as much as at rest, 1 redder by its amplitude, -1 paler by it. `mixValues` mixes it, times the amplitude
- * of its layer, into a value of 0.
+ * Decodes a value of a blood map. The result times the layer's amplitude is mixed by `mixValues` into a base of 0.
  *
- * @param stored as in the map, 0..1.
+ * @param stored value in the map, 0..1.
+ * @returns -1..1: 0 = no change, 1 = redder by the amplitude, -1 = paler by the amplitude.
  */
 export function bloodOf(stored: number): number {
   const steps = stored * 255 - BLOOD_AT_REST
@@ -164,36 +164,36 @@ export function bloodOf(stored: number): number {
 }
 
 /**
- * The skin's colour with more or less blood in it, see `BLOOD_ABSORPTION`.
+ * Changes the amount of blood in a skin colour, see `BLOOD_ABSORPTION`.
  *
  * @param colour base colour, linear sRGB.
- * @param blood optical depth that green light gains.
- * @returns linear sRGB; the colour itself where blood is 0.
+ * @param blood added optical depth of green.
+ * @returns linear sRGB; the same colour if blood is 0.
  */
 export function bloodColour(colour: readonly number[], blood: number): number[] {
   return colour.map((value, i) => value * Math.exp(-BLOOD_ABSORPTION[i] * blood))
 }
 
 /**
- * Micro-shadow: how much of a light's highlight reaches a point whose layers are occluded. What is visible of the sky is taken as a cone
- * around the normal; light from inside of it arrives, and fades outside (D. Chan, "Material Advances in Call of Duty: WWII", 2018).
- * Diffuse light has none: skin scatters it further than these valleys are wide.
+ * Computes the micro-shadow of occluded wrinkles on a light's highlight (D. Chan, "Material Advances in Call of Duty: WWII", 2018). The
+ * visible sky is a cone around the normal: light inside it arrives, light outside fades. Diffuse light is not shadowed, because skin
+ * scatters it further than wrinkles are wide.
  *
- * @param visibility occlusion of the layers over a value of 1, see `mixValues`; 0..1.
- * @param cosine of the angle between the shaded normal and the light, 0..1.
- * @returns a factor of the light's specular reflection, 0..1.
+ * @param visibility mixed occlusion of the layers over a base of 1, see `mixValues`; 0..1.
+ * @param cosine cosine of the angle between shading normal and light, 0..1.
+ * @returns factor for the light's specular reflection, 0..1.
  */
 export function microShadow(visibility: number, cosine: number): number {
-  // Of the light of a sky that is even, a cone lets through the squared sine of its half angle.
+  // A cone admits the squared sine of its half angle of a uniform sky's light.
   const squaredCosineOfCone = 1 - visibility
   return cosine ** 2 < squaredCosineOfCone ? cosine ** 2 / squaredCosineOfCone : 1
 }
 
 /**
- * Step 4 of the paper's shader: interpolates between two lit colours.
+ * Interpolates between two lit colours: step 4 of the paper's shader.
  *
- * @param smooth lit with smooth normals, linear.
- * @param wrinkled lit with wrinkled normals, linear.
+ * @param smooth colour lit with smooth normals, linear.
+ * @param wrinkled colour lit with wrinkled normals, linear.
  * @param influence 0..1.
  */
 export function mixColours(
@@ -204,17 +204,17 @@ export function mixColours(
   return smooth.map((value, i) => lerp(value, wrinkled[i], influence))
 }
 
-/** Unpacks a normal as stored in a map, each channel 0..1, to -1..1; it is not normalised. */
+/** Unpacks a normal of a map from 0..1 to -1..1, without normalising. */
 export function unpackNormal(rgb: readonly number[]): number[] {
   return rgb.map((value) => value * 2 - 1)
 }
 
 /**
- * Lays a detail normal over a base normal by reoriented normal mapping: the detail is rotated as (0, 0, 1) is to the base
- * (C. Barre-Brisebois, S. Hill, "Blending in Detail", 2012).
+ * Lays a detail normal over a base normal by reoriented normal mapping (C. Barre-Brisebois, S. Hill, "Blending in Detail", 2012): the
+ * rotation from (0, 0, 1) to the base is applied to the detail.
  *
  * @param base unit vector in tangent space, z > -1.
- * @param detail the same.
+ * @param detail unit vector in tangent space.
  * @returns unit vector in tangent space.
  */
 export function reorientNormal(base: readonly number[], detail: readonly number[]): number[] {
@@ -224,21 +224,21 @@ export function reorientNormal(base: readonly number[], detail: readonly number[
   return normalize([t[0] * scale - r[0], t[1] * scale - r[1], t[2] * scale - r[2]])
 }
 
-/** The normal of one layer at a point, and its influence there. */
+/** Normal and influence of one layer at a point. */
 export interface LayerNormal {
-  /** How it combines with the skin's own. */
+  /** How the normal combines with the skin's. */
   kind: LayerKind
-  /** As in the layer's map, unpacked: in tangent space, not normalised. */
+  /** Unpacked normal of the layer's map, in tangent space, not normalised. */
   normal: readonly number[]
   /** 0..1 */
   influence: number
 }
 
 /**
- * The normal of the default mode, which is then lit once. Layers that replace are mixed in by their influence, divided by the sum where
- * that exceeds 1; slopes of detail layers are added, in any order, and laid over the result by reoriented normal mapping.
+ * Mixes normals as the default mode does, before lighting. `replace` layers are mixed in by influence; influences that sum to more than
+ * 1 are divided by the sum. Slopes of `detail` layers are added and laid over the result by reoriented normal mapping.
  *
- * @param base normal of the material's own map in tangent space, not normalised.
+ * @param base normal of the material's map in tangent space, not normalised.
  * @returns unit normal in tangent space.
  */
 export function mixNormals(base: readonly number[], layers: readonly LayerNormal[]): number[] {
@@ -256,13 +256,13 @@ export function mixNormals(base: readonly number[], layers: readonly LayerNormal
 }
 
 /**
- * Lines of wrinkles on a material that lights in steps (toon), whose steps hide most slopes: the skin's colour is darkened by itself
- * where the wrinkles add to its slope, whatever the light.
+ * Draws wrinkles as lines on a toon material, whose lighting steps hide most slopes. The colour is darkened where wrinkles add to the
+ * slope, independent of the light.
  *
  * @param colour linear RGB.
- * @param own normal of the material's own map in tangent space, not normalised.
- * @param mixed normal with wrinkles, the same.
- * @returns linear RGB; the colour itself where the normals are equal.
+ * @param own normal of the material's map in tangent space, not normalised.
+ * @param mixed normal with wrinkles in tangent space, not normalised.
+ * @returns linear RGB; the same colour if the normals are equal.
  */
 export function toonColour(
   colour: readonly number[],

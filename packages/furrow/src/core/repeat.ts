@@ -1,7 +1,4 @@
-/**
- * Wraps a texture coordinate into 0..1, for maps that repeat. A coordinate already within 0..1, both ends included, stays exactly as
- * it is.
- */
+/** Wraps a repeating texture coordinate into 0..1. Coordinates from 0 to 1, including both ends, are unchanged. */
 export function repeat(coordinate: number): number {
   return coordinate - Math.max(Math.ceil(coordinate) - 1, Math.min(Math.floor(coordinate), 0))
 }

@@ -1,7 +1,7 @@
-/** How wrinkles are drawn as lines by materials that light in steps, see `toonColour` in the reference. */
+/** Wrinkle lines on toon materials, see `toonColour` in the reference. */
 export const TOON_LINE = {
-  /** Slopes, rise over run, between which a line goes from none to full. */
+  /** Slopes, rise over run, at which a line starts and at which it is full. */
   slopes: [0.05, 0.5],
-  /** The colour of a full line is the skin's, times itself, times this. */
+  /** Factor for the squared skin colour of a full line. */
   shade: 0.7,
 } as const

@@ -1,6 +1,6 @@
 /**
- * One byte per texel, row by row from the top: row 0 is v = 0, as in glTF. An area in memory holds weights, 255 = wrinkles fully
- * visible; a file in the paper's convention holds the opposite.
+ * An image of one byte per texel, row by row from the top: row 0 is v = 0, as in glTF. Areas in memory hold weights, 255 = fully visible;
+ * files in the paper's convention are inverted.
  */
 export interface GrayImage {
   width: number
@@ -9,7 +9,7 @@ export interface GrayImage {
   data: Uint8Array
 }
 
-/** Four bytes per texel, row by row from the top: row 0 is v = 0, as in glTF. */
+/** An image of four bytes per texel, row by row from the top: row 0 is v = 0, as in glTF. */
 export interface RgbaImage {
   width: number
   height: number
@@ -18,14 +18,16 @@ export interface RgbaImage {
 }
 
 /**
- * How a layer's normal map combines with the skin's own. `replace`: it holds pores and wrinkles, and the two are mixed. `detail`: it
- * holds wrinkles only, laid over the skin's own by reoriented normal mapping.
+ * How a layer's normal map combines with the skin's.
+ *
+ * - `replace`: the map holds pores and wrinkles, and is mixed with the skin's.
+ * - `detail`: the map holds only wrinkles, and is laid over the skin's by reoriented normal mapping.
  */
 export type LayerKind = 'replace' | 'detail'
 
-/** A map in a texture array of the engine, as KTX 2 files have them. */
+/** A map in a texture array of the engine, read from a KTX 2 file. */
 export interface ArraySlice {
-  /** The engine's texture; opaque to everything without an engine. */
+  /** Texture of the engine. Opaque to engine-free code. */
   array: object
   /** Index in the array. */
   slice: number
@@ -34,68 +36,65 @@ export interface ArraySlice {
 }
 
 /**
- * The maps of the skin fully wrinkled.
+ * Maps of the fully wrinkled skin.
  *
- * @typeParam Slice `ArraySlice` where maps may also be slices of arrays.
+ * @typeParam Slice `ArraySlice` if maps may also be slices of texture arrays.
  */
 export interface Layer<Slice = never> {
   name: string
   kind: LayerKind
   /** Tangent-space normal map, linear, +Y towards smaller v (glTF's convention). */
   normal: RgbaImage | Slice
-  /** Factor on x and y of the normals, 1 by default. */
+  /** Factor for x and y of the normals; default 1. */
   normalScale?: number
-  /** Skin colour, sRGB. This and the two below replace the material's own map where wrinkles show. */
+  /** Skin colour, sRGB. Like roughness and occlusion, replaces the material's map where wrinkles show. */
   baseColor?: RgbaImage | Slice
   /** Roughness, linear, 255 = 1. */
   roughness?: GrayImage | Slice
   /** Fraction of the ambient light that arrives, linear, 255 = 1. */
   occlusion?: GrayImage | Slice
-  /** 0 = no occlusion, 1 = as in the map; 1 by default. */
+  /** 0 = no occlusion, 1 = as in the map; default 1. */
   occlusionStrength?: number
-  /**
-   * Blood in the skin, which absorbs light, linear: 128 = as much as at rest, 255 = redder by `bloodAmplitude`, 1 = paler by it. Of the
-   * size of the occlusion maps.
-   */
+  /** Change of blood, linear: 128 = none, 255 = redder by `bloodAmplitude`, 1 = paler by it. Same size as the occlusion maps. */
   blood?: GrayImage | Slice
-  /** Optical depth that green light gains from 128 to 255, 0..2; required with `blood`. See `BLOOD_ABSORPTION`. */
+  /** Optical depth of green at 255, 0..2; required with `blood`. See `BLOOD_ABSORPTION`. */
   bloodAmplitude?: number
-  /** Height of the surface where wrinkles show, linear, 127.5 = the skin itself; drawn as relief. */
+  /** Height of the wrinkled surface, linear, 127.5 = undisplaced skin; drawn as relief. */
   height?: GrayImage | Slice
-  /** Metres from black to white of the heights; required with `height`. */
+  /** Metres from black to white of the height map; required with `height`. */
   heightAmplitude?: number
 }
 
-/** How an area combines with others of its layer at the same texel: added, or the maximum of both. */
+/** How an area combines with others of its layer at the same texel: by addition, or by the maximum. */
 export type Combine = 'sum' | 'max'
 
 /**
- * An area of influence: where one controllable group of wrinkles is.
+ * An area of influence: the location of one controllable group of wrinkles.
  *
- * @typeParam Slice `ArraySlice` where weights may also be slices of arrays.
+ * @typeParam Slice `ArraySlice` if weights may also be slices of texture arrays.
  */
 export interface Area<Slice = never> {
   name: string
   /** Weights, 255 = fully visible; any size, resampled when packed. */
   weights: GrayImage | Slice
-  /** Name of the layer whose wrinkles it shows; the first layer by default. */
+  /** Name of the layer; default: the first layer. */
   layer?: string
-  /** `sum` by default. */
+  /** Default `sum`. */
   combine?: Combine
-  /** Activation at rest, 0..1, 0 by default. */
+  /** Resting activation, 0..1; default 0. */
   activation?: number
 }
 
 /**
- * All that an artist makes for one face: plain data, independent of any engine.
+ * Authored wrinkles of one face: plain data, independent of the engine.
  *
- * @typeParam Slice `ArraySlice` where maps and weights may also be slices of arrays.
+ * @typeParam Slice `ArraySlice` if maps and weights may also be slices of texture arrays.
  */
 export interface WrinkleSet<Slice = never> {
-  /** 1 to 4 layers; all maps of one kind have one size. */
+  /** 1 to 4 layers. All maps of one kind must have one size. */
   layers: Layer<Slice>[]
-  /** 1 to 256 areas with distinct names. */
+  /** 1 to 256 areas with unique names. */
   areas: Area<Slice>[]
-  /** What activates the areas; `new Wrinkles(mesh, set)` adds them, as `addDrivers` does. None by default. */
+  /** Drivers that `new Wrinkles(mesh, set)` adds, as `addDrivers` does; default none. */
   drivers?: readonly { type: string }[]
 }

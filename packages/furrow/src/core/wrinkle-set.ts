@@ -6,18 +6,17 @@ import { MAX_LAYERS } from './limits.ts'
 import type { Area, ArraySlice, Layer } from './types.ts'
 
 /**
- * Checks a wrinkle set: 1 to 4 layers with distinct names, 1 to 256 areas with distinct names, each on a layer that exists, and
- * well-formed images.
+ * Checks a wrinkle set: 1 to 4 layers and 1 to 256 areas with unique names, existing layers, and well-formed images.
  *
- * @param who names the caller in errors.
- * @throws FurrowError at the first fault.
+ * @param who name of the caller in errors.
+ * @throws FurrowError for the first problem found.
  */
 export function checkWrinkleSet(
   set: { layers: readonly Layer<ArraySlice>[]; areas: readonly Area<ArraySlice>[] },
   who = 'WrinkleSet',
 ): void {
   if (!isObject(set) || !Array.isArray(set.layers) || !Array.isArray(set.areas)) {
-    throw wrongArgument(who, 'a wrinkle set', set, 'an object with a list of layers and a list of areas')
+    throw wrongArgument(who, 'wrinkle set', set, 'an object with arrays of layers and areas')
   }
   checkCount(set.layers.length, 'layers', MAX_LAYERS, who)
   for (const layer of set.layers) checkLayer(layer, who)
@@ -26,24 +25,19 @@ export function checkWrinkleSet(
 }
 
 function checkLayer(layer: Layer<ArraySlice>, who: string): void {
-  if (!isObject(layer)) throw wrongArgument(who, 'a layer', layer, 'an object with a name, kind and normals')
+  if (!isObject(layer)) throw wrongArgument(who, 'layer', layer, 'an object with name, kind and normal')
   const { name, kind: kindOfLayer, normal, baseColor, roughness, occlusion, blood, height } = layer
   if (kindOfLayer !== 'replace' && kindOfLayer !== 'detail') {
     throw wrongArgument(who, `kind of layer "${name}"`, kindOfLayer, 'replace or detail')
   }
-  if (!isObject(normal)) throw wrongArgument(who, `normals of layer "${name}"`, normal, 'an image')
+  if (!isObject(normal)) throw wrongArgument(who, `normal of layer "${name}"`, normal, 'an image')
   checkFinite(layer.normalScale, `normalScale of layer "${name}"`, who)
   checkFinite(layer.heightAmplitude, `heightAmplitude of layer "${name}"`, who)
   if (height && layer.heightAmplitude === undefined) {
-    throw wrongArgument(
-      who,
-      `heights of layer "${name}" without heightAmplitude`,
-      undefined,
-      'metres from black to white',
-    )
+    throw wrongArgument(who, `heightAmplitude of layer "${name}"`, undefined, 'metres from black to white')
   }
   if ((layer.heightAmplitude ?? 0) < 0) {
-    throw wrongArgument(who, `heightAmplitude of layer "${name}"`, layer.heightAmplitude, '0 metres or more')
+    throw wrongArgument(who, `heightAmplitude of layer "${name}"`, layer.heightAmplitude, 'at least 0 metres')
   }
   checkFinite(layer.occlusionStrength, `occlusionStrength of layer "${name}"`, who)
   if (blood) checkBloodAmplitude(layer.bloodAmplitude, name, who)
@@ -55,7 +49,7 @@ function checkLayer(layer: Layer<ArraySlice>, who: string): void {
   }
 }
 
-/** @throws FurrowError when the amplitude of a layer's blood is missing or out of range. */
+/** @throws FurrowError if the blood amplitude of a layer is missing or out of range. */
 export function checkBloodAmplitude(amplitude: number | undefined, layer: string, who: string): void {
   if (amplitude !== undefined && amplitude >= 0 && amplitude <= MAX_BLOOD_AMPLITUDE) return
   throw wrongArgument(who, `bloodAmplitude of layer "${layer}"`, amplitude, `0 to ${MAX_BLOOD_AMPLITUDE}`)

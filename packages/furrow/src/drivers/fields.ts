@@ -1,4 +1,4 @@
-import { type JsonReader, or } from '../core/json.ts'
+import { type JsonReader, orDefault } from '../core/json.ts'
 import { LARGEST, LONGEST_NAME, MAX_CURVE_POINTS, MAX_LINKS } from '../core/limits.ts'
 import type { Rule } from './activation.ts'
 import type { Curve, CurvePoint } from './curve.ts'
@@ -46,12 +46,12 @@ export class Fields {
 
   /** A number from `low` to `high`; `fallback` if it is absent. */
   number(field: string, low: number, high: number, fallback: number): number {
-    return this.#reader.number(or(this.#json[field], fallback), `${this.#at}.${field}`, low, high, '')
+    return this.#reader.number(orDefault(this.#json[field], fallback), `${this.#at}.${field}`, low, high, '')
   }
 
   /** One of the allowed values; `fallback` if it is absent. */
   choice<T extends string>(field: string, allowed: readonly T[], fallback?: T): T {
-    return this.#reader.choice(or(this.#json[field], fallback), `${this.#at}.${field}`, allowed)
+    return this.#reader.choice(orDefault(this.#json[field], fallback), `${this.#at}.${field}`, allowed)
   }
 
   /** Two names. */
@@ -81,7 +81,7 @@ export class Fields {
   /** Items of an array; none if the field is absent and `least`, the number required, is 0. */
   list<T>(field: string, read: (item: Fields) => T, least = 0): T[] {
     const path = `${this.#at}.${field}`
-    const value = least === 0 ? or(this.#json[field], []) : this.#json[field]
+    const value = least === 0 ? orDefault(this.#json[field], []) : this.#json[field]
     return this.#reader.array(value, path, least, MAX_LINKS).map((item, i) => {
       const at = `${path}[${i}]`
       return read(new Fields(this.#reader, this.#reader.object(item, at), at, this.areas))
@@ -148,7 +148,7 @@ export class Fields {
   #curve(low: number, high: number, fallback?: readonly CurvePoint[]): Curve {
     const reader = this.#reader
     const at = `${this.#at}.curve`
-    const points = reader.array(or(this.#json.curve, fallback), at, 2, MAX_CURVE_POINTS)
+    const points = reader.array(orDefault(this.#json.curve, fallback), at, 2, MAX_CURVE_POINTS)
     const curve = points.map((item, i): CurvePoint => {
       const [input, output] = reader.array(item, `${at}[${i}]`, 2, 2)
       return [

@@ -1,7 +1,7 @@
 import type { AreaConvention } from '../core/area.ts'
 import { readSetDocument, type SetDocument } from '../core/document.ts'
 import type { FurrowError } from '../core/error.ts'
-import { JsonReader, or, unlessFaulty } from '../core/json.ts'
+import { JsonReader, orDefault, tryRead } from '../core/json.ts'
 import { MAX_DRIVERS } from '../core/limits.ts'
 import { WRINKLE_MAPS } from '../core/maps/declared.ts'
 import { type MapsAndAreas, readMaps } from '../core/maps/wrinkle-maps.ts'
@@ -83,9 +83,9 @@ function readDrivers(
   },
 ): WrinkleDriver[] {
   const names = areas.map(({ name }) => name)
-  const list = unlessFaulty(() => reader.array(or(value, []), 'drivers', 0, MAX_DRIVERS), onFault) ?? []
+  const list = tryRead(() => reader.array(orDefault(value, []), 'drivers', 0, MAX_DRIVERS), onFault) ?? []
   return list.flatMap(
-    (item, i) => unlessFaulty(() => readDriver(reader, item, `drivers[${i}]`, names), onFault) ?? [],
+    (item, i) => tryRead(() => readDriver(reader, item, `drivers[${i}]`, names), onFault) ?? [],
   )
 }
 

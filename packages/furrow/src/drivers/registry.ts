@@ -74,7 +74,7 @@ const definitions = new Map(Object.entries(DEFINITIONS) as [string, DriverDefini
  */
 export function registerDriver<D extends { type: string }>(definition: DriverDefinition<D>): void {
   if (!isObject(definition) || typeof definition.type !== 'string' || typeof definition.read !== 'function') {
-    throw wrongArgument('registerDriver', 'a definition', definition, 'an object with type and read')
+    throw wrongArgument('registerDriver', 'definition', definition, 'an object with type and read')
   }
   if (definitions.has(definition.type)) {
     throw new FurrowError({

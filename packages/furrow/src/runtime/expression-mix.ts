@@ -105,7 +105,7 @@ export class ExpressionMix {
    */
   play(choice: ExpressionChoice, seconds = 0, easing: Easing = 'linear'): void {
     if (typeof choice !== 'string' && !isObject(choice)) {
-      throw wrongArgument(WHO, 'an expression', choice, 'a name, or names and weights')
+      throw wrongArgument(WHO, 'expression', choice, 'a name, or names and weights')
     }
     const ease = typeof easing === 'function' ? easing : EASINGS[easing]
     if (!ease) throw wrongArgument(WHO, 'easing', easing, `${Object.keys(EASINGS).join(', ')}, or a function`)
@@ -196,7 +196,7 @@ export class ExpressionMix {
 function checkExpression(expression: Expression): void {
   const isValid = (values: unknown) => isObject(values) && Object.values(values).every(Number.isFinite)
   if (isObject(expression) && isValid(expression.targets) && isValid(expression.activations)) return
-  throw wrongArgument(WHO, 'an expression', expression, 'an object with a name, targets and activations')
+  throw wrongArgument(WHO, 'expression', expression, 'an object with a name, targets and activations')
 }
 
 interface Pose {

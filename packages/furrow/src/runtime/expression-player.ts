@@ -22,7 +22,7 @@ export class ExpressionPlayerBase {
    * @param expressions the first is the initial one; by default those that the face can show.
    */
   constructor(wrinkles: WrinkleFaces | undefined, bind: BindTargets, expressions?: readonly Expression[]) {
-    if (wrinkles !== undefined) checkWrinkles(wrinkles, 'ExpressionPlayer', 'the wrinkles of the face')
+    if (wrinkles !== undefined) checkWrinkles(wrinkles, 'ExpressionPlayer', 'wrinkles of the face')
     const authored = wrinkles ? expressionsOf(wrinkles.drivers) : []
     const shown = expressions ?? expressionsOfFace(authored, wrinkles, bind)
     // A page may play `happy` on any avatar: one that lacks the shapes stays as it is.

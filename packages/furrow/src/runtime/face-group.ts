@@ -57,7 +57,7 @@ export abstract class FaceGroup<Engine = unknown> {
   /** @throws FurrowError when it cannot tell the time. */
   set clock(clock: Clock) {
     if (typeof clock?.now !== 'function') {
-      throw wrongArgument('Wrinkles.clock', 'a clock', clock, 'an object with now()')
+      throw wrongArgument('Wrinkles.clock', 'clock', clock, 'an object with now()')
     }
     this.#clock = clock
   }
@@ -166,7 +166,7 @@ export abstract class FaceGroup<Engine = unknown> {
 
   onDispose(dispose: () => void): void {
     if (typeof dispose !== 'function') {
-      throw wrongArgument('Wrinkles.onDispose', 'what to call', dispose, 'a function')
+      throw wrongArgument('Wrinkles.onDispose', 'callback', dispose, 'a function')
     }
     this.#disposers.push(dispose)
   }

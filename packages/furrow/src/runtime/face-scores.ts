@@ -48,7 +48,7 @@ export class FaceScoresBase {
   #rebind(scores: readonly FaceScore[]): void {
     const wrong = scores.find((score) => typeof score?.categoryName !== 'string')
     if (wrong !== undefined || scores.includes(null as never)) {
-      throw wrongArgument('FaceScores', 'a score', wrong, 'an object with categoryName and score')
+      throw wrongArgument('FaceScores', 'score', wrong, 'an object with categoryName and score')
     }
     this.#names = scores.map(({ categoryName }) => categoryName)
     const wanted = this.#names.map((name) => (name === NEUTRAL ? '' : name))

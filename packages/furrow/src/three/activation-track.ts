@@ -19,14 +19,14 @@ export function activationTrack(
   times: ArrayLike<number>,
   values: ArrayLike<number>,
 ): NumberKeyframeTrack {
-  if (!mesh?.uuid) throw wrongArgument('activationTrack', 'invalid mesh', mesh, 'a Mesh of three.js')
-  if (typeof area !== 'string') throw wrongArgument('activationTrack', 'invalid area', area, 'a name')
+  if (!mesh?.uuid) throw wrongArgument('activationTrack', 'mesh', mesh, 'a Mesh of three.js')
+  if (typeof area !== 'string') throw wrongArgument('activationTrack', 'area', area, 'a name')
   const wrinkles = wrinklesOfMesh(mesh)
   if (wrinkles && !wrinkles.hasArea(area)) throw unknownArea(area, wrinkles.areaNames, 'activationTrack')
   if (!(times?.length > 0) || times.length !== values?.length) {
     throw wrongArgument(
       'activationTrack',
-      'wrong number of values',
+      'number of values',
       values?.length,
       `one for each of ${times?.length} times`,
     )

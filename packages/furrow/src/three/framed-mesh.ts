@@ -99,7 +99,7 @@ export abstract class FramedMesh
   update(renderer: AnyRenderer | null): void {
     this.checkInUse('update')
     if (renderer !== null && typeof renderer?.render !== 'function') {
-      throw wrongArgument('Wrinkles.update', 'invalid renderer', renderer, 'a renderer of three.js, or null')
+      throw wrongArgument('Wrinkles.update', 'renderer', renderer, 'a renderer of three.js, or null')
     }
     if (renderer) {
       checkRenderer(renderer, this.renderer.entry, 'Wrinkles')

@@ -56,13 +56,12 @@ export const WRINKLES_DEFAULTS: Required<WrinklesOptions> = {
 
 /** @throws FurrowError if the mode is unknown. */
 export function checkMode(mode: WrinkleMode, who = 'Wrinkles.mode'): void {
-  if (!MODES.includes(mode)) throw wrongArgument(who, 'unknown mode', mode, MODES.join(', '))
+  if (!MODES.includes(mode)) throw wrongArgument(who, 'mode', mode, MODES.join(', '))
 }
 
 /** @throws FurrowError if the relief mode is unknown. */
 export function checkReliefMode(relief: ReliefMode, who = 'Wrinkles.relief'): void {
-  if (!RELIEF_MODES.includes(relief))
-    throw wrongArgument(who, 'unknown relief', relief, RELIEF_MODES.join(', '))
+  if (!RELIEF_MODES.includes(relief)) throw wrongArgument(who, 'relief', relief, RELIEF_MODES.join(', '))
 }
 
 /**

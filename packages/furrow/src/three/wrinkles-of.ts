@@ -34,7 +34,7 @@ export function wrinklesOf(source: Mesh | LoadedFile): WrinklesBase | undefined 
   if (!isLoadedFile(source)) {
     const value = isObject(source) ? source.constructor?.name : source
     const limit = 'a Mesh, or the result of GLTFLoader (gltf, not gltf.scene)'
-    throw wrongArgument('wrinklesOf', 'invalid argument', value, limit)
+    throw wrongArgument('wrinklesOf', 'argument', value, limit)
   }
   const { wrinkles } = source.userData
   if (!wrinkles) warnUnregistered(source)
@@ -50,7 +50,7 @@ export function wrinklesOf(source: Mesh | LoadedFile): WrinklesBase | undefined 
 export async function wrinklesReady(file: LoadedFile): Promise<readonly WrinklesBase[]> {
   if (!isLoadedFile(file)) {
     const value = isObject(file) ? (file as object).constructor?.name : file
-    throw wrongArgument('wrinklesReady', 'invalid argument', value, 'the result of GLTFLoader')
+    throw wrongArgument('wrinklesReady', 'argument', value, 'the result of GLTFLoader')
   }
   await file.userData.wrinklesReady
   return wrinklesOf(file)

@@ -1,4 +1,4 @@
-import { type JsonReader, or, type Uv } from '../../core/json.ts'
+import { type JsonReader, orDefault, type Uv } from '../../core/json.ts'
 
 /** Net of fine furrows on the skin. */
 export interface Furrows {
@@ -42,8 +42,8 @@ export function readFurrows(read: JsonReader, json: unknown): Furrows {
   const field = read.object(json, 'furrows', ['size', 'depth', 'stretch', 'seed', 'layer', 'regions'])
   const furrows: Furrows = {
     ...readCells(read, field, 'furrows', FINE_FURROW_DEFAULTS),
-    stretch: read.number(or(field.stretch, FINE_FURROW_DEFAULTS.stretch), 'furrows.stretch', 1, 2, ''),
-    seed: read.integer(or(field.seed, FINE_FURROW_DEFAULTS.seed), 'furrows.seed', 0, 2 ** 31 - 1),
+    stretch: read.number(orDefault(field.stretch, FINE_FURROW_DEFAULTS.stretch), 'furrows.stretch', 1, 2, ''),
+    seed: read.integer(orDefault(field.seed, FINE_FURROW_DEFAULTS.seed), 'furrows.seed', 0, 2 ** 31 - 1),
   }
   if (field.layer !== undefined) furrows.layer = read.name(field.layer, 'furrows.layer')
   if (field.regions !== undefined) {
@@ -72,7 +72,7 @@ function readCells(
   usual: CellSize,
 ): CellSize {
   return {
-    size: read.number(or(field.size, usual.size), `${path}.size`, 0.2, 20, 'mm'),
-    depth: read.number(or(field.depth, usual.depth), `${path}.depth`, 0, 2, 'mm'),
+    size: read.number(orDefault(field.size, usual.size), `${path}.size`, 0.2, 20, 'mm'),
+    depth: read.number(orDefault(field.depth, usual.depth), `${path}.depth`, 0, 2, 'mm'),
   }
 }

@@ -1,5 +1,5 @@
 import type { FurrowError } from '../../core/error.ts'
-import { JsonReader, unlessFaulty } from '../../core/json.ts'
+import { JsonReader, tryRead } from '../../core/json.ts'
 import { LONGEST_NAME, MAX_LINKS } from '../../core/limits.ts'
 import { didYouMean } from '../../core/nearest-name.ts'
 import { canonicalTargetName, targetFinder } from '../../drivers/morph/target-names.ts'
@@ -34,10 +34,8 @@ export function parseCorrections(
 ): ShapeCorrection[] {
   if (json === undefined) return []
   const reader = new JsonReader(who)
-  const list = unlessFaulty(() => reader.array(json, 'shapes', 0, MAX_LINKS), onFault) ?? []
-  return list.flatMap(
-    (item, i) => unlessFaulty(() => readCorrection(reader, item, `shapes[${i}]`), onFault) ?? [],
-  )
+  const list = tryRead(() => reader.array(json, 'shapes', 0, MAX_LINKS), onFault) ?? []
+  return list.flatMap((item, i) => tryRead(() => readCorrection(reader, item, `shapes[${i}]`), onFault) ?? [])
 }
 
 function readCorrection(reader: JsonReader, item: unknown, at: string): ShapeCorrection {

@@ -1,4 +1,4 @@
-import { JsonReader, or, type Uv } from '../../core/json.ts'
+import { JsonReader, orDefault, type Uv } from '../../core/json.ts'
 import { MAX_AREAS, MAX_IMAGE_SIDE } from '../../core/limits.ts'
 import { type Furrows, readFurrows } from '../furrows/read-furrows.ts'
 import { MILLIMETRES_PER_METRE } from '../metric.ts'
@@ -100,7 +100,7 @@ export function parseStrokes(json: unknown): StrokesDocument {
   if (root.version !== 1) read.fail('unknown version', root.version, '1', 'write "version": 1')
   const document: StrokesDocument = {
     version: 1,
-    scale: read.number(or(root.scale, MILLIMETRES_PER_METRE), 'scale', ...SCALE_RANGE, 'mm per unit'),
+    scale: read.number(orDefault(root.scale, MILLIMETRES_PER_METRE), 'scale', ...SCALE_RANGE, 'mm per unit'),
     strokes: read.array(root.strokes, 'strokes', 1, 10_000).map((stroke, i) => readStroke(read, stroke, i)),
   }
   if (root.size !== undefined) document.size = readSize(read, root.size)
@@ -122,7 +122,7 @@ function readSize(read: JsonReader, value: unknown): number {
 function readStroke(read: JsonReader, json: unknown, index: number): Stroke {
   const path = `strokes[${index}]`
   const field = read.object(json, path, STROKE_FIELDS)
-  const curve = read.choice(or(field.curve, STROKE_DEFAULTS.curve), `${path}.curve`, CURVES)
+  const curve = read.choice(orDefault(field.curve, STROKE_DEFAULTS.curve), `${path}.curve`, CURVES)
   const points = read.points(field.points, `${path}.points`, curve === 'bezier' ? 4 : 2)
   if (curve === 'bezier' && points.length % 3 !== 1) {
     const remedy = 'give one end, then two handles and an end per curve'
@@ -136,10 +136,10 @@ function readStroke(read: JsonReader, json: unknown, index: number): Stroke {
     points,
     width: read.number(field.width, `${path}.width`, 0.1, 50, 'mm'),
     depth: read.number(field.depth, `${path}.depth`, 0, 10, 'mm'),
-    taper: read.pair(or(field.taper, STROKE_DEFAULTS.taper), `${path}.taper`, 0, 1),
-    shoulder: read.pair(or(field.shoulder, STROKE_DEFAULTS.shoulder), `${path}.shoulder`, 0, 1),
-    softness: read.number(or(field.softness, STROKE_DEFAULTS.softness), `${path}.softness`, 0, 1, ''),
-    waviness: read.number(or(field.waviness, STROKE_DEFAULTS.waviness), `${path}.waviness`, 0, 1, ''),
+    taper: read.pair(orDefault(field.taper, STROKE_DEFAULTS.taper), `${path}.taper`, 0, 1),
+    shoulder: read.pair(orDefault(field.shoulder, STROKE_DEFAULTS.shoulder), `${path}.shoulder`, 0, 1),
+    softness: read.number(orDefault(field.softness, STROKE_DEFAULTS.softness), `${path}.softness`, 0, 1, ''),
+    waviness: read.number(orDefault(field.waviness, STROKE_DEFAULTS.waviness), `${path}.waviness`, 0, 1, ''),
   }
   if (field.group !== undefined) stroke.group = read.name(field.group, `${path}.group`)
   if (field.layer !== undefined) stroke.layer = read.name(field.layer, `${path}.layer`)

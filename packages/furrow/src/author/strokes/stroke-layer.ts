@@ -1,5 +1,5 @@
 import type { Bounds } from '../../core/bounds.ts'
-import { checkSizes, layOnNormals } from '../../core/normals/combine-normals.ts'
+import { checkSizes, overlayNormals } from '../../core/normals/combine-normals.ts'
 import type { GrayImage, RgbaImage } from '../../core/types.ts'
 import { drawNormals, heightToNormal, type TangentFrame } from '../normals/height-to-normal.ts'
 import { SLOPE_REACH } from '../normals/slope.ts'
@@ -55,7 +55,7 @@ export class StrokeLayer {
     this.normal = heightToNormal(this.heights, metric, frame)
     if (!base) return
     checkSizes(base, this.normal)
-    layOnNormals(base, this.normal, { x0: 0, y0: 0, x1: metric.width, y1: metric.height })
+    overlayNormals(base, this.normal, { x0: 0, y0: 0, x1: metric.width, y1: metric.height })
   }
 
   /**
@@ -155,7 +155,7 @@ export class StrokeLayer {
 
   #drawNormals(bounds: Bounds): void {
     drawNormals(this.normal, bounds, this.heights, this.#canvas.metric, this.#frame)
-    if (this.#base) layOnNormals(this.#base, this.normal, bounds)
+    if (this.#base) overlayNormals(this.#base, this.normal, bounds)
   }
 }
 

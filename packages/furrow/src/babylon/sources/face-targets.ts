@@ -13,7 +13,7 @@ import { targetNames } from './morph.ts'
  */
 export function bindFaceTargets(face: Node, names: readonly string[], who: string): TargetBinding[] {
   if (typeof face?.getChildMeshes !== 'function') {
-    throw wrongArgument(who, 'invalid face', face, 'a mesh or TransformNode of Babylon.js')
+    throw wrongArgument(who, 'face', face, 'a mesh or TransformNode of Babylon.js')
   }
   const meshes = [face as AbstractMesh, ...face.getChildMeshes()]
   // Instances and clones share managers.

@@ -4,15 +4,15 @@ import type { TextureShape } from './rules.ts'
 
 const MIB = 2 ** 20
 
-/** Counts what the images of a file's wrinkles take once they are decoded. Loaders and `furrow validate` count alike. */
+/** Sums the decoded size of a file's wrinkle images, for loaders and `furrow validate`. */
 export class DecodedBytes {
   readonly #counted = new Set<number>()
   #sum = 0
 
   /**
-   * Counts the image of a texture once, in RGBA and all of its slices.
+   * Adds all slices of a texture, as RGBA. Each texture counts once.
    *
-   * @throws FurrowError where all that were counted are too large together.
+   * @throws FurrowError if the sum exceeds `MAX_WRINKLE_BYTES`.
    */
   add(texture: number, { width, height, slices }: Omit<TextureShape, 'layout'>, who: string): void {
     if (!this.#counted.has(texture)) this.#sum += 4 * width * height * Math.max(slices ?? 1, 1)
@@ -20,16 +20,16 @@ export class DecodedBytes {
     this.check(who)
   }
 
-  /** Throws FurrowError where those that were counted are too large together. */
+  /** @throws FurrowError if the sum exceeds `MAX_WRINKLE_BYTES`. */
   check(who: string): void {
     if (this.#sum <= MAX_WRINKLE_BYTES) return
     throw new FurrowError({
       code: 'out-of-range',
       who,
-      problem: 'the images of the wrinkles are too large together',
+      problem: 'total size of the wrinkle images too large',
       value: `${Math.ceil(this.#sum / MIB)} MiB decoded`,
-      limit: `${MAX_WRINKLE_BYTES / MIB} MiB for all of a file`,
-      remedy: 'scale them down',
+      limit: `${MAX_WRINKLE_BYTES / MIB} MiB per file`,
+      remedy: 'scale the images down',
     })
   }
 }

@@ -1,13 +1,13 @@
-// Markers of JPEG (ITU-T T.81, table B.1), after a byte 0xff.
+// JPEG markers, which follow a byte 0xff (ITU-T T.81, table B.1).
 const END_OF_IMAGE = 0xd9
 const FIRST_RESTART = 0xd0
 const START_OF_IMAGE = 0xd8
 const FIRST_SEGMENT = 0xc0
 
 /**
- * Why a JPEG file is not whole; undefined where it is.
+ * Returns why a JPEG file is damaged; undefined for intact files.
  *
- * Segments begin with a marker and their length; coded data follows some, in which a zero says that the byte before it is data.
+ * A segment starts with a marker and its length. Coded data may follow, in which 0xff 0x00 is a data byte 0xff.
  */
 export function jpegDamage(bytes: Uint8Array): string | undefined {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength)
@@ -17,9 +17,9 @@ export function jpegDamage(bytes: Uint8Array): string | undefined {
     if (view.getUint8(at) !== 0xff || marker === 0xff) at++
     else if (marker === 0 || (marker >= FIRST_RESTART && marker <= START_OF_IMAGE)) at += 2
     else if (marker === END_OF_IMAGE) return undefined
-    else if (marker < FIRST_SEGMENT) return 'it has an unknown marker'
-    else if (at + 4 > view.byteLength) return 'it is cut off'
+    else if (marker < FIRST_SEGMENT) return 'unknown JPEG marker'
+    else if (at + 4 > view.byteLength) return 'truncated file'
     else at += 2 + view.getUint16(at + 2)
   }
-  return 'it is cut off'
+  return 'truncated file'
 }

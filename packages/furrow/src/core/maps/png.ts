@@ -1,30 +1,29 @@
-/** The parts of a PNG file (PNG, sections 5.3 and 11.2). */
+/** Header of a PNG file (PNG specification, section 11.2). */
 export interface PngHeader {
   width: number
   height: number
   /** Bits per channel. */
   depth: number
-  /** 0 gray, 2 RGB, 3 a palette, 4 gray and alpha, 6 RGBA. */
+  /** Colour type: 0 gray, 2 RGB, 3 palette, 4 gray and alpha, 6 RGBA. */
   colour: number
-  /** Whether its rows are stored in seven passes. */
+  /** Whether rows are stored in seven passes. */
   isInterlaced: boolean
 }
 
-/** A chunk that is whole. */
+/** A complete chunk of a PNG file. */
 export interface PngChunk {
   type: string
   data: Uint8Array
-  /** Whether its checksum is that of its type and data. */
-  isSound: boolean
+  isChecksumValid: boolean
 }
 
-/** Bytes before the first chunk. */
+/** Signature length in bytes. */
 const PNG_SIGNATURE_BYTES = 8
 
-/** The first bytes of the signature. */
+/** First four bytes of the signature. */
 const SIGNATURE = 0x89504e47
 
-/** The header of a PNG file; undefined for any other. */
+/** Reads the header of a PNG file; undefined for other formats. */
 export function pngHeader(bytes: Uint8Array): PngHeader | undefined {
   const file = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength)
   if (bytes.length < PNG_SIGNATURE_BYTES + 25 || file.getUint32(0) !== SIGNATURE) return undefined
@@ -38,7 +37,7 @@ export function pngHeader(bytes: Uint8Array): PngHeader | undefined {
   }
 }
 
-/** The chunks of a PNG file up to its last one, or as far as they are whole: a length, a type, data and a checksum. */
+/** Reads the chunks of a PNG file (section 5.3) up to `IEND` or the first truncated one. */
 export function pngChunks(bytes: Uint8Array): PngChunk[] {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength)
   const chunks: PngChunk[] = []
@@ -50,23 +49,25 @@ export function pngChunks(bytes: Uint8Array): PngChunk[] {
     chunks.push({
       type: String.fromCharCode(...bytes.subarray(at + 4, start)),
       data: bytes.subarray(start, end),
-      isSound: crc32(bytes.subarray(at + 4, end)) === view.getUint32(end),
+      isChecksumValid: crc32(bytes.subarray(at + 4, end)) === view.getUint32(end),
     })
     at = end + 4
   }
   return chunks
 }
 
-/** Whether a PNG file with these chunks is whole. */
-export function isWholePng(chunks: readonly PngChunk[]): boolean {
+/** Whether chunks form a complete PNG file with valid checksums. */
+export function isCompletePng(chunks: readonly PngChunk[]): boolean {
   return (
-    chunks[0]?.type === 'IHDR' && chunks.at(-1)!.type === 'IEND' && chunks.every(({ isSound }) => isSound)
+    chunks[0]?.type === 'IHDR' &&
+    chunks.at(-1)!.type === 'IEND' &&
+    chunks.every(({ isChecksumValid }) => isChecksumValid)
   )
 }
 
 let table: Uint32Array | undefined
 
-/** PNG, annex D. */
+/** Cyclic redundancy check of PNG, annex D. */
 function crc32(bytes: Uint8Array): number {
   table ??= Uint32Array.from({ length: 256 }, (_, byte) => {
     for (let bit = 0; bit < 8; bit++) byte = byte & 1 ? (byte >>> 1) ^ 0xedb88320 : byte >>> 1

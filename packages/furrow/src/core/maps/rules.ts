@@ -3,22 +3,22 @@ import { MAX_IMAGE_SIDE } from '../limits.ts'
 import { WRINKLE_MAPS } from './declared.ts'
 import type { MapsAndAreas, TextureReference, WrinkleMapsLayer } from './wrinkle-maps.ts'
 
-/** What reading the image of a texture tells about it. */
+/** Size and format of a texture's image. */
 export interface TextureShape {
   width: number
   height: number
-  /** Of a KTX 2 file: slices of an array, 0 where it is a plain image; undefined for images of other formats. */
+  /** KTX 2 only: slices of an array, 0 for a plain image. Undefined for other formats. */
   slices?: number
-  /** Of a KTX 2 file: its encoding and levels, which are the same in all that become one array. */
+  /** KTX 2 only: encoding and mipmap levels. Must be equal for all textures of one array. */
   layout?: string
 }
 
-/** A rule that the maps of a file break. */
+/** A broken rule for the maps of a file. */
 export interface MapProblem extends ErrorParts {
   rule: 'IMAGE_SIZE' | 'LAYER_SIZES' | 'MIXED_FORMATS' | 'KTX2_LAYOUTS' | 'NO_SLICE' | 'ARRAY_AS_IMAGE'
 }
 
-/** The kinds of maps that are drawn, with their slots and names for errors. Heights are for tools. */
+/** Kinds of drawn maps, with their slots and their names in errors. Heights are not drawn. */
 const KINDS = {
   normal: { normalTexture: 'normal' },
   'base colour': { baseColorTexture: 'base colour' },
@@ -28,33 +28,32 @@ const KINDS = {
 
 type MapSlot = Extract<keyof WrinkleMapsLayer, `${string}Texture`>
 
-/** A map or an area: its texture, and what to call it in errors. */
-type Named = TextureReference & { called: string }
+/** Texture of a map or an area, and its label in errors. */
+type LabelledTexture = TextureReference & { label: string }
 
-/** The textures of the maps and areas that are drawn, each once. */
+/** Lists the textures of drawn maps and areas, each once. */
 export function drawnTextures(maps: MapsAndAreas): number[] {
   return [...new Set(kindsOf(maps).flatMap(([, infos]) => infos.map(({ index }) => index)))]
 }
 
 /**
- * Checks the maps of a file by what their images are: the rules that the JSON alone cannot tell. Loaders and `furrow validate` use the
- * same ones.
+ * Checks the images of a file's maps: the rules that need more than the JSON. Shared by loaders and `furrow validate`.
  *
- * @param shapeOf of each texture in `drawnTextures`.
- * @param ofFace textures that something else in the file uses, see `texturesOfFace`.
- * @param who names the file or material in errors.
- * @returns the rules that are broken; a loader reports the first.
+ * @param shapeOf returns the shape of each texture in `drawnTextures`.
+ * @param faceTextures textures that other parts of the file use, see `texturesOfFace`.
+ * @param who name of the file or material in errors.
+ * @returns all broken rules; loaders report the first.
  */
 export function mapProblems(
   maps: MapsAndAreas,
   shapeOf: (texture: number) => TextureShape,
-  ofFace: ReadonlySet<number>,
+  faceTextures: ReadonlySet<number>,
   who: string,
 ): MapProblem[] {
   const kinds = kindsOf(maps)
   const infos = kinds.flatMap(([, ofKind]) => ofKind)
   const withoutSlice = infos.flatMap(({ index, slice }) => (slice === undefined ? index : []))
-  const images = new Set([...ofFace, ...withoutSlice])
+  const images = new Set([...faceTextures, ...withoutSlice])
   return [
     ...drawnTextures(maps).flatMap((index) => textureProblems(index, shapeOf(index), images, who)),
     ...infos.flatMap((info) => sliceProblem(info, shapeOf(info.index), who) ?? []),
@@ -62,21 +61,21 @@ export function mapProblems(
   ]
 }
 
-/** The maps of each kind, and the areas. */
-function kindsOf({ layers, areas }: MapsAndAreas): [kind: string, infos: Named[]][] {
-  const maps = Object.entries(KINDS).map(([kind, slots]): [string, Named[]] => [
+/** Lists the maps of each kind, then the areas. */
+function kindsOf({ layers, areas }: MapsAndAreas): [kind: string, infos: LabelledTexture[]][] {
+  const maps = Object.entries(KINDS).map(([kind, slots]): [string, LabelledTexture[]] => [
     `${kind} maps`,
     layers.flatMap((layer) =>
       Object.entries(slots).flatMap(([slot, map]) => {
         const info = layer[slot as MapSlot]
-        return info ? [{ ...info, called: `layer "${layer.name}": ${map}` }] : []
+        return info ? [{ ...info, label: `layer "${layer.name}": ${map}` }] : []
       }),
     ),
   ])
-  return [...maps, ['areas', areas.map(({ name, texture }) => ({ ...texture, called: `area "${name}"` }))]]
+  return [...maps, ['areas', areas.map(({ name, texture }) => ({ ...texture, label: `area "${name}"` }))]]
 }
 
-/** @param images textures that texture infos without a slice refer to: KHR_texture_basisu allows them plain images only. */
+/** @param images textures used without a slice: KHR_texture_basisu allows only plain images there. */
 function textureProblems(
   index: number,
   { width, height, slices }: TextureShape,
@@ -89,25 +88,25 @@ function textureProblems(
       rule: 'IMAGE_SIZE',
       code: 'out-of-range',
       who,
-      problem: `the image of texture ${index} is too large`,
+      problem: `image of texture ${index} too large`,
       value: `${width} x ${height}`,
-      limit: `${MAX_IMAGE_SIDE} texels on a side`,
-      remedy: 'scale it down',
+      limit: `at most ${MAX_IMAGE_SIDE} texels per side`,
+      remedy: 'scale the image down',
     })
   }
   if (slices && images.has(index)) {
     problems.push({
       rule: 'ARRAY_AS_IMAGE',
       who,
-      problem: `texture ${index} is an array of ${slices}, and a texture info without a slice refers to it`,
-      remedy: 'name a slice, or give the plain face an image of its own',
+      problem: `texture ${index} is an array of ${slices} slices, but is used without a slice index`,
+      remedy: 'add `slice` to the texture info, or use a separate image for the plain face',
     })
   }
   return problems
 }
 
 function sliceProblem(
-  { slice, called }: Named,
+  { slice, label }: LabelledTexture,
   { slices }: TextureShape,
   who: string,
 ): MapProblem | undefined {
@@ -119,38 +118,38 @@ function sliceProblem(
     rule: 'NO_SLICE',
     code: 'out-of-range',
     who,
-    problem: `${called}: no such slice`,
+    problem: `${label}: no such slice`,
     value: slice,
-    limit: count === 0 ? 'no slice: the image is not KTX 2' : `0 to ${count - 1}`,
+    limit: count === 0 ? 'no slice, because the image is not KTX 2' : `0 to ${count - 1}`,
     remedy: 'pack the file again',
   }
 }
 
-/** Maps of a kind become one array: images are packed, and compressed ones joined as they are. */
+/** Maps of one kind become one array: images are packed, KTX 2 textures are joined without decoding. */
 function kindProblem(
   kind: string,
-  infos: readonly Named[],
+  infos: readonly LabelledTexture[],
   shapeOf: (texture: number) => TextureShape,
   who: string,
 ): MapProblem | undefined {
   const shapes = infos.map(({ index }) => shapeOf(index))
-  const texts = [...new Set(shapes.map(({ width, height }) => `${width} x ${height}`))]
+  const sizes = [...new Set(shapes.map(({ width, height }) => `${width} x ${height}`))]
   const compressed = shapes.filter(({ slices }) => slices !== undefined)
   if (compressed.length > 0 && compressed.length < shapes.length) {
-    const remedy = 'pack them in the same way'
-    return { rule: 'MIXED_FORMATS', who, problem: `some ${kind} are KTX 2, and others are not`, remedy }
+    const remedy = 'pack all of them with or without KTX 2'
+    return { rule: 'MIXED_FORMATS', who, problem: `some ${kind} are KTX 2 and others are not`, remedy }
   }
-  // Areas in images are resampled to one size.
+  // Uncompressed areas are resampled to one size.
   const mayDiffer = kind === 'areas' && compressed.length === 0
-  if (texts.length > 1 && !mayDiffer) {
+  if (sizes.length > 1 && !mayDiffer) {
     const limit = 'one size for all layers'
     return {
       rule: 'LAYER_SIZES',
       who,
       problem: `${kind} differ in size`,
-      value: texts.join(', '),
+      value: sizes.join(', '),
       limit,
-      remedy: 'scale them to one size',
+      remedy: 'scale the images to one size',
     }
   }
   const layouts = [...new Set(compressed.map(({ layout }) => layout))]
@@ -160,12 +159,12 @@ function kindProblem(
     who,
     problem: `${kind} are encoded differently`,
     value: layouts.join(', '),
-    limit: 'one encoding and number of levels',
-    remedy: 'let `furrow pack --ktx2` encode them',
+    limit: 'one encoding and number of mipmap levels',
+    remedy: 'encode them with `furrow pack --ktx2`',
   }
 }
 
-/** Indices of the textures that anything in a file but the extension uses. */
+/** Returns the indices of textures used by the file outside the extension. */
 export function texturesOfFace(json: { materials?: unknown; extensions?: unknown }): Set<number> {
   return collectTextures([json.materials, json.extensions], '', new Set())
 }

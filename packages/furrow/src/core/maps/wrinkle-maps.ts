@@ -1,60 +1,60 @@
 import { MAX_BLOOD_AMPLITUDE } from '../blood.ts'
-import { type JsonReader, or } from '../json.ts'
+import { type JsonReader, orDefault } from '../json.ts'
 import { LARGEST, MAX_AREAS, MAX_LAYERS, MAX_SLICES } from '../limits.ts'
 import type { Combine, LayerKind } from '../types.ts'
 
-/** A glTF texture info: a texture by its index, with whatever other fields glTF allows. */
+/** A glTF texture info; other fields of glTF may be present. */
 export interface TextureReference {
-  /** Index among the file's textures. */
+  /** Index of the texture in the file. */
   index: number
   /** Slice of a KTX 2 texture array; absent for an ordinary image. */
   slice?: number
 }
 
-/** One layer of the extension's JSON, defaults filled in. */
+/** A layer in the extension's JSON, with defaults filled in. */
 export interface WrinkleMapsLayer {
   name: string
   kind: LayerKind
   /** Tangent-space normals, linear, +Y towards smaller v; `scale` multiplies x and y. */
   normalTexture: TextureReference & { scale: number }
-  /** Skin colour fully wrinkled, sRGB. */
+  /** Colour of fully wrinkled skin, sRGB. */
   baseColorTexture?: TextureReference
   /** Roughness in G, linear, as in glTF's metallic-roughness texture. */
   roughnessTexture?: TextureReference
   /** Occlusion in R, linear; `strength` as in glTF's occlusion texture. */
   occlusionTexture?: TextureReference & { strength: number }
-  /** Height in R, linear, 0.5 = the surface; `amplitude` is the metres from black to white. */
+  /** Height in R, linear, 0.5 = undisplaced skin; `amplitude` is the range from black to white in metres. */
   heightTexture?: TextureReference & { amplitude: number }
-  /** Blood in B, linear, 128 of 255 = as at rest; `amplitude` is what green light loses from there to 255, as an optical depth. */
+  /** Blood in B, linear, 128 of 255 = no change; `amplitude` is the optical depth of green at 255. */
   bloodTexture?: TextureReference & { amplitude: number }
 }
 
-/** One area of the extension's JSON, defaults filled in. */
+/** An area in the extension's JSON, with defaults filled in. */
 export interface WrinkleMapsArea {
   name: string
-  /** Index of the layer whose wrinkles it shows. */
+  /** Index of the layer. */
   layer: number
-  /** Weights, linear, 1 = fully visible; the extension has no other convention. */
+  /** Weights, linear, 1 = fully visible. */
   texture: TextureReference
-  /** Channel of the texture, 0 = R to 3 = A: one image may hold four areas. */
+  /** Channel of the texture, 0 = R to 3 = A; an image can hold four areas. */
   channel: number
   combine: Combine
-  /** Activation at rest, 0..1. */
+  /** Resting activation, 0..1. */
   activation: number
 }
 
-/** The layers and areas of the extension's JSON, checked and with defaults filled in. */
+/** Layers and areas in the extension's JSON, checked and with defaults filled in. */
 export interface MapsAndAreas {
   layers: WrinkleMapsLayer[]
   areas: WrinkleMapsArea[]
 }
 
 /**
- * Reads the extension's JSON except its drivers, which are returned unchecked.
+ * Reads the extension's JSON. Drivers are returned unchecked.
  *
- * @param json the value of `material.extensions.FURROW_wrinkle_maps`, of any type.
- * @param textureCount number of textures in the file, to check indices against; Infinity if unknown.
- * @throws FurrowError that names the first field which is missing, has the wrong type or is out of range.
+ * @param json value of `material.extensions.FURROW_wrinkle_maps`, of any type.
+ * @param textureCount number of textures in the file, to check indices; Infinity if unknown.
+ * @throws FurrowError naming the first field that is missing, has the wrong type or is out of range.
  */
 export function readMaps(
   reader: JsonReader,
@@ -75,7 +75,7 @@ export function readMaps(
   return { layers, areas, drivers: root.drivers }
 }
 
-/** Slots of layers and areas whose maps are in one array, if in any. */
+/** Slots whose maps share one texture array, if they are slices. */
 const ARRAYS = [
   ['layers', ['normalTexture']],
   ['layers', ['baseColorTexture']],
@@ -103,15 +103,15 @@ function readLayer(reader: JsonReader, texture: ReadTexture, item: unknown, at: 
   const normal = texture(json.normalTexture, `${at}.normalTexture`)
   const layer: WrinkleMapsLayer = {
     name: reader.name(json.name, `${at}.name`),
-    kind: reader.choice(or(json.kind, 'replace'), `${at}.kind`, ['replace', 'detail']),
-    normalTexture: { ...normal, scale: number(or(normal.scale, 1), 'normalTexture.scale', -LARGEST) },
+    kind: reader.choice(orDefault(json.kind, 'replace'), `${at}.kind`, ['replace', 'detail']),
+    normalTexture: { ...normal, scale: number(orDefault(normal.scale, 1), 'normalTexture.scale', -LARGEST) },
   }
   for (const slot of ['baseColorTexture', 'roughnessTexture'] as const) {
     if (json[slot] !== undefined) layer[slot] = texture(json[slot], `${at}.${slot}`)
   }
   if (json.occlusionTexture !== undefined) {
     const info = texture(json.occlusionTexture, `${at}.occlusionTexture`)
-    const strength = reader.number(or(info.strength, 1), `${at}.occlusionTexture.strength`, 0, 1, '')
+    const strength = reader.number(orDefault(info.strength, 1), `${at}.occlusionTexture.strength`, 0, 1, '')
     layer.occlusionTexture = { ...info, strength }
   }
   if (json.heightTexture !== undefined) {
@@ -130,7 +130,7 @@ function readLayer(reader: JsonReader, texture: ReadTexture, item: unknown, at: 
   return layer
 }
 
-/** Blood is the third channel of the occlusion's image, so that no shader needs another sampler for it. */
+/** Checks that blood shares the image of occlusion, so that shaders need no extra sampler. */
 function checkBlood(
   reader: JsonReader,
   blood: TextureReference,
@@ -140,8 +140,8 @@ function checkBlood(
   if (!occlusion || (blood.index === occlusion.index && blood.slice === occlusion.slice)) return
   const nameOf = ({ index, slice }: TextureReference) =>
     slice === undefined ? `${index}` : `${index}, slice ${slice}`
-  const remedy = 'put it into the B channel of that image'
-  reader.fail(`${at}.bloodTexture is not that of the occlusion`, nameOf(blood), nameOf(occlusion), remedy)
+  const remedy = 'store blood in the B channel of the occlusion image'
+  reader.fail(`${at}.bloodTexture differs from occlusionTexture`, nameOf(blood), nameOf(occlusion), remedy)
 }
 
 function readArea(
@@ -154,11 +154,11 @@ function readArea(
   const json = reader.object(item, at)
   return {
     name: reader.name(json.name, `${at}.name`),
-    layer: reader.integer(or(json.layer, 0), `${at}.layer`, 0, layerCount - 1),
+    layer: reader.integer(orDefault(json.layer, 0), `${at}.layer`, 0, layerCount - 1),
     texture: texture(json.texture, `${at}.texture`),
-    channel: reader.integer(or(json.channel, 0), `${at}.channel`, 0, 3),
-    combine: reader.choice(or(json.combine, 'sum'), `${at}.combine`, ['sum', 'max']),
-    activation: reader.number(or(json.activation, 0), `${at}.activation`, 0, 1, ''),
+    channel: reader.integer(orDefault(json.channel, 0), `${at}.channel`, 0, 3),
+    combine: reader.choice(orDefault(json.combine, 'sum'), `${at}.combine`, ['sum', 'max']),
+    activation: reader.number(orDefault(json.activation, 0), `${at}.activation`, 0, 1, ''),
   }
 }
 
@@ -171,7 +171,7 @@ function checkNames(reader: JsonReader, named: readonly { name: string }[], list
   }
 }
 
-/** Maps of one kind are either all images, or all slices of one array that no ordinary map uses. */
+/** Checks that maps of one kind are all images, or all slices of one array without other users. */
 function checkSlices(reader: JsonReader, layers: WrinkleMapsLayer[], areas: WrinkleMapsArea[]): void {
   const arrays = new Map<number, string>()
   const images = new Map<number, string>()
@@ -186,14 +186,14 @@ function checkSlices(reader: JsonReader, layers: WrinkleMapsLayer[], areas: Wrin
     const array = found.find(({ slice }) => slice !== undefined)
     for (const { index, slice, at } of found) {
       if ((slice !== undefined) !== (array !== undefined) || (array && index !== array.index)) {
-        const limit = `slices of texture ${array!.index}, as ${array!.at}, or no slices at all`
-        reader.fail(`${at} is not in the same array`, index, limit, 'put all of them into one array')
+        const limit = `slices of texture ${array!.index}, as ${array!.at}, or no slices`
+        reader.fail(`${at} is in another texture array`, index, limit, 'pack maps of one kind into one array')
       }
       ;(slice === undefined ? images : arrays).set(index, at)
     }
   }
   for (const [index, at] of arrays) {
     if (!images.has(index)) continue
-    reader.fail(`${images.get(index)} has no slice`, index, `a slice, as ${at}`, 'name its slice')
+    reader.fail(`${images.get(index)} has no slice`, index, `a slice, as ${at}`, 'add `slice`')
   }
 }

@@ -4,38 +4,41 @@ import type { RgbaImage } from '../types.ts'
 import { toByte } from './normal-byte.ts'
 
 /**
- * Lays one tangent-space normal map over another by reoriented normal mapping (C. Barre-Brisebois, S. Hill, "Blending in Detail",
- * 2012): `detail` is rotated as (0, 0, 1) is to the normal of `base`, so both keep their full strength. Texels where one of the two is
- * flat are the other's bytes unchanged: away from wrinkles the result is the base, bit for bit.
+ * Lays one tangent-space normal map over another by reoriented normal mapping (C. Barre-Brisebois, S. Hill, "Blending in Detail", 2012).
+ * Where one of the two is flat, the bytes of the other are copied unchanged.
  *
  * @param base linear, +Y towards smaller v; not modified.
- * @param detail the same, of the same size.
+ * @param detail normal map in the same convention and size.
  * @returns a new image with alpha 255.
- * @throws FurrowError when the sizes differ.
+ * @throws FurrowError if the sizes differ.
  */
 export function combineNormals(base: RgbaImage, detail: RgbaImage): RgbaImage {
   checkSizes(base, detail)
   const { width, height } = detail
   const combined = { width, height, data: detail.data.slice() }
-  layOnNormals(base, combined, { x0: 0, y0: 0, x1: width, y1: height })
+  overlayNormals(base, combined, { x0: 0, y0: 0, x1: width, y1: height })
   return combined
 }
 
-/** Throws where two normal maps that are laid over each other differ in size. */
+/** @throws FurrowError if the sizes differ. */
 export function checkSizes(base: RgbaImage, detail: RgbaImage): void {
   const { width, height } = base
   if (detail.width === width && detail.height === height) return
   throw new FurrowError({
     who: 'combineNormals',
-    problem: 'the two normal maps differ in size',
+    problem: 'size of the detail map differs from the base map',
     value: `${detail.width} x ${detail.height}`,
-    limit: `${width} x ${height}, the base's`,
-    remedy: 'render the detail at the size of the base, or scale the base',
+    limit: `${width} x ${height}`,
+    remedy: 'render the detail map at the size of the base map, or scale the base map',
   })
 }
 
-/** `combineNormals` in a rectangle, where `detail` becomes what both are together. */
-export function layOnNormals(base: RgbaImage, detail: RgbaImage, { x0, y0, x1, y1 }: Readonly<Bounds>): void {
+/** `combineNormals` in a rectangle; writes the result to `detail`. */
+export function overlayNormals(
+  base: RgbaImage,
+  detail: RgbaImage,
+  { x0, y0, x1, y1 }: Readonly<Bounds>,
+): void {
   const { width, data } = detail
   for (let y = y0; y < y1; y++) {
     for (let i = 4 * (y * width + x0); i < 4 * (y * width + x1); i += 4) {
@@ -60,7 +63,7 @@ function blend(base: Uint8Array, detail: Uint8Array, i: number, out: Uint8Array)
   const tx = base[i] / 127.5 - 1
   const ty = base[i + 1] / 127.5 - 1
   const tz = base[i + 2] / 127.5
-  // 128 encodes 0 but decodes to half a step above it. The base keeps that half step; the detail must not add another.
+  // 128 encodes 0 but decodes to half a step above 0. The base keeps the half step; the detail must not add another.
   const ux = -(detail[i] - 128) / 127.5
   const uy = -(detail[i + 1] - 128) / 127.5
   const uz = detail[i + 2] / 127.5 - 1

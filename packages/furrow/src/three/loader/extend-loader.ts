@@ -24,7 +24,7 @@ export function extendWith<Loader extends ExtendableLoader>(
 ): Loader {
   if (typeof loader?.register !== 'function') {
     const value = typeof loader === 'function' ? 'a class or function' : loader
-    throw wrongArgument('extendLoader', 'invalid loader', value, 'a GLTFLoader instance')
+    throw wrongArgument('extendLoader', 'loader', value, 'a GLTFLoader instance')
   }
   checkLoaderOptions(options, 'extendLoader')
   const isExtended = extensions.has(loader)

@@ -28,7 +28,7 @@ export function checkMesh(mesh: Mesh): void {
 
 /** @throws FurrowError if a value is not a mesh of three.js. */
 export function checkIsMesh(mesh: Mesh, who: string): void {
-  if (!mesh?.isMesh || !mesh.geometry) throw wrongArgument(who, 'invalid mesh', mesh, 'a Mesh of three.js')
+  if (!mesh?.isMesh || !mesh.geometry) throw wrongArgument(who, 'mesh', mesh, 'a Mesh of three.js')
 }
 
 /** @throws FurrowError if a value is not a mesh, or has no positions or normals. */
@@ -36,7 +36,7 @@ export function checkNormals(mesh: Mesh, who: string): void {
   checkIsMesh(mesh, who)
   const { attributes } = mesh.geometry
   if (attributes.position && attributes.normal) return
-  throw wrongArgument(who, 'mesh without positions or normals', mesh.name, 'a mesh with both')
+  throw wrongArgument(who, 'mesh', mesh.name, 'a mesh with positions and normals')
 }
 
 /**

@@ -10,7 +10,7 @@ import { noTargets, type TargetBinding } from '../../runtime/target-binding.ts'
  */
 export function bindTargets(face: Object3D, names: readonly string[], who: string): TargetBinding[] {
   if (typeof face?.traverse !== 'function')
-    throw wrongArgument(who, 'invalid face', face, 'an Object3D of three.js')
+    throw wrongArgument(who, 'face', face, 'an Object3D of three.js')
   const bindings: TargetBinding[] = []
   let meshes = 0
   face.traverse((object) => {

@@ -34,7 +34,7 @@ export class RecomputedNormals {
     if (typeof renderer?.hasInitialized !== 'function') {
       throw wrongArgument(
         'RecomputedNormals of furrow/webgpu',
-        'invalid renderer',
+        'renderer',
         (renderer as object | null)?.constructor.name,
         'WebGPURenderer',
       )
