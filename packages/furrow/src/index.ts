@@ -1,5 +1,5 @@
 /**
- * The data of wrinkles and what drives them, without an engine: wrinkle sets, activations, drivers and expressions.
+ * Engine-independent wrinkle data: wrinkle sets, activations, drivers and expressions.
  *
  * @module furrow
  */

@@ -28,21 +28,25 @@ describe('images', () => {
   })
 
   it.each<[string, () => Promise<Blob>, RegExp]>([
-    ['empty', async () => new Blob([]), /^area.png: empty file, got "0 bytes"; export the image again$/],
+    [
+      'empty',
+      async () => new Blob([]),
+      /^area.png: empty image file, got "0 bytes"; export the image again$/,
+    ],
     [
       'not an image',
       async () => new Blob(['<html>404</html>']),
-      /^area.png: not a readable image, got "16 bytes", allowed: a whole PNG, JPEG, WebP or AVIF file; export/,
+      /^area.png: not a readable image, got "16 bytes", allowed: an intact PNG, JPEG, WebP or AVIF file; export/,
     ],
     [
       'transparent',
       async () => png(2, 2, 8, 6, Uint8Array.of(9, 9, 9, 255, 9, 9, 9, 254, 9, 9, 9, 255, 9, 9, 9, 255)),
-      /^area.png: image with transparent texels, got "alpha 254", allowed: alpha 255 throughout; flatten it onto white/,
+      /^area.png: image with transparent texels, got "alpha 254", allowed: alpha 255 in all texels; flatten the image onto white/,
     ],
     [
       '16k',
       () => grayPng(16384, 4, 0),
-      /^area.png: image too large, got "16384 x 4", allowed: 8192 texels on a side; scale it down/,
+      /^area.png: image too large, got "16384 x 4", allowed: at most 8192 texels per side; scale the image down/,
     ],
   ])('are refused: %s', async (_, make, message) => {
     const error = await decodeImage(await make(), 'area.png').catch((caught) => caught)
@@ -225,7 +229,7 @@ describe('wrinkles', () => {
     player.play('shout', 0)
     expect(mesh.morphTargetInfluences).toEqual([1])
     expect(warn.mock.calls.map(([text]) => text)).toEqual([
-      'ExpressionPlayer: this face lacks blendshapes or areas, got "jawDrop, throat"; expressions play without them',
+      'ExpressionPlayer: the face lacks blendshapes or areas of the expressions, got "jawDrop, throat"; expressions play without them',
     ])
     warn.mockRestore()
   })

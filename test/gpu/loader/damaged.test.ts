@@ -71,7 +71,7 @@ const DAMAGES: [what: string, spoil: Spoil, warning: RegExp][] = [
       delete normals(maps, json).bufferView
       normals(maps, json).uri = '/no/such/image.png'
     },
-    /texture \d: an image that cannot be fetched, got "\/no\/such\/image.png"; check that the server/,
+    /texture \d: image cannot be fetched, got "\/no\/such\/image.png"; check that the server/,
   ],
   [
     'an image that is too large',

@@ -174,7 +174,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     const gltf = await load(await wrinkledFile((json) => json.drivers.push(driver('b', 'trunkUp'))))
     expect(warn.mock.calls.map(([text]) => text)).toEqual([
       expect.stringMatching(
-        /^Wrinkles: drivers of mesh ".*" use what is not available, got "target \\?"trunkUp/,
+        /^Wrinkles: drivers of mesh ".*" reference missing inputs, areas or types, got "target \\?"trunkUp/,
       ),
     ])
     warn.mockRestore()

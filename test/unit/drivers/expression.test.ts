@@ -27,7 +27,7 @@ describe('ExpressionMix', () => {
       expect(pair[0]).toBeCloseTo(expected[i][0], 6)
       expect(pair[1]).toBeCloseTo(expected[i][1], 6)
     }
-    expect(mix.still).toBe(true)
+    expect(mix.isFinished).toBe(true)
   })
 
   it('starts from its current state when reversed midway', () => {
@@ -45,7 +45,7 @@ describe('ExpressionMix', () => {
     const mix = new ExpressionMix(two)
     mix.play('wink')
     expect([...mix.targets]).toEqual([1])
-    expect(mix.still).toBe(true)
+    expect(mix.isFinished).toBe(true)
   })
 
   it('plays several at once, summed to at most 1', () => {
@@ -104,7 +104,7 @@ describe('ExpressionMix', () => {
 
   it('refuses unknown names', () => {
     const mix = new ExpressionMix(two)
-    expect(() => mix.play('wink', -1)).toThrow('time out of range, got -1, allowed: 0 seconds or more')
+    expect(() => mix.play('wink', -1)).toThrow('duration out of range, got -1, allowed: at least 0 seconds')
     expect(() => new ExpressionMix([])).toThrow('ExpressionMix: no expressions')
   })
 })

@@ -18,7 +18,7 @@ import { frameOf } from './stub-renderer.ts'
 describe('after dispose', () => {
   const { mesh, wrinkles } = face()
   wrinkles.dispose()
-  const gone = /the wrinkles were disposed of; create new ones for the mesh$/
+  const gone = /the wrinkles have been disposed; create new wrinkles for the mesh$/
   const calls: [string, () => unknown][] = [
     ['setActivation', () => wrinkles.setActivation('area0', 1)],
     ['setActivations', () => wrinkles.setActivations(['area0'], Float32Array.of(1))],

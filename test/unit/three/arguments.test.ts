@@ -80,9 +80,12 @@ describe('invalid arguments are refused in one line', () => {
       /^Wrinkles.getRestingActivation: no such instance, got NaN/,
       () => wrinkles.getRestingActivation('area0', Number.NaN),
     ],
-    [/^Wrinkles.setActivations: invalid values/, () => wrinkles.setActivations(any(null), any(null))],
     [
-      /^Wrinkles.setActivations: invalid values, got 1, allowed: one for each of 2 names/,
+      /^Wrinkles.setActivations: invalid number of values/,
+      () => wrinkles.setActivations(any(null), any(null)),
+    ],
+    [
+      /^Wrinkles.setActivations: invalid number of values, got 1, allowed: at least 2, one per name/,
       () => wrinkles.setActivations(['a', 'b'], new Float32Array(1)),
     ],
     [/^Wrinkles.inputs: invalid name of an input/, () => wrinkles.inputs.set(any(null), 1)],
@@ -114,7 +117,7 @@ describe('invalid arguments are refused in one line', () => {
     [/^addDrivers: invalid drivers/, () => addDrivers(wrinkles, any(null))],
     [/^addDrivers: invalid drivers/, () => addDrivers(wrinkles, [any(null)])],
     [
-      /^addDrivers: a driver lacks fields.*parseDrivers/,
+      /^addDrivers: a driver has missing fields.*parseDrivers/,
       () => addDrivers(wrinkles, [{ type: 'morph', area: 'area0' }]),
     ],
     [/^updateArea: invalid wrinkles/, () => updateArea(any(null), 'area0', area.weights)],
@@ -185,13 +188,13 @@ describe('invalid arguments are refused in one line', () => {
     [/^ExpressionPlayer: invalid wrinkles/, () => new ExpressionPlayer(mesh, any(null))],
     [/^ExpressionMix: invalid expression/, () => new ExpressionPlayer(mesh, wrinkles, [any({ name: 'a' })])],
     [/^ExpressionMix: invalid expression/, () => player.play(any(null))],
-    [/^ExpressionMix: time/, () => player.play('rest', Number.NaN)],
+    [/^ExpressionMix: duration/, () => player.play('rest', Number.NaN)],
     [
       /^ExpressionMix: invalid easing, got "bounce", allowed: linear, /,
       () => player.play('rest', 1, any('bounce')),
     ],
     [
-      /^ExpressionMix: invalid seconds/,
+      /^ExpressionMix: invalid delta/,
       () => {
         player.play('rest', 1)
         player.update(Number.NaN)

@@ -71,7 +71,7 @@ describe('addDrivers', () => {
   it('keeps existing drivers if a new one is malformed', () => {
     const brow = morph('brow', 'browDownLeft')
     const { mesh, wrinkles, activations } = drivenFace([brow])
-    expect(() => addDrivers(wrinkles, [{ type: 'morph', area: 'nose' }])).toThrow(/got "morph"; read them by/)
+    expect(() => addDrivers(wrinkles, [{ type: 'morph', area: 'nose' }])).toThrow(/got "morph"; pass the drivers through/)
     expect(() => setDrivers(wrinkles, [{ type: 'morph', area: 'nose' }])).toThrow(
       /^setDrivers: a driver lacks/,
     )
@@ -215,7 +215,7 @@ describe('addDrivers', () => {
     [
       'an area that drives itself',
       { type: 'area', area: 'nose', areas: [{ name: 'nose', weight: 1 }], rule: 'sum', curve: STRAIGHT },
-      'area \\"nose\\", which drives itself,',
+      'area \\"nose\\" (cyclic)',
     ],
   ])('warns once of %s, and runs the other drivers', (_, driver, message, targets) => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})

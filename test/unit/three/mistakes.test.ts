@@ -91,11 +91,11 @@ describe('mistakes', () => {
       () => activationTrack(mesh, 'aera0', [0], [1]),
     ],
     [
-      /^ExpressionPlayer: invalid wrinkles of the face, got "a list of 1", allowed: one of the list, such as wrinklesOf\(gltf\)\[0\]/,
+      /^ExpressionPlayer: invalid wrinkles of the face, got "a list of 1", allowed: an item of the list, such as wrinklesOf\(gltf\)\[0\]/,
       () => new ExpressionPlayer(mesh, any([wrinkles])),
     ],
     [
-      /^updateArea: invalid wrinkles, got "a list of 1", allowed: one of the list/,
+      /^updateArea: invalid wrinkles, got "a list of 1", allowed: an item of the list/,
       () => updateArea(any([wrinkles]), 'area0', set().areas[0].weights),
     ],
     [

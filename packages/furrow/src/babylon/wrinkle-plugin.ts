@@ -8,7 +8,7 @@ import type { UniformBuffer } from '@babylonjs/core/Materials/uniformBuffer.js'
 import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { SubMesh } from '@babylonjs/core/Meshes/subMesh.js'
 import type { Scene } from '@babylonjs/core/scene.js'
-import type { Cell, Four } from '../runtime/atlas-cells.ts'
+import type { Cell, Vector4Like } from '../runtime/atlas-cells.ts'
 import { MAP_KINDS, VALUE_KINDS, type ValueKind } from '../runtime/layer-maps.ts'
 import type { SkinMaterial } from './check-mesh.ts'
 import {
@@ -41,7 +41,7 @@ const UNIFORMS = [
 ] as const
 
 /** Scratch: location of the drawn mesh's cell. */
-const place: Four = { x: 0, y: 0, z: 1, w: 1 }
+const place: Vector4Like = { x: 0, y: 0, z: 1, w: 1 }
 
 /** Shader variant numbers by code. Used as a define, because Babylon.js distinguishes effects by their defines. */
 const variants = new Map<string, number>()
@@ -187,7 +187,7 @@ export class WrinklePlugin extends MaterialPluginBase {
   }
 }
 
-function setVector(uniforms: UniformBuffer, name: string, { x, y, z, w }: Readonly<Four>): void {
+function setVector(uniforms: UniformBuffer, name: string, { x, y, z, w }: Readonly<Vector4Like>): void {
   uniforms.updateFloat4(name, x, y, z, w)
 }
 

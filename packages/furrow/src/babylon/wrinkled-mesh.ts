@@ -141,7 +141,7 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
     const plan = 'areaNames' in drivers ? drivers : planDrivers(drivers)
     const muscles = driversOf('muscle', plan.drivers)
     for (const mesh of this.#meshes) addMuscles(mesh, muscles)
-    this.driveBy(plan, (inputs) => bindInputs(this, inputs), isLate)
+    this.setPlan(plan, (inputs) => bindInputs(this, inputs), isLate)
   }
 
   override dispose(): void {

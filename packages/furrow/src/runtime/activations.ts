@@ -3,25 +3,25 @@ import { unknownArea } from '../core/check-areas.ts'
 import { sentence } from '../core/error.ts'
 import { MAX_AREAS } from '../core/limits.ts'
 
-/** Of one activation, since a number that is passed may be boxed. */
-const given = new Float32Array(1)
+/** Scratch for one activation: V8 may box numbers that are passed to functions. */
+const scratch = new Float32Array(1)
 
 /** The activation vector: one number, 0..1, per area, bound by name. */
 export class Activations {
-  /** Incremented by every change. */
+  /** Incremented on every change. */
   version = 0
 
-  /** In the order of the areas, 0 beyond them; always the same array. Read only. */
+  /** Activations in the order of the areas, then zeros. Read-only; always the same array. */
   readonly values = new Float32Array(MAX_AREAS)
 
-  /** By name, in their order. */
+  /** Indices of the areas by name. */
   #indices = new Map<string, number>()
   #warned = false
   readonly #who: string
 
   /**
-   * @param areas at most 256, with distinct names. Their activations are 0.
-   * @param who names the object in errors.
+   * @param areas at most 256, with unique names. Activations start at 0.
+   * @param who name of the object in errors.
    */
   constructor(areas: readonly { name: string }[], who = 'Activations') {
     this.#who = who
@@ -33,7 +33,7 @@ export class Activations {
     return [...this.#indices.keys()]
   }
 
-  /** Changes the list of areas. Those whose names stay keep their activations; others are 0. */
+  /** Changes the list of areas. Existing names keep their activations; new ones start at 0. */
   rebind(areas: readonly { name: string }[]): void {
     const kept = areas.map(({ name }) => (this.has(name) ? this.get(name) : 0))
     this.#indices = new Map(areas.map(({ name }, index) => [name, index]))
@@ -43,9 +43,9 @@ export class Activations {
   }
 
   /**
-   * The activation of an area, 0..1.
+   * Returns the activation of an area, 0..1.
    *
-   * @throws FurrowError when no area has that name.
+   * @throws FurrowError if the name is unknown.
    */
   get(name: string): number {
     return this.values[this.#indexOf(name)]
@@ -54,22 +54,23 @@ export class Activations {
   /**
    * Sets the activation of an area.
    *
-   * @param value 0..1; others are clamped and NaN counts as 0, with one warning per object.
-   * @throws FurrowError when no area has that name.
+   * @param value 0..1. Other values are clamped and NaN becomes 0, with one warning per object.
+   * @throws FurrowError if the name is unknown or the value is not a number.
    */
   set(name: string, value: number): void {
     const index = this.#indexOf(name)
     if (typeof value !== 'number') throw wrongArgument(this.#who, `activation of "${name}"`, value, '0 to 1')
     if (!(value >= 0 && value <= 1)) this.#warn(name, value)
-    given[0] = value
-    this.setAt(index, given, 0)
+    scratch[0] = value
+    this.setAt(index, scratch, 0)
   }
 
   /**
-   * Sets an activation by the index of its area. Allocates nothing, unlike `set`, whose argument may be boxed.
+   * Sets an activation by area index. Allocates nothing, unlike `set`, whose argument V8 may box.
    *
-   * @param values 0..1; others are clamped, and NaN counts as 0.
-   * @param source index of the value among them.
+   * @param index index of the area.
+   * @param values 0..1; other values are clamped and NaN becomes 0.
+   * @param source index of the value in `values`.
    */
   setAt(index: number, values: Float32Array, source: number): void {
     let value = values[source]
@@ -80,10 +81,10 @@ export class Activations {
   }
 
   /**
-   * Sets several activations by name; names that no area has are ignored. Allocates nothing.
+   * Sets several activations by name; unknown names are ignored. Allocates nothing.
    *
    * @param values 0..1, in the order of the names.
-   * @param except names to ignore as well.
+   * @param except names to skip.
    */
   setNamed(names: readonly string[], values: Float32Array, except?: ReadonlySet<string>): void {
     for (let i = 0; i < names.length; i++) {
@@ -93,7 +94,7 @@ export class Activations {
     }
   }
 
-  /** Whether an area of that name exists. */
+  /** Whether an area with the name exists. */
   has(name: string): boolean {
     return this.#indices.has(name)
   }

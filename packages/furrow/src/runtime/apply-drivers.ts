@@ -3,15 +3,15 @@ import { FurrowError } from '../core/error.ts'
 import type { WrinkleDriver } from '../drivers/registry.ts'
 
 /**
- * Applies drivers that an application wrote.
+ * Applies drivers written by the application.
  *
- * @param who names the caller in errors.
- * @param apply also finds the drivers' inputs, so that malformed drivers fail here and not in a frame.
- * @throws FurrowError when the drivers are not as `parseDrivers` reads them.
+ * @param who name of the caller in errors.
+ * @param apply applies the drivers and binds their inputs, so that malformed drivers fail here instead of in a frame.
+ * @throws FurrowError if a driver is malformed.
  */
 export function applyDrivers(drivers: readonly WrinkleDriver[], who: string, apply: () => void): void {
   if (!Array.isArray(drivers) || !drivers.every((driver) => typeof driver?.type === 'string')) {
-    throw wrongArgument(who, 'drivers', drivers, 'a list of objects with a type')
+    throw wrongArgument(who, 'drivers', drivers, 'an array of objects with a type')
   }
   try {
     apply()
@@ -20,9 +20,9 @@ export function applyDrivers(drivers: readonly WrinkleDriver[], who: string, app
     throw new FurrowError(
       {
         who,
-        problem: 'a driver lacks fields, or they have the wrong type',
+        problem: 'a driver has missing fields, or fields of the wrong type',
         value: drivers.map(({ type }) => type).join(', '),
-        remedy: 'read them by parseDrivers, which fills in defaults and says what is wrong',
+        remedy: 'pass the drivers through parseDrivers, which fills in defaults and reports invalid fields',
       },
       { cause: error },
     )

@@ -1,49 +1,49 @@
 import { FurrowError } from '../core/error.ts'
 import type { Face } from './face.ts'
 
-/** The rectangle of the atlas that holds the influence map of one face. */
+/** Rectangle of the atlas that holds the influence map of one face. */
 export interface Cell {
   readonly face: Face
-  /** Row by row. */
+  /** Position in the grid, row by row. */
   readonly index: number
-  /** The activations that were drawn last, by area; NaN if none were. */
+  /** Activations at the last draw, by area; NaN before the first draw. */
   readonly drawn: Float32Array
-  /** Version of the areas that were drawn last; `STALE` if it must be drawn: the face has other areas, or the texture is new. */
+  /** Version of the areas at the last draw; `STALE` forces a redraw, for new areas or a new texture. */
   version: number
-  /** Version of the activations that were last found to be as drawn. */
-  unchanged: number
+  /** Latest version of the activations that needed no redraw. */
+  drawnVersion: number
 }
 
-/** No version that areas have. */
+/** Version of a cell that must be redrawn. Areas never have this version. */
 export const STALE = -1
 
-/** Half a step of 8 bits: a smaller change of an activation is invisible. */
+/** Half a step of 8 bits: smaller changes of an activation are invisible. */
 const SMALLEST_CHANGE = 1 / 510
 
-/** In texels. All WebGL 2 and WebGPU devices in use support textures of this size. */
-const LARGEST_SIDE = 8192
+/** Maximum side of the atlas in texels, supported by all WebGL 2 and WebGPU devices in use. */
+const MAX_SIDE = 8192
 
-/** Four numbers, as vectors of engines have them. */
-export interface Four {
+/** Four numbers; compatible with the vector classes of engines. */
+export interface Vector4Like {
   x: number
   y: number
   z: number
   w: number
 }
 
-/** The layout of an atlas of influence maps: a grid of cells of one size, and which of them must be redrawn. */
+/** Layout of an atlas of influence maps: a grid of cells of one size, and the cells to redraw. */
 export class AtlasCells {
-  /** Size of a cell in texels, that of the faces' areas. */
+  /** Size of a cell in texels, equal to the size of the faces' areas. */
   readonly width: number
   readonly height: number
   /**
-   * Factors and offsets (x, y and z, w) that take texture coordinates to 0 at the centre of a cell's first texel, and to 1 at that of its last. Shaders
-   * clamp the result, so that samples do not reach the neighbours: a limit to 0..1 is part of a multiplication on graphics cards, another is not.
+   * Factors (x, y) and offsets (z, w) that map texture coordinates to 0..1 between the centres of a cell's first and last texels. Shaders
+   * clamp to this range, so that samples do not reach neighbouring cells. GPUs clamp a product to 0..1 for free, but not to other ranges.
    */
-  readonly inside: Readonly<Four>
-  /** Columns and rows of cells. */
+  readonly inside: Readonly<Vector4Like>
+  /** Grid size in cells. */
   readonly grid = { columns: 1, rows: 1 }
-  /** The cells to redraw are the first `changes` of these: emptying the list would allocate. */
+  /** Cells to redraw: the first `changes` items. The array is never emptied, because that would allocate. */
   readonly changed: Cell[] = []
   changes = 0
   readonly #cells: (Cell | null)[] = []
@@ -52,7 +52,7 @@ export class AtlasCells {
   constructor(width: number, height: number) {
     this.width = width
     this.height = height
-    // A cell of one texel is the same everywhere.
+    // Avoids a division by 0: a cell of one texel is constant.
     const [across, down] = [width - 1 || 1, height - 1 || 1]
     this.inside = { x: width / across, y: height / down, z: -0.5 / across, w: -0.5 / down }
   }
@@ -61,25 +61,25 @@ export class AtlasCells {
     return this.#used === 0
   }
 
-  /** Whether there is one cell, which is all of the atlas: shaders then sample it at texture coordinates as they are. */
+  /** Whether one cell fills the atlas; shaders then use texture coordinates unchanged. */
   get isSingle(): boolean {
     return this.grid.columns * this.grid.rows === 1
   }
 
-  /** Whether all cells that are used are to be redrawn. */
-  get isWhole(): boolean {
+  /** Whether all cells in use must be redrawn. */
+  get allChanged(): boolean {
     return this.changes === this.#used
   }
 
-  /** The arrays of areas that the faces use. */
+  /** Area arrays used by the faces. */
   get slots(): Set<Face['slots']> {
     return new Set(this.#cells.flatMap((cell) => (cell ? [cell.face.slots] : [])))
   }
 
   /**
-   * Allocates consecutive cells to faces. The grid may grow, and then all cells are stale.
+   * Allocates consecutive cells to faces. If the grid grows, all cells become stale.
    *
-   * @throws FurrowError when they do not fit into the largest texture.
+   * @throws FurrowError if the cells do not fit into the largest texture.
    */
   add(faces: readonly Face[]): Cell[] {
     const first = this.#findFree(faces.length)
@@ -87,7 +87,7 @@ export class AtlasCells {
     this.#used += faces.length
     return faces.map((face, i) => {
       const drawn = new Float32Array(face.activations.values.length).fill(Number.NaN)
-      const cell: Cell = { face, index: first + i, drawn, version: STALE, unchanged: -1 }
+      const cell: Cell = { face, index: first + i, drawn, version: STALE, drawnVersion: -1 }
       this.#cells[first + i] = cell
       return cell
     })
@@ -102,13 +102,13 @@ export class AtlasCells {
     while (this.#cells.length > 0 && this.#cells[this.#cells.length - 1] === null) this.#cells.pop()
   }
 
-  /** Adds to `changed` those of some cells that must be redrawn. */
+  /** Adds the cells that must be redrawn to `changed`. */
   collect(cells: readonly Cell[]): void {
     for (let i = 0; i < cells.length; i++) if (hasChanged(cells[i])) this.changed[this.changes++] = cells[i]
   }
 
-  /** Finds the centre of a cell's first texel (x, y), and how far that of its last is (z, w), in 0..1 of the atlas. */
-  locate(index: number, place: Four): void {
+  /** Writes the centre of a cell's first texel (x, y) and the offset to the centre of its last texel (z, w), in 0..1 of the atlas. */
+  locate(index: number, place: Vector4Like): void {
     const { width, height } = this
     const { columns, rows } = this.grid
     place.x = ((index % columns) + 0.5 / width) / columns
@@ -117,12 +117,12 @@ export class AtlasCells {
     place.w = (1 - 1 / height) / rows
   }
 
-  /** Marks all cells stale: what was drawn is lost. */
+  /** Marks all cells stale, after the content of the atlas is lost. */
   invalidate(): void {
     for (const cell of this.#cells) if (cell) cell.version = STALE
   }
 
-  /** Index of the first of `count` consecutive free cells. */
+  /** Returns the first index of `count` consecutive free cells. */
   #findFree(count: number): number {
     let run = 0
     for (let i = 0; i < this.#cells.length; i++) {
@@ -139,14 +139,14 @@ export class AtlasCells {
       else rows *= 2
     }
     if (columns === this.grid.columns && rows === this.grid.rows) return
-    if (Math.max(columns * this.width, rows * this.height) > LARGEST_SIDE) {
+    if (Math.max(columns * this.width, rows * this.height) > MAX_SIDE) {
       throw new FurrowError({
         code: 'out-of-range',
         who: 'Wrinkles',
-        problem: 'too many faces with influence maps of this size',
-        value: `${count} of ${this.width} x ${this.height} texels`,
-        limit: `one texture of ${LARGEST_SIDE} x ${LARGEST_SIDE} for all`,
-        remedy: 'give the faces of a crowd smaller areas (areaSize)',
+        problem: 'too many faces for one influence texture',
+        value: `${count} faces of ${this.width} x ${this.height} texels`,
+        limit: `a texture of ${MAX_SIDE} x ${MAX_SIDE} texels for all faces`,
+        remedy: 'use a smaller areaSize for the faces of a crowd',
       })
     }
     Object.assign(this.grid, { columns, rows })
@@ -158,18 +158,15 @@ function hasChanged(cell: Cell): boolean {
   const { face, drawn, version } = cell
   if (version !== face.slots.version) return true
   const { activations } = face
-  if (cell.unchanged === activations.version) return false
+  if (cell.drawnVersion === activations.version) return false
   const { values } = activations
   const count = face.slots.slots.length
   for (let i = 0; i < count; i++) if (hasMoved(values[i], drawn[i])) return true
-  cell.unchanged = activations.version
+  cell.drawnVersion = activations.version
   return false
 }
 
-/**
- * Whether an activation has changed enough to be redrawn. Any change from or to 0 counts: at 0, skin must be smooth to the
- * last bit.
- */
+/** Whether an activation has changed visibly. Changes from or to 0 always count, because skin at 0 must be exactly smooth. */
 export function hasMoved(value: number, drawn: number): boolean {
   const change = Math.abs(value - drawn)
   return change > SMALLEST_CHANGE || (change > 0 && (value === 0 || drawn === 0))

@@ -2,14 +2,15 @@ import { wrongArgument } from '../core/argument.ts'
 import type { WrinkleFaces } from './wrinkle-faces.ts'
 
 /**
- * Checks that a caller without types passes wrinkles, in whichever copy of the library they were made.
+ * Checks that an argument is a `Wrinkles` object, for callers without types. Objects from another copy of the library pass.
  *
- * @throws FurrowError otherwise; a list of them, as `wrinklesOf(file)` returns, is the usual mistake.
+ * @param argument name of the argument in errors.
+ * @throws FurrowError for other values. A common mistake is the list that `wrinklesOf(file)` returns.
  */
-export function checkWrinkles(wrinkles: WrinkleFaces, who: string, what = 'wrinkles'): void {
+export function checkWrinkles(wrinkles: WrinkleFaces, who: string, argument = 'wrinkles'): void {
   if (typeof wrinkles?.hasArea === 'function') return
   const isList = Array.isArray(wrinkles)
   const value = isList ? `a list of ${wrinkles.length}` : wrinkles
-  const limit = isList ? 'one of the list, such as wrinklesOf(gltf)[0]' : 'an object of class Wrinkles'
-  throw wrongArgument(who, what, value, limit)
+  const limit = isList ? 'an item of the list, such as wrinklesOf(gltf)[0]' : 'an object of class Wrinkles'
+  throw wrongArgument(who, argument, value, limit)
 }

@@ -10,11 +10,11 @@ import type { NamedInputs } from './named-inputs.ts'
 /** Reads the inputs of one kind from an engine's objects. */
 export interface InputReader<Engine> extends InputSource {
   /**
-   * Reads the inputs of one face. It runs in every frame and should not allocate.
+   * Reads the inputs of one face. Runs per frame and should not allocate.
    *
    * @param values receives `count` numbers.
-   * @param instance index of the instance; 0 for other meshes.
-   * @param engine what draws the frame, e.g. a renderer; null if nothing is drawn.
+   * @param instance index of the instance; 0 for meshes without instances.
+   * @param engine object that draws the frame, e.g. a renderer; null if nothing is drawn.
    */
   read(values: Float64Array, instance: number, engine: Engine | null): void
 }
@@ -22,10 +22,10 @@ export interface InputReader<Engine> extends InputSource {
 /** Kinds of inputs that an engine measures. */
 export type MeasuredKind = Exclude<ExternalInputKind, 'value'>
 
-/** A reader for each kind that a plan has. */
+/** Reader of each kind that a plan uses. */
 export type InputReaders<Engine> = { readonly [K in MeasuredKind]?: InputReader<Engine> }
 
-/** Finds the inputs of a plan on a mesh. */
+/** Binds the inputs of a plan to a mesh. */
 export type BindInputs<Engine> = (inputs: DriverPlan['inputs']) => InputReaders<Engine>
 
 const MEASURED = ['target', 'joint', 'tension'] as const satisfies readonly MeasuredKind[]
@@ -34,33 +34,33 @@ const MEASURED = ['target', 'joint', 'tension'] as const satisfies readonly Meas
 const NO_AREA = 0xffff
 
 /**
- * Runs drivers on the faces of one mesh, with one method per phase of a frame. Allocates nothing after the first frame. A face whose
- * inputs and activations stay the same is not evaluated again.
+ * Runs drivers on the faces of one mesh, with one method per phase of a frame. Allocates nothing after the first frame. Faces with
+ * unchanged inputs and activations are skipped.
  */
 export class DriverRuntime<Engine> {
   readonly plan: DriverPlan
   readonly #bindInputs: BindInputs<Engine>
   readonly #values: InputSource
-  /** By value of that source: the value of each face. */
+  /** By application input: the value of each face. */
   readonly #named: readonly Float64Array[]
   readonly #label: string
   /** Whether activations depend on time. */
   readonly #isDelayed: boolean
-  /** By face, then by area of the plan; parts of one array. */
+  /** By face, then by area of the plan; views of one array. */
   readonly #activations: readonly Float32Array[]
-  /** By face: the time of its last frame, in milliseconds. */
+  /** By face: time of the last frame in milliseconds. */
   readonly #times: Float64Array
-  /** By area of the plan: its index among the faces' areas. */
+  /** By area of the plan: index of the face's area. */
   readonly #indices: Uint16Array
-  /** The areas that `#indices` was made for. */
+  /** Areas that `#indices` refers to. */
   #slots: Face['slots'] | null = null
   #bound: Bound<Engine> | null = null
 
   /**
-   * @param bindInputs called at the first frame, or by `bind`.
-   * @param inputs numbers that the application sets.
+   * @param bindInputs called in the first frame, or by `bind`.
+   * @param inputs numbers set by the application.
    * @param faces number of faces.
-   * @param label names the mesh in warnings.
+   * @param label name of the mesh in warnings.
    */
   constructor(
     plan: DriverPlan,
@@ -82,13 +82,13 @@ export class DriverRuntime<Engine> {
     this.#indices = new Uint16Array(areas)
     const values = valueSource(plan.inputs.value)
     this.#values = values
-    // Declared here, so that they can be read before the first frame.
+    // Declared now, so that the application can read initial values before the first frame.
     this.#named = values.names.map((name, i) => inputs.declare(name, values.initial[i]))
   }
 
-  /** Finds the inputs, once, and warns of those that the mesh lacks. */
+  /** Binds the inputs once, and warns of inputs that the mesh lacks. */
   bind(): void {
-    // A separate method: a function with closures allocates their context at every call.
+    // Separate method: closures here would allocate every frame.
     this.#bound ??= this.#findInputs()
   }
 
@@ -100,7 +100,7 @@ export class DriverRuntime<Engine> {
     this.#warn([
       ...plan.unknownTypes.map((type) => `driver of type "${type}"`),
       ...program.missing,
-      ...plan.cyclicAreas.map((area) => `area "${area}", which drives itself,`),
+      ...plan.cyclicAreas.map((area) => `area "${area}" (cyclic)`),
     ])
     const faces = this.#times.length
     return {
@@ -139,8 +139,8 @@ export class DriverRuntime<Engine> {
     this.bind()
     const { program, state, delayed, last } = this.#bound!
     for (let i = 0; i < faces.length; i++) {
-      const isStanding = !last.check(i, faces[i]) && (!this.#isDelayed || delayed[i].isSettled)
-      if (isStanding) continue
+      const isUnchanged = !last.check(i, faces[i]) && (!this.#isDelayed || delayed[i].isSettled)
+      if (isUnchanged) continue
       last.isDue[i] = 1
       const activations = this.#activations[i]
       if (this.#isDelayed) {
@@ -156,7 +156,7 @@ export class DriverRuntime<Engine> {
     }
   }
 
-  /** Writes a face's activations at rest, by area of the plan. */
+  /** Writes the resting activations of a face, by area of the plan. */
   #rest({ resting: { values: from } }: Face, values: Float32Array): void {
     const indices = this.#indices
     for (let k = 0; k < indices.length; k++) values[k] = indices[k] === NO_AREA ? 0 : from[indices[k]]
@@ -178,7 +178,7 @@ export class DriverRuntime<Engine> {
     }
   }
 
-  /** Resolves the areas, which may be added and removed, and warns of those that are missing. */
+  /** Resolves the areas, which may have been added or removed, and warns of missing ones. */
   #findAreas({ slots, activations }: Face): void {
     this.#slots = slots
     const { names } = activations
@@ -196,9 +196,9 @@ export class DriverRuntime<Engine> {
     console.warn(
       sentence({
         who: 'Wrinkles',
-        problem: `drivers of mesh "${this.#label}" use what is not available`,
+        problem: `drivers of mesh "${this.#label}" reference missing inputs, areas or types`,
         value: missing.join(', '),
-        remedy: 'all other drivers work',
+        remedy: 'the other drivers work',
       }),
     )
   }
@@ -208,9 +208,9 @@ interface Bound<Engine> {
   program: DriverProgram
   /** Scratch, reused per face. */
   state: DriverState
-  /** By face, where activations depend on time; otherwise empty. */
+  /** State of each face if activations depend on time; otherwise empty. */
   delayed: readonly DriverState[]
   last: LastInputs
-  /** Readers, with the part of the scratch state that they write. */
+  /** Readers, each with the view of the scratch state that it writes. */
   readers: readonly { reader: InputReader<Engine>; values: Float64Array }[]
 }

@@ -3,10 +3,9 @@ import { FurrowError } from '../core/error.ts'
 import { didYouMean } from '../core/nearest-name.ts'
 import type { Expression } from '../drivers/expression/expression.ts'
 
-/** Who errors name. */
 const WHO = 'ExpressionMix'
 
-/** Easing functions, from the fraction of the time to the fraction of the way, both 0..1. */
+/** Easing functions, from elapsed time to progress, both 0..1. */
 export const EASINGS = {
   /** Constant speed. */
   linear: (t: number) => t,
@@ -18,20 +17,17 @@ export const EASINGS = {
   easeInOut: (t: number) => t * t * (3 - 2 * t),
 } as const
 
-/** One of `EASINGS`, or a function from the fraction of the time to the fraction of the way. */
+/** One of `EASINGS`, or a function from elapsed time to progress, both 0..1. */
 export type Easing = keyof typeof EASINGS | ((t: number) => number)
 
-/** One expression by name, or several with weights, 0..1, which are added. */
+/** Name of one expression, or weights, 0..1, of several that are added. */
 export type ExpressionChoice = string | Readonly<Record<string, number>>
 
-/**
- * Interpolates from one expression, or several at once, to the next over a given time, as the paper drives its wrinkles. `update`
- * allocates nothing, unless a custom easing does.
- */
+/** Interpolates between expressions over time, as in the paper. `update` allocates nothing, unless a custom easing does. */
 export class ExpressionMix {
-  /** Names of all blendshapes that any of the expressions uses. */
+  /** Names of the blendshapes used by the expressions. */
   readonly targetNames: readonly string[]
-  /** Names of all areas that any of the expressions uses. */
+  /** Names of the areas used by the expressions. */
   readonly areaNames: readonly string[]
   /** Current weights, in the order of `targetNames`. */
   readonly targets: Float32Array
@@ -39,20 +35,20 @@ export class ExpressionMix {
   readonly activations: Float32Array
 
   readonly #expressions: ReadonlyMap<string, Pose>
-  /** The face without any expression. */
+  /** Face without an expression. */
   readonly #rest: Pose
   readonly #from: Pose
   readonly #to: Pose
-  /** Null for linear: then no number is passed, and none is boxed. */
+  /** Null for linear, because passing numbers to a function may box them. */
   #easing: ((t: number) => number) | null = null
   #duration = 0
-  /** Seconds since the start, and the fraction of the way; in an array, since a number in a field may be boxed. */
+  /** Elapsed seconds, then progress, 0..1. An array, because V8 may box numbers in fields. */
   readonly #now = new Float64Array(2)
 
   /**
-   * @param expressions at least one; the first is where the mix starts.
-   * @param restOf the activation of an area in expressions that do not name it; 0 by default.
-   * @throws FurrowError when there is none, or one is malformed.
+   * @param expressions at least one; the mix starts at the first.
+   * @param restOf returns the resting activation of an area, for expressions without the area; default 0.
+   * @throws FurrowError if the list is empty or an expression is malformed.
    */
   constructor(expressions: readonly Expression[], restOf: (area: string) => number = () => 0) {
     for (const expression of Array.isArray(expressions) ? expressions : [expressions])
@@ -63,7 +59,7 @@ export class ExpressionMix {
         problem: 'no expressions',
         value: 0,
         limit: 'at least 1',
-        remedy: 'give a list such as EXPRESSIONS',
+        remedy: 'pass a list such as EXPRESSIONS',
       })
     }
     this.targetNames = union(expressions.map((expression) => expression.targets))
@@ -88,24 +84,23 @@ export class ExpressionMix {
     this.#to = { targets: this.targets.slice(), activations: this.activations.slice() }
   }
 
-  /** Whether the transition is over. */
-  get still(): boolean {
+  /** Whether the transition has ended. */
+  get isFinished(): boolean {
     return this.#now[0] >= this.#duration
   }
 
   /**
-   * Starts a transition from the current values to an expression, or to several at once: `{ happy: 0.6, surprised: 0.4 }`. What each adds to
-   * the face at rest is summed by target and by area, and clamped to 0..1.
+   * Starts a transition from the current values to one expression, or to a sum such as `{ happy: 0.6, surprised: 0.4 }`. Differences from
+   * the resting face are added, and the result is clamped to 0..1.
    *
-   * @param choice names and weights.
-   * @param seconds duration; 0 by default, which takes effect at once.
-   * @param easing linear by default.
-   * @throws FurrowError when no expression has that name, a weight is not within 0..1, the time is negative, NaN or infinite, or the
-   *   easing unknown.
+   * @param choice name, or names and weights.
+   * @param seconds duration; default 0, which applies immediately.
+   * @param easing default `linear`.
+   * @throws FurrowError if a name or the easing is unknown, a weight is outside 0..1, or the duration is negative, NaN or infinite.
    */
   play(choice: ExpressionChoice, seconds = 0, easing: Easing = 'linear'): void {
     if (typeof choice !== 'string' && !isObject(choice)) {
-      throw wrongArgument(WHO, 'expression', choice, 'a name, or names and weights')
+      throw wrongArgument(WHO, 'expression', choice, 'a name, or an object of names and weights')
     }
     const ease = typeof easing === 'function' ? easing : EASINGS[easing]
     if (!ease) throw wrongArgument(WHO, 'easing', easing, `${Object.keys(EASINGS).join(', ')}, or a function`)
@@ -115,10 +110,10 @@ export class ExpressionMix {
       throw new FurrowError({
         code: 'out-of-range',
         who: 'ExpressionMix',
-        problem: 'time out of range',
+        problem: 'duration out of range',
         value: seconds,
-        limit: '0 seconds or more',
-        remedy: 'give the duration of the transition, e.g. 0.3',
+        limit: 'at least 0 seconds',
+        remedy: 'pass the duration of the transition, e.g. 0.3',
       })
     }
     for (const values of ['targets', 'activations'] as const) {
@@ -143,11 +138,11 @@ export class ExpressionMix {
    * Advances the transition.
    *
    * @param delta seconds since the last call.
-   * @throws FurrowError when it is negative or NaN.
+   * @throws FurrowError if `delta` is negative or NaN.
    */
   update(delta: number): void {
-    if (!(delta >= 0)) throw wrongArgument(WHO, 'seconds since the last call', delta, '0 or more')
-    // Short enough to be inlined, so that the number is not boxed.
+    if (!(delta >= 0)) throw wrongArgument(WHO, 'delta', delta, 'at least 0 seconds')
+    // Short enough for V8 to inline, so that the number is not boxed.
     this.#now[0] += delta
     this.#advance()
   }
@@ -155,8 +150,8 @@ export class ExpressionMix {
   #advance(): void {
     const now = this.#now
     if (now[0] > this.#duration) now[0] = this.#duration
-    now[1] = this.still ? 1 : now[0] / this.#duration
-    if (this.#easing && !this.still) now[1] = this.#easing(now[1])
+    now[1] = this.isFinished ? 1 : now[0] / this.#duration
+    if (this.#easing && !this.isFinished) now[1] = this.#easing(now[1])
     this.#interpolate('targets')
     this.#interpolate('activations')
   }
@@ -178,7 +173,7 @@ export class ExpressionMix {
         problem: 'unknown expression',
         value: name,
         limit: names.join(', '),
-        remedy: didYouMean(name, names, 'use one of these, or pass your own list of expressions'),
+        remedy: didYouMean(name, names, 'use one of these names, or pass your own list of expressions'),
       })
     }
     if (weight >= 0 && weight <= 1) return
@@ -188,7 +183,7 @@ export class ExpressionMix {
       problem: `weight of "${name}" out of range`,
       value: weight,
       limit: '0 to 1',
-      remedy: 'correct it',
+      remedy: 'correct the weight',
     })
   }
 }
@@ -196,7 +191,7 @@ export class ExpressionMix {
 function checkExpression(expression: Expression): void {
   const isValid = (values: unknown) => isObject(values) && Object.values(values).every(Number.isFinite)
   if (isObject(expression) && isValid(expression.targets) && isValid(expression.activations)) return
-  throw wrongArgument(WHO, 'expression', expression, 'an object with a name, targets and activations')
+  throw wrongArgument(WHO, 'expression', expression, 'an object with name, targets and activations')
 }
 
 interface Pose {

@@ -1,15 +1,15 @@
 import { sentence } from '../core/error.ts'
 import { type Expression, expressionsOf } from '../drivers/expression/expression.ts'
-import { faceExpressions, firstOfEachName } from '../drivers/expression/face-expressions.ts'
+import { faceExpressions, uniqueByName } from '../drivers/expression/face-expressions.ts'
 import { EXPRESSIONS } from '../drivers/expression/presets.ts'
 import { checkWrinkles } from './check-wrinkles.ts'
 import { type Easing, type ExpressionChoice, ExpressionMix } from './expression-mix.ts'
 import type { BindTargets, TargetBinding } from './target-binding.ts'
 import type { WrinkleFaces } from './wrinkle-faces.ts'
 
-/** `ExpressionPlayer`, independent of the engine. */
+/** Engine-independent part of `ExpressionPlayer`. */
 export class ExpressionPlayerBase {
-  /** Names of the expressions that the face can show, for buttons. The initial one comes first. */
+  /** Names of the expressions that the face can show. The initial one comes first. */
   readonly expressionNames: readonly string[]
   readonly #mix: ExpressionMix
   #last = 0
@@ -17,42 +17,42 @@ export class ExpressionPlayerBase {
   readonly #bindings: TargetBinding[]
 
   /**
-   * @param wrinkles of the face; undefined for a face without.
+   * @param wrinkles wrinkles of the face; undefined if the face has none.
    * @param bind finds blendshapes on the meshes of the face.
-   * @param expressions the first is the initial one; by default those that the face can show.
+   * @param expressions expressions to play, the initial one first; default: all that the face can show.
    */
   constructor(wrinkles: WrinkleFaces | undefined, bind: BindTargets, expressions?: readonly Expression[]) {
     if (wrinkles !== undefined) checkWrinkles(wrinkles, 'ExpressionPlayer', 'wrinkles of the face')
     const authored = wrinkles ? expressionsOf(wrinkles.drivers) : []
     const shown = expressions ?? expressionsOfFace(authored, wrinkles, bind)
-    // A page may play `happy` on any avatar: one that lacks the shapes stays as it is.
+    // Pages may play `happy` on any avatar; an avatar without the shapes does not move.
     const others = authored.length > 0 ? authored : EXPRESSIONS
     const restOf = (area: string) => wrinkles?.getArea(area)?.activation ?? 0
-    this.#mix = new ExpressionMix(expressions ?? firstOfEachName([...shown, ...others]), restOf)
+    this.#mix = new ExpressionMix(expressions ?? uniqueByName([...shown, ...others]), restOf)
     this.expressionNames = shown.map(({ name }) => name)
     this.#wrinkles = wrinkles
     this.#bindings = bind(this.#mix.targetNames)
     const bound = new Set(this.#bindings.map(({ name }) => this.#mix.targetNames[name]))
-    const named = (what: 'targets' | 'activations') => new Set(shown.flatMap((one) => Object.keys(one[what])))
+    const namesIn = (field: 'targets' | 'activations') =>
+      new Set(shown.flatMap((expression) => Object.keys(expression[field])))
     warnOfMissing([
-      ...[...named('targets')].filter((name) => !bound.has(name)),
-      ...[...named('activations')].filter((name) => wrinkles && !wrinkles.hasArea(name)),
+      ...[...namesIn('targets')].filter((name) => !bound.has(name)),
+      ...[...namesIn('activations')].filter((name) => wrinkles && !wrinkles.hasArea(name)),
     ])
   }
 
-  /** Whether a transition is going on, so that the next frame will differ. */
+  /** Whether a transition is running, so that the next frame will differ. */
   get isPlaying(): boolean {
-    return !this.#mix.still
+    return !this.#mix.isFinished
   }
 
   /**
-   * Starts a transition from the current face, sliders included, to an expression, or to several at once, which are added:
-   * `{ happy: 0.6, surprised: 0.4 }`.
+   * Starts a transition from the current face to one expression, or to a sum such as `{ happy: 0.6, surprised: 0.4 }`.
    *
-   * @param choice names and weights, 0..1.
-   * @param seconds duration, 0.25 by default; 0 takes effect at once.
-   * @param easing linear by default.
-   * @throws FurrowError when no expression has that name, a weight is not within 0..1, or the time is negative, NaN or infinite.
+   * @param choice name, or names and weights, 0..1.
+   * @param seconds duration; default 0.25. 0 applies immediately.
+   * @param easing default `linear`.
+   * @throws FurrowError if a name or the easing is unknown, a weight is outside 0..1, or the duration is negative, NaN or infinite.
    */
   play(choice: ExpressionChoice, seconds = 0.25, easing: Easing = 'linear'): void {
     this.#read()
@@ -62,17 +62,17 @@ export class ExpressionPlayerBase {
   }
 
   /**
-   * Advances the transition, if any. Call it once per frame.
+   * Advances the transition. Call once per frame.
    *
-   * @param delta seconds since the last frame; measured by default.
+   * @param delta seconds since the last frame; default: measured.
    */
   update(delta = this.#sinceLast()): void {
-    if (this.#mix.still) return
+    if (this.#mix.isFinished) return
     this.#mix.update(delta)
     this.#write()
   }
 
-  /** Seconds since the last frame, or since `play`. */
+  /** Returns the seconds since the last frame, or since `play`. */
   #sinceLast(): number {
     const now = performance.now()
     const delta = (now - this.#last) / 1000
@@ -85,7 +85,7 @@ export class ExpressionPlayerBase {
     for (const { influences, target, name } of this.#bindings) targets[name] = influences[target]
     for (const [index, name] of areaNames.entries()) {
       if (!this.#wrinkles?.hasArea(name)) continue
-      // Of areas that are not driven, without what age and other inputs add.
+      // The resting activation excludes contributions of age and other inputs.
       activations[index] = this.#wrinkles.isDriven(name)
         ? this.#wrinkles.getActivation(name)
         : this.#wrinkles.getRestingActivation(name)
@@ -95,7 +95,7 @@ export class ExpressionPlayerBase {
   #write(): void {
     const { targets, areaNames, activations } = this.#mix
     for (const { influences, target, name } of this.#bindings) influences[target] = targets[name]
-    // A player may outlive the wrinkles, and still moves the blendshapes.
+    // A player may outlive its wrinkles and still moves the blendshapes.
     if (this.#wrinkles?.isDisposed === false) this.#wrinkles.setActivations(areaNames, activations)
   }
 }
@@ -118,7 +118,7 @@ function warnOfMissing(names: string[]): void {
   console.warn(
     sentence({
       who: 'ExpressionPlayer',
-      problem: 'this face lacks blendshapes or areas',
+      problem: 'the face lacks blendshapes or areas of the expressions',
       value: names.join(', '),
       remedy: 'expressions play without them',
     }),

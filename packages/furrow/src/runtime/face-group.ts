@@ -16,32 +16,32 @@ export interface Clock {
 }
 
 /**
- * The faces of one mesh: one for each instance, or the mesh itself. Holds their areas, activations, inputs and drivers, independent of
- * the engine. `WrinkleFaces` is what users see of it.
+ * Faces of one mesh: one per instance, or the mesh itself. Holds areas, activations, inputs and drivers, independent of the engine.
+ * `WrinkleFaces` is its public interface.
  *
- * @typeParam Engine what draws a frame, e.g. a renderer.
+ * @typeParam Engine object that draws a frame, e.g. a renderer.
  */
 export abstract class FaceGroup<Engine = unknown> {
   /** Whether drivers activate their areas. */
   driven = true
-  /** The mesh that drives. */
+  /** Mesh that supplies the inputs. */
   abstract readonly mesh: { readonly name: string }
   readonly inputs: NamedInputs
   readonly faces: readonly Face[]
-  /** In the order of the activations. */
+  /** Areas in the order of the activations. */
   areas: Area<ArraySlice>[]
   #clock: Clock = performance
   #isDisposed = false
   #runtime: DriverRuntime<Engine> | null = null
   #expressions: readonly Expression[] = []
-  /** The expressions of a VRM, by the blendshapes that they move. */
+  /** Expressions of a VRM, as blendshapes. */
   protected vrmExpressions: readonly Expression[] = []
   readonly #disposers: (() => void)[] = []
   readonly #releasers: (() => void)[] = []
 
   /**
    * @param count number of faces.
-   * @param slots of the areas, in their order.
+   * @param slots slots of the areas, in the same order.
    */
   constructor(count: number, areas: readonly Area<ArraySlice>[], slots: AreaSlots) {
     this.areas = [...areas]
@@ -49,12 +49,12 @@ export abstract class FaceGroup<Engine = unknown> {
     this.inputs = new NamedInputs(count, (method) => this.checkInUse(method))
   }
 
-  /** The time for drivers with a delay. */
+  /** Clock for drivers with a delay. */
   get clock(): Clock {
     return this.#clock
   }
 
-  /** @throws FurrowError when it cannot tell the time. */
+  /** @throws FurrowError if the clock has no method `now`. */
   set clock(clock: Clock) {
     if (typeof clock?.now !== 'function') {
       throw wrongArgument('Wrinkles.clock', 'clock', clock, 'an object with now()')
@@ -78,7 +78,7 @@ export abstract class FaceGroup<Engine = unknown> {
     return this.faces[0].activations.has(name)
   }
 
-  /** @throws FurrowError when no area has that name, the value is not a number, or there is no such instance. */
+  /** @throws FurrowError if the area is unknown, the value is not a number, or the instance does not exist. */
   setActivation(area: string, value: number, instance = 0): void {
     this.checkInUse('setActivation')
     const face = this.#faceOf(instance, 'setActivation')
@@ -86,15 +86,15 @@ export abstract class FaceGroup<Engine = unknown> {
     else face.setResting(area, value)
   }
 
-  /** @throws FurrowError when there are fewer values than names, or no such instance. */
+  /** @throws FurrowError if there are fewer values than names, or the instance does not exist. */
   setActivations(names: readonly string[], values: Float32Array, instance = 0): void {
     this.checkInUse('setActivations')
     if (!Array.isArray(names) || !(values?.length >= names.length)) {
       throw wrongArgument(
         'Wrinkles.setActivations',
-        'values',
+        'number of values',
         values?.length,
-        `one for each of ${names?.length} names`,
+        `at least ${names?.length}, one per name`,
       )
     }
     const { activations, resting } = this.#faceOf(instance, 'setActivations')
@@ -102,18 +102,18 @@ export abstract class FaceGroup<Engine = unknown> {
     resting.setNamed(names, values, this.plan?.movedAreas)
   }
 
-  /** @throws FurrowError when no area has that name. */
+  /** @throws FurrowError if the area is unknown or the instance does not exist. */
   getActivation(area: string, instance = 0): number {
     return this.#faceOf(instance, 'getActivation').activations.get(area)
   }
 
-  /** @throws FurrowError as `setActivation` does. */
+  /** @throws FurrowError if the area is unknown, the value is not a number, or the instance does not exist. */
   setRestingActivation(area: string, value: number, instance = 0): void {
     this.checkInUse('setRestingActivation')
     this.#faceOf(instance, 'setRestingActivation').setResting(area, value)
   }
 
-  /** @throws FurrowError when no area has that name. */
+  /** @throws FurrowError if the area is unknown or the instance does not exist. */
   getRestingActivation(area: string, instance = 0): number {
     return this.#faceOf(instance, 'getRestingActivation').resting.get(area)
   }
@@ -137,29 +137,29 @@ export abstract class FaceGroup<Engine = unknown> {
   /**
    * Replaces the drivers.
    *
-   * @param bindInputs finds their inputs on the mesh.
-   * @param isLate whether inputs are found at the first frame; otherwise now.
+   * @param bindInputs binds the inputs to the mesh.
+   * @param isLazy whether inputs are bound in the first frame instead of now.
    */
-  driveBy(plan: DriverPlan, bindInputs: BindInputs<Engine>, isLate: boolean): void {
+  setPlan(plan: DriverPlan, bindInputs: BindInputs<Engine>, isLazy: boolean): void {
     const runtime = new DriverRuntime(plan, bindInputs, this.inputs, this.faces.length, this.mesh.name)
     const { length } = this.#releasers
-    if (!isLate) runtime.bind()
+    if (!isLazy) runtime.bind()
     for (const release of this.#releasers.splice(0, length)) release()
     this.#runtime = runtime
     this.#expressions = expressionsOf(plan.drivers)
   }
 
-  /** Phase 1 of a frame, see `Frame`. */
+  /** Phase 1 of a frame: reads inputs, see `Frame`. */
   readInputs(engine: Engine | null): void {
     if (this.driven) this.#runtime?.readInputs(this.faces, this.clock, engine)
   }
 
-  /** Phase 2. */
+  /** Phase 2 of a frame. */
   evaluateDrivers(): void {
     if (this.driven) this.#runtime?.evaluate(this.faces)
   }
 
-  /** Phase 3. */
+  /** Phase 3 of a frame. */
   applyActivations(): void {
     if (this.driven) this.#runtime?.apply(this.faces)
   }
@@ -171,7 +171,7 @@ export abstract class FaceGroup<Engine = unknown> {
     this.#disposers.push(dispose)
   }
 
-  /** Registers a function that frees GPU objects of a driver's inputs. Inputs that are read afterwards make them again. */
+  /** Registers a function that frees GPU objects of driver inputs. Reading the inputs later creates the objects again. */
   onRelease(release: () => void): void {
     this.#releasers.push(release)
   }
@@ -189,13 +189,13 @@ export abstract class FaceGroup<Engine = unknown> {
     this.#runtime = null
   }
 
-  /** @throws FurrowError when the wrinkles were disposed of. */
+  /** @throws FurrowError if the wrinkles have been disposed. */
   checkInUse(method: string): void {
     if (!this.#isDisposed) return
     throw new FurrowError({
       who: `Wrinkles.${method}`,
-      problem: 'the wrinkles were disposed of',
-      remedy: 'create new ones for the mesh',
+      problem: 'the wrinkles have been disposed',
+      remedy: 'create new wrinkles for the mesh',
     })
   }
 

@@ -2,7 +2,7 @@ import { wrongArgument } from '../core/argument.ts'
 import { sentence } from '../core/error.ts'
 import type { BindTargets, TargetBinding } from './target-binding.ts'
 
-/** A blendshape and its score, as in the lists of MediaPipe's face landmarker. */
+/** Blendshape and score, as in the results of MediaPipe's face landmarker. */
 export interface FaceScore {
   /** Name of the blendshape. */
   categoryName: string
@@ -13,7 +13,7 @@ export interface FaceScore {
 /** MediaPipe's first category: the score of a neutral face. */
 const NEUTRAL = '_neutral'
 
-/** `FaceScores`, independent of the engine. */
+/** Engine-independent part of `FaceScores`. */
 export class FaceScoresBase {
   readonly #bind: BindTargets
   #names: string[] = []
@@ -25,13 +25,13 @@ export class FaceScoresBase {
   }
 
   /**
-   * Sets the blendshapes in the list; others stay as they are. `_neutral` is ignored, names that no mesh has are left out with one
-   * warning, and NaN counts as 0. Allocates nothing while the names stay the same.
+   * Sets the listed blendshapes; others are unchanged. `_neutral` is ignored, unknown names are skipped with one warning, and NaN counts
+   * as 0. Allocates nothing while the names stay the same.
    *
-   * @throws FurrowError when nothing under the face has morph targets, or the scores are not a list of names and numbers.
+   * @throws FurrowError if no mesh of the face has morph targets, or the scores are not a list of names and numbers.
    */
   set(scores: readonly FaceScore[]): void {
-    if (!Array.isArray(scores)) throw wrongArgument('FaceScores', 'scores', scores, 'a list')
+    if (!Array.isArray(scores)) throw wrongArgument('FaceScores', 'scores', scores, 'an array')
     if (!this.#hasNamesOf(scores)) this.#rebind(scores)
     for (let i = 0; i < this.#bindings.length; i++) {
       const { influences, target, name } = this.#bindings[i]
@@ -59,9 +59,9 @@ export class FaceScoresBase {
     console.warn(
       sentence({
         who: 'FaceScores',
-        problem: 'this face lacks blendshapes',
+        problem: 'the face lacks blendshapes of the scores',
         value: missing.join(', '),
-        remedy: 'the others are set',
+        remedy: 'the other blendshapes are set',
       }),
     )
   }

@@ -1,16 +1,16 @@
 import { Activations } from './activations.ts'
 import type { AreaSlots } from './area-slots.ts'
 
-/** One face, that is a mesh or one instance of it: its activations. */
+/** Activations of one face: a mesh or one of its instances. */
 export class Face {
   slots: AreaSlots
   readonly activations: Activations
-  /** Activations at rest, to which drivers add. */
+  /** Resting activations, to which drivers add. */
   readonly resting: Activations
 
   /**
-   * @param slots of the areas, in their order.
-   * @param areas with their activations at rest.
+   * @param slots slots of the areas, in the same order.
+   * @param areas areas with resting activations.
    */
   constructor(slots: AreaSlots, areas: readonly { name: string; activation?: number }[]) {
     this.slots = slots
@@ -19,13 +19,13 @@ export class Face {
     for (const { name, activation } of areas) this.setResting(name, activation ?? 0)
   }
 
-  /** Sets an activation at rest, which is also the activation until drivers run. */
+  /** Sets a resting activation. Also sets the activation, until drivers run. */
   setResting(area: string, value: number): void {
     this.resting.set(area, value)
     this.activations.set(area, value)
   }
 
-  /** Changes the list of areas; those whose names stay keep their activations. */
+  /** Changes the list of areas. Existing names keep their activations. */
   rebind(slots: AreaSlots, areas: readonly { name: string }[]): void {
     this.slots = slots
     this.activations.rebind(areas)

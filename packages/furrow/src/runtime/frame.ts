@@ -1,78 +1,79 @@
-/** The faces of one mesh, which take part in frames. A phase reads what earlier phases wrote, and never calls one. */
+/** Faces of one mesh in the frame loop. A phase reads results of earlier phases and never calls them. */
 export interface FrameMember<Engine> {
-  /** Called between frames when another member joins: brings what the member is drawn with up to date. */
+  /** Updates materials and other drawn state; called between frames when another member is added. */
   refresh?(): void
   /** Phase 1: reads blendshapes, joints, tension and the application's inputs. */
   readInputs(engine: Engine | null): void
-  /** Phase 2: from inputs to the drivers' activations. */
+  /** Phase 2: evaluates drivers. */
   evaluateDrivers(): void
   /** Phase 3: sets the activations of the faces. */
   applyActivations(): void
   /**
-   * Phase 4: tells the atlas which influence maps have changed.
+   * Phase 4: reports changed influence maps to the atlas.
    *
-   * @returns whether they are used at all in this frame.
+   * @returns whether the influence maps are used in this frame.
    */
   collectInfluence(engine: Engine): boolean
-  /** Phase 5: draws what is derived from the influence maps. */
+  /** Phase 5: draws composed normals from the influence maps. */
   composeNormals(engine: Engine): void
 }
 
-/** Draws the influence maps that members collected. */
+/** Draws the influence maps collected by members. */
 export interface InfluenceTarget<Engine> {
   draw(engine: Engine): void
 }
 
-/** A member, and the numbers of the frames that it last took part in. */
+/** A member and its latest frame numbers. */
 export interface FrameEntry<Engine> {
   readonly member: FrameMember<Engine>
-  /** Whether what it reads may change after an image has begun, so that its phases wait until a member is drawn. */
+  /** Whether inputs may change after `beginImage`, so that the phases wait until a member is drawn. */
   isLate: boolean
-  /** In which it was drawn. */
+  /** Frame of the last draw. */
   seen: number
-  /** In which its phases ran. */
+  /** Frame in which the phases last ran. */
   updated: number
-  /** In which its influence was collected. */
+  /** Frame in which influence was last collected. */
   collected: number
 }
 
-/** The frame that an engine draws, or drew last. */
+/** Current or latest frame of an engine. */
 interface Drawn {
   number: number
-  /** The one of which members are expected: the last in which one was drawn, of the same scene where that is known. */
+  /** Frame whose members are expected again: the last one with a drawn member, of the same scene if known. */
   last: number
-  /** What its images were counted by when a member was last drawn. */
+  /** Render count at the last draw. */
   renders: number
-  /** Whether its image has begun, and no member has been drawn in it. */
+  /** Whether the image has begun but no member has been drawn. */
   isEarly: boolean
 }
 
 /**
- * Runs the phases of frames: inputs -> drivers -> activations -> influence -> draw, each for all faces before the next. The engine
- * draws, and calls `begin` before it draws a member: the first one in a frame runs the phases of all members that were drawn in the
- * frame before, or never ran; `beginImage` does so before anything is drawn. A member that comes into view later in a frame runs its
- * phases then. Where several engines draw on one page, each has frames of its own: what one draws is not there for another.
+ * Runs the phases of frames: inputs -> drivers -> activations -> influence -> draw, each for all faces before the next.
  *
- * @typeParam Engine what draws, e.g. a renderer.
- * @typeParam Target what it draws influence maps into.
+ * The engine calls `begin` before it draws a member. The first call in a frame runs the phases of all members that were drawn in the last
+ * frame or never ran; `beginImage` does this before anything is drawn. Members that come into view later run their phases then. Each
+ * engine on a page has its own frames.
+ *
+ * @typeParam Engine object that draws, e.g. a renderer.
+ * @typeParam Target destination of influence maps.
  */
 export class Frame<Engine extends object, Target extends InfluenceTarget<Engine> = InfluenceTarget<Engine>> {
   readonly targets: Target[] = []
   readonly #entries: FrameEntry<Engine>[] = []
   readonly #renderCount: (engine: Engine) => number
-  /** The members whose phases run are the first `#count` of these: emptying the list would allocate. */
+  /** Members whose phases run: the first `#count` items. The array is never emptied, because that would allocate. */
   readonly #due: FrameEntry<Engine>[] = []
   #count = 0
-  /** Of the frame that began last, whichever engine draws it. */
+  /** Number of the latest frame of any engine. */
   #number = 0
   readonly #drawn = new WeakMap<Engine, Drawn>()
 
-  /** @param renderCount a number that changes with every image that the engine draws. */
+  /** @param renderCount returns a number that changes with every image of the engine. */
   constructor(renderCount: (engine: Engine) => number) {
     this.#renderCount = renderCount
   }
 
-  /** Adds a member; the entry is for the methods below. */
+  /** Adds a member. Pass the returned entry to the other methods. */
   add(member: FrameMember<Engine>): FrameEntry<Engine> {
     for (const other of this.#entries) other.member.refresh?.()
     const entry = { member, isLate: false, seen: -1, updated: -1, collected: -1 }
@@ -87,11 +88,11 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
   }
 
   /**
-   * To be called before an image is drawn in which members may be: what draws influence then interrupts nothing. Those that are not among them
-   * run their phases when the first member is drawn.
+   * Runs the phases of expected members. Call before an image is drawn, so that drawing influence does not interrupt it. Other members run
+   * their phases when the first member is drawn.
    *
-   * @param last the frame of which members are expected: that of the last image of the same scene.
-   * @param isCounted whether the engine has counted the image already.
+   * @param last frame whose members are expected: that of the last image of the scene.
+   * @param isCounted whether the render count already includes the image.
    */
   beginImage(engine: Engine, last: number, isCounted: boolean): void {
     this.#count = 0
@@ -104,7 +105,7 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
     drawn.renders = this.#renderCount(engine) + Number(!isCounted)
   }
 
-  /** To be called before a member is drawn. */
+  /** Runs phases that are due. Call before a member is drawn. */
   begin(entry: FrameEntry<Engine>, engine: Engine): void {
     this.#count = 0
     const drawn = this.#drawnBy(engine)
@@ -119,7 +120,7 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
     drawn.renders = this.#renderCount(engine)
   }
 
-  /** Runs the phases of one member now; influence is drawn only with an engine. */
+  /** Runs the phases of one member now. Influence is drawn only if an engine is given. */
   update(entry: FrameEntry<Engine>, engine: Engine | null): void {
     this.#count = 0
     this.#due[this.#count++] = entry
@@ -135,7 +136,7 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
     return drawn
   }
 
-  /** The frame, phase by phase. */
+  /** Runs all phases of the scheduled members. */
   #run(engine: Engine | null, number: number): void {
     const due = this.#due
     const count = this.#count
@@ -148,7 +149,7 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
     for (let i = 0; i < count; i++) due[i].member.composeNormals(engine)
   }
 
-  /** Those that were drawn in a frame, or never ran. */
+  /** Schedules members that were drawn in frame `last` or never ran. */
   #scheduleOf(last: number, number: number, isEarly: boolean): void {
     for (let i = 0; i < this.#entries.length; i++) {
       const entry = this.#entries[i]
@@ -166,7 +167,7 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
     if (entry.member.collectInfluence(engine)) entry.collected = number
   }
 
-  /** For a member whose influence was not used when its phases ran, but is now. */
+  /** Collects and draws influence that was unused when the member's phases ran. */
   #collectLate(entry: FrameEntry<Engine>, engine: Engine, number: number): void {
     this.#collect(entry, engine, number)
     if (entry.collected !== number) return

@@ -1,21 +1,21 @@
 import type { Face } from './face.ts'
 
 /**
- * What the activations of faces were computed from. While none of it changes, a face stands: its activations need not be computed
- * again. In a few long arrays, since those of thousands of faces are not in the processor's cache, and these it reads ahead.
+ * Inputs from which the activations of faces were last computed; a face with unchanged inputs is skipped. Stored in a few long arrays,
+ * because the CPU prefetches sequential reads of thousands of faces.
  */
 export class LastInputs {
-  /** Those of a face after those of the one before. */
+  /** Inputs of all faces, `#count` per face. */
   readonly #values: Float64Array
   readonly #count: number
-  /** By face: whether its activations are to be computed. */
+  /** By face: whether activations must be computed. */
   readonly isDue: Uint8Array
   readonly #resting: Float64Array
   readonly #activations: Float64Array
 
   /**
    * @param faces number of faces.
-   * @param count inputs of each.
+   * @param count number of inputs per face.
    */
   constructor(faces: number, count: number) {
     this.#values = new Float64Array(faces * count)
@@ -25,7 +25,7 @@ export class LastInputs {
     this.#activations = new Float64Array(faces)
   }
 
-  /** Compares a face's inputs with its last ones, and keeps them. NaN is always a change. */
+  /** Stores a face's inputs and detects changes. NaN always counts as a change. */
   take(face: number, values: Float64Array): void {
     const start = face * this.#count
     for (let i = 0; i < values.length; i++) {
@@ -42,14 +42,14 @@ export class LastInputs {
     for (let i = 0; i < values.length; i++) values[i] = this.#values[start + i]
   }
 
-  /** Whether a face is to be computed; also where the application has changed its activations, at rest or not, or its areas. */
+  /** Whether a face must be computed. Detects changes of areas and activations by the application. */
   check(face: number, { resting, activations }: Face): boolean {
     if (resting.version !== this.#resting[face] || activations.version !== this.#activations[face])
       this.isDue[face] = 1
     return this.isDue[face] === 1
   }
 
-  /** A face has been computed, and has its activations. */
+  /** Marks a face as computed. */
   settle(face: number, { resting, activations }: Face): void {
     this.#resting[face] = resting.version
     this.#activations[face] = activations.version

@@ -2,26 +2,26 @@ import { isSlice } from '../core/check-areas.ts'
 import { type ImageArray, imageArray } from '../core/image-array.ts'
 import type { ArraySlice, GrayImage, Layer, RgbaImage } from '../core/types.ts'
 
-/** Kinds of maps that a layer may have besides its normals. */
+/** Kinds of optional maps in a layer, besides normals. */
 export const VALUE_KINDS = ['baseColor', 'roughness', 'occlusion', 'blood'] as const
 export type ValueKind = (typeof VALUE_KINDS)[number]
 
-/** All kinds of maps that shaders mix. */
+/** Kinds of maps that shaders mix. */
 export const MAP_KINDS = ['normal', ...VALUE_KINDS] as const
 
-/** The images of one kind of map, of all layers, as one array. */
+/** Images of one kind of map from all layers, in one array. */
 export interface PackedMaps {
   images: ImageArray
-  /** Slice of each layer's map; null for a layer that has none. */
+  /** Slice of each layer's map; null for layers without one. */
   slices: readonly (number | null)[]
   /** Channel of single-channel maps. */
   channel: number
 }
 
 /**
- * Packs the images of one kind. Their texels are those of the array then, since a copy would take as much memory again; but not those of an image that several layers have.
+ * Packs the images of one kind. To save memory, images then alias the array, unless several layers share them.
  *
- * @param maps of each layer, all of one size; undefined for a layer that has none.
+ * @param maps map of each layer, all of one size; undefined for layers without one.
  */
 export function packMaps(
   maps: readonly (RgbaImage | GrayImage | undefined)[],
@@ -44,7 +44,7 @@ export function packMaps(
   }
 }
 
-/** Copies layers for `packMaps`. Texels are copied of images that are alone in their kind, since those of others are when they are packed. */
+/** Copies layers for `packMaps`. Copies only texels of images that are alone in their kind, because packing copies the others. */
 export function copyLayers(layers: readonly Layer<ArraySlice>[]): Layer<ArraySlice>[] {
   const isAlone = (kind: (typeof MAP_KINDS)[number]) => layers.filter((layer) => layer[kind]).length === 1
   return layers.map((layer) => {

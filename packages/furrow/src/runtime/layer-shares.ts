@@ -1,8 +1,7 @@
 /**
- * The shares of layers in what they are mixed into, as text of a shader: their influence, and less where its sum exceeds 1, which that of one
- * layer does not.
+ * Returns shader expressions for the mixing weights of layers: their influences, divided by their sum if it exceeds 1.
  *
- * @param influences of the layers, 0..1.
+ * @param influences shader expressions of the layers' influences, 0..1.
  */
 export function sharesOf(influences: readonly string[]): readonly string[] {
   if (influences.length < 2) return influences

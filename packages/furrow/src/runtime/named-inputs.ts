@@ -2,10 +2,7 @@ import { wrongArgument } from '../core/argument.ts'
 import { FurrowError, sentence } from '../core/error.ts'
 import { didYouMean } from '../core/nearest-name.ts'
 
-/**
- * Numbers that the application sets by name, for drivers of type `age` and `input`: the person's age, stress, cold, loudness. Each
- * instance of a mesh has its own values.
- */
+/** Custom inputs: numbers set by the application for `age` and `input` drivers, such as stress or cold. Each instance has its own values. */
 export class NamedInputs {
   readonly #values = new Map<string, Float64Array>()
   /** Names that drivers read. */
@@ -15,25 +12,25 @@ export class NamedInputs {
   readonly #checkInUse: (method: string) => void
 
   /**
-   * @param faces number of instances, 1 for any other mesh.
-   * @param checkInUse throws when the wrinkles were disposed of.
+   * @param faces number of instances; 1 for meshes without instances.
+   * @param checkInUse throws if the wrinkles have been disposed.
    */
   constructor(faces: number, checkInUse: (method: string) => void) {
     this.#faces = faces
     this.#checkInUse = checkInUse
   }
 
-  /** Names that a driver reads or that have been set. */
+  /** Names read by a driver or set by the application. */
   get names(): string[] {
     return [...this.#values.keys()]
   }
 
   /**
-   * Sets an input. The name may be one that no driver reads yet; warns once if the drivers read others.
+   * Sets an input. Warns once if drivers exist but none reads the name.
    *
-   * @param value in the unit that the drivers' curves expect, e.g. years.
-   * @param instance index of an instance; all instances by default.
-   * @throws FurrowError when the value is NaN or infinite, the instance does not exist, or the wrinkles were disposed of.
+   * @param value value in the unit of the drivers' curves, e.g. years.
+   * @param instance index of an instance; default: all instances.
+   * @throws FurrowError if the value is NaN or infinite, the instance does not exist, or the wrinkles have been disposed.
    */
   set(name: string, value: number, instance?: number): void {
     this.#checkInUse('inputs')
@@ -45,7 +42,7 @@ export class NamedInputs {
         problem: `value of "${name}" is NaN or infinite`,
         value,
         limit: 'a finite number',
-        remedy: 'set one, e.g. inputs.set("age", 40)',
+        remedy: 'set a number, e.g. inputs.set("age", 40)',
       })
     }
     if (this.#read.size > 0 && !this.#read.has(name)) this.#warn(name)
@@ -55,10 +52,10 @@ export class NamedInputs {
   }
 
   /**
-   * The value of an input: as set, or its drivers' initial value (`age`: 20 unless the file says otherwise), or 0.
+   * Returns the value of an input: the last set value, otherwise the drivers' initial value (`age`: default 20), otherwise 0.
    *
-   * @param instance index of an instance, 0 by default.
-   * @throws FurrowError when the instance does not exist.
+   * @param instance index of an instance; default 0.
+   * @throws FurrowError if the instance does not exist.
    */
   get(name: string, instance = 0): number {
     checkInstance(instance, this.#faces, 'Wrinkles.inputs')
@@ -66,10 +63,10 @@ export class NamedInputs {
   }
 
   /**
-   * Creates an input that a driver reads, if it does not exist.
+   * Creates an input that a driver reads, if missing.
    *
-   * @param initial its value until it is set.
-   * @returns its current value for each instance; always the same array.
+   * @param initial value until the application sets the input.
+   * @returns current value of each instance; always the same array.
    * @internal
    */
   declare(name: string, initial: number): Float64Array {
@@ -95,13 +92,13 @@ export class NamedInputs {
         problem: 'no driver of this face reads the input',
         value: name,
         limit: names.join(', '),
-        remedy: didYouMean(name, names, 'it has no effect'),
+        remedy: didYouMean(name, names, 'the input has no effect'),
       }),
     )
   }
 }
 
-/** @throws FurrowError when there is no instance of that index among `count`. */
+/** @throws FurrowError unless `instance` is an index below `count`. */
 export function checkInstance(instance: number, count: number, who: string): void {
   if (Number.isInteger(instance) && instance >= 0 && instance < count) return
   throw new FurrowError({

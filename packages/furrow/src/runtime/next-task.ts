@@ -1,4 +1,4 @@
-/** Lets the page draw and answer before work goes on. By a message: browsers delay timers of nested calls, and of pages in the background. */
+/** Yields to the page. Uses a message, because browsers delay nested timers and timers of background pages. */
 export function nextTask(): Promise<void> {
   return new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel()

@@ -3,10 +3,10 @@ import { packPairs } from '../core/pack-pairs.ts'
 import type { GrayImage, Layer } from '../core/types.ts'
 import type { PackedMaps } from './layer-maps.ts'
 
-/** Images of these are channels of one array: samplers are few. */
+/** Kinds of maps that share one array as channels, to save samplers. */
 export const PAIR = ['occlusion', 'blood'] as const
 
-/** Packs occlusion and blood of layers that have images of both. */
+/** Packs the occlusion and blood images of layers into one array. */
 export function packPair(layers: readonly Layer[]): Record<(typeof PAIR)[number], PackedMaps> {
   const owners = layers.filter(({ occlusion, blood }) => occlusion ?? blood)
   const pairs = owners.map(({ occlusion, blood }): [GrayImage | undefined, GrayImage | undefined] => [

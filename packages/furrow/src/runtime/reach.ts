@@ -1,7 +1,7 @@
 import { type Bounds, widen } from '../core/bounds.ts'
 import type { AreaSlots } from './area-slots.ts'
 
-/** A rectangle of texture coordinates: u0, v0, u1, v1 as x, y, z, w, so that any engine's vector of four numbers fits. */
+/** A rectangle of texture coordinates: u0, v0, u1, v1 as x, y, z, w, compatible with the vector classes of engines. */
 export interface Reach {
   x: number
   y: number
@@ -9,15 +9,15 @@ export interface Reach {
   w: number
 }
 
-/** Beyond any texture coordinate. */
+/** Larger than any texture coordinate. */
 const FAR = 1e9
 
-/** Reused by every call, so that frames allocate nothing. */
+/** Scratch, so that frames allocate nothing. */
 const span: Bounds = { x0: 0, y0: 0, x1: 0, y1: 0 }
 
 /**
- * Computes the rectangle of texture coordinates that contains all active areas. Skin outside it need not sample the influence map.
- * Empty if no area is active.
+ * Computes the bounds of all active areas in texture coordinates; empty if no area is active. Skin outside can skip sampling the
+ * influence map.
  *
  * @param values activations, in the order of the areas.
  * @param reach receives the rectangle.
@@ -29,8 +29,8 @@ export function findReach({ slots, width, height }: AreaSlots, values: Float32Ar
   span.y1 = 0
   for (let i = 0; i < slots.length; i++) if (values[i] !== 0) widen(span, slots[i].bounds)
   const { x0, y0, x1, y1 } = span
-  // Bilinear filtering spreads a texel to the centres of its neighbours; clamping spreads those at the border infinitely.
-  // Statements, not conditional expressions or a function for the four: V8 allocates a number that may be a constant or computed.
+  // Bilinear filtering spreads a texel to the centres of its neighbours; clamping extends border texels infinitely.
+  // Statements, because V8 allocates numbers in conditional expressions and in a shared function.
   if (x0 < 1) reach.x = -FAR
   else reach.x = (x0 - 0.5) / width
   if (y0 < 1) reach.y = -FAR
@@ -41,7 +41,7 @@ export function findReach({ slots, width, height }: AreaSlots, values: Float32Ar
   else reach.w = (y1 + 0.5) / height
 }
 
-/** Sets a rectangle that contains everything, for several faces at once. */
+/** Sets a rectangle that contains everything, for several faces together. */
 export function reachAll(reach: Reach): void {
   reach.x = -FAR
   reach.y = -FAR

@@ -5,28 +5,28 @@ import { TensionMeasurement } from '../drivers/tension/measure.ts'
 import { coverage, type SampledMesh, sampleCovered } from '../drivers/tension/samples.ts'
 import type { InputReader } from './driver-runtime.ts'
 
-/** Triangles per area: each costs three vertices, which are deformed on the CPU. */
+/** Triangles per area. Each needs three vertices deformed on the CPU. */
 const SAMPLES = 16
 
-/** The surface that tension is measured on. */
+/** Surface on which tension is measured. */
 export interface TensionSurface {
-  /** The mesh at rest. */
+  /** Mesh at rest. */
   sampled: SampledMesh
-  /** What is measured, each once: an area, along its principal directions or a given one. */
+  /** Unique pairs of area and direction. */
   measured: readonly MeasuredArea[]
 }
 
 export interface MeasuredArea {
   area: string
   direction?: InputOf<'tension'>['direction']
-  /** How much it covers of each triangle (`coverage`); empty if that is unknown. */
+  /** Coverage of each triangle, see `coverage`; empty if unknown. */
   covered: Float64Array
 }
 
 /**
- * Prepares the surface for some inputs. The coverage of areas in compressed textures is unknown.
+ * Prepares a surface for inputs. Coverage of areas in compressed textures is unknown.
  *
- * @param areaOf the area of a name.
+ * @param areaOf returns the area with a name.
  */
 export function tensionSurface(
   sampled: SampledMesh,
@@ -46,7 +46,7 @@ export function tensionSurface(
   }
 }
 
-/** Index of what an input measures, in whatever sense. */
+/** Returns the index of an input's area and direction. */
 export function indexIn(measured: readonly Measured[], { area, direction }: Measured): number {
   return measured.findIndex((own) => own.area === area && own.direction?.join() === direction?.join())
 }

@@ -1,23 +1,19 @@
 import { FurrowError } from '../core/error.ts'
 
-/** One morph target of one mesh, and the name that it was found by. */
+/** A morph target of one mesh and the name that matched it. */
 export interface TargetBinding {
-  /** Weights of the mesh's targets by index, which are written to. */
+  /** Weights of the mesh's targets by index; written. */
   influences: { [target: number]: number }
-  /** Index of the target among them. */
+  /** Index of the target. */
   target: number
   /** Index of the name in the list. */
   name: number
 }
 
-/** Finds the morph targets with some names on all meshes of a face. */
+/** Finds morph targets by name on all meshes of a face. */
 export type BindTargets = (names: readonly string[]) => TargetBinding[]
 
-/**
- * The error for a face that cannot move.
- *
- * @param face its name.
- */
+/** Creates the error for a face without morph targets; `face` is its name. */
 export function noTargets(who: string, face: string): FurrowError {
   return new FurrowError({
     who,

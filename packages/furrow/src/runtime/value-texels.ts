@@ -1,23 +1,23 @@
 import type { ValueKind } from './layer-maps.ts'
 
-/** One kind of the layers' other maps, as shaders depend on it. */
+/** Shader inputs of one kind of optional maps. */
 export interface ValueLayers {
-  /** Slice of each layer's map; null for a layer without. */
+  /** Slice of each layer's map; null for layers without one. */
   readonly slices: readonly (number | null)[]
   readonly channel: number
-  /** The kind whose array holds these maps: its sampler is declared, and read for both. */
+  /** Kind whose array and sampler hold these maps. */
   readonly sampler: ValueKind
 }
 
-/** A texel that shaders read once, whatever number of kinds its channels hold, and however often they are mixed in. */
+/** A texel that shaders read once, for all kinds of maps in its channels. */
 export interface ValueTexel {
-  /** The variable that it is kept in. */
+  /** Shader variable. */
   name: string
   sampler: ValueKind
   slice: number
 }
 
-/** The texels of all kinds, each slice of an array once. */
+/** Lists the texels of all kinds; each slice of an array once. */
 export function listTexels(values: Readonly<Partial<Record<ValueKind, ValueLayers>>>): ValueTexel[] {
   const all = Object.values(values)
   const samplers = [...new Set(all.map(({ sampler }) => sampler))]
@@ -28,7 +28,7 @@ export function listTexels(values: Readonly<Partial<Record<ValueKind, ValueLayer
   })
 }
 
-/** The variable of a slice's texel. */
+/** Returns the shader variable of a slice's texel. */
 export function texelOf(sampler: ValueKind, slice: number): string {
   return `furrowTexel_${sampler}_${slice}`
 }

@@ -109,7 +109,7 @@ export class WrinkledMesh extends FramedMesh {
     const muscles = driversOf('muscle', plan.drivers)
     for (const mesh of this.meshes) addMuscles(mesh, muscles)
     const all = { ...this.#inputOptions, ...options }
-    this.driveBy(plan, (inputs) => bindInputs(this, inputs, this.renderer.bindTension, all), isLate)
+    this.setPlan(plan, (inputs) => bindInputs(this, inputs, this.renderer.bindTension, all), isLate)
     this.#inputOptions = all
     this.vrmExpressions = all.vrmExpressions ?? []
   }

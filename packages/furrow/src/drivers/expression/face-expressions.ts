@@ -36,7 +36,7 @@ export function faceExpressions({ authored, vrm, targetsAmong, hasArea }: Expres
     const moves = canMove(expression, (name) => present.has(name))
     return moves || (isOwn && Object.keys(expression.activations).some(hasArea))
   })
-  return firstOfEachName([first, ...shown])
+  return uniqueByName([first, ...shown])
 }
 
 /** Whether a face has one of the shapes that an expression moves most. */
@@ -46,7 +46,7 @@ export function canMove({ targets }: Expression, hasTarget: (name: string) => bo
 }
 
 /** Leaves out expressions whose name an earlier one has. */
-export function firstOfEachName(expressions: readonly Expression[]): Expression[] {
+export function uniqueByName(expressions: readonly Expression[]): Expression[] {
   const names = new Set<string>()
   return expressions.filter(({ name }) => !names.has(name) && names.add(name))
 }

@@ -9,13 +9,12 @@ import { inflatePng } from './inflate-png.ts'
 import { readImage, readOpaque } from './read-image.ts'
 
 /**
- * Decodes an image file in the browser, without colour management, to 8 bits per channel.
+ * Decodes an image file in the browser to 8 bits per channel, without colour management.
  *
  * @param file PNG, JPEG, WebP or AVIF.
- * @param who names the file in errors.
- * @returns colours as stored, alpha 255.
- * @throws FurrowError when the file is empty, damaged or not such an image, larger than 8192 texels on a side, or has transparent texels:
- *   every texel of a map counts.
+ * @param who name of the file in errors.
+ * @returns stored colours with alpha 255.
+ * @throws FurrowError if the file is empty, damaged or in another format, larger than 8192 texels per side, or has transparent texels.
  */
 export async function decodeImage(file: Blob, who: string): Promise<RgbaImage> {
   const image = await decodeBytes(new Uint8Array(await file.arrayBuffer()), who)
@@ -26,21 +25,21 @@ export async function decodeImage(file: Blob, who: string): Promise<RgbaImage> {
   return image
 }
 
-/** Decodes as `decodeImage` does, with alpha as stored. */
+/** Decodes as `decodeImage` does, but keeps the stored alpha. */
 export async function decodeBytes(bytes: Uint8Array<ArrayBuffer>, who: string): Promise<RgbaImage> {
   const type = imageTypeOf(bytes)
   const png = pngHeader(bytes)
   const chunks = png ? pngChunks(bytes) : []
   const damage = png ? pngDamage(chunks) : imageDamage(bytes)
   if (damage || !type || type === 'image/ktx2') throw unreadable(bytes, who, damage)
-  // Refuses huge images before they are decoded.
+  // Rejects huge images before decoding.
   if (png) checkSize(png, who)
   try {
     if (png && canInflate(png, chunks)) return await inflatePng(chunks, png)
     const isOpaque = type === 'image/jpeg' || (png !== undefined && !hasAlpha(png, chunks))
     const bitmap = await createImageBitmap(new Blob([bytes], { type }), {
       colorSpaceConversion: 'none',
-      // Canvases store premultiplied colours. Without alpha both are equal, and converting takes a third of the time.
+      // Canvases store premultiplied colours. Opaque images are equal either way, and skipping the conversion saves two thirds of the time.
       premultiplyAlpha: isOpaque ? 'premultiply' : 'none',
     })
     checkSize(bitmap, who)
@@ -52,14 +51,14 @@ export async function decodeBytes(bytes: Uint8Array<ArrayBuffer>, who: string): 
   }
 }
 
-/** Reads a PNG file whose pixels a canvas may change: one with alpha, or of 16 bits. Undefined for other files. */
+/** Reads a PNG file whose pixels a canvas may change (alpha or 16 bits). Returns undefined for other files. */
 export async function inflateImage(bytes: Uint8Array): Promise<RgbaImage | undefined> {
   const png = pngHeader(bytes)
   const chunks = png ? pngChunks(bytes) : []
   return png && canInflate(png, chunks) ? inflatePng(chunks, png) : undefined
 }
 
-/** Converts colours, as stored, to gray by the luma weights of ITU-R BT.601. Grays keep their value exactly. */
+/** Converts stored colours to gray with the luma weights of ITU-R BT.601. Gray texels keep their value exactly. */
 export function toGray({ width, height, data }: RgbaImage): GrayImage {
   const gray = new Uint8Array(width * height)
   for (let i = 0; i < gray.length; i++) {
@@ -72,12 +71,12 @@ function checkSize(size: { width: number; height: number }, who: string): void {
   if (Math.max(size.width, size.height) > MAX_IMAGE_SIDE) throw tooLarge(size, who)
 }
 
-/** Whether a PNG has transparency or a palette, which may have it. */
+/** Whether a PNG may have transparency: an alpha channel, a palette or a tRNS chunk. */
 function hasAlpha({ colour }: PngHeader, chunks: readonly PngChunk[]): boolean {
   return (colour !== 0 && colour !== 2) || chunks.some(({ type }) => type === 'tRNS')
 }
 
-/** Whether `inflatePng` reads a file, exactly where a canvas would not. */
+/** Whether `inflatePng` supports a file that a canvas would read inexactly. */
 function canInflate({ depth, colour, isInterlaced }: PngHeader, chunks: readonly PngChunk[]): boolean {
   if (isInterlaced) return false
   if (colour === 4 || colour === 6) return depth >= 8

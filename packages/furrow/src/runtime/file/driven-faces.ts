@@ -2,21 +2,21 @@ import { targetFinder } from '../../drivers/morph/target-names.ts'
 import { planDrivers } from '../../drivers/plan.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 
-/** Measures by which a mesh counts as a face. */
+/** Properties of a mesh that decide whether it is a face. */
 export interface FaceMeasure {
   /** Names of its blendshapes. */
   targets: readonly string[]
   vertices: number
 }
 
-/** Fraction of the blendshapes on the best mesh that another one has at least, if it is a face too. */
-const LEAST_SHAPES = 0.5
+/** Minimum number of driven blendshapes on a face, as a fraction of the best mesh. */
+const MIN_SHAPES = 0.5
 
 /**
- * Chooses the faces among meshes that share a material with wrinkles: those with the blendshapes that its drivers read. Eyes, teeth and hands
- * are often drawn with the material of the skin.
+ * Finds the faces among meshes that share a wrinkled material, by the blendshapes that its drivers read. Eyes, teeth and hands often have
+ * the skin's material too.
  *
- * @returns the faces, the one with most of these blendshapes first; all meshes where none has any.
+ * @returns the faces, most driven blendshapes first; all meshes if none has such a blendshape.
  */
 export function drivenFaces<T>(
   meshes: readonly T[],
@@ -33,7 +33,7 @@ export function drivenFaces<T>(
   const most = Math.max(...found.map(({ shapes }) => shapes))
   if (most === 0) return [...meshes]
   return found
-    .filter(({ shapes }) => shapes >= LEAST_SHAPES * most)
+    .filter(({ shapes }) => shapes >= MIN_SHAPES * most)
     .sort((a, b) => b.shapes - a.shapes || b.vertices - a.vertices)
     .map(({ mesh }) => mesh)
 }

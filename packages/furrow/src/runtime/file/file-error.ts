@@ -1,9 +1,10 @@
 import { FurrowError } from '../../core/error.ts'
 
 /**
- * What was thrown while a file was read, as the error that users see: engines and browsers have words of their own.
+ * Converts an error thrown while reading a file to a `FurrowError`, because messages of engines and browsers vary. Returns a
+ * `FurrowError` unchanged.
  *
- * @param who, what of the error; a `FurrowError` remains as it is.
+ * @param who, problem parts of the new error.
  */
 export function fileError(thrown: unknown, who: string, problem: string): FurrowError {
   if (thrown instanceof FurrowError) return thrown

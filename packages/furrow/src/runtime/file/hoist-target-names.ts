@@ -5,11 +5,11 @@ const isObject = (value: unknown): value is Record<string, unknown> =>
 const listOf = (value: unknown): unknown[] => (Array.isArray(value) ? value : [])
 
 /**
- * Moves names of blendshapes to `extras.targetNames` of their mesh, where glTF's readers look for them. Some exporters write them to
- * `extras.targetNames` of primitives, or to `targets[].extra.targetName`, which glTF forbids. Empty names, names that are too long for a
- * driver, and those that a later blendshape has too become the index of their blendshape: three.js finds the last one by its name.
+ * Moves blendshape names to `extras.targetNames` of the mesh, where glTF readers expect them. Some exporters write `extras.targetNames`
+ * of primitives, or `targets[].extra.targetName`, which glTF forbids. An unusable name becomes the index of its blendshape: a name that is
+ * empty, too long for a driver, or used by a later blendshape, which three.js would find instead.
  *
- * @param json of a file, in which anything may be malformed; it is changed.
+ * @param json JSON of a file, possibly malformed; modified.
  */
 export function hoistTargetNames(json: unknown): void {
   for (const mesh of listOf(isObject(json) ? json.meshes : undefined)) {
@@ -21,7 +21,7 @@ export function hoistTargetNames(json: unknown): void {
   }
 }
 
-/** Names that a driver can use; an index stays unique. */
+/** Replaces names that drivers cannot use by indices, which stay unique. */
 function usableNames(names: readonly unknown[]): unknown[] {
   const last = new Map(names.map((name, i) => [name, i]))
   const isUsable = (name: unknown, i: number) =>
@@ -30,12 +30,12 @@ function usableNames(names: readonly unknown[]): unknown[] {
   return names.map((name, i) => (isUsable(name, i) ? name : indexName(i)))
 }
 
-/** The names that a primitive has; nothing where some of its blendshapes have none. */
+/** Returns and removes the names in a primitive; empty if some blendshapes have no name. */
 function takeNames({ targets, extras }: Record<string, unknown>): string[][] {
   const all = listOf(targets).filter(isObject)
   const own = all.map((target) => {
     const name = [target.extra, target.extras].filter(isObject).map(({ targetName }) => targetName)[0]
-    // Not an attribute, as everything else in a target is.
+    // Everything else in a target is an attribute.
     if (isObject(target.extra)) delete target.extra
     if (isObject(target.extras)) delete target.extras
     return name

@@ -2,16 +2,16 @@ import { FurrowError } from '../../core/error.ts'
 import { MAX_IMAGE_SIDE } from '../../core/limits.ts'
 
 /**
- * The error for a file that is not an image, or not a whole one.
+ * Creates the error for a file that is not an intact image.
  *
- * @param value what is wrong with it; how long it is by default.
+ * @param value description of the damage; default: length of the file.
  */
 export function unreadable(bytes: Uint8Array, who: string, value = `${bytes.length} bytes`): FurrowError {
   if (bytes.length === 0) {
     return new FurrowError({
       code: 'unreadable',
       who,
-      problem: 'empty file',
+      problem: 'empty image file',
       value: '0 bytes',
       remedy: 'export the image again',
     })
@@ -21,45 +21,41 @@ export function unreadable(bytes: Uint8Array, who: string, value = `${bytes.leng
     who,
     problem: 'not a readable image',
     value,
-    limit: 'a whole PNG, JPEG, WebP or AVIF file',
-    remedy: 'export the image again; it may be cut off',
+    limit: 'an intact PNG, JPEG, WebP or AVIF file',
+    remedy: 'export the image again; the file may be truncated',
   })
 }
 
-/**
- * The error for an image that is not there.
- *
- * @param address of it.
- */
+/** Creates the error for an image that cannot be fetched from an address. */
 export function notFetched(address: string, who: string): FurrowError {
   return new FurrowError({
     code: 'unreadable',
     who,
-    problem: 'an image that cannot be fetched',
+    problem: 'image cannot be fetched',
     value: address,
     remedy: 'check that the server serves it at this address',
   })
 }
 
-/** The error for an image that is larger than `MAX_IMAGE_SIDE`. */
+/** Creates the error for an image larger than `MAX_IMAGE_SIDE`. */
 export function tooLarge({ width, height }: { width: number; height: number }, who: string): FurrowError {
   return new FurrowError({
     code: 'out-of-range',
     who,
     problem: 'image too large',
     value: `${width} x ${height}`,
-    limit: `${MAX_IMAGE_SIDE} texels on a side`,
-    remedy: 'scale it down; areas need 128 texels, normal maps 1024 to 4096',
+    limit: `at most ${MAX_IMAGE_SIDE} texels per side`,
+    remedy: 'scale the image down; areas need 128 texels, normal maps 1024 to 4096',
   })
 }
 
-/** The error for an image with transparent texels. */
+/** Creates the error for an image with transparent texels. */
 export function transparent(alpha: number, who: string): FurrowError {
   return new FurrowError({
     who,
     problem: 'image with transparent texels',
     value: `alpha ${alpha}`,
-    limit: 'alpha 255 throughout',
-    remedy: 'flatten it onto white (an area) or onto 128, 128, 255 (a normal map)',
+    limit: 'alpha 255 in all texels',
+    remedy: 'flatten the image onto white (area) or onto 128, 128, 255 (normal map)',
   })
 }

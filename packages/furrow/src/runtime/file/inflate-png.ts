@@ -1,16 +1,17 @@
 import type { PngChunk, PngHeader } from '../../core/maps/png.ts'
 import type { RgbaImage } from '../../core/types.ts'
 
-/** Channels of each type of colour that has no palette. */
+/** Number of channels by PNG colour type, without palettes. */
 const CHANNELS: Readonly<Record<number, number>> = { 0: 1, 2: 3, 4: 2, 6: 4 }
 
 /**
- * Reads the pixels of a PNG file of 8 or 16 bits per channel, without a palette and not interlaced, exactly as stored; of 16 bits the upper
- * 8. Such a file may hold four areas: a 2D canvas multiplies colours by alpha, and so loses them where alpha is small. WebGL keeps them, but
- * creating a context blocks the page for tens of milliseconds. Browsers round 16 bits differently.
+ * Reads the stored pixels of a PNG file: 8 or 16 bits per channel, no palette, not interlaced. 16 bits are truncated to the upper 8.
  *
- * @param chunks of a whole file.
- * @throws Error when its data is damaged.
+ * The alpha channel may hold an area, and a 2D canvas loses colours where alpha is small, because it premultiplies. WebGL keeps them, but
+ * creating a context blocks the page for tens of milliseconds. Browsers also round 16 bits differently.
+ *
+ * @param chunks chunks of a complete file.
+ * @throws Error if the data is damaged.
  */
 export async function inflatePng(
   chunks: readonly PngChunk[],
@@ -28,14 +29,14 @@ export async function inflatePng(
   const data = new Uint8Array(4 * width * height).fill(255)
   for (let i = 0; i < width * height; i++) {
     const at = i * channels * bytes
-    // Gray is red, green and blue.
+    // Gray is copied to red, green and blue.
     for (let c = 0; c < 3; c++) data[4 * i + c] = rows[at + (channels > 2 ? c * bytes : 0)]
     if (channels % 2 === 0) data[4 * i + 3] = rows[at + (channels - 1) * bytes]
   }
   return { width, height, data }
 }
 
-/** Undoes the filter of each row, which its first byte names (PNG, section 9). */
+/** Undoes the filter of each row, given by the row's first byte (PNG, section 9). */
 function unfilter(filtered: Uint8Array, stride: number, height: number, step: number): Uint8Array {
   if (filtered.length < (stride + 1) * height) throw new Error('too few pixels')
   const rows = new Uint8Array(stride * height)
@@ -60,7 +61,7 @@ function predict(filter: number, left: number, up: number, corner: number): numb
   return filter === 4 ? nearest(left, up, corner) : 0
 }
 
-/** Paeth's predictor. */
+/** Paeth predictor. */
 function nearest(left: number, up: number, corner: number): number {
   const [a, b, c] = [Math.abs(up - corner), Math.abs(left - corner), Math.abs(left + up - 2 * corner)]
   if (a <= b && a <= c) return left

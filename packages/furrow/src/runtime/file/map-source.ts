@@ -12,19 +12,19 @@ import type { FileArray, FileArrays, GltfSource, MapUse } from './gltf-source.ts
 
 export const UNREADABLE = 'the wrinkles cannot be read'
 
-/** Reads the images of a file, each once. KTX 2 images and arrays become slices of the engine's textures. */
+/** Reads each image of a file once. KTX 2 images and arrays become slices of the engine's textures. */
 export class MapSource {
   readonly #file: GltfSource
   readonly #decoded: DecodedBytes
-  /** By texture. */
+  /** Decoded images, by texture. */
   readonly #images = new Map<number, Promise<RgbaImage>>()
   /** KTX 2 images and arrays, by texture. */
   readonly #arrays = new Map<number, Promise<FileArray>>()
   #arrayReader: Promise<FileArrays> | undefined
-  /** Images whose size is unknown before decoding are decoded one at a time, so that their sum stays bounded. */
+  /** Images of unknown size are decoded one at a time, to bound their total size. */
   #decoding: Promise<unknown> = Promise.resolve()
 
-  /** @param decoded counts the decoded bytes of the whole file. */
+  /** @param decoded sums the decoded size of the file's images. */
   constructor(file: GltfSource, decoded: DecodedBytes) {
     this.#file = file
     this.#decoded = decoded
@@ -40,21 +40,21 @@ export class MapSource {
   }
 
   /**
-   * Checks everything that was read against the rules for maps, and joins the arrays of each kind of map.
+   * Checks the loaded images against the rules for maps, and joins the arrays of each kind of map.
    *
-   * @throws FurrowError when the maps break a rule.
+   * @throws FurrowError if the maps break a rule.
    */
   async finish(set: WrinkleSet<ArraySlice>, maps: MapsAndAreas): Promise<WrinkleSet<ArraySlice>> {
     const shapes = new Map<number, TextureShape>()
     for (const [texture, image] of this.#images) shapes.set(texture, await image)
     for (const [texture, array] of this.#arrays) shapes.set(texture, (await array).header)
-    const ofFace = texturesOfFace(this.#file.json)
-    const [problem] = mapProblems(maps, (texture) => shapes.get(texture)!, ofFace, WRINKLE_MAPS)
+    const faceTextures = texturesOfFace(this.#file.json)
+    const [problem] = mapProblems(maps, (texture) => shapes.get(texture)!, faceTextures, WRINKLE_MAPS)
     if (problem) throw new FurrowError(problem)
     return this.#arrayReader ? (await this.#arrayReader).join(set) : set
   }
 
-  /** Plain KTX 2 images are read as arrays of one slice. */
+  /** Whether a texture is read as an array; plain KTX 2 images are arrays of one slice. */
   #isArray({ index, slice }: TextureReference): boolean {
     if (slice !== undefined) return true
     const { source, extensions }: FileTexture = this.#file.json.textures[index]
@@ -64,17 +64,17 @@ export class MapSource {
   async #slice({ index, slice = 0 }: TextureReference, channel: number, use: MapUse): Promise<ArraySlice> {
     this.#arrayReader ??= this.#file.fetchArrays()
     const reader = this.#arrayReader
-    const { array } = await once(this.#arrays, index, async () =>
+    const { array } = await cached(this.#arrays, index, async () =>
       (await reader).load(index, use, (shape) => this.#decoded.add(index, shape, WRINKLE_MAPS)),
     )
     return { array, slice, channel }
   }
 
   #image(index: number): Promise<RgbaImage> {
-    return once(this.#images, index, async () => {
+    return cached(this.#images, index, async () => {
       const who = `${WRINKLE_MAPS} texture ${index}`
       const bytes = await this.#file.readBytes(imageOf(this.#file.json.textures[index]), who)
-      if (!bytes) throw fileError('a texture without an image', who, UNREADABLE)
+      if (!bytes) throw fileError('texture without an image', who, UNREADABLE)
       const size = pngHeader(bytes)
       if (size) {
         this.#decoded.add(index, size, WRINKLE_MAPS)
@@ -94,7 +94,7 @@ export class MapSource {
   }
 }
 
-/** Index of a texture's image that is not KTX 2. */
+/** Returns the index of a texture's image, ignoring KTX 2. */
 function imageOf({ source, extensions }: FileTexture): number | undefined {
   return extensions?.EXT_texture_webp?.source ?? extensions?.EXT_texture_avif?.source ?? source
 }
@@ -104,7 +104,8 @@ interface FileTexture {
   extensions?: Record<string, { source?: number } | undefined>
 }
 
-export function once<K, T>(known: Map<K, Promise<T>>, key: K, make: () => Promise<T>): Promise<T> {
+/** Returns the cached value of a key, or creates and caches it. */
+export function cached<K, T>(known: Map<K, Promise<T>>, key: K, make: () => Promise<T>): Promise<T> {
   const found = known.get(key) ?? make()
   known.set(key, found)
   return found

@@ -4,12 +4,12 @@ import type { RgbaImage } from '../../core/types.ts'
 export type Drawable = ImageBitmap | HTMLImageElement | HTMLCanvasElement | OffscreenCanvas
 
 /**
- * Reads an image's pixels exactly as decoded. It uses WebGL, since a 2D canvas multiplies colours by alpha and loses them where that is
- * small, and an alpha channel may hold an area.
+ * Reads the decoded pixels of an image exactly. Uses WebGL, because the alpha channel may hold an area and a 2D canvas loses colours
+ * where alpha is small.
  */
 export function readImage(image: Drawable): RgbaImage {
   const { width, height } = image
-  // Outside of browsers, a decoder that stands in for the browser's has the pixels.
+  // Substitute decoders outside browsers return the pixels.
   if (hasPixels(image)) return image
   const gl = reader()
   if (!gl) return readWithoutWebGL(image)
@@ -23,35 +23,35 @@ export function readImage(image: Drawable): RgbaImage {
   gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0)
   const data = new Uint8Array(width * height * 4)
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, data)
-  const fault = gl.getError()
+  const error = gl.getError()
   gl.deleteFramebuffer(framebuffer)
   gl.deleteTexture(texture)
-  if (fault === gl.NO_ERROR) return { width, height, data }
+  if (error === gl.NO_ERROR) return { width, height, data }
   throw new FurrowError({
     code: 'unsupported',
     who: 'readImage',
-    problem: 'image that WebGL cannot read',
-    value: `${width} x ${height}, WebGL error ${fault}`,
-    limit: `${gl.getParameter(gl.MAX_TEXTURE_SIZE)} texels on a side`,
-    remedy: 'scale it down',
+    problem: 'WebGL cannot read the image',
+    value: `${width} x ${height}, WebGL error ${error}`,
+    limit: `at most ${gl.getParameter(gl.MAX_TEXTURE_SIZE)} texels per side`,
+    remedy: 'scale the image down',
   })
 }
 
 let context: WebGL2RenderingContext | null = null
 
-/** One small context for all images: browsers allow only a few per page. WebKitGTK has none in workers. */
+/** Returns a shared context, because browsers allow only a few per page. WebKitGTK has none in workers. */
 function reader(): WebGL2RenderingContext | null {
   if (!context || context.isContextLost()) context = createCanvas(1, 1).getContext('webgl2')
   return context
 }
 
-/** Pages have canvas elements, which draw in more browsers than `OffscreenCanvas` does. */
+/** Prefers canvas elements, which draw in more browsers than `OffscreenCanvas`. */
 function createCanvas(width: number, height: number): HTMLCanvasElement | OffscreenCanvas {
   if (typeof document === 'undefined') return new OffscreenCanvas(width, height)
   return Object.assign(document.createElement('canvas'), { width, height })
 }
 
-/** Reads the pixels of an image without alpha through a 2D canvas, which keeps them exactly. */
+/** Reads the pixels of an opaque image through a 2D canvas, which keeps them exactly. */
 export function readOpaque(image: Drawable): RgbaImage {
   if (hasPixels(image)) return image
   const { width, height } = image
@@ -62,7 +62,7 @@ export function readOpaque(image: Drawable): RgbaImage {
   return { width, height, data: new Uint8Array(data.buffer) }
 }
 
-/** Reads an image without WebGL, which is exact only where alpha is 255. */
+/** Reads an opaque image without WebGL; throws if alpha is below 255, because a canvas would lose colours. */
 function readWithoutWebGL(image: Drawable): RgbaImage {
   const pixels = readOpaque(image)
   for (let i = 3; i < pixels.data.length; i += 4) if (pixels.data[i] !== 255) throw noWebGL()
@@ -73,13 +73,13 @@ function noWebGL(): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who: 'readImage',
-    problem: 'no WebGL 2 context to read an image with alpha',
-    limit: 'a browser with WebGL 2, in workers too',
+    problem: 'reading an image with alpha needs a WebGL 2 context',
+    limit: 'a browser with WebGL 2, including workers',
     remedy: 'close other pages that use WebGL, update the browser, or save the image without alpha',
   })
 }
 
-/** Whether an image is its pixels, RGBA. */
+/** Whether an image holds its RGBA pixels. */
 export function hasPixels(image: object): image is RgbaImage {
   const { data, width, height } = image as Partial<RgbaImage>
   return data instanceof Uint8Array && data.length === width! * height! * 4

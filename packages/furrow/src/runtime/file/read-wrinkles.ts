@@ -9,27 +9,27 @@ import type { WrinkleDriver } from '../../drivers/registry.ts'
 import { MAP_KINDS, type ValueKind } from '../layer-maps.ts'
 import { fileError } from './file-error.ts'
 import type { GltfSource } from './gltf-source.ts'
-import { MapSource, once, UNREADABLE } from './map-source.ts'
+import { cached, MapSource, UNREADABLE } from './map-source.ts'
 
-/** The wrinkles of a material in a file. */
+/** Wrinkles of a material in a file. */
 export interface FileWrinkles {
-  /** The same object for all faces that have the same material in the file. */
+  /** Shared by all faces with the material. */
   set: WrinkleSet<ArraySlice>
   /** For `addDrivers`. */
   drivers: WrinkleDriver[]
 }
 
-/** Called once per material with the faults of its malformed drivers, which are left out. Without it, the first is thrown. */
-export type OnFaults = (faults: readonly FurrowError[]) => void
+/** Called once per material with the errors of malformed drivers, which are skipped. Without it, the first error is thrown. */
+export type OnDriverErrors = (errors: readonly FurrowError[]) => void
 
 /**
- * Reads the wrinkles of materials, each material once. Layers with heights get `readHeight`, see `RaisedLayer`.
+ * Creates a reader that caches the wrinkles of each material. Layers with heights get `readHeight`, see `RaisedLayer`.
  *
- * @returns a function of a material's index, which throws FurrowError when the extension is malformed or an image cannot be read.
+ * @returns a function of the material index; throws FurrowError if the extension is malformed or an image cannot be read.
  */
 export function wrinkleReader(
   file: GltfSource,
-  onFaults?: OnFaults,
+  onDriverErrors?: OnDriverErrors,
 ): (material: number) => Promise<FileWrinkles> {
   const known = new Map<number, Promise<FileWrinkles>>()
   const decoded = new DecodedBytes()
@@ -37,27 +37,27 @@ export function wrinkleReader(
     try {
       const { textures } = file.json
       const count = Array.isArray(textures) ? textures.length : 0
-      const faults: FurrowError[] = []
-      const onFault = onFaults && ((fault: FurrowError) => faults.push(fault))
-      const maps = parseWrinkleMaps(extensionOf(material, file), count, WRINKLE_MAPS, onFault)
-      if (faults.length > 0) onFaults?.(faults)
+      const errors: FurrowError[] = []
+      const onError = onDriverErrors && ((error: FurrowError) => errors.push(error))
+      const maps = parseWrinkleMaps(extensionOf(material, file), count, WRINKLE_MAPS, onError)
+      if (errors.length > 0) onDriverErrors?.(errors)
       checkDeclared(file.json, WRINKLE_MAPS)
       return { set: await readSet(maps, () => new MapSource(file, decoded)), drivers: maps.drivers }
     } catch (error) {
       throw fileError(error, WRINKLE_MAPS, UNREADABLE)
     }
   }
-  return (material) => once(known, material, () => read(material))
+  return (material) => cached(known, material, () => read(material))
 }
 
-/** The extension's JSON of a material, malformed or not; undefined where it has none. */
+/** Returns the extension's unchecked JSON in a material; undefined if there is none. */
 export function extensionOf(material: number, { json }: Pick<GltfSource, 'json'>): unknown {
   return json.materials[material].extensions?.[WRINKLE_MAPS]
 }
 
 async function readSet(maps: WrinkleMaps, createSource: () => MapSource): Promise<WrinkleSet<ArraySlice>> {
   const source = createSource()
-  // All at once: browsers decode images on several threads.
+  // In parallel: browsers decode images on several threads.
   const [layers, areas] = await Promise.all([
     Promise.all(maps.layers.map((layer) => readLayer(layer, source))),
     Promise.all(
@@ -76,15 +76,15 @@ async function readSet(maps: WrinkleMaps, createSource: () => MapSource): Promis
   for (const [i, { heightTexture }] of maps.layers.entries()) {
     if (!heightTexture) continue
     let height: Promise<GrayImage | ArraySlice> | undefined
-    // A separate source, so that no other decoded image stays in memory until heights are wanted. Heights are as precise as areas: a
-    // surface shows steps sooner than a colour does.
+    // A separate source, so that other decoded images do not stay in memory until heights are read. Heights use the format of areas,
+    // because steps are more visible in a surface than in colours.
     const readHeight = () => (height ??= createSource().gray(heightTexture, CHANNEL.height, 'areas'))
     Object.assign(set.layers[i], { heightAmplitude: heightTexture.amplitude, readHeight })
   }
   return set
 }
 
-/** All maps but heights, which only relief needs. */
+/** Reads all maps except heights, which only relief needs. */
 async function readLayer(maps: WrinkleMapsLayer, source: MapSource): Promise<Layer<ArraySlice>> {
   const { name, kind, normalTexture, occlusionTexture, bloodTexture } = maps
   const layer = { name, kind, normalScale: normalTexture.scale } as Layer<ArraySlice>

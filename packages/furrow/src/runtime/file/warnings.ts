@@ -1,28 +1,28 @@
 import type { FurrowError } from '../../core/error.ts'
 import { fileError } from './file-error.ts'
 
-/** Warns of the faults of a file, of each once. */
+/** Logs each warning of a file once. */
 export class Warnings {
   readonly #texts = new Set<string>()
   readonly #who: string
 
-  /** @param who names the loader in faults that name nothing themselves. */
+  /** @param who name of the loader, for errors without a name. */
   constructor(who: string) {
     this.#who = who
   }
 
   /**
-   * @param fault what was thrown.
-   * @param consequence what the page shows instead.
+   * @param thrown thrown value.
+   * @param consequence result on the page, such as a face without wrinkles.
    */
-  add(fault: unknown, consequence: string): void {
-    const { message } = fileError(fault, this.#who, 'the wrinkles cannot be added')
+  add(thrown: unknown, consequence: string): void {
+    const { message } = fileError(thrown, this.#who, 'the wrinkles cannot be added')
     this.#warn(`${message} (${consequence})`)
   }
 
-  /** Warns of the malformed drivers of a material, all at once. */
-  addDrivers(faults: readonly FurrowError[]): void {
-    this.#warn(describeDriverFaults(faults))
+  /** Logs one warning for all malformed drivers of a material. */
+  addDrivers(errors: readonly FurrowError[]): void {
+    this.#warn(describeDriverErrors(errors))
   }
 
   #warn(text: string): void {
@@ -32,8 +32,8 @@ export class Warnings {
   }
 }
 
-/** One sentence for the malformed drivers of a material: the first fault, and the number of the others. */
-export function describeDriverFaults([first, ...others]: readonly FurrowError[]): string {
+/** Describes the malformed drivers of a material: the first error and the number of others. */
+export function describeDriverErrors([first, ...others]: readonly FurrowError[]): string {
   const count = others.length === 1 ? '1 more is' : `${others.length} more are`
   const rest = others.length > 0 ? `${count} malformed; ` : ''
   return `${first.message} (${rest}the other drivers work)`

@@ -132,16 +132,16 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
 
   /** Draws the collected cells with their faces' activations. */
   draw(renderer: AnyRenderer): void {
-    const { changed, changes, isWhole } = this.cells
+    const { changed, changes, allChanged } = this.cells
     if (changes === 0) return
     for (const { quads } of this.#batches) quads.begin()
-    for (let i = 0; i < changes; i++) this.#put(changed[i], isWhole)
+    for (let i = 0; i < changes; i++) this.#put(changed[i], allChanged)
     for (const { areas, quads } of this.#batches) {
       quads.end()
       if (areas && quads.mesh.visible) this.#compiled = renderer
     }
     // Clears the complete target at once if possible: pages with one face then never compile the clear program.
-    renderPreservingState(renderer, this.target, this.#scene, this.#camera, 0, isWhole)
+    renderPreservingState(renderer, this.target, this.#scene, this.#camera, 0, allChanged)
     this.cells.changes = 0
   }
 

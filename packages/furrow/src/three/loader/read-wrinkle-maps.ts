@@ -5,7 +5,7 @@ import type { GltfSource } from '../../runtime/file/gltf-source.ts'
 import {
   extensionOf,
   type FileWrinkles,
-  type OnFaults,
+  type OnDriverErrors,
   wrinkleReader,
 } from '../../runtime/file/read-wrinkles.ts'
 import { surfaceOf, withSurface } from '../material/surface.ts'
@@ -91,9 +91,9 @@ export function separateOthers(others: readonly Mesh[], surface: Material): void
 /** `wrinkleReader` for a file that `GLTFLoader` loads. */
 export function materialReader(
   parser: Parser,
-  onFaults?: OnFaults,
+  onDriverErrors?: OnDriverErrors,
 ): (material: number) => Promise<FileWrinkles> {
-  return wrinkleReader(fileOf(parser), onFaults)
+  return wrinkleReader(fileOf(parser), onDriverErrors)
 }
 
 /** Adapts a parser. Imports the KTX 2 chunk only when a file needs it. */
