@@ -1,6 +1,6 @@
 import {
   chooseSkin,
-  describeDriverFaults,
+  describeDriverErrors,
   type FileWrinkles,
   MAX_SKIN_TRIANGLES,
   skinOf,
@@ -47,7 +47,7 @@ export interface SkinCandidate {
  */
 export async function findSkins(gltf: GLTF, onProblem: (problem: string) => void): Promise<SkinCandidate[]> {
   const { parser } = gltf
-  const read = materialReader(parser, (faults) => onProblem(describeDriverFaults(faults)))
+  const read = materialReader(parser, (faults) => onProblem(describeDriverErrors(faults)))
   const wrinkled = new Map<Mesh, FileWrinkles>()
   for (const { material, faces } of wrinkledMaterials(gltf, parser)) {
     try {
