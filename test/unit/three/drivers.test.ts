@@ -71,7 +71,9 @@ describe('addDrivers', () => {
   it('keeps existing drivers if a new one is malformed', () => {
     const brow = morph('brow', 'browDownLeft')
     const { mesh, wrinkles, activations } = drivenFace([brow])
-    expect(() => addDrivers(wrinkles, [{ type: 'morph', area: 'nose' }])).toThrow(/got "morph"; pass the drivers through/)
+    expect(() => addDrivers(wrinkles, [{ type: 'morph', area: 'nose' }])).toThrow(
+      /got "morph"; pass the drivers through/,
+    )
     expect(() => setDrivers(wrinkles, [{ type: 'morph', area: 'nose' }])).toThrow(
       /^setDrivers: a driver lacks/,
     )

@@ -9,8 +9,7 @@ import { noTargets, type TargetBinding } from '../../runtime/target-binding.ts'
  * @throws FurrowError if no mesh has morph targets, or `face` is not an Object3D.
  */
 export function bindTargets(face: Object3D, names: readonly string[], who: string): TargetBinding[] {
-  if (typeof face?.traverse !== 'function')
-    throw wrongArgument(who, 'face', face, 'an Object3D of three.js')
+  if (typeof face?.traverse !== 'function') throw wrongArgument(who, 'face', face, 'an Object3D of three.js')
   const bindings: TargetBinding[] = []
   let meshes = 0
   face.traverse((object) => {
