@@ -75,7 +75,7 @@ describe('addDrivers', () => {
       /got "morph"; pass the drivers through/,
     )
     expect(() => setDrivers(wrinkles, [{ type: 'morph', area: 'nose' }])).toThrow(
-      /^setDrivers: a driver lacks/,
+      /^setDrivers: a driver has missing fields/,
     )
     expect(wrinkles.drivers).toEqual([brow])
     mesh.morphTargetInfluences!.fill(0.5)
