@@ -84,7 +84,8 @@ def _layer(reader, item, at, count):
     blood, occlusion = layer.get("bloodTexture"), layer.get("occlusionTexture")
     if blood and occlusion and (blood["index"], blood.get("slice")) != (occlusion["index"], occlusion.get("slice")):
         problem = f"{at}.bloodTexture differs from occlusionTexture"
-        reader.fail(problem, blood["index"], str(occlusion["index"]), "store blood in the B channel of the occlusion image")
+        remedy = "store blood in the B channel of the occlusion image"
+        reader.fail(problem, blood["index"], str(occlusion["index"]), remedy)
     return layer
 
 
