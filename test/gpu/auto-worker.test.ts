@@ -139,7 +139,7 @@ describe('autoWrinklesInWorker', () => {
   })
 
   it.each([
-    ['cannot start', 'throw new Error("no")', /^autoWrinklesInWorker: the worker cannot be started, .*blob:/],
+    ['cannot start', 'throw new Error("no")', /^autoWrinklesInWorker: the worker cannot start, .*blob:/],
     [
       'throws what is none of ours',
       'onmessage = () => { postMessage({ type: "started" }); throw new RangeError("no memory") }',

@@ -26,7 +26,7 @@ describe.each([
       areas: ['nose'],
       surprised: true,
       message: expect.stringContaining('unknown version, got 2'),
-      inNode: 'there are no web workers here',
+      inNode: 'web workers are not supported here',
       normal: [128, 128, 255, 128, 128, 255],
     },
   },

@@ -28,7 +28,7 @@ it('reports what to allow on a page that forbids its worker', async () => {
   const policy = `<meta http-equiv="Content-Security-Policy" content="worker-src 'self'">`
   await writeFile(join(app, 'strict.html'), plain.replace('<title>', `${policy}<title>`))
   expect(await titleOf(browser(), app, 'strict.html')).toBe(
-    'autoWrinklesInWorker: the worker cannot be started; allow `worker-src blob:` in the Content-Security-Policy of the page',
+    'autoWrinklesInWorker: the worker cannot start; allow `worker-src blob:` in the Content-Security-Policy of the page',
   )
 })
 

@@ -149,8 +149,8 @@ describe('registerDriver', () => {
 
   it('refuses an existing type', () => {
     expect(() => registerDriver({ ...breath, type: 'morph' as never })).toThrow(
-      'registerDriver: a driver of that type exists, got "morph"',
+      'registerDriver: the driver type already exists, got "morph"',
     )
-    expect(() => registerDriver(breath)).toThrow('a driver of that type exists, got "breath"')
+    expect(() => registerDriver(breath)).toThrow('the driver type already exists, got "breath"')
   })
 })

@@ -51,7 +51,7 @@ describe('rules', () => {
       expect(activations({ weights: [Number.NaN, 0.4, 0] }).glabella).toBeCloseTo(0.1, 6)
     }
     expect(warn).toHaveBeenCalledTimes(1)
-    expect(warn.mock.calls[0][0]).toContain('the input "browDownLeft" of a driver is NaN')
+    expect(warn.mock.calls[0][0]).toContain('driver input "browDownLeft" is not a number')
   })
 })
 

@@ -188,7 +188,7 @@ describe('FurrowWrinkleMaps', () => {
     [
       'its layer',
       (d) => wrinkleMapsOf(d).removeLayer(wrinkleMapsOf(d).listLayers()[1]),
-      'area "nose" has no layer among those of its material',
+      'area "nose" has no layer of the same material',
     ],
     [
       'areas',

@@ -1,4 +1,4 @@
-/** The distinct buffers of all typed arrays in plain data, as `postMessage` takes them; shared ones cannot be transferred. */
+/** Lists the transferable buffers of all typed arrays in plain data, each once. Shared buffers are skipped. */
 export function buffersOf(data: unknown): ArrayBuffer[] {
   const buffers = new Set<ArrayBuffer>()
   const visit = (value: unknown): void => {

@@ -2,13 +2,13 @@ import { joinParts, type SkinPart } from '../author/auto/surface/join-parts.ts'
 import type { TangentFrame } from '../author/normals/height-to-normal.ts'
 import type { Skin } from '../author/skin/surface.ts'
 
-/** Vectors in memory as a GPU reads them, so that a page need not convert them. */
+/** Vectors in the memory layout of a GPU, so that the page need not convert them. */
 export interface VectorData {
   array: ArrayLike<number> & ArrayBufferView
-  /** Elements of the array from one vector to the next, and before the first. */
+  /** Array elements from one vector to the next, and before the first. */
   stride: number
   start: number
-  /** Whether integers mean fractions of the largest of their type. */
+  /** Whether integers are fractions of the largest value of their type. */
   isNormalized: boolean
 }
 
@@ -16,21 +16,21 @@ export interface VectorData {
 export interface PartData {
   /** Number of vertices. */
   count: number
-  /** Three vertices per triangle; consecutive ones by default. */
+  /** Three vertices per triangle; default: consecutive vertices. */
   indices?: ArrayLike<number> | undefined
   positions: VectorData
   uvs: VectorData
-  /** 3 x 3 matrix of the normal map's coordinates, column by column; the identity by default. */
+  /** 3 x 3 matrix of the normal map's texture coordinates, column-major; default: identity. */
   uvMatrix?: readonly number[] | undefined
-  /** Of each target. */
+  /** Positions or offsets of each target. */
   targets: readonly VectorData[]
-  /** Whether targets are added to the positions, or replace them. */
+  /** Whether targets are offsets instead of positions. */
   isRelative: boolean
-  /** How it follows the head: by its skeleton, or as a whole; absent where it does not. */
+  /** Skinning to the head, or `whole` for parts fully attached to it; undefined for parts that do not follow the head. */
   head?: HeadData | 'whole' | undefined
 }
 
-/** How vertices follow a skeleton: up to four joints each. */
+/** Skinning of vertices, up to four joints each. */
 export interface HeadData {
   joints: VectorData
   weights: VectorData
@@ -43,19 +43,19 @@ export interface MeshData {
   /** Names of the mesh and its material. */
   label: string
   parts: readonly PartData[]
-  /** Of the targets. */
+  /** Names of the targets. */
   names: readonly string[]
-  /** Names of a VRM's expressions that move one target alone, by its index. */
+  /** Names of VRM expressions that move a single target, by target index. */
   expressions?: ReadonlyMap<number, string> | undefined
-  /** 4 x 4 matrix from mesh to world space, column by column. */
+  /** 4 x 4 matrix from mesh to world space, column-major. */
   placement: readonly number[]
   /** Whether its material can show wrinkles. */
   isLit: boolean
-  /** The frame in which its renderer reads normal maps. */
+  /** Tangent frame in which the renderer reads normal maps. */
   frame: TangentFrame
 }
 
-/** The meshes of a character that have blendshapes, one of which is its skin. */
+/** Meshes of a character with blendshapes; one of them is the skin. */
 export type CharacterData = readonly MeshData[]
 
 export function skinOf({ parts, names, expressions, placement }: MeshData): Skin {
@@ -102,7 +102,7 @@ function read(data: VectorData, size: number, vertices: Uint32Array, out: Float3
   const largest = isNormalized ? largestOf(array) : 1
   for (let i = 0; i < vertices.length; i++) {
     const first = start + stride * vertices[i]
-    // The lowest integer has no counterpart, and means -1 as the next does (glTF 2.0, 3.6.2.2).
+    // The lowest two integers both mean -1 (glTF 2.0, 3.6.2.2).
     for (let k = 0; k < size; k++) {
       const value = array[first + k]
       out[size * i + k] = isNormalized ? Math.max(value / largest, -1) : value

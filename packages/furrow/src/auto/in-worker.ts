@@ -6,18 +6,18 @@ import { runWorker } from './run-worker.ts'
 
 /** Settings of `autoWrinklesInWorker`. */
 export interface AutoInWorkerOptions extends AutoRunOptions {
-  /** Moves the skin's arrays to the worker without copying them: they and all views of their buffers are then empty. */
+  /** Transfers the skin's arrays to the worker instead of copying them; all views of their buffers become empty. */
   transfer?: boolean
 }
 
 /**
- * Makes wrinkles from a character's own blendshapes as `autoWrinkles` does, bit for bit, in a web worker of its own. The page goes on
- * meanwhile. The result's arrays are moved here without copying them.
+ * Makes wrinkles from a character's blendshapes as `autoWrinkles` does, bit for bit, in a separate web worker. The result is transferred
+ * without copying.
  *
- * A Content-Security-Policy must allow `worker-src blob:`, as it must for three.js's own decoders of KTX 2 and Draco.
+ * A Content-Security-Policy must allow `worker-src blob:`, as it must for three.js's decoders of KTX 2 and Draco.
  *
- * @returns a promise that rejects with a FurrowError where `autoWrinkles` throws it, where there are no workers, as in Node, and where the
- *   worker cannot start or dies; with the signal's reason when that is aborted.
+ * @returns a promise of the wrinkles. Rejects with the errors of `autoWrinkles`, or with the signal's reason if aborted. Rejects with a
+ *   FurrowError if workers are missing (as in Node), or the worker cannot start or ends early.
  */
 export async function autoWrinklesInWorker(
   skin: Skin,

@@ -1,10 +1,10 @@
 /**
- * Wrinkles from blendshapes on a web page, made in a web worker.
+ * Automatic wrinkles from blendshapes, made in a web worker.
  *
  * @module furrow/auto
  */
 
-// Types only: a page without a bundler would fetch all of `furrow/author` for a constant.
+// Types only: without a bundler, importing a value would fetch all of `furrow/author`.
 export type { AutoRegion } from '../author/auto/anatomy/region-names.ts'
 export type { AutoArea, AutoProgress, AutoWrinkles } from '../author/auto/auto.ts'
 export type { AutoOptions } from '../author/auto/options.ts'

@@ -1,21 +1,20 @@
 /**
- * What was made is kept in the browser's Cache Storage, compressed, by the content that it was made from: 32 results at most, and only of one
- * version of the code. Cache Storage is simpler than IndexedDB (no schema, no transactions, an entry is there or not), and as well supported.
- * Both are missing or refuse in some pages (plain HTTP, private windows, blocked storage, a full disk): nothing is then kept, and nothing
- * fails.
+ * Caches results in the browser's Cache Storage, compressed, by a hash of their input: at most 32 results of one version of the code.
+ * Cache Storage is simpler than IndexedDB (no schema, no transactions) and as well supported. Some pages have neither (plain HTTP, private
+ * windows, blocked storage, a full disk); nothing is cached there, without an error.
  */
 
 const PREFIX = 'furrow-auto-'
-const MOST_ENTRIES = 32
+const MAX_ENTRIES = 32
 
-/** SHA-256 of plain data with typed arrays, in hexadecimal; undefined on a page over plain HTTP, which has neither hashes nor a cache. */
+/** Computes the SHA-256 of plain data with typed arrays, in hexadecimal; undefined over plain HTTP, which has no `crypto.subtle`. */
 export async function keyOf(data: unknown): Promise<string | undefined> {
   if (!globalThis.crypto?.subtle) return undefined
   const hash = await crypto.subtle.digest('SHA-256', await pack(data).arrayBuffer())
   return Array.from(new Uint8Array(hash), (byte) => byte.toString(16).padStart(2, '0')).join('')
 }
 
-/** What is kept under a key; undefined where there is nothing, or nothing that can be read. */
+/** Returns the cached data of a key; undefined if missing or unreadable. */
 export async function recall<T>(version: string, key: string | undefined): Promise<T | undefined> {
   if (key === undefined) return undefined
   try {
@@ -27,9 +26,9 @@ export async function recall<T>(version: string, key: string | undefined): Promi
 }
 
 /**
- * Keeps data under a key.
+ * Caches data under a key.
  *
- * @param copied is called when the data was copied, and may be changed or transferred.
+ * @param copied called after the data is copied, when it may be modified or transferred.
  */
 export async function keep(
   version: string,
@@ -45,15 +44,15 @@ export async function keep(
       if (name.startsWith(PREFIX) && name !== PREFIX + version) await caches.delete(name)
     }
     const cache = await caches.open(PREFIX + version)
-    const oldest = (await cache.keys()).slice(0, 1 - MOST_ENTRIES)
+    const oldest = (await cache.keys()).slice(0, 1 - MAX_ENTRIES)
     for (const request of oldest) await cache.delete(request)
     await cache.put(addressOf(key), compress(blob))
   } catch {
-    // It is made again the next time.
+    // Without a cache, the data is made again.
   }
 }
 
-/** The cache takes addresses of the web only; this one never is requested. */
+/** Returns a URL, which Cache Storage requires as the key; it is never requested. */
 function addressOf(key: string): string {
   return `https://furrow.invalid/${key}`
 }
@@ -68,7 +67,10 @@ function expand({ body }: Response): Promise<ArrayBuffer> {
 
 const ARRAYS = { Uint8Array, Uint16Array, Uint32Array, Float32Array, Float64Array }
 
-/** The length of the JSON, the JSON, in which each typed array is `{ array: its type, length }`, and the arrays, each at a multiple of 8 bytes. */
+/**
+ * Packs data as the length of the JSON, the JSON and the arrays, each aligned to 8 bytes. In the JSON, a typed array is
+ * `{ array: TYPE, length }`.
+ */
 function pack(data: unknown): Blob {
   const parts: BlobPart[] = []
   const json = JSON.stringify(data, (_, value) => {
@@ -87,7 +89,7 @@ function unpack(buffer: ArrayBuffer): unknown {
   return JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 8, length)), (_, value) => {
     const Type = ARRAYS[value?.array as keyof typeof ARRAYS]
     if (!Type) return value
-    // A buffer of its own, which can be transferred.
+    // A separate buffer, which can be transferred.
     const array = new Type(buffer.slice(at, at + value.length * Type.BYTES_PER_ELEMENT))
     at += array.byteLength + (-array.byteLength & 7)
     return array

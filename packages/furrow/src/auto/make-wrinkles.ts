@@ -14,25 +14,25 @@ import { keep, keyOf, recall } from './kept.ts'
 
 /** Wrinkles for the skin of a character. */
 export interface CharacterWrinkles {
-  /** Index of the mesh that is the skin. */
+  /** Index of the skin's mesh. */
   mesh: number
-  /** Names of the layers, and their maps one after the other. */
+  /** Names of the layers, in the order of the maps. */
   layers: string[]
   normals: ImageArray
   /** Occlusion and blood in two channels. */
   occlusionAndBlood: ImageArray
   bloodAmplitude: number
-  /** Heights of each layer, with their metres from black to white. */
+  /** Height map of each layer, and its range from black to white in metres. */
   heights: Pick<Layer, 'height' | 'heightAmplitude'>[]
   areas: Area[]
   drivers: WrinkleDriver[]
 }
 
 /**
- * Makes wrinkles for the skin of a character, which is chosen as `furrow auto` chooses it, or finds those that were kept of an earlier time.
+ * Makes wrinkles for the skin of a character, or returns cached ones. Chooses the skin as `furrow auto` does.
  *
- * @param made is called with them, and may take their buffers.
- * @returns when they are kept, where that is possible.
+ * @param made receives the wrinkles, and may transfer their buffers.
+ * @returns a promise that resolves when the wrinkles are cached, if possible.
  */
 export async function makeCharacterWrinkles(
   character: CharacterData,
@@ -76,6 +76,6 @@ function withoutAreas(reason: string): FurrowError {
   return new FurrowError({
     who: 'WrinkleLoaderPlugin',
     problem: `no wrinkles can be made: ${reason}`,
-    remedy: 'draw them with `npx furrow strokes`, or load the file without the option auto',
+    remedy: 'draw wrinkles with `npx furrow strokes`, or load the file without the option auto',
   })
 }

@@ -6,13 +6,13 @@ import type { ErrorParts } from '../core/error.ts'
 import type { CharacterData } from './character.ts'
 import type { CharacterWrinkles } from './make-wrinkles.ts'
 
-/** The one request of a page: wrinkles for a skin, wrinkles for the skin of a character, or the recognised shapes of a skin. */
+/** Request of a page: wrinkles for a skin, wrinkles for the skin of a character, or the recognised shapes of a skin. */
 export type AutoJob =
   | { type: 'skin'; skin: Skin }
   | { type: 'character'; character: CharacterData }
   | { type: 'shapes'; skin: Skin }
 
-/** What the worker makes of a job. */
+/** Results of the worker, by type of job. */
 export interface AutoResults {
   skin: AutoWrinkles
   character: CharacterWrinkles
@@ -21,18 +21,18 @@ export interface AutoResults {
 
 export type AutoRequest = AutoJob & {
   options: AutoOptions
-  /** Of the code that makes wrinkles. */
+  /** Version of the code that makes wrinkles. */
   version: string
-  /** Name of a lock that the worker holds while it lives, where the page has locks. */
+  /** Name of a lock that the worker holds while it lives, if the page supports locks. */
   lock?: string | undefined
 }
 
-/** What the worker answers: `started`, any number of `progress`, then `made` and `finished`, or `failed`. */
+/** Replies of the worker: `started`, any number of `progress`, then `made` and `finished`, or `failed`. */
 export type AutoReply =
   | { type: 'started'; lock?: string | undefined }
   | { type: 'progress'; done: number; total: number; step: string }
   | { type: 'made'; result: AutoResults[keyof AutoResults] }
-  /** What was made is kept for the next time, where that was asked for and possible. */
+  /** Sent after the result is cached, if requested and possible. */
   | { type: 'finished' }
-  /** `parts` of a FurrowError, whose class and fields are lost between threads; `message` of any other. */
+  /** `parts` of a FurrowError, whose class and fields are lost between threads; `message` of other errors. */
   | { type: 'failed'; parts?: ErrorParts; message: string }

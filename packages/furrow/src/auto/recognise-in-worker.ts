@@ -3,9 +3,9 @@ import type { Skin } from '../author/skin/surface.ts'
 import { runWorker } from './run-worker.ts'
 
 /**
- * `recogniseShapes` in a web worker of its own.
+ * Runs `recogniseShapes` in a separate web worker.
  *
- * @returns one entry per target; the promise rejects as that of `autoWrinklesInWorker` does.
+ * @returns one entry per target; rejects as `autoWrinklesInWorker` does.
  */
 export function recogniseShapesInWorker(skin: Skin, signal: AbortSignal): Promise<RecognisedShape[]> {
   return runWorker({ type: 'shapes', skin }, { signal }, [], 'recogniseShapesInWorker')

@@ -2,19 +2,19 @@ import type { AutoProgress } from '../author/auto/auto.ts'
 import { type AutoOptions, checkAutoOptions } from '../author/auto/options.ts'
 import { isObject, wrongArgument } from '../core/argument.ts'
 
-/** Settings of `autoWrinkles`, and how the page follows it. */
+/** Settings of `autoWrinkles`, progress and cancellation. */
 export interface AutoRunOptions extends AutoOptions {
   /** Called before each step and at the end. */
   progress?: AutoProgress
-  /** Ends the worker when it is aborted. */
+  /** Abort signal that ends the worker. */
   signal?: AbortSignal
 }
 
 /**
  * Checks options before a worker is started.
  *
- * @param who the caller, in errors.
- * @throws FurrowError at the first option that is unknown or out of range.
+ * @param who name of the caller in errors.
+ * @throws FurrowError for the first option that is unknown or out of range.
  */
 export function checkRunOptions(options: AutoRunOptions, who: string): void {
   if (!isObject(options)) throw wrongArgument(who, 'options', options, 'an object such as { age: 45 }')

@@ -3,12 +3,12 @@ import type { AutoJob, AutoReply, AutoRequest, AutoResults } from './messages.ts
 import { type AutoRunOptions, checkRunOptions } from './run-options.ts'
 
 /**
- * Runs a job in a worker of its own.
+ * Runs a job in a separate worker.
  *
- * @param transfer buffers to move to the worker instead of copying them.
- * @param who names the caller in errors.
- * @returns a promise that rejects with a FurrowError where an option is unknown or out of range, where the job throws it, where there are no workers, and where the worker cannot start or
- *   dies; with the signal's reason when that is aborted.
+ * @param transfer buffers to transfer to the worker instead of copying.
+ * @param who name of the caller in errors.
+ * @returns a promise of the result. Rejects with the errors of the job, or with the signal's reason if aborted. Rejects with a FurrowError
+ *   for invalid options, if workers are missing, or if the worker cannot start or ends early.
  */
 export async function runWorker<Job extends AutoJob>(
   job: Job,
@@ -35,7 +35,7 @@ export async function runWorker<Job extends AutoJob>(
     signal?.addEventListener('abort', () => fail(signal.reason), { signal: ended.signal })
     let isRunning = false
     worker.onerror = (event) => {
-      // The promise tells it; the console need not.
+      // The promise reports the error, not the console.
       event.preventDefault()
       fail(isRunning ? died(who, event.message) : cannotStart(who, event.message))
     }
@@ -67,11 +67,11 @@ function start(startWorker: () => Worker, who: string): Worker {
 }
 
 /**
- * Calls a function when the worker is gone that holds a lock: browsers end workers without any event, as when memory runs out, but
- * they release what it held.
+ * Calls a function when the worker that holds a lock has ended. Browsers end workers without an event, e.g. if memory runs out, but
+ * release their locks.
  */
 function whenFree(lock: string, signal: AbortSignal, call: () => void): void {
-  // Rejects when the signal ends the wait, and in documents without an origin of their own, which have no locks.
+  // Rejects if aborted, and in documents with an opaque origin, which have no locks.
   navigator.locks.request(lock, { signal }, call).catch(() => {})
 }
 
@@ -79,8 +79,8 @@ function withoutWorkers(who: string): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who,
-    problem: 'there are no web workers here',
-    remedy: 'call autoWrinkles of furrow/author, which runs anywhere',
+    problem: 'web workers are not supported here',
+    remedy: 'call autoWrinkles of furrow/author, which needs no worker',
   })
 }
 
@@ -89,7 +89,7 @@ function notSent(who: string, message: string | undefined): FurrowError {
     who,
     problem: 'the skin cannot be sent to the worker',
     value: message,
-    remedy: 'pass arrays of numbers that were not transferred before',
+    remedy: 'pass arrays of numbers that have not been transferred',
   })
 }
 
@@ -97,7 +97,7 @@ function cannotStart(who: string, message: string | undefined): FurrowError {
   return new FurrowError({
     code: 'unsupported',
     who,
-    problem: 'the worker cannot be started',
+    problem: 'the worker cannot start',
     value: message,
     remedy: 'allow `worker-src blob:` in the Content-Security-Policy of the page',
   })

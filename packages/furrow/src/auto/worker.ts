@@ -1,4 +1,4 @@
-/** The worker of `autoWrinklesInWorker` and of loaders. */
+/** Worker of `autoWrinklesInWorker` and of loaders. */
 
 import { type AutoProgress, autoWrinkles } from '../author/auto/auto.ts'
 import { recogniseShapes } from '../author/shapes/recognise.ts'
@@ -9,7 +9,7 @@ import type { AutoReply, AutoRequest, AutoResults } from './messages.ts'
 
 addEventListener('message', ({ data }: MessageEvent<AutoRequest>) => {
   if (!data.lock) return run(data)
-  // Held until the worker ends.
+  // The lock is held until the worker ends.
   const hold = () => {
     void run(data)
     return new Promise(() => {})

@@ -2,26 +2,26 @@ import { sentence } from '../core/error.ts'
 import type { AreaActivation } from './activation.ts'
 import { type CurvePoints, outputOf } from './curve.ts'
 
-/** A link, its input resolved to values among the inputs or the areas' activations. */
+/** A link whose input is resolved to indices of inputs or activations. */
 export interface BoundLink {
-  /** Of the input, for people. */
+  /** Name of the input in messages. */
   name: string
-  /** The input is the mean of these values; 0 if there are none. */
+  /** Indices of values; the input is their mean, or 0 if there are none. */
   indices: Uint16Array
   /** Whether the values are activations. */
   isArea: boolean
   weight: number
-  /** Of its curve, if it has one. */
+  /** Points of the curve, if any. */
   points: CurvePoints | undefined
 }
 
-/** An area activation, its area and inputs resolved to indices. */
+/** An area activation whose area and inputs are resolved to indices. */
 export interface BoundActivation {
   /** Index of the area. */
   area: number
   links: readonly BoundLink[]
   rule: AreaActivation['rule']
-  /** Of its curve. */
+  /** Points of the curve. */
   points: CurvePoints
 }
 
@@ -30,20 +30,20 @@ export class ActivationSum {
   readonly #activations: readonly BoundActivation[]
   /** By driver: index of its area. */
   readonly #areaIndices: Uint16Array
-  /** By driver. */
+  /** By driver: points of its curve. */
   readonly #curves: readonly CurvePoints[]
-  /** By driver: whether it sums single inputs, as most do. */
+  /** By driver: whether it sums single inputs, the most common case. */
   readonly #areSums: readonly boolean[]
-  /** By driver: index after its last link in the flat lists below, which read twice as fast as the links. */
+  /** By driver: end of its links in the flat arrays below, which are twice as fast to read as objects. */
   readonly #ends: Uint32Array
   /** By link: index of its input; -1 for an area, several values or a curve. */
   readonly #sources: Int32Array
-  /** By link. */
+  /** By link: weight. */
   readonly #weights: Float64Array
-  /** By driver and link: its value, before the rule. */
+  /** By driver and link: value before the rule. */
   readonly #linkValues: readonly Float64Array[]
   readonly #warned = new Set<string>()
-  /** Result of `#read` and `#combine`; in an array, since a number that a function returns may be boxed. */
+  /** Result of `#read` and `#combine`. An array, because V8 may box returned numbers. */
   readonly #value = new Float64Array(1)
 
   constructor(activations: readonly BoundActivation[]) {
@@ -62,7 +62,7 @@ export class ActivationSum {
   }
 
   /**
-   * Adds to each area what its drivers give, up to 1. A driver reads areas as the drivers before it left them.
+   * Adds the output of each driver to its area, up to 1. Drivers read areas as modified by earlier drivers.
    *
    * @param areas activations by area; changed.
    * @param inputs values of all inputs.
@@ -90,7 +90,7 @@ export class ActivationSum {
     }
   }
 
-  /** The values of a driver's links, by its index, before the rule combines them and after. Allocates. */
+  /** Returns the link values of a driver, and their combination by the rule. Allocates. */
   evaluate(index: number, areas: Float32Array, inputs: Float64Array): { links: number[]; combined: number } {
     this.#combine(index, areas, inputs)
     return { links: [...this.#linkValues[index]], combined: this.#value[0] }
@@ -118,7 +118,7 @@ export class ActivationSum {
     this.#value[0] = typeof rule === 'function' ? rule(values) : combined
   }
 
-  /** Reads the input of a link, and passes it through the link's curve. */
+  /** Reads the input of a link and applies the link's curve. */
   #read(link: BoundLink, areas: Float32Array, inputs: Float64Array): void {
     const { name, points } = link
     const value = this.#value
@@ -136,9 +136,9 @@ export class ActivationSum {
     console.warn(
       sentence({
         who: 'Wrinkles',
-        problem: `the input "${name}" of a driver is NaN`,
+        problem: `driver input "${name}" is not a number`,
         value: Number.NaN,
-        remedy: 'it counts as 0; this warning is not repeated',
+        remedy: 'the input counts as 0; this warning is not repeated',
       }),
     )
   }

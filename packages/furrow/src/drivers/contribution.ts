@@ -1,19 +1,19 @@
 import { type ActivationSum, type BoundActivation, readInput } from './activation-sum.ts'
 import { outputOf } from './curve.ts'
 
-/** What one driver adds to its area. */
+/** Contribution of one driver to its area. */
 export interface Contribution {
   /** 0..1. */
   activation: number
   /** Value of each input, before the link's curve and weight. */
   inputs: number[]
-  /** Value of each link, before rule and curve. */
+  /** Value of each link, before the driver's rule and curve. */
   links: number[]
-  /** The links combined by the rule: what the curve reads. */
+  /** Links combined by the rule: the input of the curve. */
   combined: number
 }
 
-/** What a driver adds to its area, by its index among those of `sum`. Allocates. */
+/** Computes the contribution of a driver by its index in `sum`. Allocates. */
 export function contributionOf(
   sum: ActivationSum,
   index: number,
@@ -24,7 +24,7 @@ export function contributionOf(
   const value = new Float64Array(1)
   const inputValues = links.map((link) => {
     readInput(link, areas, inputs, value)
-    // Those that are not numbers count as 0.
+    // NaN counts as 0.
     return value[0] || 0
   })
   const { links: linkValues, combined } = sum.evaluate(index, areas, inputs)

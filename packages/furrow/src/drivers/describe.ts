@@ -4,8 +4,8 @@ import type { Link } from './link.ts'
 import { definitionOf, type WrinkleDriver } from './registry.ts'
 
 /**
- * A driver in one line: `brow = 0.5 browInnerUp + browDown, curve (0, 0) (0.5, 1)`, or `expression joy: 0.8 mouthSmile`. Drivers that
- * activate no area, of a type that does not say how, are described by their fields.
+ * Describes a driver in one line: `brow = 0.5 browInnerUp + browDown, curve (0, 0) (0.5, 1)`, or `expression joy: 0.8 mouthSmile`. Falls
+ * back to the fields of the driver.
  */
 export function describeDriver(driver: WrinkleDriver): string {
   const definition = definitionOf(driver.type)
@@ -16,12 +16,12 @@ export function describeDriver(driver: WrinkleDriver): string {
   return `${activation.area} = ${linksText(activation, driver.type)}${curveText(activation.curve)}`
 }
 
-/** A link in one line: `0.5 browInnerUp`, with its curve in brackets if it has one. */
+/** Describes a link in one line: `0.5 browInnerUp`, with its optional curve in brackets. */
 export function describeLink({ name, weight, curve }: Readonly<Link>): string {
   return `${weight === 1 ? '' : `${weight} `}${name}${curve ? ` [${pointsText(curve)}]` : ''}`
 }
 
-/** Sums read as sums, other rules as functions; that of a registered type has the type's name. */
+/** Formats sums and products as formulas, and other rules as functions; custom rules have the name of the type. */
 function linksText({ links, rule }: AreaActivation, type: string): string {
   const texts = links.map(({ input, weight, curve }) =>
     describeLink({ name: inputText(input), weight, ...(curve && { curve: [...curve] }) }),
@@ -55,7 +55,7 @@ function pointsText(curve: Readonly<Curve>): string {
   return curve.map(([input, output]) => `(${input}, ${output})`).join(' ')
 }
 
-/** `area brow, attack 0.1, release 0.4`. */
+/** Formats fields as `area brow, attack 0.1, release 0.4`. */
 function fieldsText({ type: _, ...fields }: WrinkleDriver): string {
   return Object.entries(fields)
     .map(([name, value]) => `${name} ${valueText(value)}`)

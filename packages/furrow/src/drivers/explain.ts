@@ -5,52 +5,52 @@ import { DriverProgram } from './program.ts'
 import type { WrinkleDriver } from './registry.ts'
 import { targetSource, valueSource } from './sources.ts'
 
-/** What one link contributes to its driver. */
+/** Contribution of one link to its driver. */
 export interface LinkPart {
   link: Link
-  /** Before the driver's rule and curve. */
+  /** Value before the driver's rule and curve. */
   value: number
 }
 
-/** What one driver adds to an area. */
+/** Contribution of one driver to an area. */
 export interface Part {
   driver: WrinkleDriver
-  /** 0..1; the sum over an area's drivers and its activation at rest is clamped to 1. */
+  /** 0..1. The sum over an area's drivers and its resting activation is clamped to 1. */
   activation: number
-  /** In the order of the driver. */
+  /** Links in the order of the driver. */
   links: LinkPart[]
 }
 
-/** Where the activation of an area comes from. */
+/** Explanation of the activation of an area. */
 export interface Explanation {
   /** Name of the area. */
   area: string
   /** 0..1. */
   activation: number
-  /** Activation at rest, 0..1. */
+  /** Resting activation, 0..1. */
   resting: number
-  /** Its drivers, in the order they run in. */
+  /** Drivers of the area, in evaluation order. */
   parts: Part[]
 }
 
-/** The state of a face that `explain` is asked about. */
+/** State of a face for `explain`. */
 export interface Situation {
   /** Names of the mesh's blendshapes. */
   targetNames: readonly string[]
-  /** Their weights, in the same order. */
+  /** Weights of the blendshapes, in the same order. */
   weights: ArrayLike<number>
-  /** Numbers that the application sets by name, such as `age` in years. */
+  /** Custom inputs by name, such as `age` in years. */
   inputs?: Readonly<Record<string, number>>
 }
 
 /**
- * Evaluates drivers for one state of a face, and tells what each link contributes. Drivers of joints and tension are left out
- * (`needsMesh`), as are delays: the result is what the activations converge to.
+ * Evaluates drivers for one state of a face and returns the contribution of each link. Skips drivers of joints and tension (`needsMesh`),
+ * and delays: activations are the values after all delays.
  *
  * @param drivers all drivers of the face.
- * @param areas with their activations at rest, 0..1, 0 by default.
- * @param situation weights of blendshapes, and the application's inputs.
- * @returns one explanation for each area, in their order.
+ * @param areas areas with resting activations, 0..1; default 0.
+ * @param situation weights of blendshapes and custom inputs.
+ * @returns one explanation per area, in the same order.
  */
 export function explain(
   drivers: readonly WrinkleDriver[],
@@ -89,7 +89,7 @@ export function explain(
   })
 }
 
-/** Whether a driver reads inputs that can only be measured on the moving mesh: joints or tension. */
+/** Whether a driver reads joints or tension, which can only be measured on a moving mesh. */
 export function needsMesh(driver: WrinkleDriver): boolean {
   const { joint, tension } = planDrivers([driver]).inputs
   return joint.length + tension.length > 0

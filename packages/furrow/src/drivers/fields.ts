@@ -7,8 +7,8 @@ import type { Link } from './link.ts'
 type Json = Record<string, unknown>
 
 /**
- * Reads the JSON fields of one driver, or of an object in it. Every method throws a FurrowError that names the field if it is
- * missing, has the wrong type or is out of range.
+ * Reads the JSON fields of a driver, or of an object in it. Every method throws a FurrowError naming the field if it is missing, has the
+ * wrong type or is out of range.
  */
 export class Fields {
   /** Names of all areas. */
@@ -24,37 +24,37 @@ export class Fields {
     this.areas = areas
   }
 
-  /** `area`: the name of an area that exists. */
+  /** Reads `area`: the name of an existing area. */
   area(): string {
     return this.choice('area', this.areas)
   }
 
-  /** `rule`, `sum` by default. */
+  /** Reads `rule`, default `sum`. */
   rule(): Rule {
     return this.choice('rule', ['sum', 'max', 'min', 'product'], 'sum')
   }
 
-  /** `weight`, -1000..1000, 1 by default. */
+  /** Reads `weight`, -1000..1000, default 1. */
   weight(): number {
     return this.number('weight', -LARGEST, LARGEST, 1)
   }
 
-  /** A name of 1 to 256 characters. */
+  /** Reads a name of 1 to 256 characters. */
   name(field: string): string {
     return this.#reader.text(this.#json[field], `${this.#at}.${field}`, LONGEST_NAME)
   }
 
-  /** A number from `low` to `high`; `fallback` if it is absent. */
+  /** Reads a number from `low` to `high`; returns `fallback` if the field is missing. */
   number(field: string, low: number, high: number, fallback: number): number {
     return this.#reader.number(orDefault(this.#json[field], fallback), `${this.#at}.${field}`, low, high, '')
   }
 
-  /** One of the allowed values; `fallback` if it is absent. */
+  /** Reads one of the allowed values; returns `fallback` if the field is missing. */
   choice<T extends string>(field: string, allowed: readonly T[], fallback?: T): T {
     return this.#reader.choice(orDefault(this.#json[field], fallback), `${this.#at}.${field}`, allowed)
   }
 
-  /** Two names. */
+  /** Reads two names. */
   names(field: string): [string, string] {
     const path = `${this.#at}.${field}`
     const [a, b] = this.#reader.array(this.#json[field], path, 2, 2)
@@ -65,9 +65,9 @@ export class Fields {
   }
 
   /**
-   * At least one link.
+   * Reads at least one link.
    *
-   * @param known the allowed names; any by default.
+   * @param known allowed names; default: any name.
    */
   links(field: string, known?: readonly string[]): Link[] {
     const read = (item: Fields) => ({
@@ -78,7 +78,7 @@ export class Fields {
     return this.list(field, read, 1)
   }
 
-  /** Items of an array; none if the field is absent and `least`, the number required, is 0. */
+  /** Reads an array of at least `least` items; returns an empty array if the field is missing and `least` is 0. */
   list<T>(field: string, read: (item: Fields) => T, least = 0): T[] {
     const path = `${this.#at}.${field}`
     const value = least === 0 ? orDefault(this.#json[field], []) : this.#json[field]
@@ -88,7 +88,7 @@ export class Fields {
     })
   }
 
-  /** `curve`, whose outputs are activations, 0..1; `fallback` if it is absent. */
+  /** Reads `curve` with outputs 0..1; returns `fallback` if the field is missing. */
   curve(fallback?: readonly CurvePoint[]): Curve {
     return this.#curve(0, 1, fallback)
   }
@@ -98,23 +98,23 @@ export class Fields {
     return this.#json[field] !== undefined
   }
 
-  /** `axis`, of any length but 0; nothing if it is absent. */
+  /** Reads the optional vector `axis` of any length except 0. */
   axis(): { axis?: [number, number, number] } {
     if (!this.has('axis')) return {}
     const [x, y, z] = this.#vector('axis', 3)
     if (Math.hypot(x, y, z) > 0) return { axis: [x, y, z] }
-    this.#reader.fail(`${this.#at}.axis has no direction`, '0, 0, 0', undefined, 'write e.g. 1, 0, 0')
+    this.#reader.fail(`${this.#at}.axis has no direction`, '0, 0, 0', undefined, 'write e.g. [1, 0, 0]')
   }
 
-  /** `direction` in texture coordinates, of any length but 0; nothing if it is absent. */
+  /** Reads the optional vector `direction` in texture coordinates, of any length except 0. */
   direction(): { direction?: [number, number] } {
     if (!this.has('direction')) return {}
     const [u, v] = this.#vector('direction', 2)
     if (Math.hypot(u, v) > 0) return { direction: [u, v] }
-    this.#reader.fail(`${this.#at}.direction has no direction`, '0, 0', undefined, 'write e.g. 1, 0')
+    this.#reader.fail(`${this.#at}.direction has no direction`, '0, 0', undefined, 'write e.g. [1, 0]')
   }
 
-  /** `origin` and `insertion` of a muscle, which differ. */
+  /** Reads `origin` and `insertion` of a muscle, which must differ. */
   muscleAxis(): Record<'origin' | 'insertion', [number, number, number]> {
     const point = (field: string): [number, number, number] => {
       const [x, y, z] = this.#vector(field, 3)
@@ -123,10 +123,10 @@ export class Fields {
     const [origin, insertion] = [point('origin'), point('insertion')]
     if (origin.some((value, i) => value !== insertion[i])) return { origin, insertion }
     const at = `${this.#at}.insertion`
-    this.#reader.fail(`${at} equals the origin`, insertion.join(', '), undefined, 'give the muscle a length')
+    this.#reader.fail(`${at} equals the origin`, insertion.join(', '), undefined, 'move one of the two points')
   }
 
-  /** `inner` and `outer` of a muscle: where its pull is strongest and where it ends, as fractions of its length. */
+  /** Reads `inner` and `outer` of a muscle: distances of the strongest pull and of its end, as fractions of the length. */
   zone(): { inner: number; outer: number } {
     const [inner, outer] = [this.number('inner', 0, 10, 0.8), this.number('outer', 0.001, 10, 1.2)]
     if (outer > inner) return { inner, outer }
@@ -134,7 +134,7 @@ export class Fields {
       `${this.#at}.outer is too small`,
       outer,
       `more than ${inner}`,
-      'make it larger than inner',
+      'make outer larger than inner',
     )
   }
 

@@ -1,22 +1,22 @@
 import type { Input, InputLink } from './activation.ts'
 import type { Curve } from './curve.ts'
 
-/** One input of a driver in a file: its value, passed through the curve if there is one, times the weight. */
+/** Input of a driver in a file: its value, passed through the optional curve, times the weight. */
 export interface Link {
   /** Name of the input, such as a blendshape. */
   name: string
   /** Positive or negative. */
   weight: number
-  /** From the input to any number; none by default. */
+  /** Optional curve from the input to any number. */
   curve?: Curve
 }
 
-/** Links of a file, as links to inputs of one kind. */
+/** Converts links of a file to links to inputs of one kind. */
 export function linksTo(kind: 'target' | 'area', links: readonly Link[]): InputLink[] {
   return links.map(({ name, ...link }) => ({ ...link, input: { kind, name } }))
 }
 
-/** A single link of weight 1. */
+/** Creates a single link of weight 1. */
 export function linkTo(input: Input): InputLink[] {
   return [{ input, weight: 1 }]
 }

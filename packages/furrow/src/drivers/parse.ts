@@ -8,45 +8,45 @@ import { type MapsAndAreas, readMaps } from '../core/maps/wrinkle-maps.ts'
 import { Fields } from './fields.ts'
 import { definitionOf, type WrinkleDriver } from './registry.ts'
 
-/** The JSON of the glTF extension on a material, checked and with defaults filled in. */
+/** JSON of the glTF extension on a material, checked and with defaults filled in. */
 export interface WrinkleMaps extends MapsAndAreas {
-  /** In the order of the file. */
+  /** Drivers in the order of the file. */
   drivers: WrinkleDriver[]
 }
 
-/** `wrinkles.json`: a wrinkle set whose images are files beside it; their URLs are relative to it. */
+/** `wrinkles.json`: a wrinkle set whose images are files with URLs relative to the document. */
 export interface WrinkleSetDocument extends SetDocument {
-  /** What activates the areas, as in the glTF extension. */
+  /** Drivers, as in the glTF extension. */
   drivers?: WrinkleDriver[]
 }
 
 /**
- * Reads the JSON of the glTF extension. Unknown fields are ignored, and drivers of unknown type are kept as they are.
+ * Reads the JSON of the glTF extension. Unknown fields are ignored; drivers of unknown type are kept.
  *
- * @param json the value of `material.extensions.FURROW_wrinkle_maps`, of any type.
- * @param textureCount number of textures in the file, to check indices against; not checked by default.
- * @param who names the file or material in errors.
- * @param onFault is told of each malformed driver, which is then left out; by default it is thrown.
- * @throws FurrowError that names the first field which is missing, has the wrong type or is out of range.
+ * @param json value of `material.extensions.FURROW_wrinkle_maps`, of any type.
+ * @param textureCount number of textures in the file, to check indices; default: unchecked.
+ * @param who name of the file or material in errors.
+ * @param onError receives the error of each malformed driver, which is skipped; default: throws the first error.
+ * @throws FurrowError naming the first field that is missing, has the wrong type or is out of range.
  */
 export function parseWrinkleMaps(
   json: unknown,
   textureCount = Infinity,
   who: string = WRINKLE_MAPS,
-  onFault?: (fault: FurrowError) => void,
+  onError?: (error: FurrowError) => void,
 ): WrinkleMaps {
   const reader = new JsonReader(who)
   const { drivers, ...maps } = readMaps(reader, json, textureCount)
-  return { ...maps, drivers: readDrivers(reader, drivers, maps.areas, onFault) }
+  return { ...maps, drivers: readDrivers(reader, drivers, maps.areas, onError) }
 }
 
 /**
- * Reads `wrinkles.json`. Unknown fields are ignored, so that later versions may add some.
+ * Reads `wrinkles.json`. Unknown fields are ignored, so that later versions can add fields.
  *
- * @param json anything that `JSON.parse` can return.
- * @param who names the file in errors.
- * @param convention of areas that do not name one.
- * @throws FurrowError that names the first field which is missing, has the wrong type or is out of range.
+ * @param json result of `JSON.parse`.
+ * @param who name of the file in errors.
+ * @param convention default for areas without one.
+ * @throws FurrowError naming the first field that is missing, has the wrong type or is out of range.
  */
 export function parseWrinkleSetDocument(
   json: unknown,
@@ -62,12 +62,12 @@ export function parseWrinkleSetDocument(
 }
 
 /**
- * Reads drivers from JSON, as in files, and fills in their defaults. Drivers of unknown type are kept as they are.
+ * Reads drivers from JSON, as in files, and fills in defaults. Drivers of unknown type are kept.
  *
- * @param json a list of drivers, of any type; undefined for none.
+ * @param json array of drivers; undefined for none.
  * @param areas names of the areas that drivers may use.
- * @param who names the caller in errors.
- * @throws FurrowError that names the first field which is missing, has the wrong type or is out of range.
+ * @param who name of the caller in errors.
+ * @throws FurrowError naming the first field that is missing, has the wrong type or is out of range.
  */
 export function parseDrivers(json: unknown, areas: readonly string[], who = 'parseDrivers'): WrinkleDriver[] {
   const named = areas.map((name) => ({ name }))
@@ -78,14 +78,14 @@ function readDrivers(
   reader: JsonReader,
   value: unknown,
   areas: readonly { name: string }[],
-  onFault: (fault: FurrowError) => void = (fault) => {
-    throw fault
+  onError: (error: FurrowError) => void = (error) => {
+    throw error
   },
 ): WrinkleDriver[] {
   const names = areas.map(({ name }) => name)
-  const list = tryRead(() => reader.array(orDefault(value, []), 'drivers', 0, MAX_DRIVERS), onFault) ?? []
+  const list = tryRead(() => reader.array(orDefault(value, []), 'drivers', 0, MAX_DRIVERS), onError) ?? []
   return list.flatMap(
-    (item, i) => tryRead(() => readDriver(reader, item, `drivers[${i}]`, names), onFault) ?? [],
+    (item, i) => tryRead(() => readDriver(reader, item, `drivers[${i}]`, names), onError) ?? [],
   )
 }
 

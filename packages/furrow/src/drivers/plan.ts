@@ -5,43 +5,43 @@ import { definitionOf, type WrinkleDriver } from './registry.ts'
 /** One driver that activates an area. */
 export interface PlannedActivation {
   driver: WrinkleDriver
-  /** What it adds. */
+  /** Contribution to the area. */
   activation: AreaActivation
 }
 
 /** One driver that filters inputs. */
 export interface PlannedFilter {
   driver: WrinkleDriver
-  /** What it changes. */
+  /** Filter of the inputs. */
   filter: InputFilter
 }
 
-/** Drivers in the order in which they run: plain data, shared by all faces that have these drivers. */
+/** Drivers in evaluation order: plain data, shared by all faces with these drivers. */
 export interface DriverPlan {
-  /** All drivers, as they were given. */
+  /** All drivers, in their original order. */
   readonly drivers: readonly WrinkleDriver[]
   /** Every area that a driver reads or writes. */
   readonly areaNames: readonly string[]
   /**
-   * Areas that the face's own motion activates: blendshapes, joints, tension or other areas. An activation set on them lasts until
-   * the next frame; on all others it stays, and the application's inputs add to it.
+   * Areas activated by motion: blendshapes, joints, tension or other areas. An activation set on these areas lasts until the next frame. On
+   * others it stays, and custom inputs add to it.
    */
   readonly movedAreas: ReadonlySet<string>
   /** Drivers that filter inputs, in the order of the file. */
   readonly inputFilters: readonly PlannedFilter[]
-  /** Drivers that read no area, in the order of the file; then the others, each after those that it depends on. */
+  /** Drivers that read no area, in the order of the file; then the others, dependencies first. */
   readonly activations: readonly PlannedActivation[]
   /** At most one per area. */
   readonly activationFilters: readonly ActivationFilter[]
-  /** All inputs that are read, by kind: the same objects as in the filters and links. */
+  /** All inputs by kind: the same objects as in the filters and links. */
   readonly inputs: { readonly [K in InputKind]: readonly InputOf<K>[] }
-  /** Areas that drive themselves, directly or through others; their drivers that read areas are left out. */
+  /** Areas that depend on themselves; their drivers that read areas are skipped. */
   readonly cyclicAreas: readonly string[]
-  /** Types that are neither of this version nor registered; their drivers are left out. */
+  /** Unknown driver types; their drivers are skipped. */
   readonly unknownTypes: readonly string[]
 }
 
-/** Orders the drivers of a face for evaluation. Drivers of unknown type are left out. */
+/** Orders the drivers of a face for evaluation. Drivers of unknown type are skipped. */
 export function planDrivers(drivers: readonly WrinkleDriver[]): DriverPlan {
   const known = drivers.flatMap((driver) => {
     const definition = definitionOf(driver.type)
@@ -63,7 +63,7 @@ export function planDrivers(drivers: readonly WrinkleDriver[]): DriverPlan {
     return filter ? [{ driver, filter }] : []
   })
   const filters = known.flatMap(({ driver, definition }) => definition.filterActivation?.(driver) ?? [])
-  // The last of several for one area counts.
+  // With several filters for one area, the last one counts.
   const activationFilters = [...new Map(filters.map((filter) => [filter.area, filter])).values()]
   const inputs = [
     ...inputFilters.flatMap(({ filter }) => filter.inputs),
@@ -107,7 +107,7 @@ function readAreas({ activation }: PlannedActivation): string[] {
   return activation.links.flatMap(({ input }) => (input.kind === 'area' ? [input.name] : []))
 }
 
-/** Sorts drivers so that each comes after all that activate an area it reads. */
+/** Sorts drivers topologically: drivers that write an area come before those that read it. */
 function sortByDependency(planned: readonly PlannedActivation[]): PlannedActivation[] {
   const sorted: PlannedActivation[] = []
   let rest = planned

@@ -7,9 +7,9 @@ import type { DriverPlan, PlannedActivation } from './plan.ts'
 
 /** One input, resolved to values of a source. */
 export interface BoundInput {
-  /** Indices among the source's values; the input is their mean. Empty if the model lacks it. */
+  /** Indices of the source's values; the input is their mean. Empty if the model lacks the input. */
   indices: readonly number[]
-  /** What the model lacks, for warnings: `target "jawOpen"`. */
+  /** Missing parts of the model, for warnings, e.g. `target "jawOpen"`. */
   missing: readonly string[]
 }
 
@@ -17,54 +17,54 @@ export interface BoundInput {
 export interface InputSource {
   /** Number of values. */
   readonly count: number
-  /** In the order of the plan's inputs of that kind. */
+  /** Inputs in the order of the plan's inputs of that kind. */
   readonly inputs: readonly BoundInput[]
 }
 
-/** Sources by kind of input. Drivers that read a kind that has no source are left out. */
+/** Sources by kind of input. Drivers that read a kind without a source are skipped. */
 export type InputSources = { readonly [K in ExternalInputKind]?: InputSource }
 
-/** The inputs and outputs of the drivers of one face, and what they remember between frames. */
+/** Inputs, outputs and persistent state of the drivers of one face. */
 export interface DriverState {
-  /** All inputs, which the program reads and its input filters change. */
+  /** All inputs. Input filters change them. */
   readonly values: Float64Array
-  /** The inputs by kind, as views of `values`; written by the caller before each `evaluate`. */
+  /** Inputs by kind, as views of `values`; written by the caller before each `evaluate`. */
   readonly inputs: Readonly<Record<ExternalInputKind, Float64Array>>
-  /** Activations at rest, 0..1, by area of the plan; written by the caller. Drivers add to them. */
+  /** Resting activations, 0..1, by area of the plan; written by the caller. Drivers add to them. */
   readonly resting: Float32Array
-  /** The result, 0..1, by area of the plan. */
+  /** Result, 0..1, by area of the plan. */
   readonly activations: Float32Array
-  /** The result of the frame before. */
+  /** Result of the previous frame. */
   readonly previous: Float64Array
-  /** One number, written by the caller: seconds since the frame before. */
+  /** Seconds since the previous frame, one number; written by the caller. */
   readonly seconds: Float64Array
-  /** Whether there was a frame before. */
+  /** Whether a previous frame exists. */
   hasRun: boolean
-  /** Whether the same inputs give the same activations in the next frame too: nothing is delayed any more. */
+  /** Whether delays have ended: the same inputs give the same activations in the next frame. */
   isSettled: boolean
 }
 
 const KINDS = ['target', 'joint', 'tension', 'value'] as const satisfies readonly ExternalInputKind[]
 
 /**
- * A plan bound to the inputs of a model. It evaluates in the order of the specification: input filters, drivers that read inputs,
- * drivers that read areas, activation filters. All state is the caller's (`createState`).
+ * A plan bound to the inputs of a model. Evaluates in the order of the specification: input filters, drivers that read inputs, drivers
+ * that read areas, activation filters. The caller owns all state (`createState`).
  */
 export class DriverProgram {
   readonly plan: DriverPlan
-  /** What drivers name but the model lacks, e.g. `target "jawOpen" of a driver of area "chin"`. */
+  /** Missing inputs, e.g. `target "jawOpen" of a driver of area "chin"`. */
   readonly missing: readonly string[]
-  /** The plan's activations that can be evaluated, in order. */
+  /** Activations of the plan that can be evaluated, in order. */
   readonly activations: readonly PlannedActivation[]
   readonly #bound: readonly BoundActivation[]
   readonly #sum: ActivationSum
   readonly #inputFilters: readonly ((values: Float64Array) => void)[]
   readonly #activationFilters: readonly ReturnType<ActivationFilter['bind']>[]
-  /** Scratch: the result of the frame before the one that is computed. */
+  /** Scratch copy of the previous result. */
   readonly #before: Float64Array
   readonly #ranges: Readonly<Record<ExternalInputKind, { start: number; end: number }>>
 
-  /** @param sources their inputs are those of the plan, in its order. */
+  /** @param sources sources with the inputs of the plan, in the same order. */
   constructor(plan: DriverPlan, sources: InputSources) {
     const ranges = {} as Record<ExternalInputKind, { start: number; end: number }>
     const bound = new Map<Input, BoundInput>()
@@ -132,10 +132,10 @@ export class DriverProgram {
   }
 
   /**
-   * Filters inputs, and adds to each area what its drivers give: `evaluate` for plans without activation filters. Allocates nothing.
+   * Filters inputs and adds the output of each driver to its area: `evaluate` without activation filters. Allocates nothing.
    *
-   * @param activations at rest, by area of the plan; changed.
-   * @param values all inputs, which filters change.
+   * @param activations resting activations by area of the plan; modified.
+   * @param values all inputs; modified by filters.
    */
   addTo(activations: Float32Array, values: Float64Array): void {
     for (let i = 0; i < this.#inputFilters.length; i++) this.#inputFilters[i](values)
@@ -154,10 +154,10 @@ export class DriverProgram {
   }
 
   /**
-   * What one of `activations` adds to its area. Allocates.
+   * Returns the contribution of one of `activations` to its area. Allocates.
    *
-   * @param index of it.
-   * @param state an evaluated one.
+   * @param index index in `activations`.
+   * @param state an evaluated state.
    */
   explain(index: number, state: DriverState): Contribution {
     return contributionOf(this.#sum, index, this.#bound[index], state.activations, state.values)
@@ -195,11 +195,11 @@ function listMissing(plan: DriverPlan, bound: ReadonlyMap<Input, BoundInput>): s
   const missingOf = (input: Input) => bound.get(input)?.missing ?? []
   return [
     ...plan.activations.flatMap(({ activation: { area, links } }) =>
-      links.flatMap(({ input }) => missingOf(input).map((what) => `${what} of a driver of area "${area}"`)),
+      links.flatMap(({ input }) => missingOf(input).map((part) => `${part} of a driver of area "${area}"`)),
     ),
     ...plan.inputFilters.flatMap(({ driver, filter }) =>
       filter.inputs.flatMap((input) =>
-        missingOf(input).map((what) => `${what} of a driver of type "${driver.type}"`),
+        missingOf(input).map((part) => `${part} of a driver of type "${driver.type}"`),
       ),
     ),
   ]

@@ -25,7 +25,7 @@ export type {
   TimeDriver,
 }
 
-/** The drivers of this version. */
+/** Built-in drivers. */
 export type KnownDriver =
   | MorphDriver
   | AreaDriver
@@ -38,16 +38,16 @@ export type KnownDriver =
   | TimeDriver
   | ExpressionDriver
 
-/** Types of drivers of this version. */
+/** Built-in driver types. */
 export type DriverType = KnownDriver['type']
 
 /** Drivers of one type. */
 export type DriverOf<T extends DriverType> = Extract<KnownDriver, { type: T }>
 
-/** A driver. Those of a type that this version does not know are kept as they are, so that files of later versions survive. */
+/** A driver. Drivers of unknown type are kept, so that files of later versions survive. */
 export type WrinkleDriver = KnownDriver | { type: string; [field: string]: unknown }
 
-/** The definition of every type, in the order of the specification. */
+/** Definitions of built-in types, in the order of the specification. */
 const DEFINITIONS: { readonly [T in DriverType]: DriverDefinition<DriverOf<T>> } = {
   morph,
   area,
@@ -61,16 +61,15 @@ const DEFINITIONS: { readonly [T in DriverType]: DriverDefinition<DriverOf<T>> }
   expression,
 }
 
-/** Types of drivers of this version, in the order of the specification. */
+/** Built-in driver types, in the order of the specification. */
 export const DRIVER_TYPES = Object.keys(DEFINITIONS) as readonly DriverType[]
 
 const definitions = new Map(Object.entries(DEFINITIONS) as [string, DriverDefinition][])
 
 /**
- * Registers a type of driver of the application's own, for all files that are read afterwards. Readers that do not know the type keep
- * such drivers and run the others.
+ * Registers a custom driver type for all files read afterwards. Readers without the type keep its drivers and run the others.
  *
- * @throws FurrowError when the type exists already, or the definition has no type or does not read.
+ * @throws FurrowError if the type already exists, or the definition lacks `type` or `read`.
  */
 export function registerDriver<D extends { type: string }>(definition: DriverDefinition<D>): void {
   if (!isObject(definition) || typeof definition.type !== 'string' || typeof definition.read !== 'function') {
@@ -79,20 +78,20 @@ export function registerDriver<D extends { type: string }>(definition: DriverDef
   if (definitions.has(definition.type)) {
     throw new FurrowError({
       who: 'registerDriver',
-      problem: 'a driver of that type exists',
+      problem: 'the driver type already exists',
       value: definition.type,
-      remedy: 'choose another name, and register it only once',
+      remedy: 'choose another type name, and register each type only once',
     })
   }
   definitions.set(definition.type, definition as unknown as DriverDefinition)
 }
 
-/** The definition of a type; undefined if it is neither of this version nor registered. */
+/** Returns the definition of a type; undefined if the type is neither built-in nor registered. */
 export function definitionOf(type: string): DriverDefinition | undefined {
   return definitions.get(type)
 }
 
-/** Whether a driver's type is of this version or registered; others have no effect. */
+/** Whether a driver's type is built-in or registered. Other drivers have no effect. */
 export function isKnownDriver(driver: WrinkleDriver): boolean {
   return definitions.has(driver.type)
 }

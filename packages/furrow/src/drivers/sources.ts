@@ -2,7 +2,7 @@ import type { InputOf } from './activation.ts'
 import { targetFinder } from './morph/target-names.ts'
 import type { InputSource } from './program.ts'
 
-/** A source of a mesh's morph target weights, in the order of their names. */
+/** Creates a source of a mesh's morph target weights, in the order of the names. */
 export function targetSource(
   inputs: readonly InputOf<'target'>[],
   targetNames: readonly string[],
@@ -17,7 +17,7 @@ export function targetSource(
   }
 }
 
-/** A source of numbers that the application sets, one for each distinct name; `initial` holds the values until then. */
+/** Creates a source of custom inputs, one value per unique name; `initial` holds the values until they are set. */
 export function valueSource(
   inputs: readonly InputOf<'value'>[],
 ): InputSource & { readonly names: readonly string[]; readonly initial: readonly number[] } {
@@ -33,13 +33,13 @@ export function valueSource(
 }
 
 /**
- * A source of measurements, one value for each input.
+ * Creates a source of measurements, one value per input.
  *
- * @param missing per input: what the model lacks, for warnings; empty if the input is measured.
+ * @param missing per input: missing parts of the model, for warnings; empty if the input is measured.
  */
 export function measuredSource(missing: readonly (readonly string[])[]): InputSource {
   return {
     count: missing.length,
-    inputs: missing.map((what, i) => ({ indices: what.length === 0 ? [i] : [], missing: what })),
+    inputs: missing.map((parts, i) => ({ indices: parts.length === 0 ? [i] : [], missing: parts })),
   }
 }

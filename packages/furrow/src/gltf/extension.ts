@@ -21,14 +21,14 @@ import { writeMaterialWrinkles } from './write.ts'
  * const wrinkles = document.getRoot().listMaterials()[0].getExtension<MaterialWrinkles>('FURROW_wrinkle_maps')
  * ```
  *
- * Reading throws FurrowError when the extension's JSON is invalid; writing does when a layer or area lacks its texture, or a value is
+ * Reading throws a FurrowError if the extension's JSON is invalid. Writing throws if a layer or area lacks a texture, or a value is
  * invalid.
  */
 export class FurrowWrinkleMaps extends Extension {
   static override readonly EXTENSION_NAME = WRINKLE_MAPS
   override readonly extensionName = WRINKLE_MAPS
-  // Before meshes are read, since textures and materials are complete then; and before other extensions write, which still change the
-  // texture definitions (WebP, Basis) and texture infos (transform) made here.
+  // Textures and materials are complete before meshes are read. Writing comes before other extensions, which modify the texture definitions
+  // (WebP, Basis) and texture infos (transform) created here.
   override readonly prereadTypes: PropertyType[] = [PropertyType.MESH]
   override readonly prewriteTypes: PropertyType[] = [PropertyType.MESH]
 

@@ -17,7 +17,7 @@ interface IMaterialWrinkles extends IProperty {
   unknownFields: string
 }
 
-/** The wrinkles of one material: layers, areas, drivers, strokes and corrections. See {@link FurrowWrinkleMaps}. */
+/** Wrinkles of a material: layers, areas, drivers, strokes and corrections. See {@link FurrowWrinkleMaps}. */
 export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
   static override readonly EXTENSION_NAME = WRINKLE_MAPS
   declare readonly extensionName: typeof WRINKLE_MAPS
@@ -48,12 +48,12 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     return this.addRef('layers', layer)
   }
 
-  /** Removes a layer. Writing throws while an area is still on it. */
+  /** Removes a layer. Writing throws while an area uses the layer. */
   removeLayer(layer: WrinkleLayer): this {
     return this.removeRef('layers', layer)
   }
 
-  /** The layers, in the order in which they are written. */
+  /** Returns the layers in the order of the file. */
   listLayers(): WrinkleLayer[] {
     return this.listRefs('layers')
   }
@@ -63,22 +63,22 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     return this.addRef('areas', area)
   }
 
-  /** Removes an area; drivers that name it stay, and writing throws until they are changed. */
+  /** Removes an area. Drivers that name the area remain, and writing throws until they are changed. */
   removeArea(area: WrinkleArea): this {
     return this.removeRef('areas', area)
   }
 
-  /** The areas, in the order in which they are written. */
+  /** Returns the areas in the order of the file. */
   listAreas(): WrinkleArea[] {
     return this.listRefs('areas')
   }
 
-  /** Copies of the drivers; those of types unknown to this version are kept as they are. */
+  /** Returns copies of the drivers, including those of unknown type. */
   getDrivers(): WrinkleDriver[] {
     return this.get('drivers').map((text) => JSON.parse(text))
   }
 
-  /** Replaces all drivers with copies of these, which must be plain JSON. */
+  /** Replaces all drivers by copies. Drivers must be plain JSON. */
   setDrivers(drivers: readonly WrinkleDriver[]): this {
     return this.set(
       'drivers',
@@ -86,32 +86,32 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     )
   }
 
-  /** A copy of the lines of the layers, for `parseStrokes` of `furrow/author`, unchecked as they stand in the file; null for none. */
+  /** Returns an unchecked copy of the strokes, for `parseStrokes` of `furrow/author`; null if there are none. */
   getStrokes(): unknown {
     return JSON.parse(this.get('strokes'))
   }
 
-  /** Replaces the strokes with a copy of these, which must be plain JSON; null for none. */
+  /** Replaces the strokes by a copy. Strokes must be plain JSON; null removes them. */
   setStrokes(strokes: unknown): this {
     return this.set('strokes', JSON.stringify(strokes ?? null))
   }
 
-  /** A copy of the corrections of recognised blendshapes, unchecked as they stand in the file; null for none. */
+  /** Returns an unchecked copy of the corrections to recognised blendshapes; null if there are none. */
   getShapes(): unknown {
     return JSON.parse(this.get('shapes'))
   }
 
-  /** Replaces the corrections with a copy of these, which must be plain JSON; null for none. */
+  /** Replaces the corrections by a copy. Corrections must be plain JSON; null removes them. */
   setShapes(shapes: unknown): this {
     return this.set('shapes', JSON.stringify(shapes ?? null))
   }
 
-  /** Fields of the JSON that are unknown to this version; they are written back unchanged. */
+  /** Returns unknown fields of the JSON, which are written back unchanged. */
   getUnknownFields(): Record<string, unknown> {
     return JSON.parse(this.get('unknownFields'))
   }
 
-  /** Replaces the unknown fields with a copy of these, which must be plain JSON. */
+  /** Replaces the unknown fields by a copy. Fields must be plain JSON. */
   setUnknownFields(fields: Record<string, unknown>): this {
     return this.set('unknownFields', JSON.stringify(fields))
   }

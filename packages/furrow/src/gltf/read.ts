@@ -15,7 +15,7 @@ interface PropertyFactory {
   createArea(name: string): WrinkleArea
 }
 
-/** Fields that are read into properties; all others are kept as unknown fields. */
+/** Fields that become properties; others are kept as unknown fields. */
 const KNOWN = {
   root: ['name', 'extras', 'layers', 'areas', 'drivers', 'strokes', 'shapes'],
   layer: ['name', 'extras', 'kind', ...Object.keys(LAYER_SLOTS)],
@@ -25,8 +25,8 @@ const KNOWN = {
 /**
  * Reads the extension of one material.
  *
- * @param who names the material in errors.
- * @throws FurrowError that names the first wrong field.
+ * @param who name of the material in errors.
+ * @throws FurrowError naming the first invalid field.
  */
 export function readMaterialWrinkles(
   properties: PropertyFactory,
@@ -82,14 +82,14 @@ export function readMaterialWrinkles(
     .setUnknownFields(without(raw, KNOWN.root))
 }
 
-/** glTF-Transform's textures are glTF's images; one that no registered extension can read is missing. */
+/** Returns the texture, which is an image in glTF; missing if no registered extension reads its format. */
 function textureOf(context: ReaderContext, index: number, who: string): Texture {
   const texture = context.textures[context.jsonDoc.json.textures![index]?.source ?? -1]
   if (texture) return texture
   throw new FurrowError({
     code: 'unreadable',
     who,
-    problem: 'a texture has no image that can be read',
+    problem: 'texture without a readable image',
     value: index,
     remedy: 'register the extension of its image format, or export the file again',
   })

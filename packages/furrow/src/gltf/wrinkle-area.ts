@@ -24,7 +24,7 @@ interface IWrinkleArea extends IProperty {
 
 const CHANNELS = [TextureChannel.R, TextureChannel.G, TextureChannel.B, TextureChannel.A]
 
-/** An area of influence of {@link MaterialWrinkles}: where one controllable group of wrinkles is. */
+/** An area of influence of {@link MaterialWrinkles}: the location of one controllable group of wrinkles. */
 export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
   static override readonly EXTENSION_NAME = WRINKLE_MAPS
   declare readonly extensionName: typeof WRINKLE_MAPS
@@ -43,7 +43,7 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
     return Object.assign(super.getDefaults() as IProperty, {
       layer: null,
       weightsTexture: null,
-      // Areas end at the edges of their image; repeating would filter texels of the opposite edge in.
+      // Areas end at the edges of the image; repeating would blend in texels of the opposite edge.
       weightsTextureInfo: new TextureInfo(this.graph, 'weightsTextureInfo')
         .setWrapS(TextureInfo.WrapMode.CLAMP_TO_EDGE)
         .setWrapT(TextureInfo.WrapMode.CLAMP_TO_EDGE),
@@ -55,17 +55,17 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
     })
   }
 
-  /** The layer whose wrinkles it shows; null for the first. */
+  /** Returns the layer of the area; null for the first layer. */
   getLayer(): WrinkleLayer | null {
     return this.getRef('layer')
   }
 
-  /** Sets the layer whose wrinkles it shows; null for the first. */
+  /** Sets the layer of the area; null for the first layer. */
   setLayer(layer: WrinkleLayer | null): this {
     return this.setRef('layer', layer)
   }
 
-  /** The image of the weights, linear, 1 = fully visible; its slot is `weightsTexture`, which no tool takes for colour. */
+  /** Returns the image of the weights, linear, 1 = fully visible. Tools do not mistake the slot `weightsTexture` for colour. */
   getTexture(): Texture | null {
     return this.getRef('weightsTexture')
   }
@@ -73,61 +73,61 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
   /**
    * Sets the image of the weights.
    *
-   * @param texture linear, 1 = fully visible; null for none.
-   * @param channel the one that holds this area, 0 = R to 3 = A; unchanged by default. Other areas may use the others.
+   * @param texture linear, 1 = fully visible; null removes it.
+   * @param channel channel of the area, 0 = R to 3 = A; default: unchanged. Other areas may use the other channels.
    */
   setTexture(texture: Texture | null, channel = this.get('channel')): this {
     this.set('channel', channel)
     return this.setRef('weightsTexture', texture, { channels: CHANNELS[channel] })
   }
 
-  /** The channel of the texture that holds this area, 0 = R to 3 = A. */
+  /** Returns the channel of the area, 0 = R to 3 = A. */
   getChannel(): number {
     return this.get('channel')
   }
 
-  /** Slice of its texture if that is a KTX 2 array; null if it is an ordinary image. */
+  /** Returns the slice of a KTX 2 array; null for an ordinary image. */
   getSlice(): number | null {
     const slice = this.get('slice')
     return slice === NO_SLICE ? null : slice
   }
 
-  /** Sets the slice of its texture if that is a KTX 2 array; null for an ordinary image. */
+  /** Sets the slice of a KTX 2 array; null for an ordinary image. */
   setSlice(slice: number | null): this {
     return this.set('slice', slice ?? NO_SLICE)
   }
 
-  /** Texture coordinates and sampler; null while it has no texture. */
+  /** Returns texture coordinates and sampler; null without a texture. */
   getTextureInfo(): TextureInfo | null {
     return this.getRef('weightsTexture') ? this.getRef('weightsTextureInfo') : null
   }
 
-  /** How it combines with other areas of its layer: `sum` or `max`. */
+  /** Returns how the area combines with others of its layer: `sum` or `max`. */
   getCombine(): Combine {
     return this.get('combine')
   }
 
-  /** Sets how it combines with other areas of its layer: `sum` or `max`. */
+  /** Sets how the area combines with others of its layer: `sum` or `max`. */
   setCombine(combine: Combine): this {
     return this.set('combine', combine)
   }
 
-  /** Activation at rest, 0..1. */
+  /** Returns the resting activation, 0..1. */
   getActivation(): number {
     return this.get('activation')
   }
 
-  /** Sets the activation at rest, 0..1. */
+  /** Sets the resting activation, 0..1. */
   setActivation(activation: number): this {
     return this.set('activation', activation)
   }
 
-  /** Fields of the JSON that are unknown to this version; they are written back unchanged. */
+  /** Returns unknown fields of the JSON, which are written back unchanged. */
   getUnknownFields(): Record<string, unknown> {
     return JSON.parse(this.get('unknownFields'))
   }
 
-  /** Replaces the unknown fields with a copy of these, which must be plain JSON. */
+  /** Replaces the unknown fields by a copy. Fields must be plain JSON. */
   setUnknownFields(fields: Record<string, unknown>): this {
     return this.set('unknownFields', JSON.stringify(fields))
   }

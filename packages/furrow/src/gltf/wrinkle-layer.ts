@@ -49,7 +49,7 @@ export type LayerSlot =
   | 'heightTexture'
   | 'bloodTexture'
 
-/** The channels that are read of each slot's image, and whether they are colours. */
+/** Channels used by each slot, and whether they are colours. */
 export const LAYER_SLOTS: Readonly<Record<LayerSlot, { channels: number; isColor?: boolean }>> = {
   normalTexture: { channels: TextureChannel.R | TextureChannel.G | TextureChannel.B },
   baseColorTexture: { channels: TextureChannel.R | TextureChannel.G | TextureChannel.B, isColor: true },
@@ -59,7 +59,7 @@ export const LAYER_SLOTS: Readonly<Record<LayerSlot, { channels: number; isColor
   bloodTexture: { channels: TextureChannel.B },
 }
 
-/** A layer of {@link MaterialWrinkles}: maps of the skin fully wrinkled. */
+/** A layer of {@link MaterialWrinkles}: maps of the fully wrinkled skin. */
 export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
   static override readonly EXTENSION_NAME = WRINKLE_MAPS
   declare readonly extensionName: typeof WRINKLE_MAPS
@@ -104,53 +104,53 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
     })
   }
 
-  /** How the layer's normals combine with the skin's own: `replace` or `detail`. */
+  /** Returns how the layer's normals combine with the skin's: `replace` or `detail`. */
   getKind(): LayerKind {
     return this.get('kind')
   }
 
-  /** Sets how the layer's normals combine with the skin's own: `replace` or `detail`. */
+  /** Sets how the layer's normals combine with the skin's: `replace` or `detail`. */
   setKind(kind: LayerKind): this {
     return this.set('kind', kind)
   }
 
-  /** The image of a slot. Writing requires a `normalTexture`. */
+  /** Returns the image of a slot. Writing requires a `normalTexture`. */
   getTexture(slot: LayerSlot): Texture | null {
     return this.getRef(slot)
   }
 
-  /** Sets the image of a slot; null for none. Blood is in that of the occlusion, where there is one. */
+  /** Sets the image of a slot; null removes it. Blood must share the image of occlusion, if there is one. */
   setTexture(slot: LayerSlot, texture: Texture | null): this {
     return this.setRef(slot, texture, { ...LAYER_SLOTS[slot] })
   }
 
-  /** Slice of the slot's texture if that is a KTX 2 array; null if it is an ordinary image. */
+  /** Returns the slice of a slot's KTX 2 array; null for an ordinary image. */
   getSlice(slot: LayerSlot): number | null {
     const slice = this.get(`${slot}Slice`)
     return slice === NO_SLICE ? null : slice
   }
 
-  /** Sets the slice of the slot's texture if that is a KTX 2 array; null for an ordinary image. */
+  /** Sets the slice of a slot's KTX 2 array; null for an ordinary image. */
   setSlice(slot: LayerSlot, slice: number | null): this {
     return this.set(`${slot}Slice`, slice ?? NO_SLICE)
   }
 
-  /** Texture coordinates and sampler of a slot; null while it has no texture. */
+  /** Returns texture coordinates and sampler of a slot; null without a texture. */
   getTextureInfo(slot: LayerSlot): TextureInfo | null {
     return this.getRef(slot) ? this.getRef(`${slot}Info`) : null
   }
 
-  /** The factor on x and y of the normals. */
+  /** Returns the factor for x and y of the normals. */
   getNormalScale(): number {
     return this.get('normalScale')
   }
 
-  /** Sets the factor on x and y of the normals. */
+  /** Sets the factor for x and y of the normals. */
   setNormalScale(scale: number): this {
     return this.set('normalScale', scale)
   }
 
-  /** The strength of the occlusion, 0 = none, 1 = as in the map. */
+  /** Returns the strength of the occlusion, 0 = none, 1 = as in the map. */
   getOcclusionStrength(): number {
     return this.get('occlusionStrength')
   }
@@ -160,32 +160,32 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
     return this.set('occlusionStrength', strength)
   }
 
-  /** Metres from black to white of the height map. */
+  /** Returns the range of the height map from black to white, metres. */
   getHeightAmplitude(): number {
     return this.get('heightAmplitude')
   }
 
-  /** Sets the metres from black to white of the height map. */
+  /** Sets the range of the height map from black to white, metres. */
   setHeightAmplitude(metres: number): this {
     return this.set('heightAmplitude', metres)
   }
 
-  /** Optical depth that green light gains from 128 to 255 of the blood map. */
+  /** Returns the optical depth of green at 255 in the blood map. */
   getBloodAmplitude(): number {
     return this.get('bloodAmplitude')
   }
 
-  /** Sets the optical depth that green light gains from 128 to 255 of the blood map, 0 to 2. */
+  /** Sets the optical depth of green at 255 in the blood map, 0..2. */
   setBloodAmplitude(depth: number): this {
     return this.set('bloodAmplitude', depth)
   }
 
-  /** Fields of the JSON that are unknown to this version; they are written back unchanged. */
+  /** Returns unknown fields of the JSON, which are written back unchanged. */
   getUnknownFields(): Record<string, unknown> {
     return JSON.parse(this.get('unknownFields'))
   }
 
-  /** Replaces the unknown fields with a copy of these, which must be plain JSON. */
+  /** Replaces the unknown fields by a copy. Fields must be plain JSON. */
   setUnknownFields(fields: Record<string, unknown>): this {
     return this.set('unknownFields', JSON.stringify(fields))
   }

@@ -8,10 +8,10 @@ import { LAYER_SLOTS, type LayerSlot, type WrinkleLayer } from './wrinkle-layer.
 type Json = Record<string, unknown>
 
 /**
- * The extension's JSON of one material; defaults are left out.
+ * Writes the extension's JSON of one material, without defaults.
  *
- * @param who names the material in errors.
- * @throws FurrowError when a texture or layer is missing, or a value is invalid.
+ * @param who name of the material in errors.
+ * @throws FurrowError if a texture or layer is missing, or a value is invalid.
  */
 export function writeMaterialWrinkles(context: WriterContext, wrinkles: MaterialWrinkles, who: string): Json {
   const layers = wrinkles.listLayers()
@@ -65,7 +65,7 @@ function writeArea(
   const json: Json = { ...area.getUnknownFields(), ...context.createPropertyDef(area) }
   const own = area.getLayer()
   const layer = own ? layers.indexOf(own) : 0
-  if (layer < 0) throw missing(who, 'area', area, 'layer among those of its material')
+  if (layer < 0) throw missing(who, 'area', area, 'layer of the same material')
   if (layer > 0) json.layer = layer
   const info = textureInfo(context, area.getTexture(), area.getTextureInfo())
   if (!info) throw missing(who, 'area', area, 'texture')
@@ -76,15 +76,15 @@ function writeArea(
   return json
 }
 
-/** Returns the object that the context keeps: other extensions may still add to it. */
+/** Returns the definition in the context, which other extensions may still modify. */
 function textureInfo(context: WriterContext, texture: Texture | null, info: TextureInfo | null) {
   return texture && info && context.createTextureInfoDef(texture, info)
 }
 
-function missing(who: string, kind: string, property: Property, what: string): FurrowError {
+function missing(who: string, kind: string, property: Property, part: string): FurrowError {
   return new FurrowError({
     who,
-    problem: `${kind} "${property.getName()}" has no ${what}`,
-    remedy: `give it one, or remove the ${kind}`,
+    problem: `${kind} "${property.getName()}" has no ${part}`,
+    remedy: `set a ${part}, or remove the ${kind}`,
   })
 }

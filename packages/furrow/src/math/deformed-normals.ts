@@ -1,7 +1,7 @@
 import { triangleNormal } from './triangle.ts'
 import { weldVertices } from './weld.ts'
 
-/** A mesh at rest. It is not changed, and its arrays are not kept. */
+/** A mesh at rest; its arrays are copied. */
 export interface RestMesh {
   /** x, y and z of each vertex. */
   positions: ArrayLike<number>
@@ -14,17 +14,17 @@ export interface RestMesh {
 /** Squared length of a sum of normals below which a point has no direction. */
 export const NO_DIRECTION = 1e-24
 
-/** Cosine below which a rotation counts as half a turn, for which there is no shortest arc. */
+/** Cosine below which a rotation counts as half a turn, which has no unique shortest arc. */
 export const HALF_TURN = -0.9999
 
-/** Of the triangle in hand. Reused, so that updates allocate nothing. */
+/** Scratch normal of a triangle, so that updates allocate nothing. */
 const normal = new Float64Array(3)
 
 /**
- * Sums the area-weighted normals of the triangles round each point; each counts with twice its area.
+ * Sums the normals of the triangles around each point, weighted by twice the area.
  *
- * @param sums takes x, y and z of each point.
- * @param pointOf of `weldVertices`.
+ * @param sums receives xyz of each point.
+ * @param pointOf point of each vertex, from `weldVertices`.
  */
 export function sumNormals(
   sums: Float64Array,
@@ -60,9 +60,9 @@ export function morphNormalDeltas(mesh: RestMesh): (offsets: ArrayLike<number>) 
 }
 
 /**
- * Shading normals of a deforming mesh. Vertices with the same position at rest share one direction, the area-weighted sum of the normals
- * of the triangles round it, so that neither texture seams nor hard edges open. Each authored normal is rotated as that direction
- * rotates from rest, by the shortest arc, so that authored normals survive. Updates allocate nothing.
+ * Shading normals of a deforming mesh. Vertices with the same rest position share a direction, the area-weighted sum of adjacent triangle
+ * normals, so that seams and hard edges stay closed. Each authored normal is rotated by the shortest arc between the rest and current
+ * directions. Updates allocate nothing.
  */
 export class DeformedNormals {
   readonly #rest: Float32Array
@@ -86,8 +86,8 @@ export class DeformedNormals {
   /**
    * Computes the normals of the deformed mesh. A vertex without a direction, at rest or now, keeps its authored normal.
    *
-   * @param positions of all vertices now.
-   * @param normals takes the unit normal of each.
+   * @param positions current positions of all vertices.
+   * @param normals receives the unit normals.
    */
   update(positions: ArrayLike<number>, normals: Float32Array): void {
     sumNormals(this.#to, positions, this.#triangles, this.#pointOf)
@@ -96,9 +96,9 @@ export class DeformedNormals {
   }
 
   /**
-   * Rotates other directions at the vertices as the last update rotated the normals, e.g. tangents.
+   * Rotates other directions at the vertices, e.g. tangents, as the last update rotated the normals.
    *
-   * @param directions x, y and z every `stride` numbers; changed.
+   * @param directions xyz every `stride` numbers; modified.
    */
   rotate(directions: Float32Array, stride: number): void {
     for (let i = 0; i < this.#pointOf.length; i++) this.#rotate(directions, stride * i, 3 * this.#pointOf[i])

@@ -1,7 +1,7 @@
 /**
- * Elementary functions that give the same bits in every JavaScript engine, so that automatic wrinkles are the same file wherever they
- * are made: the standard leaves the rounding of `Math.sin` and others to each engine. Only `+ - * /` and `Math.sqrt` are rounded
- * exactly. The polynomials are those of fdlibm (Sun Microsystems, 1993), with an error below one unit in the last place.
+ * Elementary functions with the same bits in every JavaScript engine, so that automatic wrinkles are reproducible. The standard leaves the
+ * rounding of `Math.sin` and others to engines; only `+ - * /` and `Math.sqrt` are exact. The polynomials are those of fdlibm (Sun
+ * Microsystems, 1993), with an error below one unit in the last place.
  */
 
 const PI_LOW = 1.2246467991473532e-16

@@ -1,9 +1,9 @@
 type Range = [least: number, largest: number]
 
-/** Of the u and v of a mesh. */
+/** Ranges of u and v in a mesh. */
 export type UvRanges = readonly [u: Range, v: Range]
 
-/** @param read one coordinate of a vertex: 0 is u, 1 is v. */
+/** @param read returns a coordinate of a vertex: axis 0 is u, 1 is v. */
 export function uvRanges(vertices: number, read: (vertex: number, axis: number) => number): UvRanges {
   const rangeOf = (axis: number) => {
     const range: Range = [Infinity, -Infinity]
@@ -18,8 +18,8 @@ export function uvRanges(vertices: number, read: (vertex: number, axis: number) 
 }
 
 /**
- * Whether texture coordinates leave 0..1 somewhere on a mesh, and so wrap: neighbouring pixels may then be at opposite edges of its maps.
- * True of all that a rotated map may have so. A map has the coordinates u and v at a u + b v + c and d u + e v + f.
+ * Whether texture coordinates may leave 0..1 on a mesh, so that neighbouring pixels can sample opposite edges of a map. Conservative for
+ * rotated maps. The map is sampled at (a u + b v + c, d u + e v + f).
  */
 export function isTiledBy(
   ranges: UvRanges,
@@ -30,7 +30,7 @@ export function isTiledBy(
   e: number,
   f: number,
 ): boolean {
-  // Without closures: Babylon.js asks in every frame.
+  // No closures, because Babylon.js calls this every frame.
   for (let corner = 0; corner < 4; corner++) {
     const u = ranges[0][corner & 1]
     const v = ranges[1][corner >> 1]

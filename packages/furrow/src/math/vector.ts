@@ -19,8 +19,8 @@ export function length(v: ArrayLike<number>): number {
 }
 
 /**
- * The length of a vector, of finite coordinates: `Math.hypot` of V8 to the last bit, which scales by the largest coordinate and adds by Kahan's
- * summation. The standard leaves its rounding to each engine, and a call of it costs ten times as much.
+ * Computes the length of a vector with finite coordinates. Matches `Math.hypot` of V8 bit by bit: scales by the largest coordinate, with
+ * Kahan summation. The built-in is ten times slower, and its rounding depends on the engine.
  */
 export function length3(x: number, y: number, z: number): number {
   const largest = Math.max(Math.abs(x), Math.abs(y), Math.abs(z))

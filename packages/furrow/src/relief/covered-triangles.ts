@@ -10,7 +10,7 @@ export function coveredTriangles(mesh: CoarseMesh, mask: Mask): Uint8Array {
   return Uint8Array.from({ length: Math.floor(mesh.triangles.length / 3) }, (_, t) => Number(isCovered(t)))
 }
 
-/** The same of one triangle after the other. */
+/** Creates a test of whether a mask covers a triangle. */
 export function coverage(
   { uvs, triangles }: CoarseMesh,
   { width, height, data }: Mask,
@@ -26,14 +26,14 @@ export function coverage(
     if (!corners.every(Number.isFinite)) return false
     moveIntoTexture(corners, width, height)
     any = 0
-    // A triangle smaller than a texel covers no centre: its corners have some.
+    // A triangle smaller than a texel covers no texel centre, so the corners are tested too.
     for (let k = 0; k < 6; k += 2) visit(Math.round(corners[k]), Math.round(corners[k + 1]))
     if (!any) rasterize(corners, 0, visit, box)
     return any > 0
   }
 }
 
-/** Halvings of each edge of the triangles, see `splitMesh`: as many as there may be where they are covered, none elsewhere. */
+/** Returns the maximum halvings for edges of covered triangles and 0 for others, see `splitMesh`. */
 export function mostHalvings(covered: Uint8Array): Float32Array {
   return Float32Array.from(
     { length: 3 * covered.length },

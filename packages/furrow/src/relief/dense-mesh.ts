@@ -1,26 +1,25 @@
 /**
- * A mesh whose triangles have been split. Each vertex lies in a triangle of the coarse mesh: it follows that as it deforms, so that
- * neither blendshapes nor skinning are needed for it. Vertices that meet at a seam of the texture have equal `parents`, `weights` and
- * `uvs`, to the bit: computed from these alone, the surface has no cracks.
+ * A mesh of split triangles. Each vertex follows a triangle of the coarse mesh, so it needs no blendshapes or skinning. Vertices at a
+ * texture seam have bit-identical `parents`, `weights` and `uvs`; a surface computed from these has no cracks.
  */
 export interface DenseMesh {
   /** Number of vertices; the coarse mesh's own come first. */
   count: number
   /** Three vertices each. */
   triangles: Uint32Array
-  /** The triangles of coarser versions of the surface, of some of the same vertices. */
+  /** Triangles of coarser versions of the surface, which use a subset of the vertices. */
   coarser: Uint32Array[]
-  /** Three vertices of the coarse mesh for each vertex, each the first at its position: for the surface. */
+  /** Three coarse vertices per vertex, each the first at its position; for positions. */
   parents: Uint32Array
-  /** The same three corners as the triangle itself has them: for what differs at seams, such as shading normals and texture coordinates. */
+  /** Corners of the coarse triangle, for attributes that differ at seams, such as shading normals and texture coordinates. */
   corners: Uint32Array
-  /** Barycentric coordinates for the three, multiples of a power of two; their sum is 1. */
+  /** Barycentric coordinates of the three corners, multiples of a power of two; the sum is 1. */
   weights: Float32Array
-  /** Texture coordinates at which heights are read, two pairs: those of both sides of a seam, whose mean is the height there. */
+  /** Two pairs of texture coordinates, one per side of a seam; the height is the mean of both samples. */
   uvs: Float32Array
-  /** Of each vertex of the coarse mesh the first one at its position. */
+  /** By coarse vertex: the first vertex at its position. */
   firstOf: Uint32Array
-  /** Length of the edges that was aimed at, in metres: longer than asked for where the budget would not do. */
+  /** Target edge length in metres, increased to fit the budget. */
   edge: number
 }
 
@@ -58,8 +57,8 @@ export class DenseBuilder {
   readonly #versions: Numbers<Uint32Array>[]
 
   /**
-   * @param firstOf of each coarse vertex the first one at its position.
-   * @param versions of the surface.
+   * @param firstOf by coarse vertex: the first vertex at its position.
+   * @param versions number of versions of the surface.
    */
   constructor(firstOf: Uint32Array, versions: number) {
     this.#firstOf = firstOf

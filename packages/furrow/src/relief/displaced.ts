@@ -19,9 +19,9 @@ export interface DeformedMesh {
 }
 
 /**
- * How far heights move the surface outwards: those of all layers, each as far as it shows.
+ * Computes the outward displacement by the heights of all layers.
  *
- * @param layers of each the influence, 0..1; the height, 0..1, 0.5 = the surface; and the metres from 0 to 1.
+ * @param layers influence, 0..1; height, 0..1, 0.5 = undisplaced; and amplitude, metres from height 0 to 1.
  * @returns metres.
  */
 export function displacement(
@@ -34,12 +34,12 @@ export function displacement(
 }
 
 /**
- * Displaces a dense mesh: every vertex is put on its coarse triangle as that is deformed, curved by Phong tessellation, and moved along
- * the smooth normal.
+ * Displaces a dense mesh. Every vertex is placed on its deformed coarse triangle, curved by Phong tessellation, and moved along the smooth
+ * normal.
  *
- * @param heightAt metres outwards at a point of the texture.
- * @param room metres in either direction at most, of each coarse vertex, see `outwardRoom`; where there is next to none, the surface is not
- *   curved either, since other meshes may adjoin.
+ * @param heightAt returns the outward displacement at texture coordinates, metres.
+ * @param room maximum displacement in either direction by coarse vertex, metres, see `outwardRoom`. The surface is not curved where there is
+ *   almost no room, because other meshes may adjoin.
  * @param amount 0 = the coarse mesh, 1 = full relief.
  * @returns x, y and z of each dense vertex.
  */
@@ -79,7 +79,7 @@ export function displace(
   return out
 }
 
-/** Of each first vertex the mean direction of all normals at its position; its own where they cancel out. */
+/** Returns the mean normal at the position of each first vertex; the vertex's own normal if they cancel out. */
 export function smoothNormals(normals: ArrayLike<number>, firstOf: ArrayLike<number>): Float64Array {
   const sums = new Float64Array(normals.length)
   for (let i = 0; i < firstOf.length; i++) {

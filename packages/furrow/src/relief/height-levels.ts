@@ -2,14 +2,14 @@ import { triangleNormal, uvArea } from '../math/triangle.ts'
 import type { CoarseMesh } from './coarse-mesh.ts'
 
 /**
- * Finds the mipmap level of heights whose texels are half as wide as the space between vertices: what is narrower would show as single
- * vertices that happen to be in it (L. Williams, "Pyramidal Parametrics", 1983). Texels as wide as that space would take three quarters
- * of the finest waves that the vertices can show, these take a quarter: mipmaps filter twice, when they are made and between texels.
+ * Finds the mipmap level whose texels are half as wide as the space between vertices. Narrower details would show as isolated vertices
+ * (L. Williams, "Pyramidal Parametrics", 1983). Texels as wide as the space would remove three quarters of the finest waves that vertices
+ * can show, because mipmaps filter twice; these remove a quarter.
  *
- * @param firstOf of each vertex the first one at its position, see `firstVertices`.
- * @param edge metres between vertices.
- * @param map size of the heights in texels.
- * @returns the level at each vertex, 0 = the heights themselves; the same for all at one position.
+ * @param firstOf by vertex: the first vertex at its position, see `firstVertices`.
+ * @param edge distance between vertices, metres.
+ * @param map size of the height map in texels.
+ * @returns level at each vertex, 0 = full resolution; equal for all vertices at one position.
  */
 export function heightLevels(
   { positions, uvs, triangles }: CoarseMesh,

@@ -6,26 +6,26 @@ import { type HeightField, raisedTexels } from './height-fields.ts'
 import { MAX_LEVEL, nextCorner } from './welded-edges.ts'
 
 /**
- * Metres by which a surface may miss its heights, in each version of it: less than half a pixel where a millimetre is 10 pixels, and a
- * head 2,000; where it is 5; and where it is 2.5. Most of a face with automatic wrinkles is flat enough as it is.
+ * Maximum error of the surface in metres, for each version: less than half a pixel at 10, 5 and 2.5 pixels per millimetre. At 10, a head is
+ * 2,000 pixels high.
  */
 export const TOLERANCES = [0.00004, 0.00008, 0.00016] as const
 
-/** Of what a surface may miss its heights by, what edges may: inside an equilateral triangle, a sphere through its corners is 4/3 as far off. */
+/** Share of the maximum error allowed on edges: a sphere through the corners of an equilateral triangle is 4/3 as far off inside. */
 const ON_EDGES = 3 / 4
 
 /** Halvings of heights at most that are tried, in as many steps as there are texels. */
 const MOST = 5
 
 /**
- * Finds how often each edge of each triangle is to be halved, so that planes between its points follow the surface: the heights, and how it
- * is curved where it moves. An edge is halved as often as lines parallel to it take: a triangle is split across a fold, and not along it. A flat
- * triangle between whose corners heights rise evenly is not split at all.
+ * Computes how often to halve each edge of each triangle, so that the mesh follows the heights and the curvature of the surface. An edge is
+ * halved as often as parallel lines inside the triangle require: triangles are split across folds, not along them. Triangles with linear
+ * heights are not split.
  *
  * @param normals unit normals at rest.
- * @param levels of the heights' mipmaps, at each vertex, see `heightLevels`.
- * @returns halvings from each corner of each triangle to the next, for each of the tolerances. They are real numbers: an edge that is to be
- *   halved 1.5 times is halved twice, and lines across the triangle that are a little longer than its halves need not be halved again.
+ * @param levels mipmap level of the heights at each vertex, see `heightLevels`.
+ * @returns halvings of the edge from each corner to the next, for each tolerance. Values are fractional: an edge with 1.5 is halved twice,
+ *   but inner lines slightly longer than its halves are not halved again.
  */
 export function* neededHalvings(
   mesh: CoarseMesh,
@@ -122,7 +122,7 @@ class Grid {
   readonly #field: HeightField
   #steps = 1
   readonly #values = new Float64Array((2 ** MOST + 1) ** 2)
-  /** Of each edge, where its row begins, and how far it is to the next value of the row, and to the next row. */
+  /** By edge: start of its row, step to the next value, and step to the next row. */
   readonly #from = new Int32Array(3)
   readonly #along = new Int32Array(3)
   readonly #across = new Int32Array(3)

@@ -3,26 +3,26 @@ import { ROOM_TO_CURVE, smoothNormals } from './displaced.ts'
 import { PairNumbers } from './pair-numbers.ts'
 import { nextCorner } from './welded-edges.ts'
 
-/** Of the gap between two surfaces, how much each may fill. */
+/** Share of the gap between two surfaces that each may fill. */
 const OF_GAP = 0.4
 
 /** Metres outwards per metre from a rim. */
 const FROM_RIM = 0.25
 
-/** Metres outwards at most, where nothing is in the way: more than any skin folds. */
+/** Maximum outward displacement without obstacles, metres: more than any skin fold. */
 const AMPLE = 0.01
 
 /** Cosine of the angle between two normals beyond which surfaces face each other, or an edge is a rim. */
 const OPPOSED = -0.2
 
 /**
- * How far a surface may bulge at each vertex without touching another part of it. Lips face each other: each may fill less than half of
- * the gap. Rims, as those of lids, come to lie on others when the face moves: they do not bulge, and skin near them little.
+ * Computes how far a surface may bulge at each vertex without touching itself. Lips face each other, so each may fill less than half of the
+ * gap. Rims, such as those of eyelids, touch other parts when the face moves, so the room is 0 there and grows with the distance.
  *
  * @param normals unit normals at rest.
- * @param firstOf of each vertex the first one at its position, see `firstVertices`.
- * @param reach metres, the largest displacement: parts that leave more room do not matter.
- * @returns metres outwards, at each vertex: a generator, so that a page may spread the work over frames.
+ * @param firstOf by vertex: the first vertex at its position, see `firstVertices`.
+ * @param reach largest displacement, metres; more room need not be measured.
+ * @returns outward room at each vertex, metres. A generator, so that a page may spread the work over frames.
  */
 export function* outwardRoom(
   { positions, triangles }: CoarseMesh,
@@ -167,7 +167,7 @@ class PointGrid {
     return x * x + y * y + z * z
   }
 
-  /** Of a cube, or the free one where it has no points. */
+  /** Returns the slot of a cube, or a free slot if the cube has no points. */
   #slotOf(x: number, y: number, z: number): number {
     const h = Math.imul(x, 0x9e3779b1) ^ Math.imul(y, 0x85ebca6b) ^ Math.imul(z, 0xc2b2ae35)
     const mask = this.#last.length - 1

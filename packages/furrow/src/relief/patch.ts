@@ -10,7 +10,7 @@ interface Point {
   index: number
 }
 
-/** What a patch is split by. */
+/** Rules for splitting a patch. */
 export interface PatchRules {
   /** Vertices of the three corners. */
   corners: readonly [number, number, number]

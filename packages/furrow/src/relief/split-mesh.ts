@@ -175,9 +175,9 @@ class Splitter {
 }
 
 /**
- * The square, times that of `WHOLE`, of how many parts a step within a triangle is to be split into: its length in the metric in which the
- * edges are as long as they need parts. In it, all edges of the split triangle are to be shorter than 1 (P.-L. George, H. Borouchaki,
- * "Delaunay Triangulation and Meshing", 1998).
+ * Returns the squared number of parts that a step within a triangle needs, times the square of `WHOLE`. This is the squared length in the
+ * metric whose edge lengths are their numbers of parts, in which edges of the split triangle must be shorter than 1 (P.-L. George,
+ * H. Borouchaki, "Delaunay Triangulation and Meshing", 1998).
  *
  * @param first the first of the three edges' halvings.
  */
@@ -202,7 +202,7 @@ function squaredLengths(
   return (dx, dy) => dx * dx * xx + 2 * dx * dy * xy + dy * dy * yy
 }
 
-/** Of each first vertex two of the texture coordinates at its position, the same for all vertices there. */
+/** Returns two texture coordinates for each first vertex, shared by all vertices at its position. */
 function uvsOfPoints({ uvs }: CoarseMesh, firstOf: Uint32Array): Float64Array {
   const found = new Float64Array(4 * firstOf.length)
   for (let vertex = 0; vertex < firstOf.length; vertex++) {

@@ -13,7 +13,7 @@ const PER_EDGE = 8
  * the end whose first vertex comes first.
  */
 export class WeldedEdges {
-  /** Of each vertex the first one at its position: all of them move as that does. */
+  /** By vertex: the first vertex at its position, which all of them follow. */
   readonly firstOf: Uint32Array
   /** The edge from each corner of each triangle to the next. */
   readonly edgeOf: Uint32Array
@@ -79,7 +79,7 @@ export class WeldedEdges {
     return levels
   }
 
-  /** Of all texture coordinates of an edge, those that come first and last in an order, whichever it is. */
+  /** Keeps the smallest and largest texture coordinates of an edge, in lexicographic order. */
   #addUvs(uvs: ArrayLike<number>, edge: number, from: number, to: number, isNew: boolean): void {
     const own = this.#own
     own[0] = uvs[2 * from]
@@ -107,7 +107,7 @@ export function nextCorner(corner: number): number {
   return corner % 3 === 2 ? corner - 2 : corner + 1
 }
 
-/** Of each vertex the first one at its position. */
+/** Returns the first vertex at the position of each vertex. */
 export function firstVertices(positions: ArrayLike<number>): Uint32Array {
   const { pointOf, count } = weldVertices(positions)
   const first = new Uint32Array(count)

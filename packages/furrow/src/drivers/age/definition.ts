@@ -3,18 +3,18 @@ import type { Curve } from '../curve.ts'
 import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
 
-/** Activates an area by the person's age: wrinkles that stay. */
+/** Activates an area by the person's age, for permanent wrinkles. */
 export interface AgeDriver {
   type: 'age'
   /** Name of the area. */
   area: string
   /** Points [years, activation]. */
   curve: Curve
-  /** Years until the application sets the input, -1000..1000, 20 by default. Of several drivers the first counts. */
+  /** Age in years until the application sets the input, -1000..1000; default 20. With several drivers, the first one counts. */
   initial?: number
 }
 
-/** Range of ages, in years, that wrinkles are drawn for. A face is `youngest` until the application sets the input `age`, unless its drivers say otherwise. */
+/** Range of ages in years. `youngest` is the default until the application sets the input `age`. */
 export const AGES = { youngest: 20, oldest: 80 } as const
 
 export const age: DriverDefinition<AgeDriver> = {

@@ -6,9 +6,9 @@ import { type Link, linksTo } from '../link.ts'
 /** Activates an area by other areas: links to their activations, combined by the rule and passed through the curve. */
 export interface AreaDriver {
   type: 'area'
-  /** Name of the area that is activated. */
+  /** Name of the activated area. */
   area: string
-  /** The areas that are read. */
+  /** Areas to read. */
   areas: Link[]
   rule: Rule
   /** Outputs are activations, 0..1. */

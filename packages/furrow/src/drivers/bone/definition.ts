@@ -2,16 +2,16 @@ import type { Curve } from '../curve.ts'
 import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
 
-/** Activates an area by a joint: by how far it is rotated, or how far it is from another. */
+/** Activates an area by the rotation of a joint, or by its distance from another joint. */
 export interface BoneDriver {
   type: 'bone'
   /** Name of the area. */
   area: string
-  /** Names of two nodes: the one that the joint is measured from, and the joint. */
+  /** Names of two nodes: the reference and the joint. */
   joints: [from: string, joint: string]
-  /** `angle`: radians by which the joint is rotated from its rest pose, relative to the other. `distance`: metres between the two. */
+  /** `angle`: rotation from the rest pose relative to the reference, radians. `distance`: distance between the two, metres. */
   measure: 'angle' | 'distance'
-  /** Of an angle: measure the signed rotation about this axis only, in the frame of the joint at rest; about any axis by default. */
+  /** Angle only: axis of the signed rotation, in the rest frame of the joint. Default: total rotation. */
   axis?: [number, number, number]
   /** Points [radians or metres, activation]. */
   curve: Curve

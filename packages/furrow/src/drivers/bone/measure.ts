@@ -1,6 +1,6 @@
 import type { InputOf } from '../activation.ts'
 
-/** Numbers per 4 x 4 matrix; column-major, like three.js's `Matrix4.elements`. */
+/** Numbers per 4 x 4 matrix, column-major like `Matrix4.elements` of three.js. */
 export const MATRIX = 16
 
 type JointInput = InputOf<'joint'>
@@ -10,28 +10,25 @@ interface BoundJoint {
   /** Offsets of the two joints' matrices. */
   from: number
   joint: number
-  /** Rotation of the joint at rest relative to the other: 3 x 3, column-major. */
+  /** Rest rotation of the joint relative to the reference: 3 x 3, column-major. */
   rest: Float64Array
-  /** Of unit length, in the frame of the joint at rest. */
+  /** Unit vector in the rest frame of the joint. */
   axis: readonly number[] | null
   measure: JointInput['measure']
 }
 
-/**
- * Measures joints: the angle, in radians, by which one is rotated from its rest pose relative to another, or the distance between the
- * two in metres. `measure` allocates nothing.
- */
+/** Measures rotations of joints in radians, and distances between joints in metres. `measure` allocates nothing. */
 export class JointMeasurement {
-  /** Per input: the joints that the model lacks, for warnings. Such an input is not measured. */
+  /** Per input: missing joints, for warnings. Inputs with missing joints are not measured. */
   readonly missing: readonly (readonly string[])[]
   readonly #bound: readonly (BoundJoint | null)[]
   readonly #rotation = new Float64Array(9)
 
   /**
-   * @param inputs what to measure, as in `DriverPlan.inputs.joint`.
-   * @param joints names of the joints that exist, in the order of the matrices.
-   * @param restFor world matrices of all joints in the rest pose that an input is measured from: 16 numbers each, column-major, in metres;
-   *   scales are ignored.
+   * @param inputs inputs to measure, as in `DriverPlan.inputs.joint`.
+   * @param joints names of the existing joints, in the order of the matrices.
+   * @param restFor returns the world matrices of all joints in the rest pose of an input: 16 numbers each, column-major, metres. Scales
+   *   are ignored.
    */
   constructor(
     inputs: readonly JointInput[],
@@ -54,7 +51,7 @@ export class JointMeasurement {
   /**
    * Measures all inputs.
    *
-   * @param matrices current world matrices, in the same layout.
+   * @param matrices current world matrices, in the layout of `restFor`.
    * @param out receives one number per input.
    */
   measure(matrices: ArrayLike<number>, out: Float64Array): void {
@@ -66,19 +63,18 @@ export class JointMeasurement {
     }
   }
 
-  /** The angle of the current rotation composed with the inverse of that at rest. */
+  /** Measures the angle between the current rotation and the rest rotation. */
   #measureAngle(out: Float64Array, i: number, matrices: ArrayLike<number>, bound: BoundJoint): void {
     const { from, joint, rest, axis } = bound
     const current = this.#rotation
     relativeRotation(current, matrices, from, joint)
-    // The rotation is rest^T current, in the frame of the joint at rest; its antisymmetric part is the axis times the sine.
+    // The rotation is rest^T current, in the rest frame of the joint. Its antisymmetric part is the axis times the sine.
     const x = (dot(rest, 2, current, 1) - dot(rest, 1, current, 2)) / 2
     const y = (dot(rest, 0, current, 2) - dot(rest, 2, current, 0)) / 2
     const z = (dot(rest, 1, current, 0) - dot(rest, 0, current, 1)) / 2
     const cosine = (dot(rest, 0, current, 0) + dot(rest, 1, current, 1) + dot(rest, 2, current, 2) - 1) / 2
     if (axis) {
-      // The twist about the axis (swing-twist decomposition): as a quaternion the rotation is w = cos(angle / 2) and
-      // (x, y, z) / (2 w).
+      // Twist about the axis (swing-twist decomposition). As a quaternion, the rotation is w = cos(angle / 2) and (x, y, z) / (2 w).
       const along = x * axis[0] + y * axis[1] + z * axis[2]
       out[i] = 2 * Math.atan2(along / 2, Math.max(0, (1 + cosine) / 2))
     } else {
@@ -87,7 +83,7 @@ export class JointMeasurement {
   }
 }
 
-/** Dot product of two columns. */
+/** Returns the dot product of two columns. */
 function dot(a: Float64Array, i: number, b: Float64Array, j: number): number {
   return a[3 * i] * b[3 * j] + a[3 * i + 1] * b[3 * j + 1] + a[3 * i + 2] * b[3 * j + 2]
 }
@@ -104,7 +100,7 @@ function measureDistance(
   out[i] = Math.sqrt(x * x + y * y + z * z)
 }
 
-/** The rotation of one joint relative to another: from^T joint, of their normalised columns. */
+/** Computes the rotation of one joint relative to another: from^T joint, with normalised columns. */
 function relativeRotation(out: Float64Array, matrices: ArrayLike<number>, from: number, joint: number): void {
   for (let column = 0; column < 3; column++) {
     for (let row = 0; row < 3; row++) {

@@ -1,8 +1,8 @@
 import type { DriverDefinition } from '../definition.ts'
 
 /**
- * Two blendshapes that cancel each other, such as raising and lowering one brow: the smaller weight is subtracted from both before any
- * driver reads them. The mesh itself moves as before.
+ * Two blendshapes that cancel each other, such as raising and lowering one brow. The smaller weight is subtracted from both before drivers
+ * read them. The mesh itself is unaffected.
  */
 export interface ConflictDriver {
   type: 'conflict'

@@ -1,13 +1,13 @@
 import type { DriverDefinition } from '../definition.ts'
 
-/** A preset expression in a file, for `ExpressionPlayer`; it drives nothing by itself. */
+/** An expression in a file, for `ExpressionPlayer`. Activates nothing by itself. */
 export interface ExpressionDriver {
   type: 'expression'
   /** Name of the expression. */
   name: string
-  /** Blendshapes by name; others are 0. */
+  /** Blendshape weights by name; other blendshapes are 0. */
   targets: { name: string; weight: number }[]
-  /** Activations by area, 0..1, for areas that no other driver activates. */
+  /** Activations, 0..1, for areas without other drivers. */
   activations: { area: string; activation: number }[]
 }
 

@@ -2,7 +2,7 @@ import type { Curve } from '../curve.ts'
 import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
 
-/** Activates an area by a number that the application sets by name: stress, cold, loudness. */
+/** Activates an area by a custom input, such as stress, cold or loudness. */
 export interface InputDriver {
   type: 'input'
   /** Name of the input, as in `wrinkles.inputs.set(name, value)`; 0 until it is set. */

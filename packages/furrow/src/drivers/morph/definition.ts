@@ -8,7 +8,7 @@ export interface MorphDriver {
   type: 'morph'
   /** Name of the area. */
   area: string
-  /** The blendshapes that are read, in any spelling that `findTargets` knows. */
+  /** Blendshapes to read, in any spelling that `findTargets` knows. */
   targets: Link[]
   rule: Rule
   /** Outputs are activations, 0..1. */

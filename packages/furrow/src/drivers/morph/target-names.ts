@@ -4,11 +4,11 @@ import { ALIASES } from './aliases.ts'
 const PREFIXES = [/^.*\.(?=[^.]{2})/, /^M_F\d+(_\d+)*_/i, /^BS_/i]
 
 /**
- * Finds the morph targets of a mesh that a blendshape name means. Rigs spell the same shape `browOuterUpLeft`, `browOuterUp_L`,
- * `BrowOuterUp.L` or `blendShape1.browOuterUpLeft`, or have another name for it (`ALIASES`); some split a central shape in two
- * (`browInnerUp_L`, `browInnerUp_R`), and then both are meant.
+ * Finds the morph targets of a mesh for a blendshape name. Rigs spell a shape `browOuterUpLeft`, `browOuterUp_L`, `BrowOuterUp.L` or
+ * `blendShape1.browOuterUpLeft`, or use another name (`ALIASES`). If a rig splits a central shape (`browInnerUp_L`, `browInnerUp_R`), both
+ * are returned.
  *
- * @param name a name of the mesh, which takes precedence, or of the shape in any of these spellings.
+ * @param name name in any of these spellings; an exact match takes precedence.
  * @param targets names of the mesh's targets.
  * @returns indices into `targets`; empty if the mesh has no such shape.
  */
@@ -29,7 +29,7 @@ export function targetFinder(targets: readonly string[]): (name: string) => numb
   }
 }
 
-/** The canonical name of a blendshape: `blendShape1.browOuterUp_L` -> `browOuterUpLeft`. Of an unknown shape, its name without prefix. */
+/** Returns the canonical name of a blendshape, e.g. `browOuterUpLeft` for `blendShape1.browOuterUp_L`; otherwise the name without prefix. */
 export function canonicalTargetName(name: string): string {
   const known = CANONICAL.get(keyOf(name))
   if (known) return known
@@ -42,7 +42,7 @@ function withSide(name: string): string {
   return name.replace(/[_. -]L$/, 'Left').replace(/[_. -]R$/, 'Right')
 }
 
-/** The same for spellings that differ only in capitals and separators. */
+/** Returns a key that ignores capitals and separators. */
 function keyOf(name: string): string {
   const letters = withSide(name)
     .toLowerCase()

@@ -5,24 +5,24 @@ import { canonicalTargetName, targetFinder } from './target-names.ts'
 /** A blendshape that an expression moves, by its index in the file. */
 export interface ExpressionBind {
   index: number
-  /** Its weight where the expression has weight 1. */
+  /** Weight of the blendshape if the expression has weight 1. */
   weight: number
 }
 
 /**
- * Which blendshapes of a mesh the expressions of a VRM move: `morphTargetBinds` of VRM 1.0 (`VRMC_vrm`), `blendShapeGroups` of VRM 0
+ * Reads the blendshapes of a mesh that VRM expressions move: `morphTargetBinds` of VRM 1.0 (`VRMC_vrm`), `blendShapeGroups` of VRM 0
  * (`VRM`).
  *
- * @param json of the file, in which anything may be malformed: that moves nothing.
+ * @param json JSON of the file; malformed parts are ignored.
  * @param mesh index of the mesh in the file.
- * @returns what each moves, by the names that three-vrm gives to expressions: those of VRM 1.0.
+ * @returns blendshapes by expression name in VRM 1.0, as in three-vrm.
  */
 export function expressionBinds(json: unknown, mesh: number): Map<string, ExpressionBind[]> {
   const { extensions, nodes } = fieldsOf(json)
   const { VRMC_vrm, VRM } = fieldsOf(extensions)
   const found = new Map<string, ExpressionBind[]>()
   const add = (name: unknown, binds: Fields[], full: number) => {
-    // Of several with one name three-vrm takes the first.
+    // three-vrm takes the first of duplicate names.
     if (typeof name !== 'string' || found.has(name)) return
     found.set(
       name,
@@ -48,11 +48,7 @@ export function expressionBinds(json: unknown, mesh: number): Map<string, Expres
   return found
 }
 
-/**
- * The expressions of a VRM that move one blendshape of a mesh and no other one, fully.
- *
- * @returns their names by the index of the blendshape.
- */
+/** Returns the names of VRM expressions that fully move a single blendshape of a mesh, by blendshape index. */
 export function soleExpressions(json: unknown, mesh: number): Map<number, string> {
   const found = new Map<number, string>()
   for (const [name, [bind, ...others]] of expressionBinds(json, mesh))
@@ -61,9 +57,9 @@ export function soleExpressions(json: unknown, mesh: number): Map<number, string
 }
 
 /**
- * The expressions of a VRM that move blendshapes, in the order of the file.
+ * Reads the VRM expressions that move blendshapes, in the order of the file.
  *
- * @param json of the file, in which anything may be malformed: that moves nothing.
+ * @param json JSON of the file; malformed parts are ignored.
  */
 export function vrmExpressions(json: unknown): Expression[] {
   const found = new Map<string, Record<string, number>>()
@@ -87,7 +83,7 @@ export function vrmExpressions(json: unknown): Expression[] {
   )
 }
 
-/** Names of a mesh's blendshapes, as three.js's loader gives them: their indices where the file has none. */
+/** Returns the names of a mesh's blendshapes as three.js's loader does; indices if the file has no names. */
 export function writtenNames(mesh: unknown): string[] {
   const { primitives, extras } = fieldsOf(mesh)
   const { targets } = listOf(primitives)[0] ?? {}
@@ -97,7 +93,7 @@ export function writtenNames(mesh: unknown): string[] {
   return Array.from({ length: count }, (_, i) => String(isNamed ? names[i] : i))
 }
 
-/** Presets of VRM 0, and the expressions of VRM 1.0 that three-vrm makes of them (`VRMExpressionLoaderPlugin.v0v1PresetNameMap`). */
+/** Expressions of VRM 1.0 by VRM 0 preset, as in three-vrm (`VRMExpressionLoaderPlugin.v0v1PresetNameMap`). */
 const PRESETS: ReadonlyMap<unknown, string> = new Map(
   Object.entries({
     a: 'aa',

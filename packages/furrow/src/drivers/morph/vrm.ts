@@ -1,43 +1,40 @@
-/** The part of three-vrm's `VRMExpression` that is read. */
+/** Required part of three-vrm's `VRMExpression`. */
 export interface VrmExpression {
-  /** Its name. */
+  /** Name of the expression. */
   expressionName: string
-  /** Its weight before overrides, 0..1; 0 or 1 if it is binary. */
+  /** Weight before overrides, 0..1; 0 or 1 for binary expressions. */
   outputWeight: number
-  /** Whether its weight is only ever 0 or 1. */
+  /** Whether the weight is always 0 or 1. */
   isBinary: boolean
-  /** How much it suppresses expressions that blink, 0..1. */
+  /** Suppression of blink expressions, 0..1. */
   overrideBlinkAmount: number
-  /** How much it suppresses expressions that move the eyes, 0..1. */
+  /** Suppression of look-at expressions, 0..1. */
   overrideLookAtAmount: number
-  /** How much it suppresses expressions of the mouth, 0..1. */
+  /** Suppression of mouth expressions, 0..1. */
   overrideMouthAmount: number
 }
 
-/** The part of three-vrm's `VRMExpressionManager` that is read. */
+/** Required part of three-vrm's `VRMExpressionManager`. */
 export interface VrmExpressions {
   /** All expressions. */
   expressions: readonly VrmExpression[]
-  /** Names of those that each override suppresses. */
+  /** Names of expressions that the blink override suppresses. */
   blinkExpressionNames: readonly string[]
   lookAtExpressionNames: readonly string[]
   mouthExpressionNames: readonly string[]
 }
 
-/** Which of the three overrides an expression is subject to. */
+/** Override that suppresses an expression. */
 type Kind = 'blink' | 'lookAt' | 'mouth' | null
 
-/**
- * The weights of a VRM's expressions after their overrides (VRM 1.0, `VRMC_vrm` expressions), as they are drawn. `writeTo` allocates
- * nothing.
- */
+/** Weights of VRM expressions after overrides (VRM 1.0, `VRMC_vrm` expressions). `writeTo` allocates nothing. */
 export class VrmWeights {
-  /** Names of the expressions, in the order in which `writeTo` writes them. */
+  /** Names of the expressions, in the order of `writeTo`. */
   readonly names: readonly string[]
   readonly #expressions: readonly VrmExpression[]
   readonly #kinds: readonly Kind[]
 
-  /** @param manager its list of expressions is copied; weights are read in every `writeTo`. */
+  /** @param manager expression manager. The list of expressions is copied; weights are read in every `writeTo`. */
   constructor(manager: VrmExpressions) {
     this.#expressions = [...manager.expressions]
     this.names = this.#expressions.map(({ expressionName }) => expressionName)
@@ -51,8 +48,8 @@ export class VrmWeights {
   /**
    * Writes the current weights, 0..1.
    *
-   * @param weights receives one for each name.
-   * @param offset index of the first.
+   * @param weights receives one weight per name.
+   * @param offset index of the first weight.
    */
   writeTo(weights: Float32Array | Float64Array, offset: number): void {
     let blink = 1
@@ -68,7 +65,7 @@ export class VrmWeights {
       const kind = this.#kinds[i]
       const remaining = kind === 'blink' ? blink : kind === 'lookAt' ? lookAt : kind === 'mouth' ? mouth : 1
       const { outputWeight, isBinary } = this.#expressions[i]
-      // A binary expression is off as soon as anything overrides it.
+      // Any override turns a binary expression off.
       weights[offset + i] = isBinary && remaining < 1 ? 0 : outputWeight * Math.max(0, remaining)
     }
   }

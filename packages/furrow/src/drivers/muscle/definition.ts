@@ -4,30 +4,30 @@ import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
 
 /**
- * A virtual muscle (Waters 1987). It becomes a morph target of its name, which pulls the skin in its zone and whose weight is the
- * contraction; that activates its area. Positions are in metres, in the space of the mesh at rest.
+ * A virtual muscle (Waters 1987). It adds a morph target of its name that pulls the skin in its zone. The target's weight is the
+ * contraction and activates the area. Positions are in metres, in the space of the mesh at rest.
  */
 export interface MuscleDriver {
   type: 'muscle'
   /** Name of the muscle and its morph target. */
   name: string
-  /** Name of the area; if absent, the muscle only moves the skin. */
+  /** Optional name of the area; without it, the muscle only moves the skin. */
   area?: string
-  /** `linear`: a cone that converges at its origin; `sheet`: parallel fibres; `sphincter`: an ellipse that contracts to its centre. */
+  /** `linear`: cone that converges at the origin; `sheet`: parallel fibres; `sphincter`: ellipse that contracts to its centre. */
   kind: 'linear' | 'sheet' | 'sphincter'
-  /** Where it is attached to the bone; a sphincter's centre. */
+  /** Attachment to the bone, or centre of a sphincter. */
   origin: [number, number, number]
-  /** Where it is attached to the skin; the end of a sphincter's semi-axis. */
+  /** Attachment to the skin, or end of a sphincter's semi-axis. */
   insertion: [number, number, number]
-  /** Of a linear muscle: the angle from its axis to the edge of its zone, in radians, 0.001..1.57. */
+  /** Linear only: angle from the axis to the edge of the zone in radians, 0.001..1.57. */
   angle: number
-  /** Half the width of a sheet, or a sphincter's other semi-axis, in metres. */
+  /** Half the width of a sheet, or the other semi-axis of a sphincter, metres. */
   width: number
-  /** Where the pull is strongest, as a fraction of the distance from origin to insertion. */
+  /** Distance of the strongest pull, as a fraction of the distance from origin to insertion. */
   inner: number
-  /** Where the pull ends, as the same fraction; more than `inner`. */
+  /** Distance at which the pull ends, in the same unit; larger than `inner`. */
   outer: number
-  /** How far skin moves towards the origin at full contraction, as a fraction of its distance, -1..1. */
+  /** Movement towards the origin at full contraction, as a fraction of the distance to the origin, -1..1. */
   strength: number
 }
 

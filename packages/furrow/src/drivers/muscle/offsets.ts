@@ -4,12 +4,12 @@ import type { MuscleDriver } from './definition.ts'
 type Vector = readonly [number, number, number]
 
 /**
- * The displacement of each vertex at full contraction of a muscle; it is linear in the contraction, so a muscle is a morph target.
- * After K. Waters, "A Muscle Model for Animating Three-Dimensional Facial Expression", SIGGRAPH 1987, but with zones in units of the
- * muscle's length, and a fall-off to the edge of the angle that is continuous, unlike Waters' cosine.
+ * Computes the displacement of each vertex at full contraction of a muscle. It is linear in the contraction, so a muscle is a morph target.
+ * After K. Waters, "A Muscle Model for Animating Three-Dimensional Facial Expression", SIGGRAPH 1987. Zones are in units of the muscle's
+ * length, and the fall-off to the edge of the angle is continuous, unlike Waters' cosine.
  *
- * @param positions x, y and z of each vertex at rest, in metres, in the space of the muscle; not modified.
- * @returns x, y and z by which each moves; exactly 0 outside the zone.
+ * @param positions xyz of each vertex at rest, in metres, in the space of the muscle; not modified.
+ * @returns xyz displacement of each vertex; exactly 0 outside the zone.
  */
 export function muscleOffsets(muscle: MuscleDriver, positions: ArrayLike<number>): Float32Array {
   const offsets = new Float32Array(positions.length)
@@ -25,7 +25,7 @@ export function muscleOffsets(muscle: MuscleDriver, positions: ArrayLike<number>
   return offsets
 }
 
-/** Displacement of a vertex at strength 1; undefined outside the zone. */
+/** Computes the displacement of a vertex at strength 1; undefined outside the zone. */
 type Pull = (muscle: MuscleDriver, from: Vector, along: Vector, length: number) => Vector | undefined
 
 const PULLS: Record<MuscleDriver['kind'], Pull> = {
@@ -51,7 +51,7 @@ const PULLS: Record<MuscleDriver['kind'], Pull> = {
   },
 }
 
-/** 0 at the origin, 1 at `inner`, 0 from `outer` on; distances as fractions of the muscle's length. */
+/** Returns 0 at the origin, 1 at `inner` and 0 beyond `outer`; distances are fractions of the muscle's length. */
 function rise(muscle: MuscleDriver, distance: number): number {
   return distance > muscle.inner
     ? fallOff(muscle, distance)

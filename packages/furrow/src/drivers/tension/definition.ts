@@ -7,12 +7,9 @@ export interface TensionDriver {
   type: 'tension'
   /** Name of the area. */
   area: string
-  /** Fraction by which the skin is shortened, or lengthened. */
+  /** Measured strain: fraction by which the skin is shortened (`compression`) or lengthened (`stretch`). */
   measure: 'compression' | 'stretch'
-  /**
-   * Direction in texture coordinates along which it is measured: wrinkles lie across it (Nordenberg 2003).
-   * By default the principal one, wherever that points.
-   */
+  /** Direction of measurement in texture coordinates, across the wrinkles (Nordenberg 2003); default: the principal direction. */
   direction?: [u: number, v: number]
   /** Points [fraction, activation]. */
   curve: Curve

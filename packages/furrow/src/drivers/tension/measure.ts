@@ -18,21 +18,21 @@ interface BoundTension {
 }
 
 /**
- * Measures how far the skin under areas is compressed or stretched, whatever deforms it: the mean over an area's triangles of
- * 1 - their smaller principal stretch (`compression`), or of the larger one - 1 (`stretch`). Where an input has a direction, the stretch along
- * it takes the place of both. A rigid motion gives 0. `measure` allocates nothing.
+ * Measures the compression or stretch of the skin under areas, as a mean over triangles. Compression is 1 minus the smaller principal
+ * stretch, and stretch is the larger one minus 1. With a direction, the stretch along it replaces both. A rigid motion gives 0. The method
+ * `measure` allocates nothing.
  */
 export class TensionMeasurement {
-  /** Per input: `triangles` if its area has none, for warnings. Such an input is not measured. */
+  /** Per input: `triangles` if the area has none, for warnings. Inputs without triangles are not measured. */
   readonly missing: readonly (readonly string[])[]
   readonly #bound: readonly (BoundTension | null)[]
   readonly #stretches = new Float64Array(2)
 
   /**
-   * @param inputs what to measure, as in `DriverPlan.inputs.tension`.
-   * @param samples triangles of the inputs' areas; degenerate ones are left out.
-   * @param rest x, y and z of each vertex at rest, in any unit.
-   * @param uvs u and v of each vertex; inputs with a direction need them.
+   * @param inputs inputs to measure, as in `DriverPlan.inputs.tension`.
+   * @param samples triangles of the inputs' areas; degenerate triangles are skipped.
+   * @param rest xyz of each vertex at rest, in any unit.
+   * @param uvs u and v of each vertex; required for inputs with a direction.
    */
   constructor(
     inputs: readonly InputOf<'tension'>[],
@@ -55,8 +55,8 @@ export class TensionMeasurement {
   /**
    * Measures all inputs.
    *
-   * @param positions x, y and z of each vertex as deformed, in the unit of `rest`.
-   * @param out receives one number per input: a fraction of the length, negative for the opposite strain.
+   * @param positions xyz of each deformed vertex, in the unit of `rest`.
+   * @param out receives one fraction of the rest length per input, negative for the opposite strain.
    */
   measure(positions: ArrayLike<number>, out: Float64Array): void {
     for (let i = 0; i < this.#bound.length; i++) {
@@ -81,7 +81,7 @@ export class TensionMeasurement {
   }
 }
 
-/** Leaves out degenerate triangles. */
+/** Computes the rest matrices of triangles; skips degenerate ones. */
 function measureAtRest(triangles: ArrayLike<number>, rest: AtRest) {
   const [corners, inverses]: number[][] = [[], []]
   for (let k = 0; k + 2 < triangles.length; k += 3) {

@@ -1,21 +1,21 @@
 import { repeat } from '../../core/repeat.ts'
 import type { GrayImage } from '../../core/types.ts'
 
-/** The triangles of a mesh, and where areas are on them. */
+/** Triangles of a mesh, with the texture coordinates of areas. */
 export interface SampledMesh {
-  /** x, y and z of each vertex at rest. */
+  /** xyz of each vertex at rest. */
   positions: ArrayLike<number>
-  /** u and v of each vertex, v downwards, in the UV layout of the areas; they repeat outside 0..1. */
+  /** u and v of each vertex, v downwards, in the UV layout of the areas; repeat outside 0..1. */
   uvs: ArrayLike<number>
   /** Three indices of vertices per triangle. */
   triangles: ArrayLike<number>
 }
 
 /**
- * Samples triangles under an area, with a density proportional to surface times weight, so that their unweighted mean is the mean over
- * the area. A triangle may be sampled more than once.
+ * Samples triangles under an area with a density proportional to surface times weight, so that the unweighted mean of the samples is the
+ * mean over the area. A triangle may be sampled repeatedly.
  *
- * @param weights of the area, row 0 at v = 0.
+ * @param weights weights of the area, row 0 at v = 0.
  * @param count number of samples.
  * @returns three indices of vertices per sample; empty if the area covers no triangle.
  */
@@ -23,7 +23,7 @@ export function sampleTriangles(mesh: SampledMesh, weights: GrayImage, count: nu
   return sampleCovered(mesh, coverage(mesh, weights), count)
 }
 
-/** The same for an area whose coverage is known; empty if it is 0 everywhere. */
+/** `sampleTriangles` for known coverage; empty if the coverage is 0 everywhere. */
 export function sampleCovered({ triangles }: SampledMesh, covered: Float64Array, count: number): Uint32Array {
   let sum = 0
   const cumulative = covered.map((coverage) => {
@@ -40,7 +40,7 @@ export function sampleCovered({ triangles }: SampledMesh, covered: Float64Array,
   return Uint32Array.from(corners)
 }
 
-/** How much an area covers of each triangle: its weight at the centroid, 0..1, times the surface at rest. */
+/** Computes the coverage of each triangle by an area: weight at the centroid, 0..1, times the surface at rest. */
 export function coverage(mesh: SampledMesh, weights: GrayImage): Float64Array {
   return Float64Array.from(
     { length: mesh.triangles.length / 3 },
@@ -48,7 +48,7 @@ export function coverage(mesh: SampledMesh, weights: GrayImage): Float64Array {
   )
 }
 
-/** Weight of an area at a triangle's centroid, 0..1. */
+/** Returns the weight of an area at a triangle's centroid, 0..1. */
 function weightOf({ uvs, triangles }: SampledMesh, { width, height, data }: GrayImage, k: number): number {
   let [u, v] = [0, 0]
   for (let corner = 0; corner < 3; corner++) {
@@ -60,7 +60,7 @@ function weightOf({ uvs, triangles }: SampledMesh, { width, height, data }: Gray
   return data[texel(repeat(v), height) * width + texel(repeat(u), width)] / 255 || 0
 }
 
-/** Surface of a triangle at rest; 0 where a position is NaN or infinite. */
+/** Returns the surface of a triangle at rest; 0 if a position is NaN or infinite. */
 function surface({ positions, triangles }: SampledMesh, k: number): number {
   const edge = (corner: number, axis: number) =>
     positions[3 * triangles[3 * k + corner] + axis] - positions[3 * triangles[3 * k] + axis]

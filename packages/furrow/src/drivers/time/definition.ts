@@ -5,16 +5,16 @@ export interface TimeDriver {
   type: 'time'
   /** Name of the area. */
   area: string
-  /** Time constant while the activation rises, in seconds, 0..60: it covers 63% of the difference in that time. */
+  /** Time constant of a rising activation, seconds, 0..60: the time to cover 63% of the difference. */
   attack: number
-  /** The same while it falls. */
+  /** Time constant of a falling activation, seconds, 0..60. */
   release: number
 }
 
-/** Longest attack or release, in seconds. */
+/** Maximum attack or release, seconds. */
 const MAX_TIME = 60
 
-/** The difference decays exponentially, so that ten steps of 10 ms give the same as one of 100 ms. */
+/** Exponential decay, independent of the frame rate: ten steps of 10 ms equal one of 100 ms. */
 export const time: DriverDefinition<TimeDriver> = {
   type: 'time',
   read: (fields) => ({
