@@ -123,7 +123,12 @@ export class Fields {
     const [origin, insertion] = [point('origin'), point('insertion')]
     if (origin.some((value, i) => value !== insertion[i])) return { origin, insertion }
     const at = `${this.#at}.insertion`
-    this.#reader.fail(`${at} equals the origin`, insertion.join(', '), undefined, 'move one of the two points')
+    this.#reader.fail(
+      `${at} equals the origin`,
+      insertion.join(', '),
+      undefined,
+      'move one of the two points',
+    )
   }
 
   /** Reads `inner` and `outer` of a muscle: distances of the strongest pull and of its end, as fractions of the length. */

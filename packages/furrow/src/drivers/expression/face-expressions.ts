@@ -2,11 +2,13 @@ import type { Expression } from './expression.ts'
 import { EXPRESSIONS } from './presets.ts'
 
 /** Blendshapes that are complete expressions, by their names in VRM 1.0. */
-const EXPRESSION_SHAPES: readonly Expression[] = ['happy', 'angry', 'sad', 'relaxed', 'surprised'].map((name) => ({
-  name,
-  targets: { [name]: 1 },
-  activations: {},
-}))
+const EXPRESSION_SHAPES: readonly Expression[] = ['happy', 'angry', 'sad', 'relaxed', 'surprised'].map(
+  (name) => ({
+    name,
+    targets: { [name]: 1 },
+    activations: {},
+  }),
+)
 
 /** Properties of a face that decide its expressions. */
 export interface ExpressiveFace {
