@@ -112,8 +112,8 @@ const CASES: Record<string, CaseMaker> = {
     return { ...runs(autoCommand, input, '-o', output, ...small, ...options), faces: [{ output, input }] }
   },
   bake: (bases, random, folder) => {
-    const whole = folder.write('whole.glb', bases.faces.get('plain.glb')!)
-    const files = [writeDamaged(bases, random, folder), whole]
+    const intact = folder.write('whole.glb', bases.faces.get('plain.glb')!)
+    const files = [writeDamaged(bases, random, folder), intact]
     const outputs = ['-o', folder.path('out.png'), '--height', folder.path('height.png')]
     const small = ['--size', '32', '--samples', '1']
     return runs(bakeCommand, ...(random.chance(0.5) ? files : files.reverse()), ...outputs, ...small)

@@ -71,10 +71,10 @@ export async function intactFaces(): Promise<Map<string, Uint8Array>> {
 
 /** Makes files of all formats: first intact, then with one image damaged. */
 export async function damagedFaces(): Promise<DamagedFace[]> {
-  const whole = [...(await intactFaces())]
-  const faces = await Promise.all(whole.map(([name, bytes]) => validated(name, bytes)))
+  const intact = [...(await intactFaces())]
+  const faces = await Promise.all(intact.map(([name, bytes]) => validated(name, bytes)))
   for (let seed = 0; seed < FILES; seed++) {
-    const [name, original] = whole[seed % whole.length]!
+    const [name, original] = intact[seed % intact.length]!
     const { bytes, how } = damage(original, new Random(seed))
     faces.push(await validated(`${seed}: ${name}, ${how}`, bytes))
   }

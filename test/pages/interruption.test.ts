@@ -59,12 +59,12 @@ describe.each(chosen)('furrow %s', (name, args) => {
   const moments = MOMENTS ?? (DRAWING.includes(name) ? 2 : 4)
 
   it(`leaves all or nothing behind when interrupted at ${moments} moments`, async () => {
-    const whole = bench()
+    const complete = bench()
     const begin = performance.now()
-    await expectSuccess(start(whole, ...args))
+    await expectSuccess(start(complete, ...args))
     const duration = performance.now() - begin
-    const files = filesOf(whole)
-    await expectNothingElse(whole)
+    const files = filesOf(complete)
+    await expectNothingElse(complete)
     for (let moment = 0; moment < moments; moment++) {
       const folder = bench()
       const signal = SIGNALS[moment % SIGNALS.length]
@@ -145,11 +145,11 @@ async function expectSuccess(child: ChildProcess): Promise<void> {
 }
 
 /** Expects all outputs or none, and an exit by the signal. Shells report 128 + the signal's number. */
-async function expectEnd({ code, signal }: End, sent: NodeJS.Signals, folder: string, whole: string[]) {
+async function expectEnd({ code, signal }: End, sent: NodeJS.Signals, folder: string, complete: string[]) {
   if (signal === null) expect(code).toBe(0)
   else expect(signal).toBe(sent)
   const files = filesOf(folder)
-  if (signal === null || files.length > 0) expect(files).toEqual(whole)
+  if (signal === null || files.length > 0) expect(files).toEqual(complete)
   await expectNothingElse(folder)
 }
 

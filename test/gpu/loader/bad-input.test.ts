@@ -55,7 +55,7 @@ describe('images', () => {
   })
 
   it('are refused if truncated anywhere', async () => {
-    const whole = await png(
+    const intact = await png(
       64,
       64,
       8,
@@ -63,7 +63,7 @@ describe('images', () => {
       Uint8Array.from({ length: 4096 }, seeded(1)).map((_, i) => (i * 97) % 256),
     )
     for (let fraction = 0.05; fraction < 1; fraction += 0.1) {
-      const cut = whole.slice(0, Math.floor(whole.size * fraction))
+      const cut = intact.slice(0, Math.floor(intact.size * fraction))
       await expect(decodeImage(cut, 'area.png'), `${fraction}`).rejects.toThrow(
         /^area.png: (not a readable image|empty)/,
       )

@@ -29,7 +29,7 @@ describe.each(RENDERERS)('a normal map that the page removes or replaces, on %s'
     material.normalMap = map
     material.needsUpdate = true
   }
-  const nothingSaid = () => expect([console.warn.mock.calls, console.error.mock.calls]).toEqual([[], []])
+  const expectNoMessages = () => expect([console.warn.mock.calls, console.error.mock.calls]).toEqual([[], []])
 
   describe.each(MODES)('in %s mode', (mode) => {
     it('shows wrinkles on smooth skin and on another map', async () => {
@@ -45,7 +45,7 @@ describe.each(RENDERERS)('a normal map that the page removes or replaces, on %s'
       expect(largestDifference(onOther, onFirst)).toBeGreaterThan(10)
       exchange(material, other)
       expect(largestDifference(await picture(mesh), onOther)).toBeLessThanOrEqual(1)
-      nothingSaid()
+      expectNoMessages()
     })
 
     it('stays as the page set it', async () => {
@@ -62,7 +62,7 @@ describe.each(RENDERERS)('a normal map that the page removes or replaces, on %s'
       expect(material.normalMap).toBeNull()
       const plain = square(new MeshStandardMaterial({ color: 0xd0a080 }))
       expect(await picture(mesh)).toEqual(await picture(plain))
-      nothingSaid()
+      expectNoMessages()
     })
   })
 
@@ -78,7 +78,7 @@ describe.each(RENDERERS)('a normal map that the page removes or replaces, on %s'
     const { material, mesh } = wrinkled(place(normalMap(1, 16)), 'default')
     exchange(material, null)
     expect(largestDifference(await picture(mesh), expected)).toBeLessThanOrEqual(3)
-    nothingSaid()
+    expectNoMessages()
   })
 
   it("is still drawn in the paper's mode", async () => {
@@ -88,7 +88,7 @@ describe.each(RENDERERS)('a normal map that the page removes or replaces, on %s'
     expect(await picture(mesh)).toEqual(before)
     wrinkles.dispose()
     expect(material.normalMap).toBeNull()
-    nothingSaid()
+    expectNoMessages()
   })
 
   it('shows the influence at its new place', async () => {
@@ -101,6 +101,6 @@ describe.each(RENDERERS)('a normal map that the page removes or replaces, on %s'
     influence.dispose()
     mesh.material = wrinkles.createInfluenceMaterial() as MeshStandardMaterial
     expect(await picture(mesh)).toEqual(expected)
-    nothingSaid()
+    expectNoMessages()
   })
 })

@@ -42,19 +42,19 @@ const incline = ridge(
 
 describe('bakeMaps', () => {
   it.each([1, 4, 9, 16])('samples a plane exactly, %d rays per texel', (samples) => {
-    const told: number[] = []
+    const progress: number[] = []
     const { normal, height, misses, emptyTexels, ...rest } = bakeMaps(
       square(),
       incline,
       { size: 16, cage: 0.01, samples, bits: 16 },
-      (done, total) => told.push(done / total),
+      (done, total) => progress.push(done / total),
     )
     expect(rest.occlusion).toBeUndefined()
     expect([misses, emptyTexels]).toEqual([0, 0])
     // Samples on the diagonal count for both triangles.
     expect(rest.samples).toBeGreaterThanOrEqual(256 * samples)
     expect(rest.samples).toBeLessThanOrEqual(256 * samples + 16 * Math.sqrt(samples))
-    expect(told.at(-1)).toBe(1)
+    expect(progress.at(-1)).toBe(1)
     for (let i = 0; i < 256; i++) {
       const n = [0, 1, 2].map((k) => (2 * normal.data[3 * i + k]) / 65535 - 1)
       expect(n[0] / n[2]).toBeCloseTo(-0.1, 3)

@@ -73,11 +73,11 @@ describe('bumpToNormal', () => {
   })
 
   it('is flat on a level, and reports progress to the last row', () => {
-    const told: string[] = []
+    const progress: string[] = []
     const level = heights(3, 130, () => 7)
-    const { data } = bumpToNormal(level, {}, (done, total) => told.push(`${done}/${total}`))
+    const { data } = bumpToNormal(level, {}, (done, total) => progress.push(`${done}/${total}`))
     expect(data.every((value, i) => value === [128, 128, 255][i % 3])).toBe(true)
-    expect(told).toEqual(['64/130', '128/130', '130/130'])
+    expect(progress).toEqual(['64/130', '128/130', '130/130'])
   })
 
   it('refuses data that does not match its size', () => {

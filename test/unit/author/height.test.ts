@@ -261,13 +261,13 @@ describe('strokesToHeight', () => {
   })
 
   it('reports its progress', () => {
-    const told: number[] = []
+    const progress: number[] = []
     strokesToHeight(strokes(level, level), flatCanvas(100, 100, 128), (done, total) =>
-      told.push(done / total),
+      progress.push(done / total),
     )
-    expect(told.length).toBeGreaterThan(4)
-    expect(told).toEqual([...told].sort((a, b) => a - b))
-    expect(told[0]).toBeLessThan(0.5)
-    expect(told.at(-1)).toBe(1)
+    expect(progress.length).toBeGreaterThan(4)
+    expect(progress).toEqual([...progress].sort((a, b) => a - b))
+    expect(progress[0]).toBeLessThan(0.5)
+    expect(progress.at(-1)).toBe(1)
   })
 })

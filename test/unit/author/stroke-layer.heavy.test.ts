@@ -92,14 +92,16 @@ describe.each([
         const after = bytesOf(layer)
         const expected = redrawn(strokes, canvas, base)
         expect(after.map((map, i) => map.equals(expected[i]))).toEqual([true, true, true])
-        const told = new Uint8Array(SIZE * SIZE)
+        const reported = new Uint8Array(SIZE * SIZE)
         for (const { x0, y0, x1, y1 } of changed) {
           expect(x0 >= 0 && y0 >= 0 && x1 <= SIZE && y1 <= SIZE && x0 < x1 && y0 < y1).toBe(true)
-          for (let y = y0; y < y1; y++) told.fill(1, y * SIZE + x0, y * SIZE + x1)
+          for (let y = y0; y < y1; y++) reported.fill(1, y * SIZE + x0, y * SIZE + x1)
         }
         for (const [i, map] of after.entries()) {
-          const channels = map.length / told.length
-          expect(map.every((byte, k) => byte === before[i][k] || told[Math.floor(k / channels)])).toBe(true)
+          const channels = map.length / reported.length
+          expect(map.every((byte, k) => byte === before[i][k] || reported[Math.floor(k / channels)])).toBe(
+            true,
+          )
         }
       }
     }

@@ -259,9 +259,9 @@ describe('furrow array fails and writes nothing for', () => {
   ])('%s', (_, files, options, message) => at.fails(message, ...files.map(file), ...options))
 
   it.each(['good', 'good-none', 'good-uastc', 'good-etc1s'])('%s truncated anywhere', async (name) => {
-    const whole = readFileSync(file(`${name}.ktx2`))
+    const intact = readFileSync(file(`${name}.ktx2`))
     for (let percent = 0; percent < 100; percent += 4) {
-      writeFileSync(file('short.ktx2'), whole.subarray(0, Math.floor((whole.length * percent) / 100)))
+      writeFileSync(file('short.ktx2'), intact.subarray(0, Math.floor((intact.length * percent) / 100)))
       await at.fails('cannot read the array', file('short.ktx2'), '--extract', file('x'))
     }
   })

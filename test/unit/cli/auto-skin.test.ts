@@ -61,7 +61,7 @@ describe('the skin of a face with unknown shape names', () => {
     return document
   }
   /** Without the shapes that identify a face by motion. */
-  const untold = () => unnamed((name) => /^(jaw|mouth(Funnel|Pucker))/.test(name))
+  const unrecognised = () => unnamed((name) => /^(jaw|mouth(Funnel|Pucker))/.test(name))
   const find = (document: Document) => {
     const { meshName, reason } = findSkin(document, 'face.glb', 'test')
     return [meshName, reason.replace(/^\d+% of what /, '')]
@@ -74,13 +74,13 @@ describe('the skin of a face with unknown shape names', () => {
   })
 
   test('is not clothes, even if body sliders move them most', async () => {
-    const document = await untold()
+    const document = await unrecognised()
     for (const name of ['Fat', 'male', 'female']) lendShapes(document, 'shirt', name, 0.1)
     expect(find(document)).toEqual(['skin', 'the blendshapes move'])
   })
 
   test("is the mesh on the skeleton's head, whatever moves more", async () => {
-    const document = await untold()
+    const document = await unrecognised()
     lendShapes(document, 'shirt', 'shape 99', 0.1)
     skinTo(document, 'skin', 'mixamorig:Head')
     skinTo(document, 'shirt', 'mixamorig:Hips')
@@ -88,7 +88,7 @@ describe('the skin of a face with unknown shape names', () => {
   })
 
   test('is no mesh whose name or material says clothes', async () => {
-    const document = await untold()
+    const document = await unrecognised()
     lendShapes(document, 'shirt', 'shape 99', 0.012)
     expect(find(document)).toEqual(['skin', 'the blendshapes move'])
   })

@@ -184,10 +184,10 @@ describe('commands refuse in one line', () => {
         for (const accessor of accessors) accessor.count = 0
       }),
     )
-    const whole = shop.write('face.glb', face)
+    const intact = shop.write('face.glb', face)
     for (const files of [
-      [whole, empty],
-      [empty, whole],
+      [intact, empty],
+      [empty, intact],
     ])
       await shop.fails('no triangles', 'bake', ...files, '-o', shop.path('out.png'))
   })

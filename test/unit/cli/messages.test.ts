@@ -96,15 +96,15 @@ describe('a file that is not glTF', () => {
   })
 
   it('must be downloaded again if incomplete, or older than glTF 2', async () => {
-    const whole = await faceBytes()
+    const intact = await faceBytes()
     const problemOf = (bytes: Uint8Array) =>
       readGlbFile(shop.write('part.glb', bytes), WHO).catch(({ message }: Error) => message)
-    for (let length = 0; length < whole.length; length += length < 50 ? 1 : 97)
-      expect(await problemOf(whole.subarray(0, length)), `${length}`).toContain('is not usable: it is ')
-    expect(await problemOf(whole.subarray(0, 10))).toContain('cut off after 10 bytes')
-    expect(await problemOf(whole.subarray(0, 900))).toContain(`cut off: 900 of ${whole.length} bytes`)
-    new DataView(whole.buffer, whole.byteOffset).setUint32(4, 1, true)
-    expect(await problemOf(whole)).toMatch(/it has version 1.*; download or export it again$/)
+    for (let length = 0; length < intact.length; length += length < 50 ? 1 : 97)
+      expect(await problemOf(intact.subarray(0, length)), `${length}`).toContain('is not usable: it is ')
+    expect(await problemOf(intact.subarray(0, 10))).toContain('cut off after 10 bytes')
+    expect(await problemOf(intact.subarray(0, 900))).toContain(`cut off: 900 of ${intact.length} bytes`)
+    new DataView(intact.buffer, intact.byteOffset).setUint32(4, 1, true)
+    expect(await problemOf(intact)).toMatch(/it has version 1.*; download or export it again$/)
   })
 
   it('is not named if its format is unknown', () => {

@@ -170,8 +170,8 @@ describe('furrow normals', () => {
   describe('fails and writes nothing for', () => {
     beforeAll(async () => {
       writeFileSync(file('text.png'), 'not an image')
-      const whole = readFileSync(file('plane.png'))
-      writeFileSync(file('cut.png'), whole.subarray(0, whole.length / 2))
+      const intact = readFileSync(file('plane.png'))
+      writeFileSync(file('cut.png'), intact.subarray(0, intact.length / 2))
       await sharp({ create: { width: 9, height: 9, channels: 3, background: '#8080ff' } }).toFile(
         file('blue.png'),
       )

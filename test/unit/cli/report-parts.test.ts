@@ -116,13 +116,13 @@ test('markup escapes texts and keeps markup', () => {
 })
 
 test('steps go from 0 to their number, with parts of a step in between', () => {
-  const told: [number, number, string | undefined][] = []
-  const steps = new Steps((...all) => void told.push(all as (typeof told)[number]), 3)
+  const progress: [number, number, string | undefined][] = []
+  const steps = new Steps((...all) => void progress.push(all as (typeof progress)[number]), 3)
   steps.begin('read')
   steps.begin('draw')
   for (const done of [0, 1, 2]) steps.part(done, 2)
   steps.begin('write')
-  expect(told).toEqual([
+  expect(progress).toEqual([
     [0, 3, 'read'],
     [1, 3, 'draw'],
     [1, 3, 'draw 1/2'],

@@ -196,8 +196,8 @@ describe('furrow strokes', () => {
     })
 
     it('fails and writes nothing', async () => {
-      const odd = draw(DOCUMENT, '--size', '65')
-      await expect(odd).rejects.toThrow(
+      const unsupported = draw(DOCUMENT, '--size', '65')
+      await expect(unsupported).rejects.toThrow(
         'the size is odd, but heights, occlusion and blood need half of it, got 65, allowed: even sizes; choose --size 66',
       )
       await expect(draw(DOCUMENT, '--detail')).rejects.toThrow("'--into <folder>' cannot be used with")

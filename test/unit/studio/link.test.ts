@@ -5,7 +5,7 @@ import { formatLink, type Link, parseLink } from '../../../studio/src/link/link.
 
 const PAGE = 'https://studio.example/furrow/?renderer=webgpu#old'
 
-const whole: Link = {
+const fullLink: Link = {
   model: 'https://models.example/a%20face.glb?version=2&raw=1',
   pose: new Map([
     ['browInnerUp', 0.5],
@@ -18,7 +18,7 @@ const whole: Link = {
 
 describe('a link', () => {
   it('reads back as what it was made from', () => {
-    expect(parseLink(`#${formatLink(whole, PAGE)}`, PAGE)).toEqual(whole)
+    expect(parseLink(`#${formatLink(fullLink, PAGE)}`, PAGE)).toEqual(fullLink)
   })
 
   it('is short: a local model is a path, and weights of 0 are left out', () => {

@@ -4,7 +4,7 @@ import type { StageTool } from '../../../studio/src/tools/stage-tool.ts'
 import { ToolHost } from '../../../studio/src/tools/tool-host.ts'
 
 /** Calls of the tool, in order. */
-let told: string[]
+let calls: string[]
 let stage: EventTarget
 let host: ToolHost
 /** Promise that the tool waits for; null if the tool is ready. */
@@ -14,17 +14,17 @@ let isTaken: boolean
 const tool: StageTool = {
   preparation: () => waiting,
   begin({ x }) {
-    told.push(`begin ${x}`)
+    calls.push(`begin ${x}`)
     return isTaken
   },
-  move: (pointers) => void told.push(...pointers.map(({ x }) => `move ${x}`)),
-  end: () => void told.push('end'),
-  cancel: () => void told.push('cancel'),
+  move: (pointers) => void calls.push(...pointers.map(({ x }) => `move ${x}`)),
+  end: () => void calls.push('end'),
+  cancel: () => void calls.push('cancel'),
 }
 
 beforeEach(() => {
   vi.stubGlobal('addEventListener', () => {})
-  told = []
+  calls = []
   waiting = null
   isTaken = true
   stage = Object.assign(new EventTarget(), {
@@ -53,7 +53,7 @@ function draw(from: number, to: number): void {
 
 it('gives the pointer to the tool from start to end', () => {
   draw(10, 20)
-  expect(told).toEqual(['begin 10', 'move 20', 'end'])
+  expect(calls).toEqual(['begin 10', 'move 20', 'end'])
 })
 
 it('queues pointer events while the tool waits, and then delivers them', async () => {
@@ -64,12 +64,12 @@ it('queues pointer events while the tool waits, and then delivers them', async (
   draw(10, 20)
   draw(30, 40)
   send('pointerdown', 50)
-  expect(told).toEqual([])
+  expect(calls).toEqual([])
   ready()
   await waiting
   await Promise.resolve()
   send('pointermove', 60)
-  expect(told).toEqual(['begin 10', 'move 20', 'end', 'begin 30', 'move 40', 'end', 'begin 50', 'move 60'])
+  expect(calls).toEqual(['begin 10', 'move 20', 'end', 'begin 30', 'move 40', 'end', 'begin 50', 'move 60'])
 })
 
 it("continues if the tool's wait fails, and releases a pointer that the tool refuses", async () => {
@@ -78,7 +78,7 @@ it("continues if the tool's wait fails, and releases a pointer that the tool ref
   draw(10, 20)
   await waiting.catch(() => {})
   await Promise.resolve()
-  expect(told).toEqual(['begin 10'])
+  expect(calls).toEqual(['begin 10'])
 })
 
 it('drops queued events when another tool is selected', async () => {
@@ -87,5 +87,5 @@ it('drops queued events when another tool is selected', async () => {
   host.choose(null)
   await waiting
   await Promise.resolve()
-  expect(told).toEqual([])
+  expect(calls).toEqual([])
 })

@@ -33,9 +33,9 @@ test('a head without a nose gets no lines on it, with a one-line reason', () => 
   expect(areas.some((name) => /^nose|^nasolabial/.test(name))).toBe(false)
   expect(areas.some((name) => /^forehead/.test(name))).toBe(true)
   expect(missing).toEqual(expect.arrayContaining(['nose', 'noseRoot', 'nasolabial']))
-  const said = warnings.filter((warning) => warning.includes('stylised'))
-  expect(said).toHaveLength(1)
-  expect(said[0]).toMatch(/the nose protrudes by \d+ mm, not 12 to 70/)
+  const messages = warnings.filter((warning) => warning.includes('stylised'))
+  expect(messages).toHaveLength(1)
+  expect(messages[0]).toMatch(/the nose protrudes by \d+ mm, not 12 to 70/)
 })
 
 test('requested regions are made anyway', () => {
