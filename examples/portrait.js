@@ -128,13 +128,13 @@ function controls() {
     body { margin: 0; font: 14px/1.4 system-ui, sans-serif; background: #23262b; color: #eee; overflow-x: hidden }
     canvas { display: block }
     form { display: flex; flex-wrap: wrap; gap: 6px 14px; padding: 10px; max-height: 32vh; overflow-y: auto; box-sizing: border-box }
-    label { display: flex; align-items: center; gap: 6px; min-height: 32px }
-    input[type=range] { width: 110px }
-    output { width: 2.6em; font-variant-numeric: tabular-nums }
-    div { display: flex; flex-wrap: wrap; gap: 6px; flex-basis: 100% }
-    div label { margin-right: 8px }
-    button { font: inherit; padding: 7px 12px; border: 0; border-radius: 6px; background: #4b5563; color: inherit; cursor: pointer }
-    button:hover, button:focus-visible { background: #6b7688 }`
+    form label { display: flex; align-items: center; gap: 6px; min-height: 32px }
+    form input[type=range] { width: 110px }
+    form output { width: 2.6em; font-variant-numeric: tabular-nums }
+    form div { display: flex; flex-wrap: wrap; gap: 6px; flex-basis: 100% }
+    form div label { margin-right: 8px }
+    form button { font: inherit; padding: 7px 12px; border: 0; border-radius: 6px; background: #4b5563; color: inherit; cursor: pointer }
+    form button:hover, form button:focus-visible { background: #6b7688 }`
   document.head.append(style)
   return form
 }

@@ -63,7 +63,7 @@ const CHUNKS: [chunk: string, room: RegExp][] = [
 ]
 
 /** Rooms of one entry each, which has them in its own file. */
-const ALONE = /^(author|gltf)\//
+const ALONE = /^(author|gltf|inspector)\//
 
 /** The same of modules that are imported dynamically, and of what only these import. */
 const LAZY_CHUNKS: typeof CHUNKS = [

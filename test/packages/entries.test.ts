@@ -11,6 +11,7 @@ const ERRORS = {
   furrow: '({ parseWrinkleSetDocument }) => parseWrinkleSetDocument({ version: 2 })',
   'furrow/three': '({ addDrivers }) => addDrivers(null, [])',
   'furrow/webgpu': '({ addDrivers }) => addDrivers(null, [])',
+  'furrow/inspector': '({ WrinkleInspector }) => new WrinkleInspector(null)',
   'furrow/react': '({ extendLoader }) => extendLoader(null)',
   'furrow/react/webgpu': '({ extendLoader }) => extendLoader(null)',
   'furrow/babylon': '({ Wrinkles }) => new Wrinkles(null)',

@@ -111,11 +111,8 @@ export type { Contribution } from '../src/drivers/contribution.ts'
 export { curveAt } from '../src/drivers/curve.ts'
 export { describeDriver, describeLink } from '../src/drivers/describe.ts'
 export {
-  type Explanation,
   explain,
-  type LinkPart,
   needsMesh,
-  type Part,
   type Situation,
 } from '../src/drivers/explain.ts'
 export { expressionsOf } from '../src/drivers/expression/expression.ts'

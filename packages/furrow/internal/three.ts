@@ -1,5 +1,9 @@
 /** `furrow/internal/three`: internals of `src/three`, otherwise like `furrow/internal`. */
 
+export { movingCopy } from '../src/inspector/moving-copy.ts'
+export { PoseWatch } from '../src/inspector/pose-watch.ts'
+export { strainColour, strainOf } from '../src/inspector/strain.ts'
+export { StrainView } from '../src/inspector/strain-view.ts'
 export { DeclaredWrinkles } from '../src/three/loader/declared-wrinkles.ts'
 export { expressionsOfMesh, nameTargets } from '../src/three/loader/file-targets.ts'
 export { readImages } from '../src/three/loader/load-wrinkle-set.ts'

@@ -28,6 +28,7 @@ export type {
 } from './drivers/activation.ts'
 export type { Curve, CurvePoint } from './drivers/curve.ts'
 export type { ActivationFilter, DriverDefinition, InputFilter } from './drivers/definition.ts'
+export type { DriverPart, Explanation, LinkPart } from './drivers/explain.ts'
 export type { Expression } from './drivers/expression/expression.ts'
 export { EXPRESSIONS } from './drivers/expression/presets.ts'
 export type { Fields } from './drivers/fields.ts'

@@ -1,5 +1,5 @@
+import { PoseWatch } from 'furrow/internal/three'
 import type { Mesh } from 'three'
-import { PoseWatch } from '../viewer/pose/pose-watch.ts'
 import { makeSkinInWorker } from './in-worker.ts'
 import { makeSkin, type SkinData } from './make-skin.ts'
 import { PaintSkin } from './paint-skin.ts'

@@ -34,6 +34,7 @@ describe('after dispose', () => {
     ['inputs.set', () => wrinkles.inputs.set('age', 40)],
     ['addMesh', () => wrinkles.addMesh(mesh)],
     ['update', () => wrinkles.update()],
+    ['explain', () => wrinkles.explain()],
     ['createInfluenceMaterial', () => wrinkles.createInfluenceMaterial()],
     ['cloneMaterial', () => wrinkles.cloneMaterial()],
     ['addDrivers', () => addDrivers(wrinkles, [])],

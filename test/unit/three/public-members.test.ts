@@ -3,11 +3,12 @@ import { expect, it } from 'vitest'
 import { face } from './refused.ts'
 
 const MEMBERS = [
-  ...['addMesh', 'areaNames', 'clock', 'dispose', 'driven', 'drivers', 'expressions', 'faceCount'],
+  ...['addMesh', 'areaNames', 'clock', 'dispose', 'driven', 'drivers', 'explain', 'expressions'],
+  ...['faceCount'],
   ...['getActivation', 'getArea', 'getRestingActivation', 'hasArea', 'inputs', 'isDisposed', 'isDriven'],
   ...['mesh', 'mode', 'onDispose', 'setActivation', 'setActivations', 'setRestingActivation', 'update'],
 ]
-const OF_THREE = ['cloneMaterial', 'createInfluenceMaterial', 'relief', 'reliefReady']
+const OF_THREE = ['cloneMaterial', 'createInfluenceMaterial', 'meshes', 'relief', 'reliefReady', 'statistics']
 
 /** Lists the names of everything reachable on an object, except members that all objects have. */
 function membersOf(object: object): string[] {

@@ -1,10 +1,9 @@
 import { Option } from 'commander'
-import { EXPRESSIONS, FurrowError, findTargets } from 'furrow'
+import { EXPRESSIONS, type Explanation, FurrowError, findTargets } from 'furrow'
 import {
   describeDriver,
   describeLink,
   didYouMean,
-  type Explanation,
   explain,
   needsMesh,
 } from 'furrow/internal'

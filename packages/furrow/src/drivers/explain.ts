@@ -1,7 +1,7 @@
 import { inputName } from './activation.ts'
 import type { Link } from './link.ts'
 import { planDrivers } from './plan.ts'
-import { DriverProgram } from './program.ts'
+import { DriverProgram, type DriverState } from './program.ts'
 import type { WrinkleDriver } from './registry.ts'
 import { targetSource, valueSource } from './sources.ts'
 
@@ -13,7 +13,7 @@ export interface LinkPart {
 }
 
 /** Contribution of one driver to an area. */
-export interface Part {
+export interface DriverPart {
   driver: WrinkleDriver
   /** 0..1. The sum over an area's drivers and its resting activation is clamped to 1. */
   activation: number
@@ -30,7 +30,7 @@ export interface Explanation {
   /** Resting activation, 0..1. */
   resting: number
   /** Drivers of the area, in evaluation order. */
-  parts: Part[]
+  parts: DriverPart[]
 }
 
 /** State of a face for `explain`. */
@@ -70,23 +70,30 @@ export function explain(
   const resting = new Map(areas.map(({ name, activation = 0 }) => [name, activation]))
   state.resting.set(plan.areaNames.map((name) => resting.get(name) ?? 0))
   program.evaluate(state)
-  const parts = program.activations.map(({ driver, activation: { area, links } }, i) => {
-    const { activation, links: values } = program.explain(i, state)
-    const linkParts = links.map(({ input, ...link }, k) => ({
-      link: { name: inputName(input), ...link } as Link,
-      value: values[k],
-    }))
-    return { area, part: { driver, activation, links: linkParts } }
-  })
+  const parts = partsByArea(program, state)
   return areas.map(({ name, activation = 0 }) => {
     const index = plan.areaNames.indexOf(name)
     return {
       area: name,
       activation: index < 0 ? activation : state.activations[index],
       resting: activation,
-      parts: parts.filter(({ area }) => area === name).map(({ part }) => part),
+      parts: parts.get(name) ?? [],
     }
   })
+}
+
+/** Lists what each driver adds to its area, by name of the area. `state` must be evaluated. Allocates. */
+export function partsByArea(program: DriverProgram, state: DriverState): Map<string, DriverPart[]> {
+  const parts = new Map<string, DriverPart[]>()
+  for (const [i, { driver, activation: planned }] of program.activations.entries()) {
+    const { activation, links: values } = program.explain(i, state)
+    const links = planned.links.map(({ input, ...link }, k) => ({
+      link: { name: inputName(input), ...link } as Link,
+      value: values[k],
+    }))
+    parts.set(planned.area, [...(parts.get(planned.area) ?? []), { driver, activation, links }])
+  }
+  return parts
 }
 
 /** Whether a driver reads joints or tension, which can only be measured on a moving mesh. */

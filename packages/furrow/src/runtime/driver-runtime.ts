@@ -1,5 +1,6 @@
 import { sentence } from '../core/error.ts'
 import type { ExternalInputKind } from '../drivers/activation.ts'
+import { type DriverPart, partsByArea } from '../drivers/explain.ts'
 import type { DriverPlan } from '../drivers/plan.ts'
 import { DriverProgram, type DriverState, type InputSource } from '../drivers/program.ts'
 import { valueSource } from '../drivers/sources.ts'
@@ -189,6 +190,18 @@ export class DriverRuntime<Engine> {
       if (index < 0) missing.push(`area "${name}"`)
     }
     this.#warn(missing)
+  }
+
+  /** Lists what each driver adds to its area for one face, from the inputs of the last frame and without delays. Allocates. */
+  explain(face: Face, instance: number): Map<string, DriverPart[]> {
+    if (face.slots !== this.#slots) this.#findAreas(face)
+    this.bind()
+    const { program, last } = this.#bound!
+    const state = program.createState()
+    last.get(instance, state.values)
+    this.#rest(face, state.resting)
+    program.evaluate(state)
+    return partsByArea(program, state)
   }
 
   #warn(missing: readonly string[]): void {

@@ -1,6 +1,7 @@
 import { wrongArgument } from '../core/argument.ts'
 import { FurrowError } from '../core/error.ts'
 import type { Area, ArraySlice } from '../core/types.ts'
+import type { Explanation } from '../drivers/explain.ts'
 import { type Expression, expressionsOf } from '../drivers/expression/expression.ts'
 import type { DriverPlan } from '../drivers/plan.ts'
 import type { WrinkleDriver } from '../drivers/registry.ts'
@@ -116,6 +117,19 @@ export abstract class FaceGroup<Engine = unknown> {
   /** @throws FurrowError if the area is unknown or the instance does not exist. */
   getRestingActivation(area: string, instance = 0): number {
     return this.#faceOf(instance, 'getRestingActivation').resting.get(area)
+  }
+
+  /** @throws FurrowError when there is no such instance, or the wrinkles were disposed of. */
+  explain(instance = 0): Explanation[] {
+    this.checkInUse('explain')
+    const face = this.#faceOf(instance, 'explain')
+    const parts = this.driven ? this.#runtime?.explain(face, instance) : undefined
+    return this.areaNames.map((area) => ({
+      area,
+      activation: face.activations.get(area),
+      resting: face.resting.get(area),
+      parts: parts?.get(area) ?? [],
+    }))
   }
 
   isDriven(area: string): boolean {

@@ -1,5 +1,6 @@
 import { FurrowError } from '../core/error.ts'
 import type { Area, ArraySlice } from '../core/types.ts'
+import type { Explanation } from '../drivers/explain.ts'
 import type { Expression } from '../drivers/expression/expression.ts'
 import type { WrinkleDriver } from '../drivers/registry.ts'
 import type { Clock, FaceGroup } from './face-group.ts'
@@ -130,6 +131,18 @@ export abstract class WrinkleFaces {
    */
   isDriven(area: string): boolean {
     return groupOf(this).isDriven(area)
+  }
+
+  /**
+   * Explains the activation of each area, as of the last frame: how much each driver adds, and how much each of its inputs. For panels and
+   * debugging; it allocates.
+   *
+   * @param instance index of an instance, 0 by default.
+   * @returns one explanation per area, in the order of `areaNames`; without parts while `driven` is false.
+   * @throws FurrowError when there is no such instance, or the wrinkles were disposed of.
+   */
+  explain(instance = 0): Explanation[] {
+    return groupOf(this).explain(instance)
   }
 
   /** Active drivers in the order in which they were added, see `addDrivers` and `setDrivers`. */

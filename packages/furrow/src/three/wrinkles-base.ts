@@ -6,6 +6,7 @@ import type { RendererParts } from './material/renderer-parts.ts'
 import { registerWrinkles } from './mesh-wrinkles.ts'
 import type { ReliefMode, WrinkleMode, WrinklesOptions } from './options.ts'
 import type { AnyRenderer } from './renderer.ts'
+import { statisticsOf, type WrinkleStatistics } from './statistics.ts'
 import { WrinkledMesh } from './wrinkled-mesh.ts'
 
 /** Returns the internals of `Wrinkles`. */
@@ -34,6 +35,11 @@ export abstract class WrinklesBase extends WrinkleFaces {
   /** Mesh whose blendshapes, skeleton and surface the drivers read. */
   get mesh(): Mesh {
     return meshOf(this).mesh
+  }
+
+  /** The meshes that show these wrinkles: `mesh`, then those given to `addMesh`. */
+  get meshes(): readonly Mesh[] {
+    return [...meshOf(this).meshes]
   }
 
   /** Shading mode. */
@@ -78,6 +84,11 @@ export abstract class WrinklesBase extends WrinkleFaces {
    */
   update(renderer: AnyRenderer | null = null): void {
     meshOf(this).update(renderer)
+  }
+
+  /** Measures what the wrinkles cost. For panels and debugging: it allocates. */
+  get statistics(): WrinkleStatistics {
+    return statisticsOf(meshOf(this))
   }
 
   /**

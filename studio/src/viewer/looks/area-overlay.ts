@@ -1,3 +1,4 @@
+import { movingCopy } from 'furrow/internal/three'
 import {
   AddEquation,
   type Color,
@@ -11,16 +12,6 @@ import {
 
 /** Light absorbed at full weight, linear RGB: leaves orange and keeps the shading. WebGL blends encoded colours, WebGPU linear ones. */
 const ABSORPTION = { encoded: [0, 0.17, 0.65], linear: [0, 0.42, 0.9] } as const
-
-/** Adds a hidden copy of a mesh with shared geometry and morph weights. */
-export function movingCopy(mesh: Mesh, material: Material): Mesh {
-  const copy = mesh.clone(false)
-  copy.material = material
-  copy.morphTargetInfluences = mesh.morphTargetInfluences
-  copy.visible = false
-  mesh.parent?.add(copy)
-  return copy
-}
 
 /** Draws areas in orange over the meshes of a skin. */
 export class AreaOverlay {

@@ -1,3 +1,4 @@
+import { movingCopy, StrainView } from 'furrow/internal/three'
 import type { WrinkleMode } from 'furrow/three'
 import {
   Color,
@@ -10,9 +11,8 @@ import {
 } from 'three'
 import type { Face } from '../../../../stage/face.ts'
 import type { Wrinkles } from '../../../../stage/stage.ts'
-import { AreaOverlay, movingCopy } from './area-overlay.ts'
+import { AreaOverlay } from './area-overlay.ts'
 import { Headlit } from './headlit.ts'
-import { StrainView } from './strain-view.ts'
 
 /** Display mode of the side with wrinkles. */
 export type LookName = Look['name']

@@ -1,12 +1,12 @@
 import { expose } from 'comlink'
 import { type MetricMesh, type Skin, skinCanvas } from 'furrow/author'
 import { canvasArrays } from 'furrow/internal'
+import { PoseWatch } from 'furrow/internal/three'
 import { Bone, Group, type Mesh, Skeleton, SkinnedMesh } from 'three'
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { LineSkin, readLineSkin } from '../../../../studio/src/lines/line-skin.ts'
 import { makeSkin } from '../../../../studio/src/paint/make-skin.ts'
 import { posedSkinOf, preparedSkin, prepareSkin } from '../../../../studio/src/paint/posed-skin.ts'
-import { PoseWatch } from '../../../../studio/src/viewer/pose/pose-watch.ts'
 import { plainSheet, rayAt } from './skins.ts'
 
 const SCALE = 1000

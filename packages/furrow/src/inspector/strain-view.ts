@@ -1,25 +1,22 @@
-import { coordinates, trianglesOf } from 'furrow/internal/three'
 import { BufferAttribute, BufferGeometry, type Mesh, MeshBasicMaterial, Vector3 } from 'three'
-import { PoseWatch } from '../pose/pose-watch.ts'
+import { coordinates, trianglesOf } from '../three/sources/geometry-arrays.ts'
+import { movingCopy } from './moving-copy.ts'
+import { PoseWatch } from './pose-watch.ts'
 import { strainColour, strainOf } from './strain.ts'
 
-/** Shows strain in vertex colours, on copies of the skin's meshes that follow its pose. */
+/** Copies of a face's meshes that follow its pose and show its strain in vertex colours. */
 export class StrainView {
   readonly #parts: { mesh: Mesh; copy: Mesh; rest: Float32Array; indices: ArrayLike<number> }[]
   readonly #material = new MeshBasicMaterial({ vertexColors: true, toneMapped: false })
   readonly #watch: PoseWatch
 
-  /** Creates hidden copies. */
+  /** Adds the copies beside the meshes, hidden. */
   constructor(meshes: readonly Mesh[]) {
     this.#watch = new PoseWatch(meshes)
     this.#parts = meshes.map((mesh) => {
-      const copy = mesh.clone(false)
+      const copy = movingCopy(mesh, this.#material)
       copy.name = 'strain'
       copy.geometry = geometryOf(mesh.geometry)
-      copy.material = this.#material
-      copy.morphTargetInfluences = mesh.morphTargetInfluences
-      copy.visible = false
-      mesh.parent?.add(copy)
       const { geometry } = mesh
       return { mesh, copy, rest: coordinates(geometry.attributes.position), indices: trianglesOf(geometry) }
     })
@@ -29,7 +26,7 @@ export class StrainView {
     for (const { copy } of this.#parts) copy.visible = visible
   }
 
-  /** Measures the strain if the pose changed. */
+  /** Updates the colours if the pose has changed. */
   follow(): void {
     if (!this.#watch.hasChanged()) return
     const point = new Vector3()
@@ -52,7 +49,7 @@ export class StrainView {
   }
 }
 
-/** Makes a geometry with its own attributes, because disposing of shared ones would free them for both meshes. */
+/** Copies the attributes, because disposing of a geometry frees its attributes on the GPU even if another one uses them. */
 function geometryOf({
   attributes,
   morphAttributes,

@@ -1,5 +1,5 @@
+import { strainColour, strainOf } from 'furrow/internal/three'
 import { expect, it } from 'vitest'
-import { strainColour, strainOf } from '../../../../studio/src/viewer/looks/strain.ts'
 
 /** Square of two triangles, and a third one without area. */
 const SQUARE = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]

@@ -1,19 +1,21 @@
-import { principalStretches, restInverse } from 'furrow/internal'
+import { principalStretches, restInverse } from '../math/stretch.ts'
 
-/** Strain at full colour, and linear RGB of compressed, neutral and stretched skin. */
+/** Strain that is drawn in full colour. */
 const FULL = 0.3
+
+/** Colours of compressed skin, of skin at rest and of stretched skin, linear RGB. */
 const COMPRESSED = [0.9, 0.24, 0.04] as const
 const REST = [0.2, 0.2, 0.21] as const
 const STRETCHED = [0.06, 0.3, 0.85] as const
 
 /**
- * Measures compression and stretching of a deformed surface. Each vertex gets the mean over its triangles, weighted by area at rest,
- * of the principal strain with the larger magnitude (see `principalStretches`).
+ * Measures the strain of a deformed surface. Each triangle has the principal strain of the larger magnitude (`principalStretches`); each
+ * vertex has the mean of its triangles, weighted by their area at rest.
  *
- * @param rest packed xyz per vertex at rest.
- * @param posed packed xyz per vertex in the current pose.
+ * @param rest xyz of each vertex at rest.
+ * @param posed xyz of each vertex in the pose.
  * @param indices three vertices per triangle.
- * @returns strain per vertex: -0.2 for skin compressed by a fifth, 0 at rest.
+ * @returns strain per vertex: -0.2 where skin is compressed by a fifth, 0 at rest.
  */
 export function strainOf(
   rest: ArrayLike<number>,
@@ -30,7 +32,7 @@ export function strainOf(
     principalStretches(stretches, inverse, 0, a, b, c, posed)
     const [least, most] = [stretches[0] - 1, stretches[1] - 1]
     const strain = -least > most ? least : most
-    // 1 / (along * height) is twice the area.
+    // 1 / (along * height), twice the area.
     const area = 1 / (inverse[0] * inverse[2])
     for (const vertex of [a, b, c]) {
       sums[vertex] += area * strain
@@ -40,7 +42,7 @@ export function strainOf(
   return sums.map((sum, i) => (areas[i] > 0 ? sum / areas[i] : 0))
 }
 
-/** Returns the linear RGB of a strain: orange for compression, blue for stretching. */
+/** Returns the colour of a strain in linear RGB: orange for compression, blue for stretch. */
 export function strainColour(strain: number): [r: number, g: number, b: number] {
   const t = Math.min(1, Math.abs(strain) / FULL)
   const full = strain < 0 ? COMPRESSED : STRETCHED

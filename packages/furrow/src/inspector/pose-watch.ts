@@ -1,6 +1,6 @@
 import type { BufferAttribute, Mesh, Object3D, SkinnedMesh } from 'three'
 
-/** Detects pose changes of a face: blendshapes, joints and placement. */
+/** Detects changes of a face's pose: blendshape weights and offsets, joints, and the transforms of its meshes. */
 export class PoseWatch {
   readonly #meshes: readonly Mesh[]
   #pose: number[] = []
@@ -9,8 +9,8 @@ export class PoseWatch {
     this.#meshes = meshes
   }
 
-  /** Whether the pose changed since the last call. True at the first call. */
-  hasChanged(): boolean {
+  /** Returns whether the pose changed since the last call; true at the first call. */
+  isNew(): boolean {
     const pose = this.#read()
     const last = this.#pose
     if (pose.length === last.length && pose.every((value, i) => value === last[i])) return false
@@ -23,7 +23,7 @@ export class PoseWatch {
     for (const root of new Set(this.#meshes.map(rootOf))) root.updateMatrixWorld()
     for (const mesh of this.#meshes) {
       pose.push(...(mesh.morphTargetInfluences ?? []), ...mesh.matrixWorld.elements)
-      // Muscle offsets changed.
+      // Editing a muscle changes its offsets.
       for (const offsets of mesh.geometry.morphAttributes.position ?? [])
         pose.push((offsets as BufferAttribute).version ?? 0)
       const bones = (mesh as Partial<SkinnedMesh>).skeleton?.bones ?? []

@@ -1,0 +1,87 @@
+import type { Controller, GUI } from 'three/addons/libs/lil-gui.module.min.js'
+import type { DriverPart, Explanation } from '../drivers/explain.ts'
+import type { WrinklesBase } from '../three/wrinkles-base.ts'
+
+/** Inputs listed below an area: the strongest ones. */
+const MOST_INPUTS = 3
+
+/** One area: its slider, and a line about its drivers. */
+interface Row {
+  slider: Pick<Controller, 'destroy'> & { updateDisplay(): unknown }
+  drivers: HTMLElement
+}
+
+/** Activations of the areas of one face as sliders, each with the inputs that drive it. */
+export class AreaList {
+  /** Instance whose activations are listed. */
+  instance = 0
+  readonly #wrinkles: WrinklesBase
+  readonly #folder: GUI
+  #values: Record<string, number> = {}
+  #rows = new Map<string, Row>()
+
+  constructor(wrinkles: WrinklesBase, folder: GUI) {
+    this.#wrinkles = wrinkles
+    this.#folder = folder
+    this.#build()
+  }
+
+  /** Shows the current activations. Areas may have been added or removed. */
+  update(): void {
+    const explanations = this.#wrinkles.explain(this.instance)
+    if (explanations.map(({ area }) => area).join() !== [...this.#rows.keys()].join()) this.#build()
+    for (const explanation of explanations) this.#show(explanation)
+  }
+
+  #build(): void {
+    for (const { slider, drivers } of this.#rows.values()) {
+      slider.destroy()
+      drivers.remove()
+    }
+    const names = this.#wrinkles.areaNames
+    this.#values = Object.fromEntries(names.map((name) => [name, 0]))
+    this.#rows = new Map(names.map((name) => [name, this.#addRow(name)]))
+  }
+
+  #addRow(name: string): Row {
+    const slider = this.#folder.add(this.#values, name, 0, 1)
+    slider.decimals(2).onChange((value: number) => this.#set(name, value))
+    const drivers = document.createElement('div')
+    drivers.style.cssText = 'padding: 0 8px 4px; opacity: 0.6; overflow-wrap: anywhere'
+    slider.domElement.after(drivers)
+    return { slider, drivers }
+  }
+
+  /** Activates an area by its slider. Drivers would set it back in the next frame, so they stop. */
+  #set(name: string, value: number): void {
+    const wrinkles = this.#wrinkles
+    if (wrinkles.isDriven(name)) wrinkles.driven = false
+    wrinkles.setActivation(name, value, this.instance)
+  }
+
+  #show({ area, activation, resting, parts }: Explanation): void {
+    const { slider, drivers } = this.#rows.get(area)!
+    this.#values[area] = activation
+    slider.updateDisplay()
+    const text = this.#wrinkles.driven ? driversText(parts, resting) : 'set by hand'
+    if (drivers.textContent !== text) drivers.textContent = text
+  }
+}
+
+/** The strongest inputs with their contributions, `browInnerUp 0.42, age 0.10`; names alone while none is active. */
+function driversText(parts: readonly DriverPart[], resting: number): string {
+  const inputs = parts.flatMap(({ driver, activation, links }) =>
+    links.length > 0
+      ? links.map(({ link, value }) => ({ name: link.name, value: activation > 0 ? value : 0 }))
+      : [{ name: driver.type, value: activation }],
+  )
+  if (resting > 0) inputs.push({ name: 'at rest', value: resting })
+  if (inputs.length === 0) return 'no drivers'
+  const active = inputs.filter(({ value }) => value > 0.005).sort((a, b) => b.value - a.value)
+  const listed = active.length > 0 ? active : inputs
+  const texts = listed
+    .slice(0, MOST_INPUTS)
+    .map(({ name, value }) => (active.length > 0 ? `${name} ${value.toFixed(2)}` : name))
+  const more = listed.length - texts.length
+  return texts.join(', ') + (more > 0 ? `, +${more}` : '')
+}

@@ -1,0 +1,133 @@
+import { type Material, type Mesh, MeshNormalMaterial, type MeshStandardMaterial } from 'three'
+import type { WrinklesBase } from '../three/wrinkles-base.ts'
+import { movingCopy } from './moving-copy.ts'
+import { StrainView } from './strain-view.ts'
+
+/** The face in its own material, or a technical view of it. */
+export const VIEWS = ['shaded', 'influence', 'normals', 'strain', 'wireframe'] as const
+export type View = (typeof VIEWS)[number]
+
+/** Views that draw copies of the meshes, which instances have not. */
+const COPYING: readonly View[] = ['normals', 'strain']
+
+/** Lists the views that wrinkles can be shown in. */
+export function viewsOf(wrinkles: WrinklesBase): readonly View[] {
+  return wrinkles.faceCount === 1 ? VIEWS : VIEWS.filter((view) => !COPYING.includes(view))
+}
+
+/** A view while it is shown. */
+interface ShownView {
+  /** Called in each animation frame. */
+  follow?(): void
+  end(): void
+}
+
+/** Shows a face in one of the views. */
+export class FaceView {
+  readonly #wrinkles: WrinklesBase
+  #shown: ShownView | null = null
+  #view: View = 'shaded'
+
+  constructor(wrinkles: WrinklesBase) {
+    this.#wrinkles = wrinkles
+  }
+
+  get view(): View {
+    return this.#view
+  }
+
+  set view(view: View) {
+    this.dispose()
+    const show = { shaded: null, influence, normals, strain, wireframe }[view]
+    this.#shown = show?.(this.#wrinkles) ?? null
+    this.#view = view
+  }
+
+  /** Updates the view; called in each animation frame. */
+  follow(): void {
+    this.#shown?.follow?.()
+  }
+
+  /** Restores the face's own materials. */
+  dispose(): void {
+    this.#shown?.end()
+    this.#shown = null
+    this.#view = 'shaded'
+  }
+}
+
+function influence(wrinkles: WrinklesBase): ShownView {
+  return { end: replaceMaterials(wrinkles, wrinkles.createInfluenceMaterial()) }
+}
+
+/** Draws the normals that lighting uses, on copies with the same wrinkles. */
+function normals(wrinkles: WrinklesBase): ShownView {
+  const plain = [wrinkles.cloneMaterial()].flat()
+  const { normalMap, normalScale, side } = plain.find((own) => 'normalMap' in own) as MeshStandardMaterial
+  for (const own of plain) if (![wrinkles.mesh.material].flat().includes(own)) own.dispose()
+  const material = new MeshNormalMaterial({ normalMap, normalScale, side })
+  const reveal = hide(wrinkles)
+  const copies = wrinkles.meshes.map((mesh) => movingCopy(mesh, material))
+  const Wrinkles = wrinkles.constructor as new (mesh: Mesh, source: WrinklesBase) => WrinklesBase
+  const mirror = new Wrinkles(copies[0], wrinkles)
+  for (const copy of copies.slice(1)) mirror.addMesh(copy)
+  for (const copy of copies) copy.visible = true
+  mirror.driven = false
+  return {
+    follow() {
+      for (const name of mirror.areaNames)
+        if (wrinkles.hasArea(name)) mirror.setActivation(name, wrinkles.getActivation(name))
+    },
+    end() {
+      mirror.dispose()
+      material.dispose()
+      for (const copy of copies) copy.removeFromParent()
+      reveal()
+    },
+  }
+}
+
+/** Draws how far the skin is compressed (orange) or stretched (blue). */
+function strain(wrinkles: WrinklesBase): ShownView {
+  const reveal = hide(wrinkles)
+  const view = new StrainView(wrinkles.meshes)
+  view.visible = true
+  return {
+    follow: () => view.follow(),
+    end() {
+      view.dispose()
+      reveal()
+    },
+  }
+}
+
+/** Draws the edges of all triangles, of relief as well. */
+function wireframe({ meshes }: WrinklesBase): ShownView {
+  const materials = new Set(meshes.flatMap(({ material }) => material))
+  const drawn = [...materials].filter(
+    (material): material is MeshStandardMaterial => 'wireframe' in material && !material.wireframe,
+  )
+  const set = (isWireframe: boolean) => {
+    for (const material of drawn) Object.assign(material, { wireframe: isWireframe, needsUpdate: true })
+  }
+  set(true)
+  return { end: () => set(false) }
+}
+
+/** Hides the meshes but keeps them drawn: drivers run before each draw. Returns a function that shows them again. */
+function hide(wrinkles: WrinklesBase): () => void {
+  const material = wrinkles.createInfluenceMaterial()
+  material.colorWrite = material.depthWrite = false
+  return replaceMaterials(wrinkles, material)
+}
+
+/** Draws the meshes with one material. Returns a function that restores theirs and disposes of it. */
+function replaceMaterials({ meshes }: WrinklesBase, material: Material): () => void {
+  const originals = meshes.map((mesh) => ({ mesh, original: mesh.material }))
+  for (const mesh of meshes) mesh.material = material
+  return () => {
+    // The page may have replaced the material meanwhile.
+    for (const { mesh, original } of originals) if (mesh.material === material) mesh.material = original
+    material.dispose()
+  }
+}
