@@ -25,6 +25,8 @@ const FOREHEAD = { ...PORTRAIT, expression: 'surprised', crop: { ...PORTRAIT.cro
 
 /** Crop of example pages. */
 const PAGE = { width: 720, height: 900, crop: { left: 135, top: 20, width: 450, height: 540 } }
+/** The inspector's panel on the right, beside a face. */
+const PANEL = { width: 900, height: 720, crop: { left: 220, top: 0, width: 680, height: 600 }, scale: 0.8 }
 /** Uses WebGL 2: a WebGPU canvas cannot be captured without a GPU. */
 const CHEEKS = { width: 1100, height: 1300, crop: { left: 300, top: 400, width: 500, height: 500 } }
 const HAND = { width: 900, height: 900, crop: { left: 190, top: 130, width: 490, height: 660 } }
@@ -111,6 +113,11 @@ export const FIGURES = {
     ...CHEEKS,
     page: `normals.html?webgl&remedy=${remedy}&cheekPuff=1&mouthPucker=0.7`,
   })),
+  inspector: ['shaded', 'influence', 'normals', 'strain'].map((view, i) => ({
+    ...PANEL,
+    page: `inspector.html?view=${view}`,
+    beginsRow: i === 2,
+  })),
   'auto-human': agesOf('human', {
     width: 630,
     height: 540,
@@ -132,10 +139,9 @@ export const FIGURES = {
 /** File formats, default PNG. Figures with many faces are smaller as JPEG. */
 export const FORMATS = {
   ...Object.fromEntries(
-    ['auto-human', 'auto-scan', 'blood', 'skin/furrows', ...Object.keys(CLOSE_UPS)].map((name) => [
-      name,
-      'jpg',
-    ]),
+    ['auto-human', 'auto-scan', 'blood', 'inspector', 'skin/furrows', ...Object.keys(CLOSE_UPS)].map(
+      (name) => [name, 'jpg'],
+    ),
   ),
   [MOVING]: 'webp',
 }

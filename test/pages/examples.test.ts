@@ -42,7 +42,7 @@ afterAll(async () => {
 test('examples exist', () => expect(EXAMPLES).toContain('minimal.html'))
 
 test('every example is opened', () => {
-  const others = ['auto.html', 'crowd.html', 'normals.html', 'tension.html', 'vrm.html']
+  const others = ['auto.html', 'crowd.html', 'inspector.html', 'normals.html', 'tension.html', 'vrm.html']
   const opened = new Set([...PORTRAITS, ...DRIVERS.map(([page]) => page), ...others])
   expect([...opened].sort()).toEqual([...EXAMPLES].sort())
 })
