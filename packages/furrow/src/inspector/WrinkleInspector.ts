@@ -44,7 +44,12 @@ export class WrinkleInspector {
    */
   constructor(wrinkles: WrinklesBase) {
     if (!(wrinkles instanceof WrinklesBase))
-      throw wrongArgument('WrinkleInspector', 'wrinkles', wrinkles, 'wrinkles of furrow/three or furrow/webgpu')
+      throw wrongArgument(
+        'WrinkleInspector',
+        'wrinkles',
+        wrinkles,
+        'wrinkles of furrow/three or furrow/webgpu',
+      )
     this.#wrinkles = wrinkles
     this.#view = new FaceView(wrinkles)
     this.gui = new GUI({ title: `Wrinkles of ${wrinkles.mesh.name || 'a mesh'}`, width: 300 })

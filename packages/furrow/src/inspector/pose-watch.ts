@@ -9,8 +9,8 @@ export class PoseWatch {
     this.#meshes = meshes
   }
 
-  /** Returns whether the pose changed since the last call; true at the first call. */
-  isNew(): boolean {
+  /** Returns whether the pose has changed since the last call; true at the first call. */
+  hasChanged(): boolean {
     const pose = this.#read()
     const last = this.#pose
     if (pose.length === last.length && pose.every((value, i) => value === last[i])) return false
