@@ -1,12 +1,6 @@
 import { Option } from 'commander'
 import { EXPRESSIONS, type Explanation, FurrowError, findTargets } from 'furrow'
-import {
-  describeDriver,
-  describeLink,
-  didYouMean,
-  explain,
-  needsMesh,
-} from 'furrow/internal'
+import { describeDriver, describeLink, didYouMean, explain, needsMesh } from 'furrow/internal'
 import { targetNamesOf, targetOfMaterial } from 'furrow-files'
 import { readWrinkledFile } from 'furrow-files/node'
 import { createCommand } from '../command.ts'
