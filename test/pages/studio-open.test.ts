@@ -48,7 +48,7 @@ test('a dropped avatar without wrinkles moves by expressions, including its own'
 })
 
 test.each([
-  ['a broken file', 'broken.glb', 'Studio: broken.glb is not usable: it is cut off'],
+  ['a broken file', 'broken.glb', 'Studio: broken.glb is not usable: it is truncated'],
   ['a format that is not glTF', 'model.fbx', 'Studio: model.fbx is not usable: it is an FBX file'],
   ['a .gltf without its files', 'separate/avatar.gltf', 'avatar.gltf refers to a file that was not dropped'],
 ])('%s is refused in one line, and the avatar stays', async (_, path, text) => {

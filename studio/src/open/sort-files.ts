@@ -1,5 +1,5 @@
 import { FurrowError } from 'furrow'
-import { HEAD_BYTES, kindOf, NAME_FACE, otherFormat, unusable } from 'furrow-files'
+import { CHOOSE_FACE, HEAD_BYTES, kindOf, otherFormat, unusable } from 'furrow-files'
 import { bytesOf, type DroppedFile } from '../files/dropped-files.ts'
 import type { WrinklesFolder } from '../files/folder-files.ts'
 
@@ -117,6 +117,6 @@ async function unsupportedFilesError(files: readonly DroppedFile[]): Promise<Fur
   const other = otherFormat(await bytesOf(first.file.slice(0, HEAD_BYTES), first.path))
   const problem = other?.problem ?? 'its contents are unknown'
   return unusable(first.path, 'Studio', problem, {
-    remedy: other && other.remedy !== NAME_FACE ? other.remedy : remedy,
+    remedy: other && other.remedy !== CHOOSE_FACE ? other.remedy : remedy,
   })
 }

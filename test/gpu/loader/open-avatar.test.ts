@@ -198,7 +198,7 @@ describe('the files of a .gltf', () => {
   it.each([
     ['data.bin', [], 'refers to a file that was not dropped, got "data.bin"'],
     ['data.bin', ['b/data.bin', 'c/data.bin'], 'refers to one of 2 files of the same name, got "data.bin"'],
-    ['https://example.org/data.bin', [], 'refers to a file that is not on this computer'],
+    ['https://example.org/data.bin', [], 'references a remote file'],
   ])('are reported missing: %s among %j', async (uri, others, expected) => {
     const { gltf } = await split(uri)
     const face = droppedAs('a/face.gltf', gltf)

@@ -201,7 +201,7 @@ describe('furrow bake fails and writes nothing for', () => {
     ['two meshes', 'ball', 'two', 'allowed: left, right; name one with --mesh'],
     ['a sculpt elsewhere', 'far', 'plain', 'no ray hit the detailed surface'],
     ['no numbers', 'nan', 'plain', 'is at NaN, allowed: finite numbers'],
-    ['triangles without area', 'ball', 'dot', 'no tangents can be computed for'],
+    ['triangles without area', 'ball', 'dot', 'cannot compute tangents for'],
     ['absurd UVs', 'ball', 'spread', 'a triangle is larger than the texture'],
     ['UVs in one point', 'ball', 'point', 'no triangle covers a texel'],
   ])('%s', async (_, sculpt, mesh, message) => {

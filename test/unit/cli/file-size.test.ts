@@ -85,7 +85,7 @@ describe('a file of 1.9 GB is refused before it is read', () => {
   it('in a folder of wrinkles', async () => {
     await shop.makeFolder('big')
     sparse('big/areas/brow.png', HUGE)
-    const message = /brow\.png, which .* refers to, is too large, got "1900 MiB"/
+    const message = /brow\.png, referenced by .*, is too large, got "1900 MiB"/
     await expectRefusal(message, 'pack', [at('big'), '-o', at('x.glb')])
     sparse('big/wrinkles.json', HUGE)
     await expectRefusal(/wrinkles\.json is too large/, 'pack', [at('big'), '-o', at('x.glb')])
@@ -100,12 +100,10 @@ describe('a file of 1.9 GB is refused before it is read', () => {
         asset: { version: '2.0' },
         buffers: files.map((uri) => ({ byteLength: 1, uri })),
       })
-    await expectRefusal(/huge\.bin, which .*face\.gltf refers to, is too large/, 'inspect', [
-      face('huge.bin'),
-    ])
+    await expectRefusal(/huge\.bin, referenced by .*face\.gltf, is too large/, 'inspect', [face('huge.bin')])
     const failure = await shop.failure('inspect', face('a.bin', 'b.bin'))
     expect(failure.message).toMatch(
-      /face\.gltf with the files that it refers to is too large, got "600 MiB", allowed: 512 MiB/,
+      /face\.gltf with its referenced files is too large, got "600 MiB", allowed: 512 MiB/,
     )
   })
 })
@@ -119,7 +117,7 @@ describe('a file of 500 MB is refused by its first bytes', () => {
   })
 
   it('if its header gives another length', () => {
-    return inspect(sparse('cut.glb', 500 * MIB, header(501 * MIB, 1000)), /it is cut off: \d+ of \d+ bytes/)
+    return inspect(sparse('cut.glb', 500 * MIB, header(501 * MIB, 1000)), /it is truncated: \d+ of \d+ bytes/)
   })
 
   it('if it is JSON, or its JSON is equally large', async () => {
@@ -132,9 +130,9 @@ describe('a file of 500 MB is refused by its first bytes', () => {
 it('a pipe is read up to the limit, and no further', async () => {
   const zeros = openSync('/dev/zero', 'r')
   try {
-    await expect(readBytes(`/dev/fd/${zeros}`, 'furrow test', 'the face', { most: 3 * MIB })).rejects.toThrow(
-      /the face \/dev\/fd\/\d+ is too large, got "4 MiB", allowed: 3 MiB/,
-    )
+    await expect(
+      readBytes(`/dev/fd/${zeros}`, 'furrow test', 'the face', { maxBytes: 3 * MIB }),
+    ).rejects.toThrow(/the face \/dev\/fd\/\d+ is too large, got "4 MiB", allowed: 3 MiB/)
   } finally {
     closeSync(zeros)
   }

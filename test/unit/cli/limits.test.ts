@@ -141,12 +141,12 @@ describe('numbers are checked before anything is decoded', () => {
         (mesh(json).extensions = {
           KHR_draco_mesh_compression: { bufferView: 0, attributes: { COLOR_0: 0 } },
         }),
-      "meshes[0].primitives[0] has COLOR_0 in Draco's attributes alone",
+      "meshes[0].primitives[0] has COLOR_0 only in Draco's attributes",
     ],
     [
       'an extension that is required and not listed',
       (json) => (json.extensionsRequired = ['EXT_meshopt_compression']),
-      'extensionsUsed do not list EXT_meshopt_compression',
+      'the required extension EXT_meshopt_compression is missing in extensionsUsed',
     ],
     ['a root that does not exist', ({ scenes }) => scenes[0].nodes.push(99), 'scenes[0].nodes is 99'],
   ])('names %s', (_, change, message) => {

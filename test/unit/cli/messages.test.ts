@@ -17,9 +17,9 @@ const errno = (code: string) => Object.assign(new Error(`${code}: something, ope
 describe('a file system error', () => {
   it.each([
     ['ENOENT', 'furrow test: cannot read x (it does not exist); check the path'],
-    ['EISDIR', 'furrow test: cannot read x (it is a folder); name a file'],
+    ['EISDIR', 'furrow test: cannot read x (it is a folder); choose a file'],
     ['EACCES', 'furrow test: cannot read x (permission denied); ask its owner, or change its permissions'],
-    ['ENAMETOOLONG', 'furrow test: cannot read x (its name is too long); choose a shorter name'],
+    ['ENAMETOOLONG', 'furrow test: cannot read x (the name is too long); choose a shorter name'],
     ['ESTRANGE', "furrow test: cannot read x (ESTRANGE: something, open 'x'); check the path"],
   ])('%s names the problem and the remedy', (code, message) => {
     expect(cannotRead(WHO, 'x', errno(code)).message).toBe(message)
@@ -36,7 +36,9 @@ describe('a file system error', () => {
 
   it('names the folder if a folder is given as the face', async () => {
     mkdirSync(shop.path('folder.glb'))
-    await expect(readGlbFile(shop.path('folder.glb'), WHO)).rejects.toThrow(/it is a folder\); name a file$/)
+    await expect(readGlbFile(shop.path('folder.glb'), WHO)).rejects.toThrow(
+      /it is a folder\); choose a file$/,
+    )
   })
 })
 
@@ -68,7 +70,7 @@ describe('a file that is not glTF', () => {
     [{ asset: { version: '1.0' } }, /it is glTF 1\.0/],
   ])('has a precise error if it is JSON: %j', async (json, message) => {
     await expect(readGlbFile(shop.json('other.gltf', json), WHO)).rejects.toThrow(message)
-    const remedy = 'asset' in json ? 'download or export it again' : 'name the face itself'
+    const remedy = 'asset' in json ? 'download or export it again' : 'choose the face file'
     await expect(readGlbFile(shop.path('other.gltf'), WHO)).rejects.toMatchObject({ remedy })
   })
 
@@ -84,10 +86,10 @@ describe('a file that is not glTF', () => {
     ['<!DOCTYPE html><html>', 'a web page', /download/],
     ['\n <HTML lang="en">', 'a web page', /download/],
     ['version https://git-lfs.github.com/spec/v1\noid sha256:0\n', 'a pointer of Git LFS', /git lfs pull/],
-    ['\x89PNG\r\n\x1a\n', 'an image', /textures/],
-    ['\xabKTX 20\xbb\r\n\x1a\n', 'a KTX 2 file', /textures/],
-    ['words, and more words', 'text, not glTF', /name the face/],
-    ['[1, 2]\t\r\n', 'text, not glTF', /name the face/],
+    ['\x89PNG\r\n\x1a\n', 'an image', /not a texture/],
+    ['\xabKTX 20\xbb\r\n\x1a\n', 'a KTX 2 file', /not a texture/],
+    ['words, and more words', 'text, not glTF', /choose the face file/],
+    ['[1, 2]\t\r\n', 'text, not glTF', /choose the face file/],
   ])('is recognised as %j, with a remedy', async (begin, kind, remedy) => {
     const path = shop.write('face.glb', Buffer.from(begin.padEnd(64), 'latin1'))
     const error = await readGlbFile(path, WHO).catch((error) => error)
@@ -101,8 +103,8 @@ describe('a file that is not glTF', () => {
       readGlbFile(shop.write('part.glb', bytes), WHO).catch(({ message }: Error) => message)
     for (let length = 0; length < intact.length; length += length < 50 ? 1 : 97)
       expect(await problemOf(intact.subarray(0, length)), `${length}`).toContain('is not usable: it is ')
-    expect(await problemOf(intact.subarray(0, 10))).toContain('cut off after 10 bytes')
-    expect(await problemOf(intact.subarray(0, 900))).toContain(`cut off: 900 of ${intact.length} bytes`)
+    expect(await problemOf(intact.subarray(0, 10))).toContain('truncated after 10 bytes')
+    expect(await problemOf(intact.subarray(0, 900))).toContain(`truncated: 900 of ${intact.length} bytes`)
     new DataView(intact.buffer, intact.byteOffset).setUint32(4, 1, true)
     expect(await problemOf(intact)).toMatch(/it has version 1.*; download or export it again$/)
   })
@@ -122,12 +124,12 @@ describe('another kind of file', async () => {
     [
       'normals',
       [face, '--strength', '1', ...out],
-      `cannot read the image ${face} (it is a binary glTF file), allowed: PNG, JPEG, WebP or TIFF; name an image`,
+      `cannot read the image ${face} (it is a binary glTF file), allowed: PNG, JPEG, WebP or TIFF; choose an image`,
     ],
     [
       'strokes',
       [face, '--face', face, ...out],
-      `cannot read the strokes ${face} (it is a binary glTF file), allowed: JSON; correct the file, or name another one`,
+      `cannot read the strokes ${face} (it is a binary glTF file), allowed: JSON; correct the file, or choose another one`,
     ],
     ['array', [face, '--extract', shop.path('x')], '(it is a binary glTF file, not KTX 2), allowed: KTX 2'],
     [
@@ -139,7 +141,7 @@ describe('another kind of file', async () => {
     [
       'inspect',
       ['https://example.org/a.glb'],
-      'cannot read the face https://example.org/a.glb (it is on the network); download it, and name the file',
+      'cannot read the face https://example.org/a.glb (it is a URL); download the file',
     ],
     ['activations', [face], 'swapped.glb has no wrinkles, allowed: '],
   ])('is recognised by furrow %s, with a remedy', async (command, args, message) => {

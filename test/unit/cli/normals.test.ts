@@ -186,7 +186,7 @@ describe('furrow normals', () => {
       ['cut.png', 'cannot read the image'],
       ['blue.png', 'got "128, 128, 255 at 0, 0", allowed: gray heights'],
       ['float.tif', 'got "float", allowed: 8 or 16 bits per channel'],
-      ['wide.png', 'got "8193 x 1", allowed: 8192 texels a side'],
+      ['wide.png', 'got "8193 x 1", allowed: 8192 texels per side'],
     ])('%s as input', (name, message) =>
       at.fails(message, file(name), '-o', file('x.png'), '--strength', '5'),
     )

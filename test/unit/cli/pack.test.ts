@@ -190,12 +190,12 @@ describe('furrow pack with invalid input', () => {
       document({ areas: [{ name: 'nose', layer: 'x' }] }),
       'area "nose" is on an unknown layer',
     ],
-    ['a missing image', area('no.png'), 'wrinkles.json refers to (it does not exist'],
-    ['an address elsewhere', area('https://x/y'), 'is not on this computer'],
+    ['a missing image', area('no.png'), 'wrinkles.json (it does not exist'],
+    ['an address elsewhere', area('https://x/y'), 'references a remote file'],
     [
       'an address outside the folder',
       area('../../secret.png'),
-      'refers to a file outside its folder, got "../../secret.png"',
+      'references a file outside its folder, got "../../secret.png"',
     ],
     [
       'a driver of nothing',

@@ -224,7 +224,7 @@ describe('files outside the folder', () => {
     async (uri) => {
       const path = await withImage(uri)
       for (const allowOutside of [false, true]) {
-        await expect(readGlbFile(path, WHO, { allowOutside })).rejects.toThrow(/not on this computer/)
+        await expect(readGlbFile(path, WHO, { allowOutside })).rejects.toThrow(/references a remote file/)
       }
     },
   )
@@ -232,10 +232,10 @@ describe('files outside the folder', () => {
   it.each([
     ['pipe.png', /it is not a file/],
     ['.', /it is not a file/],
-    ['none.png', /none\.png, which .*face\.gltf refers to.*; put it there/],
-    ['a%00b', /face\.gltf has an address with a NUL character, got "a%00b", .*; correct the address$/],
-    ['a\0b', /an address with a NUL character/],
-    ['', /face\.gltf has an empty address, got ""/],
+    ['none.png', /none\.png, referenced by .*face\.gltf.*; add the file/],
+    ['a%00b', /face\.gltf has a URI with a NUL character, got "a%00b", .*; correct the URI$/],
+    ['a\0b', /a URI with a NUL character/],
+    ['', /face\.gltf has an empty URI, got ""/],
     ['data:image/png;base64', /without a comma before its data/],
   ])('are not read if they are no regular files: %s', async (uri, message) => {
     await expect(readGlbFile(await withImage(uri), WHO)).rejects.toThrow(message)
@@ -258,7 +258,7 @@ describe('files outside the folder', () => {
     ['unpack', (face) => [face, '-o', shop.path('x')]],
   ])('are read by furrow %s only if the user allows it', async (name, args) => {
     const face = await withImage('../secret.png')
-    await shop.fails(`${face} refers to a file outside its folder`, name, ...args(face))
+    await shop.fails(`${face} references a file outside its folder`, name, ...args(face))
     const allowed = await shop.failure(name, ...args(face), '--allow-outside')
     expect(allowed.message).not.toContain('outside its folder')
   })

@@ -41,7 +41,7 @@ describe('furrow render refuses', () => {
       /cannot read the wrinkles .*allowed: JSON/,
     ],
     ['wrinkles without images', [FACE, '--wrinkles', file('lone.json')], /cannot read .*layer\.png/],
-    ['wrinkles on the network', [FACE, '--wrinkles', file('far.json')], /not on this computer/],
+    ['wrinkles on the network', [FACE, '--wrinkles', file('far.json')], /references a remote file/],
     ['an unknown blendshape', [FACE, '--set', 'jawOpenn=1'], /unknown blendshape, got "jawOpenn"/],
     ['an unknown area', [FACE, '--activation', 'chin=1'], /unknown area, got "chin"/],
   ])('%s', async (_, asked, message) => {

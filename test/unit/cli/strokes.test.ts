@@ -227,7 +227,7 @@ describe('furrow strokes', () => {
     ],
     [
       'a base that is not an image',
-      'strokes.json (it is text), allowed: PNG, JPEG, WebP or AVIF; name an image',
+      'strokes.json (it is text), allowed: PNG, JPEG, WebP or AVIF; choose an image',
       () => [strokes, '--face', face, '--base', strokes, '--normal', file('x.png')],
     ],
   ])('fails for %s and writes nothing', async (_, message, args) => {

@@ -81,12 +81,12 @@ describe('the files next to a face', () => {
     [
       'a file that was not opened',
       'skin.bin',
-      'cannot read skin.bin, which face.gltf refers to (it was not opened with it)',
+      'cannot read skin.bin, referenced by face.gltf (it was not opened with it)',
     ],
     ['one above', '../images/my skin.png', 'it was not opened with it'],
     ['an absolute path', '/images/skin.png', 'it was not opened with it'],
-    ['the network', 'https://example.org/skin.png', 'refers to a file that is not on this computer'],
-    ['no address', '', 'face.gltf has an empty address'],
+    ['the network', 'https://example.org/skin.png', 'references a remote file'],
+    ['no address', '', 'face.gltf has an empty URI'],
   ])('are reported missing: %s', async (_, uri, message) => {
     await expect(read(uri)).rejects.toThrow(message)
   })

@@ -70,7 +70,7 @@ describe('a drop', () => {
 
   it.each([
     ['model.fbx', 'Kaydara FBX Binary', 'it is an FBX file', 'convert it with FBX2glTF'],
-    ['model.obj', 'v 0 0 0', 'it is an OBJ file, which has no blendshapes', 'open it in Blender'],
+    ['model.obj', 'v 0 0 0', 'it is an OBJ file, a format without blendshapes', 'open it in Blender'],
     ['avatar.rar', 'Rar!', 'it is an archive', 'unpack it first'],
     [
       'notes.txt',

@@ -4,21 +4,21 @@ import { nameOf, trianglesOf } from '../mesh/mesh-nodes.ts'
 import {
   checkFinite,
   cornersOf,
-  fault,
   join,
   matrixOf,
+  meshError,
   noTriangles,
   readAttribute,
   transform,
 } from './vertices.ts'
 
-/** How far a sculpt may be from the low mesh by default, as a fraction of the low mesh's diagonal. */
+/** Default maximum distance of a sculpt, as a fraction of the low mesh's diagonal. */
 export const DEFAULT_CAGE = 0.02
 
 /**
- * The mesh that maps are for, unindexed, with its own tangents, or else those that are computed, or none.
+ * Reads the low mesh, unindexed. Uses its tangents, otherwise computed tangents, otherwise none.
  *
- * @throws FurrowError if it has no texture coordinates or no normals.
+ * @throws FurrowError if the mesh has no texture coordinates or no normals.
  */
 export function lowMeshOf(
   node: Node,
@@ -28,7 +28,7 @@ export function lowMeshOf(
 ): { mesh: BakeMesh; hasTangents: boolean } {
   const parts = trianglesOf(node.getMesh()!)
   if (!parts.every((primitive) => primitive.getAttribute('NORMAL'))) {
-    throw fault(
+    throw meshError(
       who,
       `${nameOf(node)} in ${path} has no normals`,
       'smooth normals',

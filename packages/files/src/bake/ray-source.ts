@@ -3,7 +3,7 @@ import { BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Ray, Triangle, 
 import { MeshBVH } from 'three-mesh-bvh'
 import type { Surface } from './surface.ts'
 
-/** Makes a surface ready for ray casts by a bounding volume hierarchy (three-mesh-bvh), which keeps and reorders the index array. */
+/** Builds a BVH of a surface (three-mesh-bvh) for ray casts. The BVH keeps and reorders the index array. */
 export function raySourceOf({ positions, normals, indices }: Surface): BakeSource {
   const geometry = new BufferGeometry()
   geometry.setAttribute('position', new BufferAttribute(positions, 3))

@@ -6,19 +6,19 @@ import { pickMesh } from '../mesh/face-mesh.ts'
 import { nameOf } from '../mesh/mesh-nodes.ts'
 import { lowMeshOf } from './low-mesh.ts'
 import { type Surface, surfaceOf } from './surface.ts'
-import { fault } from './vertices.ts'
+import { meshError } from './vertices.ts'
 
 const WHO = 'furrow bake'
 
-/** Tangents of a mesh without tangents of its own: see TangentFrame. */
+/** Tangents for a mesh without tangents; see TangentFrame. */
 export type Tangents = 'mikktspace' | 'derivative'
 
-/** Reads the detailed surface; see `surfaceOf`. Throws FurrowError if it cannot be read. */
+/** Reads the high-poly surface; see `surfaceOf`. Throws if the file cannot be read. */
 export async function readSurface(path: string, options: ReadOptions = {}): Promise<Surface> {
   return surfaceOf(await readDocument(path, WHO, options), path, WHO)
 }
 
-/** Reads the mesh that the maps are for; see `lowMeshOf` and `pickMesh`. Throws FurrowError if it cannot be read. */
+/** Reads the low-poly mesh; see `lowMeshOf` and `pickMesh`. Throws if the file cannot be read. */
 export async function readLow(
   path: string,
   meshName: string | undefined,
@@ -31,17 +31,17 @@ export async function readLow(
   return { name: nameOf(node), mesh, tangents: hasTangents ? 'of the mesh' : tangents }
 }
 
-/** MikkTSpace's v points up, glTF's down, which negates w. */
+/** Computes tangents. MikkTSpace's v points up and glTF's down, so w is negated. */
 function mikktspace({ positions, normals, uvs }: BakeMesh, path: string): Float32Array {
   let tangents: Float32Array
   try {
     tangents = generateTangents(positions, normals, uvs)
   } catch {
-    // Its WebAssembly traps where no triangle is left that has an area.
-    throw fault(
+    // The WebAssembly traps if all triangles are degenerate.
+    throw meshError(
       WHO,
-      `no tangents can be computed for ${path}`,
-      'triangles with an area',
+      `cannot compute tangents for ${path}`,
+      'triangles with nonzero area',
       'export the mesh again',
     )
   }

@@ -10,17 +10,17 @@ import {
   transform,
 } from './vertices.ts'
 
-/** A detailed surface in metres, transformed as in its file. */
+/** High-poly surface in world space, metres. */
 export interface Surface {
-  /** x, y and z of each vertex. */
+  /** Packed xyz positions. */
   positions: Float32Array
-  /** Normal of each vertex; absent if any of the meshes has none, and the surface is shaded flat. */
+  /** Packed xyz normals; absent if a mesh has none. The surface is then flat-shaded. */
   normals?: Float32Array
   /** Three vertices per triangle. */
   indices: Uint32Array
 }
 
-/** All triangles of a document as one surface, neutral and in rest pose. Throws FurrowError if there are none. */
+/** Returns all triangles of a document as one surface, neutral and in rest pose. Throws if there are none. */
 export function surfaceOf(document: Document, path: string, who: string): Surface {
   const parts = document
     .getRoot()

@@ -15,7 +15,7 @@ export function readAttribute(primitive: Primitive, name: string, size: number):
   return out
 }
 
-/** Vertices of the triangles; `isMirrored` swaps two of each, for a node whose matrix mirrors. */
+/** Returns the vertices of the triangles. `isMirrored` reverses the winding, for nodes with a mirroring matrix. */
 export function cornersOf(primitive: Primitive, isMirrored: boolean): Uint32Array {
   const index = primitive.getIndices()
   const count = index ? index.getCount() : primitive.getAttribute('POSITION')!.getCount()
@@ -33,7 +33,7 @@ export function matrixOf(node: Node): Matrix4 {
   return new Matrix4().fromArray(placementOf(node))
 }
 
-/** Transforms vertices in place; normals and tangents are normalised. */
+/** Transforms vertices in place and normalises normals and tangents. */
 export function transform(
   { positions, normals, tangents }: Partial<BakeMesh> & Pick<BakeMesh, 'positions'>,
   matrix: Matrix4,
@@ -43,7 +43,7 @@ export function transform(
   if (tangents) transformDirections(new BufferAttribute(tangents, 4), matrix.clone().setPosition(0, 0, 0))
 }
 
-/** The cofactor matrix: the inverse transpose times the determinant's absolute value, so that a zero scale does no harm. */
+/** Returns the cofactor matrix: the inverse transpose times |determinant|. Works with zero scales. */
 function normalMatrixOf(matrix: Matrix4): Matrix4 {
   const sign = isMirroring(matrix) ? -1 : 1
   const [x, y, z] = [0, 1, 2].map((k) => new Vector3().setFromMatrixColumn(matrix, k))
@@ -80,13 +80,18 @@ export function join<T extends Float32Array | Uint32Array>(
 export function checkFinite(values: Float32Array, path: string, who: string): void {
   const bad = values.findIndex((value) => !Number.isFinite(value))
   if (bad >= 0)
-    throw fault(who, `a vertex of ${path} is at ${values[bad]}`, 'finite numbers', 'export the mesh again')
+    throw meshError(
+      who,
+      `a vertex of ${path} is at ${values[bad]}`,
+      'finite numbers',
+      'export the mesh again',
+    )
 }
 
 export function noTriangles(path: string, who: string): FurrowError {
-  return fault(who, `no triangles in ${path}`, 'a mesh of triangles', 'export it as a mesh')
+  return meshError(who, `no triangles in ${path}`, 'a mesh of triangles', 'export it as a mesh')
 }
 
-export function fault(who: string, problem: string, limit: string, remedy: string): FurrowError {
+export function meshError(who: string, problem: string, limit: string, remedy: string): FurrowError {
   return new FurrowError({ who, problem, limit, remedy })
 }

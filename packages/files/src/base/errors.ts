@@ -1,10 +1,10 @@
 import { FurrowError } from 'furrow'
 
 /**
- * Runs `work`, synchronous or not, and reports its errors as the command's own: users know the command, not the functions that it calls.
+ * Runs `work`, synchronous or not, and reports its errors in the name of the command.
  *
  * @param who the command, e.g. `furrow auto`.
- * @throws FurrowError, also where the memory for maps of the size that was asked for cannot be allocated.
+ * @throws FurrowError, also if maps of the requested size do not fit into memory.
  */
 export function withCommandErrors<T>(who: string, work: () => T): T {
   const report = (error: unknown): never => {
@@ -28,33 +28,33 @@ function errorOf(who: string, error: unknown): unknown {
   )
 }
 
-/** What the errors of the file system mean, and what helps. */
+/** Reasons and remedies for errors of the file system. */
 const FILE_ERRORS: Readonly<Record<string, { reason: string; remedy: string }>> = {
   ENOENT: { reason: 'it does not exist', remedy: 'check the path' },
-  ENOTDIR: { reason: 'a part of its path is not a folder', remedy: 'check the path' },
-  EISDIR: { reason: 'it is a folder', remedy: 'name a file' },
+  ENOTDIR: { reason: 'part of the path is not a folder', remedy: 'check the path' },
+  EISDIR: { reason: 'it is a folder', remedy: 'choose a file' },
   EACCES: { reason: 'permission denied', remedy: 'ask its owner, or change its permissions' },
-  EPERM: { reason: 'the system does not permit it', remedy: 'ask its owner, or change its permissions' },
+  EPERM: { reason: 'operation not permitted', remedy: 'ask its owner, or change its permissions' },
   EROFS: { reason: 'the disk is read-only', remedy: 'choose a path on another disk' },
   ENOSPC: { reason: 'the disk is full', remedy: 'free some space, or choose another disk' },
-  EDQUOT: { reason: 'your quota is used up', remedy: 'free some space, or choose another disk' },
-  ENAMETOOLONG: { reason: 'its name is too long', remedy: 'choose a shorter name' },
-  ELOOP: { reason: 'its links lead in a circle', remedy: 'correct the links' },
+  EDQUOT: { reason: 'disk quota exceeded', remedy: 'free some space, or choose another disk' },
+  ENAMETOOLONG: { reason: 'the name is too long', remedy: 'choose a shorter name' },
+  ELOOP: { reason: 'its symbolic links form a cycle', remedy: 'correct the links' },
   EMFILE: {
     reason: 'too many files are open',
     remedy: 'close other programs, or raise the limit (ulimit -n)',
   },
-  EEXIST: { reason: 'something else has its name', remedy: 'choose another name' },
-  ENOTEMPTY: { reason: 'the folder is not empty', remedy: 'name another one; nothing is overwritten' },
+  EEXIST: { reason: 'the name already exists', remedy: 'choose another name' },
+  ENOTEMPTY: { reason: 'the folder is not empty', remedy: 'choose another folder' },
   EBUSY: { reason: 'another program uses it', remedy: 'close that program' },
 }
 
 /**
- * The error for a file or image that cannot be read.
+ * Creates the error for a file or image that cannot be read.
  *
- * @param name what could not be read, as the user knows it, e.g. `the face head.glb`.
- * @param cause what reading it threw; its first line becomes part of the message.
- * @param hints.remedy where nothing at the path, or what is there, is the problem.
+ * @param name name for the user, e.g. `the face head.glb`.
+ * @param cause the original error; its first line becomes part of the message.
+ * @param hints.remedy remedy, unless a file system error has its own.
  */
 export function cannotRead(
   who: string,
@@ -69,7 +69,7 @@ export function cannotRead(
   return new FurrowError({ code: 'unreadable', who, problem, ...hints, remedy }, { cause })
 }
 
-/** The error for a file or folder that cannot be written; see `cannotRead`. */
+/** Creates the error for a file or folder that cannot be written; see `cannotRead`. */
 export function cannotWrite(
   who: string,
   name: string,
@@ -86,7 +86,7 @@ function fileError(cause: unknown) {
   return code !== undefined && Object.hasOwn(FILE_ERRORS, code) ? FILE_ERRORS[code] : undefined
 }
 
-/** The first line of an error's message: some libraries add stacks and hints. */
+/** Returns the first line of an error's message, because some libraries append stacks and hints. */
 export function firstLine(error: unknown): string {
   return (error instanceof Error ? error.message : String(error)).split('\n')[0].trim()
 }

@@ -1,6 +1,6 @@
 import { latin1 } from './bytes.ts'
 
-/** Kinds of files by what they begin with: one of some texts, or a pattern. Texts are Latin-1. */
+/** Kinds of files with their first bytes as Latin-1: prefixes or a pattern. */
 const KINDS = [
   ['a binary glTF file', ['glTF']],
   ['an FBX file', ['Kaydara FBX Binary', '; FBX ']],
@@ -18,18 +18,18 @@ const KINDS = [
   ['an image', ['\x89PNG', '\xff\xd8\xff', 'GIF8', 'II*\0', 'MM\0*', '8BPS']],
   ['an image', /^(RIFF.{4}WEBP|.{4}ftyp(avif|heic))/s],
   ['an image', /^\s*(<\?xml[^>]*>\s*)?(<!--.*?-->\s*)?<svg/is],
-  // What is in none of these encodings: control characters other than tabs and the ends of lines and pages.
-  // biome-ignore lint/suspicious/noControlCharactersInRegex: they are what tells text from other files.
+  // Text has no control characters except tabs, line breaks and form feeds.
+  // biome-ignore lint/suspicious/noControlCharactersInRegex: control characters distinguish text from other files.
   ['text', /^[^\x00-\x08\x0b\x0e-\x1f\x7f]+$/],
 ] as const satisfies readonly (readonly [kind: string, begin: readonly string[] | RegExp])[]
 
-/** What a file is, as a noun phrase. */
+/** Kind of a file, as a noun phrase. */
 export type FileKind = (typeof KINDS)[number][0] | 'empty'
 
-/** Bytes at the beginning of a file that tell its kind. */
+/** Number of bytes at the start of a file that identify its kind. */
 export const HEAD_BYTES = 1024
 
-/** Tells what a file is by its first bytes; undefined where it cannot be told. */
+/** Identifies a file by its first bytes. Returns undefined if the kind is unknown. */
 export function kindOf(bytes: Uint8Array): FileKind | undefined {
   if (bytes.length === 0) return 'empty'
   const head = latin1(bytes.subarray(0, HEAD_BYTES))

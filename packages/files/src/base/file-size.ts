@@ -1,16 +1,16 @@
 import { FurrowError } from 'furrow'
 
-/** Most bytes of a file that is read, and of a face with all files that it refers to. */
+/** Maximum size of an input file, and of a face with all referenced files. */
 export const MAX_FILE_BYTES = 2 ** 29
 
-/** The same of JSON, which can take 25 times its size in memory. */
+/** Maximum size of JSON, which can take 25 times its size in memory. */
 export const MAX_JSON_BYTES = 2 ** 26
 
 /**
  * Checks the size of a file before it is read.
  *
- * @param name of the file, as the user knows it.
- * @throws FurrowError when it is too large.
+ * @param name name of the file, for errors.
+ * @throws FurrowError if the file is too large.
  */
 export function checkFileBytes(bytes: number, name: string, who: string, most = MAX_FILE_BYTES): void {
   if (bytes <= most) return

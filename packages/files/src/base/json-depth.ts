@@ -1,7 +1,7 @@
-/** Values inside values beyond which a document is refused: what reads or writes JSON recurses. */
+/** Maximum nesting depth of a document, because code that reads or writes JSON recurses. */
 const MAX_DEPTH = 128
 
-/** @returns what is wrong with a document that is too deep, or undefined. */
+/** @returns a problem if a document is nested too deeply, otherwise undefined. */
 export function depthProblem(json: unknown): string | undefined {
   let level = [json].filter(isObject)
   for (let depth = 0; depth < MAX_DEPTH; depth++) {

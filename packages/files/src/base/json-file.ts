@@ -6,11 +6,11 @@ import { depthProblem } from './json-depth.ts'
 /**
  * Parses the bytes of a JSON file.
  *
- * @param name of the file, as the user knows it.
- * @throws FurrowError when it is not JSON, or too deep.
+ * @param name name of the file, for errors.
+ * @throws FurrowError if the file is not JSON, or nested too deeply.
  */
 export function parseJson(bytes: Uint8Array, name: string, who: string): unknown {
-  const hints = { limit: 'JSON', remedy: 'correct the file, or name another one' }
+  const hints = { limit: 'JSON', remedy: 'correct the file, or choose another one' }
   let json: unknown
   try {
     json = JSON.parse(fromUtf8(bytes))
@@ -24,7 +24,7 @@ export function parseJson(bytes: Uint8Array, name: string, who: string): unknown
   return json
 }
 
-/** An object as a file: each item of its lists, such as a stroke or an area, on a line of its own. */
+/** Encodes an object as JSON, with one line per item of its lists, e.g. per stroke or area. */
 export function jsonFile(object: object): Uint8Array {
   const fields = Object.entries(object).map(([name, value]) => `  "${name}": ${fieldText(value)}`)
   return utf8(`{\n${fields.join(',\n')}\n}\n`)

@@ -1,4 +1,4 @@
-/** A file to write: its whole content, still in memory. */
+/** File to write, in memory. */
 export interface OutputFile {
   path: string
   bytes: Uint8Array

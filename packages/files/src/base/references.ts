@@ -2,20 +2,20 @@ import { FurrowError } from 'furrow'
 import { fromBase64, fromLatin1 } from './bytes.ts'
 import { cannotRead } from './errors.ts'
 
-/** What a URI refers to. */
+/** Data that a URI refers to. */
 export interface Reference {
   bytes: Uint8Array
-  /** The path of the file, the same by whatever URI; undefined where the URI itself holds the data. */
+  /** Real path of the file; undefined for data URIs. */
   path?: string
 }
 
-/** Reads what a URI in a file refers to; the same object each time. Throws FurrowError where it cannot. */
+/** Reads the data of a URI in a file, cached. Throws if it cannot be read. */
 export type ReadReference = (uri: string) => Promise<Reference>
 
 const SCHEME = /^[a-z][a-z\d+.-]*:/i
 const DATA_URI = /^data:[^,]*?(;base64)?,/i
 
-/** The data in a `data:` URI; undefined for any other. */
+/** Returns the data of a `data:` URI, or undefined for other URIs. */
 export function dataOf(uri: string): Uint8Array | undefined {
   const found = DATA_URI.exec(uri)
   if (!found) return undefined
@@ -24,31 +24,31 @@ export function dataOf(uri: string): Uint8Array | undefined {
 }
 
 /**
- * The path in a URI, with the separators of any system.
+ * Returns the path in a URI, with `/` as separator.
  *
  * @param file path of the file with the URI, for errors.
- * @throws FurrowError for anything that is not a relative path.
+ * @throws FurrowError if the URI is not a relative path.
  */
 export function pathOf(file: string, uri: string, who: string): string {
   if (!SCHEME.test(uri)) {
     const path = unescaped(uri).replaceAll('\\', '/')
-    if (path === '') throw noAddress(file, uri, who, 'an empty address')
-    if (path.includes('\0')) throw noAddress(file, uri, who, 'an address with a NUL character')
+    if (path === '') throw invalidUri(file, uri, who, 'an empty URI')
+    if (path.includes('\0')) throw invalidUri(file, uri, who, 'a URI with a NUL character')
     return path
   }
-  if (/^data:/i.test(uri)) throw noAddress(file, uri, who, 'a data address without a comma before its data')
+  if (/^data:/i.test(uri)) throw invalidUri(file, uri, who, 'a data URI without a comma before its data')
   if (/^file:/i.test(uri)) throw outside(file, uri, who)
   throw new FurrowError({
     code: 'unreadable',
     who,
-    problem: `${file} refers to a file that is not on this computer`,
+    problem: `${file} references a remote file`,
     value: uri,
     limit: 'paths relative to the file',
-    remedy: 'download it, and put it beside the file',
+    remedy: 'download the referenced file into the same folder',
   })
 }
 
-/** A URI without its escapes. Exporters are asked to escape URIs, and not all do. */
+/** Decodes a URI. Some exporters do not encode URIs, so invalid escapes are kept. */
 export function unescaped(text: string): string {
   try {
     return decodeURIComponent(text)
@@ -57,7 +57,7 @@ export function unescaped(text: string): string {
   }
 }
 
-/** A relative path without `.`, `..` and empty parts, except `..` at its beginning. */
+/** Removes `.`, `..` and empty parts from a relative path, except leading `..`. */
 export function normalised(path: string): string {
   const parts: string[] = []
   for (const part of path.split('/')) {
@@ -68,34 +68,34 @@ export function normalised(path: string): string {
   return parts.join('/')
 }
 
-/** The error for a reference that leads out of the folder of its file. */
+/** Creates the error for a reference outside the folder of the file. */
 export function outside(file: string, uri: string, who: string): FurrowError {
   return new FurrowError({
     code: 'unreadable',
     who,
-    problem: `${file} refers to a file outside its folder`,
+    problem: `${file} references a file outside its folder`,
     value: uri,
-    limit: 'files in the same folder, or below it',
-    remedy: 'move it there, or trust the file with --allow-outside',
+    limit: 'files in the same folder or below',
+    remedy: 'move the referenced file, or allow it with --allow-outside',
   })
 }
 
-/** The error for a reference to a file that cannot be read. */
+/** Creates the error for a referenced file that cannot be read. */
 export function missing(file: string, uri: string, who: string, error: unknown): FurrowError {
-  return cannotRead(who, `${printable(uri)}, which ${file} refers to`, error, {
-    remedy: 'put it there, or correct the address',
+  return cannotRead(who, `${printable(uri)}, referenced by ${file}`, error, {
+    remedy: 'add the file, or correct the URI',
   })
 }
 
 export const printable = (uri: string) => (uri.length > 120 ? `${uri.slice(0, 117)}...` : uri)
 
-function noAddress(file: string, uri: string, who: string, what: string): FurrowError {
+function invalidUri(file: string, uri: string, who: string, description: string): FurrowError {
   return new FurrowError({
     code: 'unreadable',
     who,
-    problem: `${file} has ${what}`,
+    problem: `${file} has ${description}`,
     value: uri,
     limit: 'paths relative to the file',
-    remedy: 'correct the address',
+    remedy: 'correct the URI',
   })
 }

@@ -1,6 +1,6 @@
 import type { CheckedAccessor } from '../json/checked-json.ts'
 
-/** Bytes of each component type, and components of each type of element (glTF 2.0, 3.6.2.2). */
+/** Bytes per component type (glTF 2.0, 3.6.2.2). */
 export const COMPONENT_BYTES = new Map([
   [5120, 1],
   [5121, 1],
@@ -9,6 +9,7 @@ export const COMPONENT_BYTES = new Map([
   [5125, 4],
   [5126, 4],
 ])
+/** Components per element type (glTF 2.0, 3.6.2.2). */
 export const COMPONENTS = new Map([
   ['SCALAR', 1],
   ['VEC2', 2],
@@ -19,7 +20,7 @@ export const COMPONENTS = new Map([
   ['MAT4', 16],
 ])
 
-/** Bytes of one element; NaN where its type does not exist. */
+/** Returns the size of an element in bytes, or NaN if its type is unknown. */
 export function elementBytes({
   componentType,
   type,

@@ -5,29 +5,29 @@ import { rangeProblem } from './ranges.ts'
 import { referenceProblem } from './references.ts'
 import { sizeProblem } from './sizes.ts'
 
-// Both take time in proportion to the size of a document, whose types `shapeProblem` has checked.
+// Both checks take linear time and expect that `shapeProblem` has checked the types.
 
 /**
- * What in a document would cost any reader too much time or memory: nodes in cycles or long chains, and counts out of
- * all proportion to the file.
+ * Finds parts of a document that would cost too much time or memory: nodes in cycles or long chains, and counts out of
+ * proportion to the file size.
  *
- * @param fileBytes size of the file with all that it refers to.
- * @returns what is wrong, or undefined.
+ * @param fileBytes size of the file with all referenced files.
+ * @returns the problem, or undefined.
  */
 export function costProblem(json: GltfJson, fileBytes: number): string | undefined {
   return nodeProblem(json as CheckedJson) ?? sizeProblem(json as CheckedJson, fileBytes)
 }
 
 /**
- * What in a document points to nothing: references, and offsets, counts and strides beyond the bytes.
+ * Finds invalid references, and offsets, counts and strides beyond the data.
  *
- * @param binaryBytes of the binary chunk, the first buffer; no other buffer has bytes of its own.
- * @returns what is wrong, or undefined.
+ * @param binaryBytes size of the binary chunk, the first buffer. Other buffers are empty.
+ * @returns the problem, or undefined.
  */
 export function decodingProblem(json: GltfJson, binaryBytes: number): string | undefined {
   const lengths = (json.buffers ?? []).map((_, i) => (i === 0 ? binaryBytes : 0))
   // Extensions that are not listed are not decoded (glTF 2.0, 3.12).
   const unlisted = json.extensionsRequired?.find((name) => !json.extensionsUsed?.includes(name))
-  if (unlisted !== undefined) return `its extensionsUsed do not list ${unlisted}, which it requires`
+  if (unlisted !== undefined) return `the required extension ${unlisted} is missing in extensionsUsed`
   return referenceProblem(json as CheckedJson) ?? rangeProblem(json as CheckedJson, lengths)
 }

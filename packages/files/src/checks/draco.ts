@@ -1,7 +1,7 @@
 import { latin1 } from '../base/bytes.ts'
 import type { CheckedJson } from '../json/checked-json.ts'
 
-// Draco Bitstream Specification 2.2: a header, the kind of connectivity, and how much there is; offsets in bytes.
+// Byte offsets in a Draco stream (Draco Bitstream Specification 2.2): header, connectivity method, counts.
 const MAGIC = 'DRACO'
 const VERSION = 5
 const METHOD = 8
@@ -11,11 +11,11 @@ const HAS_METADATA = 0x8000
 const EDGEBREAKER = 1
 
 /**
- * Checks that meshes in Draco decode to no more than their accessors say: a stream of 500 bytes can hold millions of points. References
- * and ranges have been checked.
+ * Checks that Draco meshes do not exceed the counts of their accessors: 500 bytes can encode millions of points. Expects
+ * valid references and ranges.
  *
  * @param bin the binary chunk.
- * @returns what is wrong, or undefined.
+ * @returns the problem, or undefined.
  */
 export function dracoProblem(
   { accessors = [], bufferViews = [], meshes = [] }: CheckedJson,
@@ -27,7 +27,7 @@ export function dracoProblem(
       if (!draco) continue
       const { byteOffset = 0, byteLength } = bufferViews[draco.bufferView]
       const counts = readCounts(bin.subarray(byteOffset, byteOffset + byteLength))
-      if (!counts) return `meshes[${i}] has Draco data of another kind than glTF allows`
+      if (!counts) return `meshes[${i}] has Draco data that glTF does not allow`
       const vertices = accessors[attributes.POSITION ?? -1]?.count ?? 0
       const corners = accessors[indices ?? -1]?.count ?? vertices
       const { points, faces } = counts
@@ -38,7 +38,7 @@ export function dracoProblem(
   return undefined
 }
 
-/** Undefined where the data is not a mesh of version 2.2, or has metadata, which nothing in glTF uses. */
+/** Returns undefined if the data is not a mesh of version 2.2, or has metadata, which glTF does not use. */
 function readCounts(bytes: Uint8Array): { points: number; faces: number } | undefined {
   const isMesh =
     bytes.length > CONNECTIVITY &&
@@ -47,7 +47,7 @@ function readCounts(bytes: Uint8Array): { points: number; faces: number } | unde
     ((bytes[FLAGS] | (bytes[FLAGS + 1] << 8)) & HAS_METADATA) === 0
   if (!isMesh) return undefined
   let at = CONNECTIVITY
-  /** LEB128: seven bits per byte, the lowest first. */
+  /** Reads LEB128: seven bits per byte, lowest first. */
   const next = () => {
     for (let value = 0, scale = 1; ; scale *= 128) {
       const byte = bytes[at++] ?? 0
@@ -56,7 +56,7 @@ function readCounts(bytes: Uint8Array): { points: number; faces: number } | unde
     }
   }
   if (bytes[METHOD] !== EDGEBREAKER) return { faces: next(), points: next() }
-  // The way that triangles were visited, and the vertices, of which the decoder allows no more than corners.
+  // Skips the traversal method and the vertex count, which the decoder limits to the number of corners.
   at++
   next()
   return { faces: next(), points: 0 }

@@ -1,10 +1,10 @@
 import type { Accessor, Document } from '@gltf-transform/core'
 
 /**
- * Checks that the attributes of each primitive have as many elements as it has vertices, and that its indices are those
- * of vertices. Of compressed meshes only their decoder knows.
+ * Checks that all attributes of a primitive have the same count, and that its indices are in range. Runs after decoding,
+ * because the data of compressed meshes is unknown before.
  *
- * @returns what is wrong, or undefined.
+ * @returns the problem, or undefined.
  */
 export function meshProblem(document: Document): string | undefined {
   for (const [m, mesh] of document.getRoot().listMeshes().entries()) {

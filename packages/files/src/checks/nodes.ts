@@ -1,13 +1,12 @@
 import type { CheckedJson } from '../json/checked-json.ts'
 
-/** Readers walk from each node to its root, and some recurse. Skeletons are some tens deep. */
+/** Maximum depth of a node, because some readers recurse. Typical skeletons are tens of nodes deep. */
 const MAX_DEPTH = 256
 
 /**
- * Checks that nodes form trees (glTF 2.0, 3.5.2): no node has two parents or is its own ancestor, and none is deeper
- * than 256. Children that do not exist are left to others.
+ * Checks that nodes form trees (glTF 2.0, 3.5.2) at most 256 deep. Ignores missing children, which other checks report.
  *
- * @returns what is wrong, or undefined.
+ * @returns the problem, or undefined.
  */
 export function nodeProblem({ nodes = [] }: CheckedJson): string | undefined {
   const parents = new Int32Array(nodes.length).fill(-1)
@@ -18,7 +17,7 @@ export function nodeProblem({ nodes = [] }: CheckedJson): string | undefined {
       parents[child] = i
     }
   }
-  // From the roots down; what is not reached is in a cycle.
+  // Walks from the roots down. Unreached nodes are in a cycle.
   let level = [...nodes.keys()].filter((i) => parents[i] < 0)
   let reached = 0
   for (let depth = 1; level.length > 0; depth++) {

@@ -2,15 +2,15 @@ import type { CheckedAccessor, CheckedJson } from '../json/checked-json.ts'
 import { type BufferView, compressedViews } from '../json/gltf-json.ts'
 import { COMPONENT_BYTES, COMPONENTS, elementBytes } from './accessor-bytes.ts'
 
-/** The component type that cannot be normalized (glTF 2.0, 3.6.2.2), besides that of floats, where readers ignore it. */
+/** Component type that cannot be normalized (glTF 2.0, 3.6.2.2). Readers ignore `normalized` for floats. */
 const UNSIGNED_INT = 5125
 const SPARSE_INDICES = [5121, 5123, 5125]
 
 /**
- * Checks that every view lies within its buffer, and every accessor within its view. References have been checked.
+ * Checks that every view is within its buffer, and every accessor within its view. Expects valid references.
  *
- * @param lengths bytes of each buffer that are there; 0 for those of which only compressed views have bytes.
- * @returns what is wrong, or undefined.
+ * @param lengths available bytes of each buffer; 0 for fallback buffers of compressed views.
+ * @returns the problem, or undefined.
  */
 export function rangeProblem(json: CheckedJson, lengths: readonly number[]): string | undefined {
   return viewProblem(json, lengths) ?? accessorProblem(json)
@@ -59,7 +59,7 @@ function accessorProblem({ accessors = [], bufferViews = [] }: CheckedJson): str
   return undefined
 }
 
-/** Whether elements in a view are aligned, do not overlap, and end within it. */
+/** Checks that elements are aligned, do not overlap, and end within the view. */
 function spanProblem(
   where: string,
   { byteOffset = 0, ...form }: Pick<CheckedAccessor, 'byteOffset' | 'componentType' | 'type'>,

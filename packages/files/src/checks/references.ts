@@ -1,10 +1,10 @@
 import type { CheckedJson } from '../json/checked-json.ts'
 import { compressedViews } from '../json/gltf-json.ts'
 
-/** A reference: where it is, its value, and the list that it must point into. */
+/** Reference: its location, its value, and its target list. */
 type Reference = [where: string, index: number | undefined, list: readonly unknown[] | undefined]
 
-/** Finds the first index in a file that points to nothing. Types have been checked. */
+/** Finds the first invalid index in a file. Expects valid types. */
 export function referenceProblem(json: CheckedJson): string | undefined {
   for (const [where, index, list = []] of referencesOf(json)) {
     if (index !== undefined && index >= list.length) return `${where} is ${index}, of ${list.length}`
@@ -15,13 +15,13 @@ export function referenceProblem(json: CheckedJson): string | undefined {
   return dracoAttributeProblem(json)
 }
 
-/** Draco's attributes must be among those of their primitive (KHR_draco_mesh_compression). */
+/** Checks that the primitive also has all attributes in Draco (KHR_draco_mesh_compression). */
 function dracoAttributeProblem({ meshes = [] }: CheckedJson): string | undefined {
   for (const [m, { primitives }] of meshes.entries()) {
     for (const [p, { attributes = {}, extensions }] of primitives.entries()) {
       const packed = Object.keys(extensions?.KHR_draco_mesh_compression?.attributes ?? {})
-      const alone = packed.find((name) => !Object.hasOwn(attributes, name))
-      if (alone !== undefined) return `meshes[${m}].primitives[${p}] has ${alone} in Draco's attributes alone`
+      const extra = packed.find((name) => !Object.hasOwn(attributes, name))
+      if (extra !== undefined) return `meshes[${m}].primitives[${p}] has ${extra} only in Draco's attributes`
     }
   }
   return undefined
@@ -106,7 +106,7 @@ function* referencesOf(json: CheckedJson): Generator<Reference> {
   }
 }
 
-/** The textures of a material itself; those of extensions are their readers' concern. */
+/** Returns the textures of a material, without those of extensions. */
 function textureInfosOf(material: NonNullable<CheckedJson['materials']>[number]) {
   const { normalTexture, occlusionTexture, emissiveTexture, pbrMetallicRoughness = {} } = material
   const { baseColorTexture, metallicRoughnessTexture } = pbrMetallicRoughness

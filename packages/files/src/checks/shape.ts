@@ -1,6 +1,6 @@
 import { depthProblem } from '../base/json-depth.ts'
 
-/** Whether a value has its type. */
+/** Returns whether a value has a type. */
 type Check = (value: unknown) => boolean
 
 const isText: Check = (value) => typeof value === 'string'
@@ -16,13 +16,13 @@ const mapOf =
   (check: Check): Check =>
   (value) =>
     isObject(value) && Object.values(value).every(check)
-/** An object whose fields, where present, pass their checks; other fields are ignored. */
+/** Checks an object with optional fields; ignores other fields. */
 const shape =
   (fields: Record<string, Check>): Check =>
   (value) =>
     isObject(value) &&
     Object.entries(fields).every(([name, check]) => value[name] === undefined || check(value[name]))
-/** The same, with fields that must be present. */
+/** Checks an object with required and optional fields. */
 const shapeWith =
   (required: Record<string, Check>, fields: Record<string, Check> = {}): Check =>
   (value) =>
@@ -39,7 +39,7 @@ const view = { buffer: isIndex, byteLength: isIndex }
 
 const MESHOPT_MODES: unknown[] = ['ATTRIBUTES', 'TRIANGLES', 'INDICES']
 
-/** The bytes of a view that EXT_meshopt_compression or a successor compresses. */
+/** Checks a compressed view of EXT_meshopt_compression or a successor. */
 const compressedView = shapeWith(
   { ...view, count: isIndex, byteStride: isIndex, mode: (value) => MESHOPT_MODES.includes(value) },
   { byteOffset: isIndex },
@@ -56,7 +56,7 @@ const primitive = shape({
   }),
 })
 
-/** The lists of a glTF file that commands or its checks use, and the fields that they read. */
+/** Checks of the lists in a glTF file, for all fields that commands read. */
 const LISTS: Record<string, Check> = {
   extensionsUsed: isText,
   extensionsRequired: isText,
@@ -118,9 +118,9 @@ const LISTS: Record<string, Check> = {
 }
 
 /**
- * Checks that what commands read of a glTF document has the types of the specification, so that no later code has to.
+ * Checks that all fields that commands read have the types of the glTF specification. Later code relies on them.
  *
- * @returns what is wrong, or undefined.
+ * @returns the problem, or undefined.
  */
 export function shapeProblem(json: unknown): string | undefined {
   if (!isObject(json)) return 'its JSON is not an object'
@@ -132,9 +132,9 @@ export function shapeProblem(json: unknown): string | undefined {
   for (const [name, check] of Object.entries(LISTS)) {
     const list = json[name]
     if (list === undefined) continue
-    if (!Array.isArray(list)) return `its ${name} are not a list`
-    const wrong = list.findIndex((item) => !check(item))
-    if (wrong >= 0) return `${name}[${wrong}] is malformed`
+    if (!Array.isArray(list)) return `${name} is not a list`
+    const invalid = list.findIndex((item) => !check(item))
+    if (invalid >= 0) return `${name}[${invalid}] is malformed`
   }
   return json.scene === undefined || isIndex(json.scene) ? undefined : 'its scene is not an index'
 }

@@ -2,26 +2,25 @@ import type { CheckedAccessor, CheckedJson } from '../json/checked-json.ts'
 import { compressedViews } from '../json/gltf-json.ts'
 import { elementBytes } from './accessor-bytes.ts'
 
-/** Bytes of geometry that any file may decode to, and how many times its size a larger one may. */
+/** Limits of decoded geometry: bytes for any file, and bytes per byte of a larger file. */
 const DECODED_BYTES = 2 ** 27
 const DECODED_PER_BYTE = 32
-/** The same for triangles: those of many blendshapes take less than a byte each only in files of few. */
+/** Limits of triangles: for any file, and per byte of a larger file. */
 const TRIANGLES = 250_000
 const TRIANGLES_PER_BYTE = 1
 
 /**
- * Checks how much a file decodes to, in proportion to its size. Few bytes can stand for many: elements without a view
- * are zeros, several accessors can have one view and several primitives one accessor, and compressed views may hold
- * anything.
+ * Checks the decoded size of a file against its file size. A small file can decode to a large one: accessors without a
+ * view are zeros, views and accessors can be shared, and views can be compressed.
  *
- * @returns what is wrong, or undefined.
+ * @returns the problem, or undefined.
  */
 export function sizeProblem(
   { accessors = [], bufferViews = [], meshes = [] }: CheckedJson,
   fileBytes: number,
 ): string | undefined {
-  const most = Math.max(DECODED_BYTES, DECODED_PER_BYTE * fileBytes)
-  const mostTriangles = Math.max(TRIANGLES, TRIANGLES_PER_BYTE * fileBytes)
+  const maxBytes = Math.max(DECODED_BYTES, DECODED_PER_BYTE * fileBytes)
+  const maxTriangles = Math.max(TRIANGLES, TRIANGLES_PER_BYTE * fileBytes)
   let [stored, unpacked, used, triangles] = [0, 0, 0, 0]
   for (const [i, accessor] of accessors.entries()) {
     const { count, sparse } = accessor
@@ -38,14 +37,15 @@ export function sizeProblem(
     }
   }
   const largest = Math.max(stored, unpacked, used)
-  if (largest > most) return `its meshes decode to ${megabytes(largest)}, more than ${megabytes(most)}`
-  if (triangles > mostTriangles) {
-    return `it has ${Math.floor(triangles)} triangles in ${fileBytes} bytes, more than ${mostTriangles}`
+  if (largest > maxBytes)
+    return `its meshes decode to ${megabytes(largest)}, more than ${megabytes(maxBytes)}`
+  if (triangles > maxTriangles) {
+    return `it has ${Math.floor(triangles)} triangles in ${fileBytes} bytes, more than ${maxTriangles}`
   }
   return undefined
 }
 
-/** 0 where there is no such accessor, or its type is unknown, which other checks report. */
+/** Returns 0 if the accessor is missing or its type unknown, which other checks report. */
 function bytesOf(accessor: CheckedAccessor | undefined): number {
   return (accessor && accessor.count * elementBytes(accessor)) || 0
 }

@@ -13,18 +13,18 @@ import {
 } from '../base/references.ts'
 import { recordRead } from './files-read.ts'
 
-/** Which files besides the named one a command may read. */
+/** Rules for referenced files. */
 export interface ReadOptions {
-  /** Whether a file may refer to files outside its own folder. */
+  /** Whether a file may reference files outside its folder, default false. */
   allowOutside?: boolean | undefined
 }
 
 /**
- * Finds the file that a URI in another file refers to. Symbolic links are followed before it is checked where it is.
+ * Resolves a URI in a file. Checks the folder after resolving symbolic links.
  *
  * @param file path of the file with the URI.
- * @returns the real path of a regular file.
- * @throws FurrowError when it is missing, not a regular file, too large, on the network, or outside the folder of `file`.
+ * @returns real path of a regular file.
+ * @throws FurrowError if the file is missing, not a regular file, too large, remote, or outside the folder of `file`.
  */
 export async function resolveInside(
   file: string,
@@ -35,7 +35,7 @@ export async function resolveInside(
   const folder = dirname(resolve(file))
   const isUrl = allowOutside && /^file:/i.test(uri)
   const target = resolve(folder, isUrl ? pathOfUrl(file, uri, who) : pathOf(file, uri, who))
-  // Before links are followed, so that nobody learns from the error whether a file elsewhere exists.
+  // Checked before resolving links, so that the error does not reveal whether a file outside exists.
   if (!allowOutside && !isInside(folder, target)) throw outside(file, uri, who)
   const real = await realpath(target).catch((error) => {
     throw missing(file, uri, who, error)
@@ -43,16 +43,16 @@ export async function resolveInside(
   if (!allowOutside && !isInside(await realpath(folder), real)) throw outside(file, uri, who)
   const found = await stat(real)
   if (!found.isFile()) throw missing(file, uri, who, new Error('it is not a file'))
-  checkFileBytes(found.size, `${printable(uri)}, which ${file} refers to,`, who)
+  checkFileBytes(found.size, `${printable(uri)}, referenced by ${file},`, who)
   return real
 }
 
 /**
- * Returns what reads the references of a file: files, see `resolveInside`, and the data in `data:` URIs. Each is read
- * once, and is the same object by whatever URI.
+ * Returns a function that reads the references of a file: files, see `resolveInside`, and `data:` URIs. Results are
+ * cached by real path.
  *
  * @param file path of the file with the URIs.
- * @returns a function that throws FurrowError when a reference cannot be read, or all together are too large.
+ * @returns a function that throws FurrowError if a reference cannot be read, or their total size is too large.
  */
 export function referenceReader(file: string, who: string, options: ReadOptions = {}): ReadReference {
   const known = new Map<string, Reference>()
@@ -61,7 +61,7 @@ export function referenceReader(file: string, who: string, options: ReadOptions 
     const found = await stat(path, { bigint: true })
     recordRead(found)
     total += Number(found.size)
-    checkFileBytes(total, `${file} with the files that it refers to`, who)
+    checkFileBytes(total, `${file} with its referenced files`, who)
     try {
       return { bytes: await readFile(path), path }
     } catch (error) {
@@ -86,6 +86,6 @@ function pathOfUrl(file: string, uri: string, who: string): string {
 }
 
 function isInside(folder: string, path: string): boolean {
-  const way = relative(folder, path)
-  return !isAbsolute(way) && way !== '..' && !way.startsWith(`..${sep}`)
+  const relativePath = relative(folder, path)
+  return !isAbsolute(relativePath) && relativePath !== '..' && !relativePath.startsWith(`..${sep}`)
 }

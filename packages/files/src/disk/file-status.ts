@@ -1,18 +1,18 @@
 import type { Stats } from 'node:fs'
 import { stat } from 'node:fs/promises'
 
-/** Why what is at a path can be neither read nor replaced; undefined where it can. */
+/** Returns the problem if a path is not a regular file or missing, otherwise undefined. */
 export function fileProblem(found: Pick<Stats, 'isFile' | 'isDirectory'> | undefined): string | undefined {
   if (!found || found.isFile()) return undefined
   return found.isDirectory() ? 'it is a folder' : 'it is a device, pipe or socket'
 }
 
-/** Reads the status of a path; undefined where there is nothing. */
+/** Reads the status of a path. Returns undefined if it does not exist. */
 export async function statOf(path: string): Promise<Stats | undefined> {
   return stat(path).catch(ignoreMissing)
 }
 
-/** For `catch`: nothing where there is no such file; other errors are thrown. */
+/** Error handler for `catch` that ignores missing files and rethrows other errors. */
 export function ignoreMissing(error: NodeJS.ErrnoException): undefined {
   if (error.code !== 'ENOENT' && error.code !== 'ENOTDIR') throw error
 }

@@ -1,22 +1,22 @@
 import { type BigIntStats, statSync } from 'node:fs'
 
-/** Identities of the files that the running command has read. */
+/** Identities of the files read by the running command. */
 const filesRead = new Set<string>()
 
-/** Device and inode: the same for the same file by any path or link. */
+/** Device and inode: equal for all paths and links to a file. */
 const identityOf = ({ dev, ino }: BigIntStats) => `${dev}:${ino}`
 
-/** Records that the running command reads a file, so that none of its outputs replaces it. */
+/** Records that the running command reads a file, so that no output overwrites it. */
 export function recordRead(stats: BigIntStats): void {
   filesRead.add(identityOf(stats))
 }
 
-/** Forgets the files of the command before. */
+/** Clears the records; called before each command. */
 export function forgetFilesRead(): void {
   filesRead.clear()
 }
 
-/** Whether what is at a path now was read by the running command, by whatever path or link. */
+/** Returns whether the running command has read the file at a path, under any path or link. */
 export function wasRead(path: string): boolean {
   try {
     return filesRead.has(identityOf(statSync(path, { bigint: true })))

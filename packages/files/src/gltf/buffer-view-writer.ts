@@ -1,7 +1,7 @@
 import { concat } from '../base/bytes.ts'
 import type { Glb } from './glb.ts'
 
-/** Appends data to the binary chunk of a file as new buffer views, so that all indices stay valid. */
+/** Appends data to the binary chunk as new buffer views. Existing indices stay valid. */
 export class BufferViewWriter {
   readonly #glb: Glb
   readonly #parts: Uint8Array[]
@@ -16,7 +16,7 @@ export class BufferViewWriter {
     glb.json.buffers[0] ??= { byteLength: 0 }
   }
 
-  /** @returns the index of the new buffer view. */
+  /** @returns index of the new buffer view. */
   add(bytes: Uint8Array): number {
     const gap = (4 - (this.#length % 4)) % 4
     this.#parts.push(new Uint8Array(gap), bytes)
@@ -25,7 +25,7 @@ export class BufferViewWriter {
     return this.#glb.json.bufferViews!.push({ buffer: 0, byteOffset, byteLength: bytes.length }) - 1
   }
 
-  /** Replaces the binary chunk by the longer one; to be called once, after the last `add`. */
+  /** Replaces the binary chunk. Call once, after the last `add`. */
   finish(): void {
     this.#glb.json.buffers![0].byteLength = this.#length
     this.#glb.bin = concat(this.#parts)

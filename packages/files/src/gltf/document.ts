@@ -13,26 +13,26 @@ import { listTriangles } from './triangle-lists.ts'
 const sources = new WeakMap<Document, GltfJson>()
 
 /**
- * Decodes a file, compressed or not, and leaves it as it is. Strips of triangles become lists, and extensions that glTF-Transform does
- * not know are dropped.
+ * Decodes a file, compressed or not, without changing it. Converts triangle strips to lists. Drops extensions that
+ * glTF-Transform does not know.
  *
- * @param path of the file, for errors.
- * @throws FurrowError when it cannot be decoded.
+ * @param path path of the file, for errors.
+ * @throws FurrowError if the file cannot be decoded.
  */
 export async function documentOf({ json, bin }: Glb, path: string, who: string): Promise<Document> {
   try {
     const problem = decodingProblem(json, bin.length) ?? dracoProblem(json as CheckedJson, bin)
     if (problem) throw new Error(problem)
-    // Below errors the logger warns of extensions that are of no interest here.
+    // The logger would warn about unknown extensions.
     const io = new WebIO().setLogger(new Logger(Logger.Verbosity.ERROR)).registerExtensions(ALL_EXTENSIONS)
     io.registerDependencies(await decodersFor(json.extensionsUsed ?? []))
-    // A plain view: slices of a Buffer are not copies, and accessors need theirs to be aligned.
+    // Not a Buffer: its slices are not copies, and accessors need aligned copies.
     const view = new Uint8Array(bin.buffer as ArrayBuffer, bin.byteOffset, bin.length)
-    // Reading moves the images of extensions into the textures.
+    // Reading changes the JSON: it moves images from extensions to textures.
     const copy = structuredClone(json) as GLTF.IGLTF
     const document = await io.readJSON({ json: copy, resources: { [GLB_BUFFER]: view } })
-    const fault = meshProblem(document) ?? listTriangles(document)
-    if (fault) throw new Error(fault)
+    const geometryProblem = meshProblem(document) ?? listTriangles(document)
+    if (geometryProblem) throw new Error(geometryProblem)
     sources.set(document, json)
     return document
   } catch (error) {
@@ -41,12 +41,12 @@ export async function documentOf({ json, bin }: Glb, path: string, who: string):
   }
 }
 
-/** The JSON that `documentOf` read a document from: that of extensions which glTF-Transform does not know is there too. */
+/** Returns the JSON from which `documentOf` read a document, including extensions unknown to glTF-Transform. */
 export function sourceOf(document: Document): GltfJson {
   return sources.get(document) ?? {}
 }
 
-/** Decoders are slow to start, and few files need them. */
+/** Loads the decoders that a file needs. They are slow to start. */
 async function decodersFor(extensions: readonly string[]): Promise<Record<string, unknown>> {
   const decoders: Record<string, unknown> = {}
   if (extensions.includes('KHR_draco_mesh_compression')) {

@@ -1,6 +1,6 @@
 import draco3d from 'draco3d'
 
-/** The decoder that glTF-Transform asks for. */
+/** Creates the decoder for glTF-Transform. */
 export function createDracoDecoder(): Promise<unknown> {
   return draco3d.createDecoderModule()
 }

@@ -7,12 +7,11 @@ import type { Glb } from './glb.ts'
 import { unusable } from './not-gltf.ts'
 
 /**
- * Makes a file whole: the buffers and images that it refers to become part of its binary chunk. A file that refers to
- * none is not changed.
+ * Embeds all referenced buffers and images in the binary chunk. Does not change a file without references.
  *
- * @param glb changed in place; all indices but those of buffers stay valid.
- * @param path of the file that it was read from, for errors.
- * @throws FurrowError at the first reference that cannot be read, or is cut off.
+ * @param glb changed in place; all indices except those of buffers stay valid.
+ * @param path path of the source file, for errors.
+ * @throws FurrowError for the first reference that cannot be read, or is truncated.
  */
 export async function embedFiles(glb: Glb, path: string, who: string, read: ReadReference): Promise<void> {
   const { buffers = [], images = [] } = glb.json
@@ -26,7 +25,7 @@ export async function embedFiles(glb: Glb, path: string, who: string, read: Read
   if (images.some(({ uri }) => uri !== undefined)) embedImages(glb, path, who)
 }
 
-/** Joins all buffers that have data to the first one; those without are fallbacks of compressed meshes. */
+/** Joins all buffers with data. Buffers without data are fallbacks of compressed meshes and stay. */
 function joinBuffers({ json, references, ...glb }: Glb, path: string, who: string): Uint8Array {
   const { buffers = [], bufferViews = [] } = json
   const parts = new Map<Uint8Array, number>()
@@ -50,13 +49,13 @@ function joinBuffers({ json, references, ...glb }: Glb, path: string, who: strin
   }
   for (const [i, view] of bufferViews.entries()) {
     for (const part of [view, ...compressedViews(view)]) {
-      const place = moved[part.buffer]
+      const target = moved[part.buffer]
       const end = (part.byteOffset ?? 0) + part.byteLength
-      if (!place || end > buffers[part.buffer].byteLength) {
+      if (!target || end > buffers[part.buffer].byteLength) {
         throw unusable(path, who, `bufferViews[${i}] is not within its buffer`)
       }
-      part.buffer = place.buffer
-      if (place.offset > 0) part.byteOffset = (part.byteOffset ?? 0) + place.offset
+      part.buffer = target.buffer
+      if (target.offset > 0) part.byteOffset = (part.byteOffset ?? 0) + target.offset
     }
   }
   json.buffers = [{ byteLength }, ...fallbacks]
@@ -92,7 +91,7 @@ function embedImages(glb: Glb, path: string, who: string): void {
   writer.finish()
 }
 
-/** The name of a file in a URI, without its extension. */
+/** Returns the file name in a URI, without its extension. */
 function nameOf(uri: string): string {
   const file = uri.replace(/\/+$/, '').replace(/^.*\//s, '')
   return file.replace(/(?<=.)\.[^.]*$/s, '')

@@ -5,10 +5,10 @@ import { type BufferView, compressedViews, type GltfJson } from '../json/gltf-js
 import type { Glb } from './glb.ts'
 import { encodeGlb } from './glb-file.ts'
 
-/** What the name of a face that is written may end with. */
+/** Allowed file extensions of output faces. */
 export const FACE_EXTENSIONS = ['.glb', '.vrm', '.gltf'] as const
 
-/** File name extensions of images; others have none of their own. */
+/** File extensions by MIME type. Images of other types stay in the buffer. */
 const IMAGE_EXTENSIONS: Readonly<Record<string, string>> = {
   'image/png': 'png',
   'image/jpeg': 'jpg',
@@ -18,10 +18,9 @@ const IMAGE_EXTENSIONS: Readonly<Record<string, string>> = {
 }
 
 /**
- * The files of a face, by the name of the output: `.glb` and `.vrm` are one, `.gltf` has its buffer and its images
- * beside it.
+ * Returns the files of a face: one for `.glb` and `.vrm`; for `.gltf`, also a buffer and images beside it.
  *
- * @param isFree whether a file beside it may have a path; otherwise it gets another number. Any path by default.
+ * @param isFree returns whether a file beside the face may use a path; otherwise its number is increased.
  */
 export function filesOfFace(
   glb: Glb,
@@ -65,7 +64,7 @@ function splitFile(glb: Glb, path: string, isFree: (path: string) => boolean): O
 
 type Image = NonNullable<GltfJson['images']>[number]
 
-/** The views that hold an image of a known format and nothing else, and the images in each. */
+/** Returns the views that contain only an image of a known format, with the images that use them. */
 function imageViews(json: GltfJson): Map<number, Image[]> {
   const views = new Map<number, Image[]>()
   for (const image of json.images ?? []) {
@@ -85,7 +84,7 @@ function imageViews(json: GltfJson): Map<number, Image[]> {
   return views
 }
 
-/** Removes views and their bytes; returns the bytes of those that stay. */
+/** Removes views. Returns the bytes of the remaining views. */
 function removeViews(json: GltfJson, bin: Uint8Array, removed: ReadonlyMap<number, unknown>): Uint8Array {
   if (!json.bufferViews) return bin
   const moved = new Map<number, number>()
@@ -103,7 +102,7 @@ function removeViews(json: GltfJson, bin: Uint8Array, removed: ReadonlyMap<numbe
   )
 }
 
-/** Moves views together, aligned as before; what several of them have in common stays in common. Returns their bytes. */
+/** Closes the gaps between views, keeping their alignment and overlaps. Returns the bytes. */
 function gather(views: readonly BufferView[], bin: Uint8Array): Uint8Array {
   const parts: Uint8Array[] = []
   let [length, end, shift] = [0, 0, 0]
@@ -120,13 +119,13 @@ function gather(views: readonly BufferView[], bin: Uint8Array): Uint8Array {
     parts.push(rest)
     length += rest.length
     end += rest.length
-    // An empty view behind all others would begin beyond the buffer.
+    // An empty last view would start beyond the buffer.
     view.byteOffset = byteLength === 0 ? 0 : byteOffset + shift
   }
   return concat(parts)
 }
 
-/** Changes every index of a view, wherever it is: the extensions of others are unknown here. */
+/** Changes every view index anywhere in the JSON, also in unknown extensions. */
 function changeViews(value: unknown, change: (index: number) => number): void {
   if (typeof value !== 'object' || value === null) return
   for (const [key, item] of Object.entries(value)) {

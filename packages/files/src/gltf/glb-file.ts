@@ -8,21 +8,20 @@ import { shapeProblem } from '../checks/shape.ts'
 import type { GltfJson } from '../json/gltf-json.ts'
 import { embedFiles } from './embed-files.ts'
 import type { Glb } from './glb.ts'
-import { NAME_FACE, otherFormat, unusable } from './not-gltf.ts'
+import { CHOOSE_FACE, otherFormat, unusable } from './not-gltf.ts'
 
-// glTF 2.0, section 4.4 (GLB file format): a header of 12 bytes, then chunks of 8 bytes and their data.
+// GLB file format (glTF 2.0, 4.4): a 12-byte header, then chunks with 8-byte headers.
 const MAGIC = 0x46546c67
 const JSON_CHUNK = 0x4e4f534a
 const BIN_CHUNK = 0x004e4942
-/** Where the data of the first chunk begins. */
+/** Offset of the data of the first chunk, bytes. */
 const JSON_START = 20
 
 /**
- * Opens a file of any kind: `.glb`, `.vrm`, or `.gltf`, known by its contents. Buffers and images in other files are
- * read too and become part of the binary chunk.
+ * Opens a `.glb`, `.vrm` or `.gltf`, identified by its content. Embeds referenced buffers and images in the binary chunk.
  *
- * @param path of the file, for errors.
- * @throws FurrowError when it is cut off, not glTF 2.0, refers to what cannot be read, or would take too much time or
+ * @param path path of the file, for errors.
+ * @throws FurrowError if the file is truncated, not glTF 2.0, has unreadable references, or would take too much time or
  *   memory, see `costProblem`.
  */
 export async function openGlb(
@@ -38,7 +37,7 @@ export async function openGlb(
   return glb
 }
 
-/** Splits the bytes of a file into its parts. Throws FurrowError when they are cut off, or not glTF 2.0. */
+/** Splits a file into its parts. Throws if it is truncated, or not glTF 2.0. */
 export function decodeGlb(bytes: Uint8Array, path: string, who: string): Glb {
   checkHead(bytes, bytes.length, path, who)
   const [start, end] = isJson(bytes) ? [0, bytes.length] : [JSON_START, JSON_START + uint32(bytes, 12)]
@@ -49,17 +48,17 @@ export function decodeGlb(bytes: Uint8Array, path: string, who: string): Glb {
     throw unusable(path, who, `its JSON is malformed (${firstLine(error)})`)
   }
   hoistTargetNames(json)
-  const wrong = shapeProblem(json)
-  if (wrong) {
+  const problem = shapeProblem(json)
+  if (problem) {
     const isOther = (json as { asset?: unknown } | null)?.asset === undefined
-    throw unusable(path, who, wrong, { remedy: isOther ? NAME_FACE : undefined })
+    throw unusable(path, who, problem, { remedy: isOther ? CHOOSE_FACE : undefined })
   }
   const bin = binaryChunk(bytes, end)
-  if (!bin) throw unusable(path, who, 'its binary chunk is cut off')
+  if (!bin) throw unusable(path, who, 'its binary chunk is truncated')
   return { json, bin, fileBytes: bytes.length, bytes, references: new Map() }
 }
 
-/** Joins the parts to the bytes of a `.glb`. */
+/** Encodes the parts as a `.glb`. */
 export function encodeGlb({ json, bin }: Glb): Uint8Array {
   const text = padded(utf8(JSON.stringify(json)), 0x20)
   const data = padded(bin, 0)
@@ -69,16 +68,17 @@ export function encodeGlb({ json, bin }: Glb): Uint8Array {
   return concat([header, text, words(data.length, BIN_CHUNK), data])
 }
 
-/** Whether these are the first bytes of a `.gltf` file. */
+/** Returns whether the first bytes are those of a `.gltf` file. */
 function isJson(head: Uint8Array): boolean {
   return /^[\s\ufeff]*\{/.test(fromUtf8(head.subarray(0, 64)))
 }
 
 /**
- * Checks what the first bytes of a file and its size tell.
+ * Checks the first bytes and the size of a file.
  *
- * @param head at least its first 20 bytes, where it has as many.
- * @throws FurrowError when it is neither JSON nor a whole binary glTF 2.0 file up to the end of its JSON, or too large.
+ * @param head at least the first 20 bytes, if the file has as many.
+ * @throws FurrowError if the file is neither JSON nor binary glTF 2.0, is truncated before the end of its JSON, or is too
+ *   large.
  */
 export function checkHead(head: Uint8Array, size: number, path: string, who: string): void {
   const problem = isJson(head) ? undefined : headerProblem(head, size)
@@ -91,17 +91,17 @@ export function checkHead(head: Uint8Array, size: number, path: string, who: str
 
 function headerProblem(head: Uint8Array, size: number): string | undefined {
   if (head.length < 4 || uint32(head, 0) !== MAGIC) return 'it does not begin with "glTF"'
-  if (head.length < JSON_START) return `it is cut off after ${size} bytes`
+  if (head.length < JSON_START) return `it is truncated after ${size} bytes`
   if (uint32(head, 4) !== 2) return `it has version ${uint32(head, 4)}`
   const length = uint32(head, 8)
   if (length > size || JSON_START + uint32(head, 12) > size) {
-    return `it is cut off: ${size} of ${length} bytes`
+    return `it is truncated: ${size} of ${length} bytes`
   }
   if (uint32(head, 16) !== JSON_CHUNK) return 'its first chunk is not JSON'
   return undefined
 }
 
-/** The data of the chunk at `start`; empty where it is not a binary chunk, undefined where it is cut off. */
+/** Returns the data of the chunk at `start`: empty if it is not a binary chunk, undefined if it is truncated. */
 function binaryChunk(bytes: Uint8Array, start: number): Uint8Array | undefined {
   if (bytes.length < start + 8) return new Uint8Array()
   if (uint32(bytes, start + 4) !== BIN_CHUNK) return new Uint8Array()
@@ -118,7 +118,7 @@ function uint32(bytes: Uint8Array, offset: number): number {
   return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength).getUint32(offset, true)
 }
 
-/** Numbers of 32 bits as bytes, the lowest first. */
+/** Encodes 32-bit numbers, little-endian. */
 function words(...values: number[]): Uint8Array {
   const view = new DataView(new ArrayBuffer(4 * values.length))
   for (const [i, value] of values.entries()) view.setUint32(4 * i, value, true)

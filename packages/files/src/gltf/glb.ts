@@ -1,15 +1,15 @@
 import type { Reference } from '../base/references.ts'
 import type { GltfJson } from '../json/gltf-json.ts'
 
-/** A glTF file in two parts, as in its binary form. Commands edit the parts in place, so that whatever else it holds is kept. */
+/** glTF file as JSON and binary chunk. Commands edit both in place, so that all other content is kept. */
 export interface Glb {
   json: GltfJson
-  /** The binary chunk; empty where there is none. */
+  /** Binary chunk; may be empty. */
   bin: Uint8Array
-  /** Size of all files that it was read from. */
+  /** Total size of all source files. */
   fileBytes: number
-  /** The file as it was read. */
+  /** Original file. */
   bytes: Uint8Array
-  /** Files that the source referred to, by URI; the binary chunk has their bytes. */
+  /** Referenced files by URI. Their bytes are also in the binary chunk. */
   references: ReadonlyMap<string, Reference>
 }

@@ -4,9 +4,9 @@ import type { Glb } from './glb.ts'
 import { checkHead, openGlb } from './glb-file.ts'
 
 /**
- * Reads a file of any kind with the files that it refers to; see `openGlb`.
+ * Reads a `.glb`, `.vrm` or `.gltf` with its referenced files; see `openGlb`.
  *
- * @throws FurrowError also when the file or one that it refers to is missing, or not allowed.
+ * @throws FurrowError also if a file is missing, or a reference is not allowed.
  */
 export async function readGlbFile(path: string, who: string, options: ReadOptions = {}): Promise<Glb> {
   const bytes = await readBytes(path, who, 'the face', {

@@ -2,18 +2,18 @@ import { FurrowError } from 'furrow'
 import { imageTypeOf, type Ktx2Header, readKtx2Header } from 'furrow/internal'
 import type { Glb } from './glb.ts'
 
-/** The encoded image of a texture. */
+/** Encoded image of a texture. */
 export interface TextureImage {
   bytes: Uint8Array
-  /** By its first bytes; where these do not tell, as the file says, or `unknown`. */
+  /** MIME type by the first bytes, otherwise as declared in the file, otherwise `unknown`. */
   mimeType: string
   name: string
 }
 
-/** Extensions that give a texture an image in another format. */
+/** Extensions for textures with images in other formats. */
 const IMAGE_EXTENSIONS = ['KHR_texture_basisu', 'EXT_texture_webp', 'EXT_texture_avif']
 
-/** Finds the image of a texture. Throws FurrowError when there is none inside the file. */
+/** Returns the image of a texture. Throws if the file does not contain it. */
 export function imageOf({ json, bin }: Glb, texture: number, who: string): TextureImage {
   const { source, extensions = {}, name } = json.textures?.[texture] ?? {}
   const other = IMAGE_EXTENSIONS.map((key) => (extensions[key] as { source?: number } | undefined)?.source)
@@ -42,15 +42,15 @@ export function imageOf({ json, bin }: Glb, texture: number, who: string): Textu
   }
 }
 
-/** Whether an image is a KTX 2 file. */
+/** Returns whether an image is a KTX 2 file. */
 export function isKtx2({ mimeType }: TextureImage): boolean {
   return mimeType === 'image/ktx2'
 }
 
 /**
- * The header of the KTX 2 image of a texture, which only KHR_texture_basisu can give it; undefined for textures without.
+ * Reads the KTX 2 header of a texture with KHR_texture_basisu. Returns undefined for other textures.
  *
- * @throws FurrowError when it is not a KTX 2 image, or breaks the rules of that extension.
+ * @throws FurrowError if the image is not KTX 2, or violates the extension.
  */
 export function ktx2HeaderOf(glb: Glb, texture: number, who: string): Ktx2Header | undefined {
   if (!glb.json.textures?.[texture]?.extensions?.KHR_texture_basisu) return undefined

@@ -8,16 +8,16 @@ import { readHeader } from '../ktx2/ktx2-header.ts'
 import type { Glb } from './glb.ts'
 import { imageOf, isKtx2 } from './texture-image.ts'
 
-/** Decoded textures of files, by index: several areas share an image, and several maps an array. */
+/** Cache of decoded textures by index, because areas share images and maps share arrays. */
 type Cache<T> = WeakMap<Glb, Map<number, Promise<T>>>
 
 const images: Cache<Pixels> = new WeakMap()
 const arrays: Cache<DecodedArray> = new WeakMap()
 
 /**
- * Decodes what a texture info refers to: an image, or one slice of a KTX 2 array.
+ * Decodes the image or KTX 2 array slice of a texture info.
  *
- * @throws FurrowError when it cannot be decoded, or there is no such slice.
+ * @throws FurrowError if the image cannot be decoded, or the slice is missing.
  */
 export async function pixelsOf(
   glb: Glb,
@@ -34,19 +34,19 @@ export async function pixelsOf(
   throw new FurrowError({
     code: 'out-of-range',
     who,
-    problem: `texture ${index} has no such slice`,
+    problem: `missing slice in texture ${index}`,
     value: slice,
     limit: `0 to ${layers.length - 1}`,
     remedy: 'pack the file again',
   })
 }
 
-/** Decodes all layers of a KTX 2 texture. Throws FurrowError when it cannot be decoded. */
+/** Decodes all layers of a KTX 2 texture. Throws if it cannot be decoded. */
 export function arrayOf(glb: Glb, index: number, who: string): Promise<DecodedArray> {
   return cached(arrays, glb, index, who, () => decodeArray(glb, index, who))
 }
 
-/** Width and height of a texture by its header. Throws FurrowError when it cannot be decoded. */
+/** Reads the size of a texture from its header. Throws if it cannot be decoded. */
 export async function sizeOf(
   glb: Glb,
   index: number,
@@ -72,7 +72,7 @@ async function cached<T>(
   return texture
 }
 
-/** What the decoded textures of files take: all of them are kept. */
+/** Decoded size of the cached textures of each file. */
 const decoded = new WeakMap<Glb, DecodedBytes>()
 
 async function reserve(glb: Glb, index: number, who: string): Promise<void> {

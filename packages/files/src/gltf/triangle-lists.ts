@@ -2,16 +2,16 @@ import { type Accessor, type Document, Primitive } from '@gltf-transform/core'
 
 const { TRIANGLE_STRIP, TRIANGLE_FAN } = Primitive.Mode
 
-/** Triangles of all strips and fans of a file: faces have 250,000 at most. */
-const MOST = 4_000_000
+/** Maximum number of triangles in all strips and fans of a file. */
+const MAX_TRIANGLES = 4_000_000
 
 /**
- * Turns strips and fans of triangles into lists, which all else expects. Triangles that only join strips are left out.
+ * Converts triangle strips and fans to lists. Drops degenerate triangles that join strips.
  *
- * @returns what is wrong, or undefined.
+ * @returns the problem, or undefined.
  */
 export function listTriangles(document: Document): string | undefined {
-  /** By the indices, or the positions where there are none. */
+  /** Converted lists by the indices, or by the positions if there are no indices. */
   const lists = {
     [TRIANGLE_STRIP]: new Map<Accessor, Accessor>(),
     [TRIANGLE_FAN]: new Map<Accessor, Accessor>(),
@@ -27,7 +27,9 @@ export function listTriangles(document: Document): string | undefined {
     let list = lists[mode].get(order)
     if (!list) {
       total += order.getCount()
-      if (total > MOST) return `its strips and fans have more than ${MOST.toLocaleString('en')} triangles`
+      if (total > MAX_TRIANGLES) {
+        return `its strips and fans have more than ${MAX_TRIANGLES.toLocaleString('en')} triangles`
+      }
       const corners = cornersOf(mode, order.getCount(), primitive.getIndices()?.getArray())
       list = document.createAccessor().setArray(corners)
       lists[mode].set(order, list)
@@ -37,7 +39,7 @@ export function listTriangles(document: Document): string | undefined {
   return undefined
 }
 
-/** Three vertices per triangle, in the order that glTF 2.0 gives them (3.7.2.1). */
+/** Returns three vertices per triangle, in the order of glTF 2.0 (3.7.2.1). */
 function cornersOf(mode: number, count: number, indices: ArrayLike<number> | null | undefined): Uint32Array {
   const corners = new Uint32Array(3 * Math.max(0, count - 2))
   let length = 0

@@ -16,14 +16,14 @@ const FORMATS = {
 
 export type ImageType = keyof typeof FORMATS
 
-/** Formats of painted images. */
+/** Formats of authored images. */
 const PAINTED: readonly ImageType[] = ['image/png', 'image/jpeg', 'image/webp']
 /** Formats of images in glTF files. */
 export const GLTF_IMAGES: readonly ImageType[] = [...PAINTED, 'image/avif']
-/** Formats of images that are read at any precision. */
+/** Formats of images that are read at full precision. */
 export const EXACT_IMAGES: readonly ImageType[] = [...PAINTED, 'image/tiff']
 
-/** What is known of an image before it is decoded. */
+/** Header of an image, known before decoding. */
 export interface ImageHeader {
   type: ImageType
   width: number
@@ -32,11 +32,11 @@ export interface ImageHeader {
 }
 
 /**
- * Checks by its bytes what an image is, before any decoder reads it.
+ * Checks the format of an image by its bytes, before a decoder reads it.
  *
- * @param name of the image, for errors.
- * @param types the formats that are allowed, known by their first bytes.
- * @throws FurrowError when it is in another format, or damaged.
+ * @param name name of the image, for errors.
+ * @param types allowed formats.
+ * @throws FurrowError if the image has another format, or is damaged.
  */
 export function checkImageType(
   bytes: Uint8Array,
@@ -50,7 +50,7 @@ export function checkImageType(
     const kind = kindOf(bytes)
     const isImage = kind === undefined || kind === 'an image'
     const reason = isImage ? 'unsupported image format' : `it is ${kind}`
-    const remedy = isImage ? hints.remedy : 'name an image'
+    const remedy = isImage ? hints.remedy : 'choose an image'
     throw cannotRead(who, `the image ${name}`, new Error(reason), { ...hints, remedy })
   }
   const damage = imageDamage(bytes)
@@ -58,7 +58,7 @@ export function checkImageType(
   return type
 }
 
-/** Throws FurrowError when an image is longer than 8192 texels on a side, or would take too much memory. */
+/** Throws if an image is larger than 8192 texels per side, or would take too much memory. */
 export function checkImageSize(
   { width, height, decodedBytes }: Omit<ImageHeader, 'type'>,
   name: string,
@@ -70,14 +70,14 @@ export function checkImageSize(
       who,
       problem: `${name} is too large`,
       value: `${width} x ${height}`,
-      limit: `${MAX_IMAGE_SIDE} texels a side`,
+      limit: `${MAX_IMAGE_SIDE} texels per side`,
       remedy: 'scale it down',
     })
   }
   checkDecodedBytes(decodedBytes, name, who)
 }
 
-/** `PNG, JPEG or WebP`. */
+/** Formats a list, e.g. `PNG, JPEG or WebP`. */
 export function formatNames(types: readonly ImageType[]): string {
   const names = types.map((type) => FORMATS[type]).join(', ')
   return names.replace(/, ([^,]*)$/, ' or $1')

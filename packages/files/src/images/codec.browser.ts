@@ -6,12 +6,12 @@ import type { DecodedImage, Pixels } from './pixels.ts'
 import { encodePortablePng } from './png.ts'
 
 /**
- * Reads the header of an image; one of WebP or AVIF is decoded for it, by the browser's own limits.
+ * Reads the header of an image. Decodes WebP and AVIF to get their size.
  *
- * @param name of the image, for errors.
- * @param types the formats that are allowed, known by their first bytes.
- * @throws FurrowError when it is in another format, damaged, longer than 8192 texels on a side, or would take too much
- *   memory.
+ * @param name name of the image, for errors.
+ * @param types allowed formats.
+ * @throws FurrowError if the image has another format, is damaged, is larger than 8192 texels per side, or would take
+ *   too much memory.
  */
 export async function measureImage(
   bytes: Uint8Array,
@@ -27,10 +27,10 @@ export async function measureImage(
 }
 
 /**
- * Decodes an image to 8 bits per channel, as stored: without colour profiles, and not multiplied by alpha. What libvips
- * gives and what browsers give is the same for PNG; of lossy formats a texel may differ by 1.
+ * Decodes an image to 8 bits per channel, without colour profiles, not premultiplied. PNG gives the same result as
+ * libvips; lossy formats may differ by 1.
  *
- * @throws FurrowError as `measureImage` does, and where it cannot be decoded.
+ * @throws FurrowError like `measureImage`, and if the image cannot be decoded.
  */
 export async function decodeImage(
   bytes: Uint8Array,
@@ -52,13 +52,13 @@ export async function decodeImage(
   }
 }
 
-/** A map as a PNG file with the same channels, for what no packed face holds: there, the bytes must be the same everywhere. */
+/** Encodes a map as PNG with the same channels. For packed faces, use `encodePortablePng`, which is deterministic. */
 export async function encodeMap(pixels: Pixels): Promise<Uint8Array> {
   return encodePortablePng(pixels)
 }
 
-/** Decodes an image to see that it can be. Throws FurrowError as `decodeImage` does. */
-export async function checkWhole(bytes: Uint8Array, name: string, who: string): Promise<void> {
+/** Decodes an image completely to check it. Throws like `decodeImage`. */
+export async function checkDecodable(bytes: Uint8Array, name: string, who: string): Promise<void> {
   await measureImage(bytes, name, who)
   const bitmap = await bitmapOf(bytes, name, who)
   bitmap.close()

@@ -3,10 +3,10 @@ import { withImageErrors } from './image-errors.ts'
 import { openImage } from './open-image.ts'
 import type { DecodedImage } from './pixels.ts'
 
-/** By libvips, which takes a tenth of the memory; see the function of this name for browsers. */
+/** Node implementation with libvips, which uses a tenth of the memory; see codec.browser.ts. */
 export { encodeMap } from './encode.ts'
 
-/** By libvips; see the function of this name for browsers. */
+/** Node implementation with libvips; see codec.browser.ts. */
 export async function measureImage(
   bytes: Uint8Array,
   name: string,
@@ -16,7 +16,7 @@ export async function measureImage(
   return openImage(bytes, name, who, types)
 }
 
-/** By libvips; see the function of this name for browsers. */
+/** Node implementation with libvips; see codec.browser.ts. */
 export async function decodeImage(
   bytes: Uint8Array,
   name: string,
@@ -29,10 +29,10 @@ export async function decodeImage(
   return { type, width: info.width, height: info.height, channels: info.channels, data }
 }
 
-/** By libvips, a part of the image at a time; see the function of this name for browsers. */
-export async function checkWhole(bytes: Uint8Array, name: string, who: string): Promise<void> {
+/** Node implementation with libvips, which decodes in parts; see codec.browser.ts. */
+export async function checkDecodable(bytes: Uint8Array, name: string, who: string): Promise<void> {
   const { image, width, height } = await openImage(bytes, name, who)
-  // For it all rows above are decoded too. To compute statistics of all takes ten times as long.
+  // Decoding the last row decodes all rows above, and is ten times faster than computing statistics.
   const lastRow = image.extract({ left: 0, top: height - 1, width, height: 1 })
   await withImageErrors(name, who, () => lastRow.raw().toBuffer())
 }

@@ -2,15 +2,15 @@ import type { RgbaImage } from 'furrow/author'
 import { withImageErrors } from './image-errors.ts'
 import { openImage } from './open-image.ts'
 
-/** Longest side in texels where none is asked for: what is drawn over a map takes a multiple of its memory. */
-const LARGEST_BY_DEFAULT = 4096
+/** Default maximum side, texels. Drawing over a map takes several times its memory. */
+const DEFAULT_MAX_SIDE = 4096
 
 /**
  * Decodes a normal map to RGBA bytes with alpha 255. Colour profiles are ignored.
  *
- * @param name of the image, for errors.
- * @param size side in texels to scale it to; its own by default, up to 4096.
- * @throws FurrowError when it cannot be decoded, see `openImage`.
+ * @param name name of the image, for errors.
+ * @param size target side, texels; default unchanged, at most 4096.
+ * @throws FurrowError if the image cannot be decoded, see `openImage`.
  */
 export async function decodeNormalMap(
   bytes: Uint8Array,
@@ -21,8 +21,8 @@ export async function decodeNormalMap(
   const opened = await openImage(bytes, name, who)
   let image = opened.image.toColourspace('srgb').removeAlpha()
   if (size !== undefined) image = image.resize(size, size, { fit: 'fill', kernel: 'cubic' })
-  else if (Math.max(opened.width, opened.height) > LARGEST_BY_DEFAULT) {
-    image = image.resize(LARGEST_BY_DEFAULT, LARGEST_BY_DEFAULT, { fit: 'inside', kernel: 'cubic' })
+  else if (Math.max(opened.width, opened.height) > DEFAULT_MAX_SIDE) {
+    image = image.resize(DEFAULT_MAX_SIDE, DEFAULT_MAX_SIDE, { fit: 'inside', kernel: 'cubic' })
   }
   const decode = () => image.raw().toBuffer({ resolveWithObject: true })
   const { data, info } = await withImageErrors(name, who, decode)

@@ -2,10 +2,10 @@ import { FurrowError } from 'furrow'
 import { MAX_IMAGE_BYTES } from 'furrow/internal'
 
 /**
- * Checks a size that a header gives, before anything is allocated for it.
+ * Checks the decoded size from a header, before memory is allocated.
  *
- * @param name of the image or file, for the error.
- * @throws FurrowError when it is too large.
+ * @param name name of the image or file, for errors.
+ * @throws FurrowError if the size exceeds the limit.
  */
 export function checkDecodedBytes(bytes: number, name: string, who: string): void {
   if (bytes <= MAX_IMAGE_BYTES) return

@@ -5,25 +5,24 @@ import { EXACT_IMAGES } from './check-image.ts'
 import { withImageErrors } from './image-errors.ts'
 import { openImage } from './open-image.ts'
 
-/** A gray image in the precision of its file. */
+/** Gray image in the precision of its file. */
 export interface HeightImage {
   width: number
   height: number
   bits: 8 | 16
-  /** 0 to 2^bits - 1 per texel. */
+  /** Values, 0 to 2^bits - 1. */
   data: Uint8Array | Uint16Array
 }
 
-/** Largest difference between the channels of a texel that still counts as gray, as a fraction of the full range. */
+/** Maximum difference between the channels of a gray texel, as a fraction of the full range. */
 const GRAY_TOLERANCE = 0.02
 
 const HINTS = { limit: 'PNG or TIFF, 8 or 16 bits', remedy: 'check the path and the file' }
 
 /**
- * Reads heights from a gray 8-bit or 16-bit image (PNG, TIFF, JPEG or WebP). Values are kept as they
- * are: colour profiles and transparency are ignored.
+ * Reads heights from a gray 8-bit or 16-bit image (PNG, TIFF, JPEG or WebP). Ignores colour profiles and transparency.
  *
- * @throws FurrowError when the file is not such an image, is cut off, or is larger than 8192 texels a side.
+ * @throws FurrowError if the file has another format, is truncated, or is larger than 8192 texels per side.
  */
 export async function readHeightImage(path: string, who: string): Promise<HeightImage> {
   const bytes = await readBytes(path, who, 'the image')
@@ -61,7 +60,7 @@ export async function readHeightImage(path: string, who: string): Promise<Height
 }
 
 async function readPixels(image: Sharp, bits: 8 | 16, isGray: boolean) {
-  // Without a 16-bit colour space sharp goes through 8 bits.
+  // Without a 16-bit colour space, sharp reduces values to 8 bits.
   const space = bits === 16 ? (isGray ? 'grey16' : 'rgb16') : isGray ? 'b-w' : 'srgb'
   const { data, info } = await image
     .toColourspace(space)

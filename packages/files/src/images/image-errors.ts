@@ -1,10 +1,10 @@
 import { FurrowError } from 'furrow'
 import { cannotRead } from '../base/errors.ts'
 
-/** What to do about a damaged image. */
-export const REPAIR = 'save it again as PNG; it may be cut off'
+/** Remedy for a damaged image. */
+export const REPAIR = 'save it again as PNG; it may be truncated'
 
-/** Runs the decoding of an image; what it throws becomes a FurrowError with these hints. */
+/** Runs a decoder and converts its errors to FurrowError with the hints. */
 export async function withImageErrors<T>(
   name: string,
   who: string,

@@ -2,7 +2,7 @@ import sharp, { type Metadata, type Sharp } from 'sharp'
 import { checkImageSize, checkImageType, formatNames, GLTF_IMAGES, type ImageHeader } from './check-image.ts'
 import { withImageErrors } from './image-errors.ts'
 
-/** The formats that libvips must not read, in any of its builds. */
+/** Formats that libvips must not read, in any of its builds. */
 const BLOCKED = [
   'Analyze',
   'Csv',
@@ -27,23 +27,23 @@ const BLOCKED = [
   'Vips',
 ]
 
-// `checkImageType` knows the format; this keeps libvips from its other readers, whatever it takes a file for. It holds
-// for all threads at once. To block every reader first and then allow some would fail images that another thread reads.
+// Second line of defence after `checkImageType`: blocks the other readers of libvips, in all threads. Blocking all
+// readers and then allowing some would break images that another thread reads meanwhile.
 sharp.block({ operation: BLOCKED.map((format) => `VipsForeignLoad${format}`) })
 
-/** An image that may be decoded: its header says that it is small enough. */
+/** Image with a checked header, ready to be decoded. */
 export interface OpenedImage extends ImageHeader, Pick<Metadata, 'channels' | 'depth'> {
-  /** To be decoded once; colour profiles are ignored, and what is cut off is an error. */
+  /** Decode once. Ignores colour profiles, and throws if truncated. */
   image: Sharp
 }
 
 /**
  * Reads the header of an image.
  *
- * @param name of the image, for errors.
- * @param types the formats that are allowed, known by their first bytes.
- * @throws FurrowError when it is in another format, damaged, longer than 8192 texels on a side, or would take too much
- *   memory.
+ * @param name name of the image, for errors.
+ * @param types allowed formats.
+ * @throws FurrowError if the image has another format, is damaged, is larger than 8192 texels per side, or would take
+ *   too much memory.
  */
 export async function openImage(
   bytes: Uint8Array,
@@ -61,7 +61,7 @@ export async function openImage(
   return { image, type, width, height, channels, depth, decodedBytes }
 }
 
-/** Bytes per channel by the name that libvips has for it; up to 8 for others. */
+/** Bytes per channel by libvips's format name; others have up to 8. */
 const DEPTH_BYTES: Record<string, number | undefined> = {
   uchar: 1,
   char: 1,

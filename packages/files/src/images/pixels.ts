@@ -1,7 +1,7 @@
 import { FurrowError, type GrayImage } from 'furrow'
 import type { ImageType } from './check-image.ts'
 
-/** Interleaved channels in bytes, row 0 at the top. */
+/** Interleaved 8-bit channels, row 0 at the top. */
 export interface Pixels {
   width: number
   height: number
@@ -9,19 +9,19 @@ export interface Pixels {
   data: Uint8Array
 }
 
-/** A decoded image, and the format that it had. */
+/** Decoded image and its original format. */
 export interface DecodedImage extends Pixels {
   type: ImageType
 }
 
-/** Whether alpha is 255 throughout, or there is none. */
+/** Returns whether all texels are opaque. */
 export function isOpaque({ channels, data }: Pixels): boolean {
   if (channels === 1 || channels === 3) return true
   for (let i = channels - 1; i < data.length; i += channels) if (data[i] !== 255) return false
   return true
 }
 
-/** The same without its alpha, whatever that is. */
+/** Removes the alpha channel. */
 export function withoutAlpha(image: Pixels): Pixels {
   const { channels, data } = image
   if (channels === 1 || channels === 3) return image
@@ -29,7 +29,7 @@ export function withoutAlpha(image: Pixels): Pixels {
   return { ...image, channels: channels === 2 ? 1 : 3, data: kept }
 }
 
-/** The same with alpha, 255 where there is none. */
+/** Converts to RGBA; missing alpha becomes 255. */
 export function toRgba({ width, height, channels, data }: Pixels): Uint8Array {
   if (channels === 4) return data
   const rgba = new Uint8Array(4 * width * height).fill(255)
@@ -40,7 +40,7 @@ export function toRgba({ width, height, channels, data }: Pixels): Uint8Array {
   return rgba
 }
 
-/** One channel, 0 = R to 3 = A, as glTF reads it: gray counts as R, G and B, and a missing alpha as 1. */
+/** Returns one channel, 0 = R to 3 = A, like glTF: gray counts as R, G and B, and a missing alpha as 1. */
 export function channelOf(pixels: Pixels, channel: number): GrayImage {
   const { width, height, channels, data } = pixels
   const hasAlpha = channels === 2 || channels === 4
@@ -51,7 +51,7 @@ export function channelOf(pixels: Pixels, channel: number): GrayImage {
   return { width, height, data: gray }
 }
 
-/** The error for an image with alpha below 255 that must be opaque. */
+/** Creates the error for a transparent image that must be opaque. */
 export function transparencyError(path: string, who: string, remedy: string): FurrowError {
   return new FurrowError({
     who,

@@ -1,14 +1,14 @@
 import type { Pixels } from './pixels.ts'
 
-/** The consecutive texels that make up a new one, and their weights, which sum to 1. */
+/** Consecutive source texels of a target texel, and their weights, which sum to 1. */
 interface Taps {
   first: number
   weights: number[]
 }
 
 /**
- * Scales an image to a square, by the filter of Mitchell and Netravali (Reconstruction Filters in Computer Graphics, 1988,
- * with B = C = 1/3). It is written out so that Node and browsers give the same texels.
+ * Scales an image to a square with the filter of Mitchell and Netravali (Reconstruction Filters in Computer Graphics,
+ * 1988, B = C = 1/3). Gives the same texels in Node and browsers.
  */
 export function scaleImage({ width, height, channels, data }: Pixels, size: number): Pixels {
   const rowTaps = tapsOf(width, size)
@@ -20,7 +20,7 @@ export function scaleImage({ width, height, channels, data }: Pixels, size: numb
     }
   }
   const columnTaps = tapsOf(height, size)
-  // Beyond 0 and 255, where the filter overshoots, values are clamped; halves are rounded to even.
+  // The filter overshoots, so values are clamped. Halves round to even.
   const scaled = new Uint8ClampedArray(size * size * channels)
   for (let y = 0; y < size; y++) {
     for (let x = 0; x < size; x++) {
@@ -39,7 +39,7 @@ export function scaleImage({ width, height, channels, data }: Pixels, size: numb
   return { width: size, height: size, channels, data: new Uint8Array(scaled.buffer) }
 }
 
-/** Writes a texel as the weighted sum of others, which are `step` values apart. */
+/** Writes a texel as the weighted sum of source texels, `step` values apart. */
 function addUp(
   weights: readonly number[],
   source: Uint8Array | Float32Array,
@@ -56,7 +56,7 @@ function addUp(
   }
 }
 
-/** Centred on each new texel, as wide as two texels of the coarser image to either side; edges are cut off. */
+/** Returns taps around each target texel: two texels of the coarser image to either side, clipped at the edges. */
 function tapsOf(from: number, to: number): Taps[] {
   const scale = from / to
   const unit = Math.max(scale, 1)
@@ -70,7 +70,7 @@ function tapsOf(from: number, to: number): Taps[] {
   })
 }
 
-/** Equation 8 of the paper. */
+/** Mitchell-Netravali filter (equation 8). */
 function mitchell(distance: number): number {
   const x = Math.abs(distance)
   if (x >= 2) return 0

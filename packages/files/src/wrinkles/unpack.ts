@@ -1,6 +1,6 @@
 import type { GrayImage, WrinkleSetDocument } from 'furrow'
 import { fileNamesOf, type TextureReference } from 'furrow/internal'
-import { checkWhole, decodeImage, encodeMap } from '#images'
+import { checkDecodable, decodeImage, encodeMap } from '#images'
 import { utf8 } from '../base/bytes.ts'
 import { jsonFile } from '../base/json-file.ts'
 import type { OutputFile } from '../base/output-file.ts'
@@ -107,7 +107,7 @@ export async function unpackWrinkles(
 async function pngOf({ glb }: WrinkledFile, info: TextureReference, who: string): Promise<Uint8Array> {
   const image = imageOf(glb, info.index, who)
   if (image.mimeType === 'image/png') {
-    await checkWhole(image.bytes, `"${image.name}"`, who)
+    await checkDecodable(image.bytes, `"${image.name}"`, who)
     return image.bytes
   }
   const pixels = isKtx2(image)

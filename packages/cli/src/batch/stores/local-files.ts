@@ -71,7 +71,7 @@ async function urisOf(path: string): Promise<string[]> {
 
 async function readAnyJson(path: string): Promise<unknown> {
   try {
-    return parseJson(await readBytes(path, WHO, '', { most: MAX_JSON_BYTES }), path, WHO)
+    return parseJson(await readBytes(path, WHO, '', { maxBytes: MAX_JSON_BYTES }), path, WHO)
   } catch {
     return undefined
   }
