@@ -21,7 +21,7 @@ const PAGES = [
 ]
 const CATEGORIES = ['performance', 'accessibility', 'best-practices']
 
-/** What a Chromium without a display and without a sandbox of its own needs. */
+/** Flags for Chromium without a display and without its sandbox. */
 const FLAGS = '--headless=new --no-sandbox --enable-unsafe-swiftshader'
 
 await main(async () => {
@@ -81,7 +81,7 @@ async function checkPages(address, folder) {
   return faults
 }
 
-/** What a program prints; its exit code says no more than that. */
+/** Runs a program and returns its output. The exit code adds nothing to it. */
 function outputOf([program, ...words]) {
   return new Promise((done) => {
     execFile(program, words, { cwd: ROOT, maxBuffer: 1 << 28 }, (_, stdout) => done(stdout))

@@ -18,11 +18,11 @@ const LISTED = [
   [29, 30],
 ] as const
 
-/** What an engine must find at a point of the square. */
+/** Values that an engine must compute at a point of the square. */
 export interface Expected {
-  /** Of each layer. */
+  /** Influence per layer, 0..1. */
   influence: number[]
-  /** In tangent space, a unit vector. */
+  /** Unit vector in tangent space. */
   normal: number[]
   /** Linear; the material's own is white. */
   baseColor: number[]

@@ -46,7 +46,7 @@ export interface SampleUvs {
 /** How a file is stored after it was put together. */
 export type Storage = 'quantized' | 'meshopt' | 'draco' | 'ktx2'
 
-/** What a sample file holds: a square with one material. */
+/** Contents of a sample file: a square with one material. */
 export interface SampleFile {
   layers: readonly SampleLayer[]
   areas: readonly SampleArea[]
@@ -67,7 +67,7 @@ export interface SampleFile {
   storage?: Storage
 }
 
-/** What is set on a loaded file, and what must follow. */
+/** Inputs to set on a loaded file, and the expected activations. */
 export interface Pose {
   /** Weights of blendshapes; others are 0. */
   weights?: Readonly<Record<string, number>>
@@ -83,9 +83,9 @@ export interface Pose {
   activations: Readonly<Record<string, number>>
 }
 
-/** One rule of the specification, and a file that shows whether an engine keeps it. */
+/** One rule of the specification, and a file that shows whether an engine follows it. */
 export interface Sample {
-  /** Of the file, without its ending. */
+  /** File name without extension. */
   name: string
   /** The rule in one sentence. */
   rule: string

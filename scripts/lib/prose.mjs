@@ -57,7 +57,7 @@ function paragraphsOfPage(text) {
 }
 
 function textOf({ type, content }) {
-  if (type === 'code_inline') return '`code`'
+  if (type === 'code_inline') return 'Code'
   return type.endsWith('break') ? ' ' : type === 'text' ? content : ''
 }
 
@@ -119,7 +119,7 @@ function withoutCode(prose) {
   return prose
     .replace(/^@\w+\s+(\{.*?\}\s+)?(\[?[\w.]+(=[^\]]*)?\]?\s+(-\s+)?)?/, '')
     .replace(/^[-*] |^\d+\. /, '')
-    .replace(/`[^`]*`/g, '`code`')
+    .replace(/`[^`]*`/g, 'Code')
     .replace(/\{@\w+ ([^}]*)\}/g, '$1')
     .replace(/https?:\S+/g, 'address')
 }

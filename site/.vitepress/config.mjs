@@ -22,7 +22,7 @@ export default {
   outDir: './dist',
   // All addresses are relative: the site works under any path.
   base: './',
-  // What the studio and the examples bring is built later.
+  // The studio and the live examples are built later.
   ignoreDeadLinks: [/\/studio\//, /\/examples\/live\//],
   head: [
     ['link', { rel: 'icon', href: ICON }],

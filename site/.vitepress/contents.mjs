@@ -1,4 +1,4 @@
-// What the site's menus list, in their order.
+// Entries of the site's menus, in order.
 
 import { readCommands } from '../gather/commands.mjs'
 import { exampleNames } from '../places.mjs'

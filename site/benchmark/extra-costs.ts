@@ -1,6 +1,6 @@
 import type { Result } from '../../bench/report.ts'
 
-/** What wrinkles that move add to the plain face's frame, on one renderer. */
+/** Frame time that moving wrinkles add to the plain face, on one renderer. */
 export interface ExtraCosts {
   renderer: string
   adapter: string
@@ -10,9 +10,9 @@ export interface ExtraCosts {
 
 export interface Bar {
   name: string
-  /** Of the plain face's time. */
+  /** Added time as a fraction of the plain face's. */
   extra: number
-  /** Of the longest bar of all renderers, 0..1. */
+  /** Length relative to the longest bar of all renderers, 0..1. */
   length: number
 }
 

@@ -17,9 +17,9 @@ const ROUNDS = 3
 
 export interface BenchmarkRun {
   results: Result[]
-  /** What can be sent: a row of the table in bench/machines.md. */
+  /** Row for the table in bench/machines.md, for visitors to send. */
   line: string
-  /** What could not be measured, and why. */
+  /** Measurements that failed, with reasons. */
   notes: string[]
 }
 

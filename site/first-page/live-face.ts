@@ -32,7 +32,7 @@ const LINGER = 600
 /** Nearer than `frameFace` goes. */
 const ZOOM = 1.28
 
-/** What each direction of the pointer shows, from the middle of the face. */
+/** Expression for each direction of the pointer, seen from the middle of the face. */
 const UP = 'surprised'
 const DOWN = 'angry'
 const RIGHT = 'happy'
@@ -70,7 +70,7 @@ export class LiveFace {
   #wrinkles: WrinklesBase | undefined
   #wrinkled = true
   readonly #target = new Vector3()
-  /** Of the camera from the target, for a pointer in the middle. */
+  /** Camera position relative to the target while the pointer is in the middle. */
   readonly #rest = new Spherical()
   /** Where the pointer is, -1..1, and where the camera has followed it to. */
   readonly #aim = { x: 0, y: 0 }

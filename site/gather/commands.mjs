@@ -69,7 +69,7 @@ function section(title, heads, rows) {
   return [`## ${title}`, [`| ${heads.join(' | ')} |`, '| --- | --- |', ...lines].join('\n')]
 }
 
-/** What the help says below the options: paragraphs, and examples as commands. */
+/** Collects the help below the options: paragraphs, and examples as commands. */
 function notes(command) {
   let written = ''
   command.emit('afterHelp', { command, error: false, write: (more) => (written += more) })

@@ -16,13 +16,13 @@ export function driven(drivers: readonly object[], more: Partial<SampleFile> = {
   return { base, layers: LAYERS, areas: AREAS, targets, drivers, ...more }
 }
 
-/** What follows for the areas in a pose. */
+/** Expected activations of the three areas in a pose. */
 export const at = (a: number, b: number, c: number, pose: Omit<Pose, 'activations'> = {}): Pose => ({
   ...pose,
   activations: { a, b, c },
 })
 
-/** What a driver reads, and its weight. */
+/** A driver input with its weight. */
 export const link = (name: string, weight?: number) => ({ name, weight })
 
 /** A driver by blendshapes. */

@@ -219,7 +219,7 @@ export const LAYER_SAMPLES: readonly Sample[] = [
     name: 'roughness',
     rule: "A layer's roughness is mixed with the material's.",
     section: 'Mixing',
-    // Of a flat surface, so that highlights tell nothing but roughness.
+    // The surface is flat, so highlights depend on roughness alone.
     file: {
       layers: [unfolded({ roughness: noise(11), normalScale: 0 })],
       areas: [area('a', { activation: 1 })],

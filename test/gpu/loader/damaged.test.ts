@@ -55,7 +55,7 @@ const DAMAGES: [what: string, spoil: Spoil, warning: RegExp][] = [
   [
     'an image that is cut off',
     (maps, json) => (json.bufferViews[normals(maps, json).bufferView].byteLength = 60),
-    /texture \d: not a readable image, got "it is cut off"/,
+    /texture \d: not a readable image, got "truncated file"/,
   ],
   [
     'an image that cannot be decoded',
@@ -255,7 +255,7 @@ describe('a file of KTX 2 arrays', () => {
         const { bufferView } = json.images[extensions.KHR_texture_basisu.source]
         json.bufferViews[bufferView].byteLength = 400
       },
-      /FURROW_wrinkle_maps texture \d+: it is cut off, got "400 bytes"/,
+      /FURROW_wrinkle_maps texture \d+: truncated file, got "400 bytes"/,
     ],
     ['without the slice', (maps) => (maps.areas[0].texture.slice = 40), /no such slice, got 40/],
     [

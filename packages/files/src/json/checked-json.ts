@@ -14,7 +14,7 @@ export interface CheckedAccessor {
   }
 }
 
-/** What the checks read of a document besides what commands do. `shapeProblem` has checked the types. */
+/** Properties that the checks read in addition to those in `GltfJson`. `shapeProblem` has checked their types. */
 export interface CheckedJson
   extends Omit<GltfJson, 'accessors' | 'materials' | 'meshes' | 'nodes' | 'textures'> {
   accessors?: CheckedAccessor[]

@@ -80,7 +80,7 @@ export function jointNamesOf({ nodes = [] }: GltfJson): string[] {
   return nodes.flatMap(({ name }) => (name === undefined ? [] : [name]))
 }
 
-/** What a view is decompressed from, one for each extension that compresses it; empty where it is not compressed. */
+/** Lists the compressed data of a buffer view, one entry per compression extension; empty if uncompressed. */
 export function compressedViews({ extensions = {} }: BufferView): CompressedView[] {
   return Object.values(extensions).filter((value) => value.byteLength !== undefined) as CompressedView[]
 }

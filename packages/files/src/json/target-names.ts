@@ -100,7 +100,7 @@ export function namesOfMesh({ meshes = [], nodes = [] }: GltfJson, index: number
   return isTaken ? names : [...names, String(index)]
 }
 
-/** Those of a name; without one, those of the default name, or all where none has that. */
+/** Filters candidates by name. Without a name, filters by the default name, or returns all if none has it. */
 export function chosen<T extends Candidate>(
   candidates: readonly T[],
   wanted: string | undefined,

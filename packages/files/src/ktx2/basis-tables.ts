@@ -7,8 +7,8 @@ const HEADER_BYTES = 20
 const IMAGE_BYTES = 20
 
 /**
- * Reads the ETC1S tables of an array again. ktx-parse (1.1 and 2.0) expects one image description per level and reads
- * those of the other layers as codebooks, so that what it writes cannot be decoded.
+ * Rereads the ETC1S tables of a texture array. ktx-parse (1.1 and 2.0) expects one image description per level. It reads the descriptions
+ * of the other layers as codebooks, and the file that it writes cannot be decoded.
  *
  * @param container as read from `bytes`; its tables are replaced.
  */

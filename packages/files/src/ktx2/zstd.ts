@@ -1,7 +1,7 @@
 import { nativeZstd } from '#zstd'
 import { checkContentSize, type Zstd } from './zstd-frame.ts'
 
-/** Of 1 to 22; higher levels take far longer for a few percent. */
+/** Compression level, 1 to 22. Higher levels take far longer and save a few percent. */
 const LEVEL = 12
 
 let loading: Promise<Zstd> | undefined

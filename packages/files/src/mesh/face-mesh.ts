@@ -9,7 +9,7 @@ import { DEFAULT_NAME } from '../json/target-names.ts'
 import { mostMovedSkin } from './find-skin.ts'
 import { nameOf, placementOf, trianglesOf } from './mesh-nodes.ts'
 
-/** What strokes need of a character: one mesh, its texture coordinates, and its skin's own normal map. */
+/** Parts of a character that strokes need: one mesh, its texture coordinates, and the normal map of its skin. */
 export interface FaceMesh {
   /** Name of the mesh. */
   name: string

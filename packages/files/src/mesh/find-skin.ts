@@ -17,7 +17,7 @@ export interface FoundSkin {
   /** Their names, or their indices where they have none. */
   meshName: string
   materialName: string
-  /** Of what the blendshapes move, 0..1; NaN where they move nothing. */
+  /** Share of the blendshape motion that moves this mesh, 0..1; NaN if blendshapes move nothing. */
   fraction: number
   /** Why it was chosen, for the user. */
   reason: string

@@ -20,8 +20,8 @@ export function trianglesOf(mesh: Mesh): Primitive[] {
 }
 
 /**
- * The matrix from mesh to world space in the rest pose. glTF places a skinned mesh by its joints and ignores its
- * node; in the rest pose all joints give the same matrix.
+ * Returns the matrix from mesh to world space in the rest pose. glTF places a skinned mesh by its joints and ignores its node. In the
+ * rest pose all joints give the same matrix.
  */
 export function placementOf(node: Node): mat4 {
   const skin = node.getSkin()

@@ -51,7 +51,7 @@ function placementOfMesh(mesh: Mesh): number[] | undefined {
   return placement.equals(new Matrix4()) ? undefined : placement.toArray()
 }
 
-/** Those of a primitive, or of one without any all its vertices. */
+/** Reads the indices of a primitive; a primitive without indices uses all its vertices in order. */
 function indicesOf(index: Accessor | null, count: number): Uint32Array {
   const array = index?.getArray()
   if (array) return new Uint32Array(array)

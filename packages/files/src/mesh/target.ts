@@ -13,8 +13,8 @@ import {
 import { mostMovedSkin } from './find-skin.ts'
 
 /**
- * Finds the mesh that gets wrinkles, and its material: those that are named, or else those named `skin`, the only ones, or as
- * `furrow auto` finds them, by what the blendshapes move.
+ * Finds the mesh that gets wrinkles, and its material. Given names win. Otherwise the function takes the ones named `skin`, the only ones,
+ * or, as `furrow auto` does, the ones that blendshapes move most.
  *
  * @param path of the file, for errors.
  * @param names the mesh may also be named by its node.

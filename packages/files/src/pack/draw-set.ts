@@ -30,9 +30,9 @@ type LayerEntry = WrinkleSetDocument['layers'][number]
 const DRAWN_MAPS = ['normal', 'occlusion', 'blood', 'height'] as const
 type DrawnMap = (typeof DRAWN_MAPS)[number]
 
-/** What strokes are drawn on. */
+/** Surface that strokes are drawn on. */
 export interface DrawnOn {
-  /** Of the size of the normals, whose sides are even. */
+  /** Canvas of the same size as the normal map; its sides are even. */
   canvas: SkinCanvas
   /** The frame in which renderers read normals. */
   frame: TangentFrame

@@ -11,9 +11,9 @@ import type { LayerImages } from './embed.ts'
 /** The maps of a layer of lines, as pixels. */
 export interface LayerToEncode {
   name: string
-  /** Of kind `detail`. */
+  /** Normal map of kind `detail`. */
   normal: RgbaImage
-  /** Millimetres, of the size of the normals, as is the occlusion. */
+  /** Heights in millimetres. Same size as the normals and the occlusion. */
   heights: HeightMap
   occlusion: GrayImage
   /** With half the side of the normals. */

@@ -9,14 +9,14 @@ type Primitive = GltfMesh['primitives'][number]
 /** The first mode of triangles; points and lines come before it. */
 const TRIANGLES = 4
 
-/** What a mesh needs to wrinkle, and what to do where it has none. */
+/** Attributes that a mesh with wrinkles needs, and the remedy if one is missing. */
 const ATTRIBUTES = [
   ['POSITION', 'export the file again'],
   ['NORMAL', 'export the mesh with normals'],
   ['TEXCOORD_0', 'unwrap the mesh: areas and layers are in its UV layout'],
 ] as const
 
-/** What the shading of a material means for its wrinkles. */
+/** Finding for each kind of shading. */
 const SHADING_FINDINGS = {
   lit: undefined,
   unlit: errorFinding('UNLIT', 'it is unlit (KHR_materials_unlit); make it a lit one'),
@@ -59,7 +59,7 @@ export function faceWarnings(
   return findings.map(({ message }) => `the material "${name}": ${message}`)
 }
 
-/** What meshes with a material lack to wrinkle. */
+/** Lists attributes that the meshes with a material lack. */
 function missingAttributes(json: GltfJson, material: number, faces: readonly number[]): Finding[] {
   const primitives = drawnPrimitives(json, material, faces)
   return ATTRIBUTES.flatMap(([name, remedy]) => {

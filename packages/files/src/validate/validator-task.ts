@@ -1,15 +1,15 @@
 import type { Issue } from 'gltf-validator'
 
-/** What the Khronos validator is to check. */
+/** Input of the thread that runs the Khronos validator. */
 export interface ValidatorTask {
-  /** Taken over by the thread that it runs in. */
+  /** Transferred to the thread. */
   bytes: Uint8Array<ArrayBuffer>
-  /** The files that it refers to, by normalised paths. */
+  /** Referenced files, by normalised path. */
   files: ReadonlyMap<string, Uint8Array>
   maxIssues: number
 }
 
-/** What came of it: what it found, or else why it found nothing. */
+/** Result of the validator: its issues, or the reason for a failure. */
 export interface ValidatorOutcome {
   issues?: Issue[]
   failure?: string

@@ -1,16 +1,16 @@
 import type { Inspection } from './inspect.ts'
 
-/** What the wrinkles of a file cost, in bytes. */
+/** Cost of the wrinkles in a file, bytes. */
 export interface Cost {
-  /** Of their images and strokes in the file. */
+  /** Images and strokes in the file. */
   file: number
-  /** Of their maps, areas and one influence map on a GPU: of a desktop, where maps that are compressed become BC1. */
+  /** Maps, areas and one influence map on a desktop GPU. Compressed maps become BC1 there. */
   gpu: number
-  /** The same on a phone, where they become ASTC 4x4. */
+  /** The same on a phone, where compressed maps become ASTC 4x4. */
   phone: number
 }
 
-/** What automatic wrinkles cost, as `furrow inspect` counts them. */
+/** Computes the cost of automatic wrinkles, as `furrow inspect` does. */
 export function costOf({ imageBytes, strokes, gpu, influenceMapBytes }: Inspection, ktx2: boolean): Cost {
   return {
     file: imageBytes + strokes.bytes,

@@ -8,11 +8,11 @@ import {
   valueSource,
 } from 'furrow/internal'
 
-/** What is wrong with drivers, worth a warning and no more: a player leaves these out and plays the others. */
+/** Problems with drivers that cause only warnings: a loader skips these drivers and runs the others. */
 export interface DriverFaults {
-  /** Types that are neither of this version nor registered, each once. */
+  /** Types that are neither built in nor registered, without duplicates. */
   unknownTypes: readonly string[]
-  /** What drivers use and a face does not have, e.g. `target "jawOpen" of a driver of area "chin"`. */
+  /** Inputs that the face lacks, e.g. `target "jawOpen" of a driver of area "chin"`. */
   missing: readonly string[]
   /** Areas that drive themselves. */
   cyclicAreas: readonly string[]

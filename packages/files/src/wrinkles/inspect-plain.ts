@@ -13,17 +13,17 @@ export interface MeshReport {
   blendshapes: string[]
 }
 
-/** What a face without wrinkles has, and which wrinkles it could get. */
+/** Report on a face without wrinkles, with the wrinkles that it could get. */
 export interface PlainInspection {
   fileBytes: number
   meshes: MeshReport[]
-  /** The mesh that `furrow auto` chooses; absent where none can wrinkle. */
+  /** Mesh that `furrow auto` chooses; absent if none is suitable. */
   skin?: { mesh: string; material: string; reason: string }
-  /** The blendshapes of the skin; none without one. */
+  /** Blendshapes of the skin; empty without a skin. */
   shapes: ShapeReport[]
   /** Whether `furrow auto` has blendshapes to make wrinkles from. */
   auto: boolean
-  /** What to do next. */
+  /** Suggested next command. */
   next: string
 }
 

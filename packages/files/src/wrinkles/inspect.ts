@@ -53,7 +53,7 @@ export interface AreaReport {
   largest: number
 }
 
-/** What wrinkles a file has, and what they cost. */
+/** Report on the wrinkles in a file, with their cost. */
 export interface Inspection {
   material?: string
   fileBytes: number

@@ -8,7 +8,7 @@ export interface GpuSizes {
   bits4: number
 }
 
-/** Of what stays in the file. */
+/** Sizes of data that is never uploaded. */
 export const NO_SIZES: GpuSizes = { uncompressed: 0, bits8: 0, bits4: 0 }
 
 /** Sizes of a map: four channels, with mipmaps. */

@@ -27,8 +27,8 @@ export interface UnpackedWrinkles {
 }
 
 /**
- * Makes the files of a folder from the wrinkles of a file: `wrinkles.json`, `layers/NAME/*.png`, `areas/NAME.png` and
- * `strokes.json`, where a name that no file can have is changed; `wrinkles.json` has the names as they are.
+ * Makes the files of a folder from the wrinkles of a file: `wrinkles.json`, `layers/NAME/*.png`, `areas/NAME.png` and `strokes.json`.
+ * Names that are invalid as file names are changed in paths only; `wrinkles.json` keeps them.
  *
  * @param whiteIsVisible the convention to write areas in.
  * @throws FurrowError when an image cannot be decoded.

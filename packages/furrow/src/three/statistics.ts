@@ -4,7 +4,7 @@ import { listTextures } from './material/wrinkle-textures.ts'
 import { isReliefMesh } from './relief/is-relief-mesh.ts'
 import type { WrinkledMesh } from './wrinkled-mesh.ts'
 
-/** What wrinkles cost, as of the last frame. */
+/** Cost of wrinkles, as of the last frame. */
 export interface WrinkleStatistics {
   /** Areas with an activation above 0, summed over all instances: the areas that an influence map is drawn from. */
   activeAreas: number
