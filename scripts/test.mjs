@@ -90,6 +90,7 @@ async function testQuickly() {
     ...partsOf(tests),
     () => timed('type check', node('typescript/bin/tsc', '--noEmit')),
     () => timed('lint', node('@biomejs/biome/bin/biome', 'check', '.')),
+    () => timed('prose', [process.execPath, 'scripts/prose.mjs']),
     checkPython,
     checkDownload,
   ])

@@ -139,6 +139,6 @@ describe('a layer of strokes', () => {
 
   it('refuses a base of another size', () => {
     const base = { width: 128, height: 128, data: new Uint8Array(4 * 128 * 128) }
-    expect(() => new StrokeLayer(canvas, { base })).toThrow('differ in size')
+    expect(() => new StrokeLayer(canvas, { base })).toThrow('differs from the base map')
   })
 })
