@@ -83,7 +83,7 @@ describe("the studio's export", () => {
     )
     const alone = { name: 'parts.gltf', bytes: bytesOf(gltf.files['parts.gltf']) }
     await expect(exportDocument(alone, source)).rejects.toThrow(
-      /Studio: cannot read parts.*which parts.gltf refers to/,
+      /Studio: cannot read parts.*referenced by parts.gltf/,
     )
   })
 })
