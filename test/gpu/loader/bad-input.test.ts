@@ -72,7 +72,9 @@ describe('images', () => {
 
   it('are refused as areas of a single texel', async () => {
     const image = toGray(await decodeImage(await grayPng(1, 1, 0), 'dot.png'))
-    expect(() => areaWeights(image, 'paper', 'dot.png')).toThrow(/^dot.png: area image too small, got "1 x 1"/)
+    expect(() => areaWeights(image, 'paper', 'dot.png')).toThrow(
+      /^dot.png: area image too small, got "1 x 1"/,
+    )
   })
 })
 
