@@ -1,5 +1,12 @@
+import { execFileSync } from 'node:child_process'
 import MarkdownIt from 'markdown-it'
 import { parseSync } from 'vite'
+import { ROOT } from './run.mjs'
+
+const CHECKED = /\.(ts|tsx|mjs|js|py|md)$/
+
+/** A licence, and pages that are being replaced. */
+const SKIPPED = /templates\/template-data\.ts$|^docs\/(auto|studio)\.md$/
 
 /** Maximum number of words in a sentence. */
 const LONGEST = 30
@@ -16,6 +23,12 @@ const NOT_PROSE = /^(\s*[-=|]{3,}|biome-ignore|@ts-|@vitest|eslint-|region|endre
 const markdown = new MarkdownIt({ html: true })
 const sentences = new Intl.Segmenter('en', { granularity: 'sentence' })
 
+/** Lists tracked files whose prose is checked. `paths` limits the list. */
+export function checkedFiles(paths = []) {
+  const listed = execFileSync('git', ['ls-files', ...paths], { cwd: ROOT, encoding: 'utf8' })
+  return listed.split('\n').filter((path) => CHECKED.test(path) && !SKIPPED.test(path))
+}
+
 /**
  * Finds sentences that are too long, and comments that begin without a subject.
  *
@@ -25,12 +38,7 @@ const sentences = new Intl.Segmenter('en', { granularity: 'sentence' })
  */
 export function findProblems(path, text) {
   const isPage = path.endsWith('.md')
-  const paragraphs = isPage
-    ? paragraphsOfPage(text)
-    : path.endsWith('.py')
-      ? commentsOfPython(text)
-      : commentsOfScript(path, text)
-  return paragraphs.flatMap(({ line, prose }) => {
+  return paragraphsOf(path, text).flatMap(({ line, prose }) => {
     const found = []
     if (!isPage && NO_SUBJECT.test(prose))
       found.push({ line, problem: 'begins without a subject', sentence: prose })
@@ -41,6 +49,16 @@ export function findProblems(path, text) {
     }
     return found
   })
+}
+
+/** Counts words of comments, or of a page. */
+export function countProse(path, text) {
+  return paragraphsOf(path, text).reduce((sum, { prose }) => sum + countWords(prose), 0)
+}
+
+function paragraphsOf(path, text) {
+  if (path.endsWith('.md')) return paragraphsOfPage(text)
+  return path.endsWith('.py') ? commentsOfPython(text) : commentsOfScript(path, text)
 }
 
 /** Lists paragraphs, list items, headings and table cells of a Markdown page. */
