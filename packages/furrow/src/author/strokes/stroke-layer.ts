@@ -11,6 +11,7 @@ import { type LaidStroke, layOutStroke, reachOf } from './lay-out.ts'
 import { LineGrid } from './line-grid.ts'
 import { OtherStrokes } from './other-strokes.ts'
 
+/** Base normal map and tangent frame of a `StrokeLayer`. */
 export interface StrokeLayerOptions {
   /** Smooth normal map (pores, scars) under the wrinkles, of the canvas's size; kept by reference, not changed. Default: flat skin. */
   base?: RgbaImage
