@@ -24,15 +24,15 @@ export interface Expected {
   influence: number[]
   /** Unit vector in tangent space. */
   normal: number[]
-  /** Linear; the material's own is white. */
+  /** Linear. Without wrinkles: white. */
   baseColor: number[]
-  /** The material's own is 1. */
+  /** Without wrinkles: 1. */
   roughness: number
-  /** The material's own is 1. */
+  /** Without wrinkles: 1. */
   occlusion: number
 }
 
-/** @returns what must be at the centre of a pixel of the square, by the float64 reference. */
+/** Computes the expected values at the centre of a pixel of the square, with the float64 reference. */
 export function expectedAt(file: SampleFile, pose: Pose, column: number, row: number): Expected {
   const [u, v] = uvAt(file, (column + 0.5) / PIXELS, (row + 0.5) / PIXELS)
   const weights = file.areas.map(({ weights, channel = 0 }) => channelOf(weights, channel))
@@ -106,7 +106,7 @@ export function normalPicture(file: SampleFile, pose: Pose): MapImage {
   return { width: PIXELS, height: PIXELS, data }
 }
 
-/** Six decimals: files stay readable, and differ nowhere by what matters. */
+/** Rounds to six decimals, which keeps files readable and is far below the tolerance of the comparison. */
 function rounded(expected: Expected): Expected {
   const round = (value: number) => Math.round(value * 1e6) / 1e6
   return {

@@ -108,7 +108,7 @@ async function strokesOf(folder: Folder, set: WrinkleSetDocument): Promise<Strok
   return json === undefined ? undefined : parseStrokes(json)
 }
 
-/** Returns the side of the layers' normal maps, over which strokes are drawn, or undefined if unknown. */
+/** Returns the width of the layers' square normal maps in texels, or undefined if unknown. Strokes are drawn at this size. */
 async function sideOf(folder: Folder, { layers }: WrinkleSetDocument): Promise<number | undefined> {
   const address = layers.find(({ normal }) => normal !== undefined)?.normal
   if (address === undefined) return undefined

@@ -131,7 +131,8 @@ export class Fields {
     )
   }
 
-  /** Reads `inner` and `outer` of a muscle: distances of the strongest pull and of its end, as fractions of the length. */
+  /** Reads `inner` and `outer` of a muscle: distances from its origin at which the pull is strongest and at which the pull ends, as fractions of
+   * the muscle's length. */
   zone(): { inner: number; outer: number } {
     const [inner, outer] = [this.number('inner', 0, 10, 0.8), this.number('outer', 0.001, 10, 1.2)]
     if (outer > inner) return { inner, outer }

@@ -1,5 +1,5 @@
 /**
- * A mesh of split triangles. Each vertex follows a triangle of the coarse mesh, so it needs no blendshapes or skinning. Vertices at a
+ * A subdivided mesh. Each vertex follows a triangle of the coarse mesh, so it needs no blendshapes or skinning. Vertices at a
  * texture seam have bit-identical `parents`, `weights` and `uvs`; a surface computed from these has no cracks.
  */
 export interface DenseMesh {
@@ -9,15 +9,15 @@ export interface DenseMesh {
   triangles: Uint32Array
   /** Triangles of coarser versions of the surface, which use a subset of the vertices. */
   coarser: Uint32Array[]
-  /** Three coarse vertices per vertex, each the first at its position; for positions. */
+  /** Three coarse vertices per vertex, whose positions are interpolated. Of several coarse vertices at one position, the first is used. */
   parents: Uint32Array
   /** Corners of the coarse triangle, for attributes that differ at seams, such as shading normals and texture coordinates. */
   corners: Uint32Array
   /** Barycentric coordinates of the three corners, multiples of a power of two; the sum is 1. */
   weights: Float32Array
-  /** Two pairs of texture coordinates, one per side of a seam; the height is the mean of both samples. */
+  /** Two pairs of texture coordinates, one per side of a seam. A vertex is displaced by the mean of the heights sampled at both. */
   uvs: Float32Array
-  /** By coarse vertex: the first vertex at its position. */
+  /** Maps each coarse vertex to the first coarse vertex at the same position. */
   firstOf: Uint32Array
   /** Target edge length in metres, increased to fit the budget. */
   edge: number
@@ -57,7 +57,7 @@ export class DenseBuilder {
   readonly #versions: Numbers<Uint32Array>[]
 
   /**
-   * @param firstOf by coarse vertex: the first vertex at its position.
+   * @param firstOf maps each coarse vertex to the first coarse vertex at the same position.
    * @param versions number of versions of the surface.
    */
   constructor(firstOf: Uint32Array, versions: number) {

@@ -5,10 +5,13 @@ import type { QuadMaterials } from './atlas/quad-materials.ts'
 import { callBeforeRender } from './mesh/before-render.ts'
 import type { AnyRenderer } from './renderer.ts'
 
-/** Maximum hooks per scene. Stops an endless exchange with a page, or another copy of Furrow, that replaces `onBeforeRender` each time. */
+/**
+ * Maximum number of times that one scene is hooked. A page, or another copy of Furrow, may replace `onBeforeRender` after every hook; the
+ * limit ends this loop.
+ */
 const MAX_HOOKS = 8
 
-/** Consecutive renders of a scene without a face, e.g. from other cameras, after which its faces count as out of sight. */
+/** The faces of a scene count as out of sight after this many consecutive renders that draw none of them, e.g. from other cameras. */
 const MAX_RENDERS = 4
 
 /** A scene that contains faces. */
@@ -126,7 +129,7 @@ function renderCount({ info }: AnyRenderer): number {
   return 'calls' in info ? info.calls : info.render.frame
 }
 
-/** Whether a renderer uses WebGL and is drawing: `WebGPURenderer.compileAsync` traverses scenes too. */
+/** Whether a renderer draws objects while it traverses the scene. `WebGPURenderer` also traverses scenes to compile them. */
 function drawsImmediately(renderer: AnyRenderer): boolean {
   const { backend, _compilationPromises } = renderer as {
     backend?: { isWebGPUBackend?: true }

@@ -116,7 +116,7 @@ export class Looks {
     return TECHNICAL_BACKGROUND
   }
 
-  /** Follows the pose once it stops moving. */
+  /** Recomputes the strain of the current pose when the face stops moving. */
   follow(): void {
     this.#strain?.follow()
   }
@@ -164,7 +164,7 @@ export class Looks {
     return [this.#face.skin, ...this.#face.parts]
   }
 
-  /** Returns 0 everywhere for a plain face. */
+  /** Creates a material that shows influence as gray. A plain face is black. */
   #influence(area?: string | readonly string[]): Material {
     if (this.#wrinkles) return this.#wrinkles.createInfluenceMaterial(area)
     return this.#keep(new MeshBasicMaterial({ color: 0x000000, toneMapped: false }))

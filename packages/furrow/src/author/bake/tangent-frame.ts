@@ -8,8 +8,8 @@ export interface TangentSpace {
   /** Selects a triangle by its first corner. */
   select(corner: number): void
   /**
-   * Computes the normal map value that a renderer shades as `direction`, not normalised. Returns false, leaving `out` unchanged, if the
-   * frame is degenerate. a, b and c are barycentric coordinates.
+   * Writes to `out` the tangent-space vector that a renderer shades as `direction`. The vector is not normalised. Returns false, leaving
+   * `out` unchanged, if the frame is degenerate. `a`, `b` and `c` are barycentric coordinates.
    */
   encode(a: number, b: number, c: number, direction: ArrayLike<number>, out: Float64Array): boolean
 }
@@ -18,9 +18,10 @@ export interface TangentSpace {
 const DEGENERATE = 1e-6
 
 /**
- * Returns the frame in which renderers read this mesh's normal map. With tangents: glTF's. Bitangents are cross(normal, tangent) w at the
- * vertices; all three vectors are interpolated and normalised, as in three.js and the Khronos sample renderer. Without tangents: three.js's
- * derivative frame. Interpolated frames are not orthogonal, so they are inverted exactly (Cramer's rule).
+ * Returns the frame in which renderers read this mesh's normal map. With tangents, this is glTF's frame: bitangents are
+ * `w * cross(normal, tangent)` at the vertices, and all three vectors are interpolated and normalised, as in three.js and the Khronos
+ * sample renderer. Without tangents, it is three.js's derivative frame. Interpolated frames are not orthogonal, so they are inverted
+ * exactly (Cramer's rule).
  */
 export function tangentSpaceOf(mesh: BakeMesh): TangentSpace {
   const readFrame = mesh.tangents ? vertexFrame(mesh, mesh.tangents) : derivativeFrame(mesh)

@@ -12,14 +12,14 @@ const BANK_VOLUME = 9 / 16
 
 /**
  * Cross-section of a valley without banks: exp(-t), with t the distance from the bottom in half widths. Skin bends sharply at the bottom
- * and is convex everywhere else (Harrison, A physics-based model for wrinkling skin, University of British Columbia 2015). The volume per
- * side is 1 in half widths times depth. `softness` rounds the bottom and keeps the values at t = 0 and t = 1. The far end fades to exactly
- * 0 at VALLEY_REACH.
+ * and is convex everywhere else (Harrison, A physics-based model for wrinkling skin, University of British Columbia 2015). The area on each
+ * side of the bottom is `halfWidth * depth`. `softness` rounds the bottom and keeps the values at t = 0 and t = 1. The far end fades to
+ * exactly 0 at `VALLEY_REACH`.
  *
  * @param distance from the bottom in half widths, at least 0.
- * @param softness 0..1, in half widths as drawn.
+ * @param softness radius of the rounded bottom in half widths of the widened valley, 0..1.
  * @param widened factor by which the valley is drawn wider and shallower at the same volume, at least 1.
- * @returns depth below the banks, 1 / widened at the bottom.
+ * @returns depth as a fraction of the depth before widening: `1 / widened` at the bottom.
  */
 export function valleyAt(distance: number, softness: number, widened = 1): number {
   if (distance >= VALLEY_REACH) return 0
@@ -34,8 +34,8 @@ export function valleyAt(distance: number, softness: number, widened = 1): numbe
 
 /**
  * Cross-section of a bank: x (1 - x)^2, with x the distance from the bottom as a fraction of the bank's reach. The bank rises at the
- * bottom, peaks at a third of its reach and ends without an edge. Two lines as far apart as their reach add up to the parabola x (1 - x):
- * one convex bulge from valley to valley. Banks with `shoulder` 1 hold all the skin pushed out of a valley of half width 1 and depth 1.
+ * bottom, peaks at a third of its reach and ends without an edge. If two valleys are as far apart as their reach, their banks add up to the
+ * parabola `x * (1 - x)`: one convex bulge between them. Banks with `shoulder` 1 have the volume of a valley of half width 1 and depth 1.
  *
  * @param distance from the bottom in half widths, at least 0.
  * @param reach in half widths.

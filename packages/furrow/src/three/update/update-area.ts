@@ -12,8 +12,8 @@ import { changesOf } from './texture-changes.ts'
 
 /**
  * Replaces the weights of an area from the next frame on, on these wrinkles and all others that share their textures. Uploads only the
- * rectangle that the area covers, so it can be called for every movement of a brush. Tension keeps using the weights at the last change of
- * drivers: call `setDrivers(wrinkles, wrinkles.drivers)` after a stroke.
+ * rectangle that the area covers, so it can be called for every movement of a brush. Tension drivers keep the old weights until the drivers
+ * are set again: call `setDrivers(wrinkles, wrinkles.drivers)` after a brush stroke.
  *
  * @param wrinkles wrinkles of the face.
  * @param name name of the area.

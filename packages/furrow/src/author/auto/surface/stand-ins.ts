@@ -10,7 +10,7 @@ export type TargetHints = readonly (NameHint | undefined)[]
 
 type Find = (name: string) => number[]
 
-/** Shapes that the lines of a face rely on, without sides. */
+/** Names, without `Left` and `Right`, of the blendshapes from which wrinkle lines are placed. */
 const SHAPES = [
   'browInnerUp',
   'browOuterUp',
@@ -33,8 +33,8 @@ export function hintsOf(targets: readonly Omit<SkinTarget, 'offsets'>[]): Target
 }
 
 /**
- * Finds shapes of a face by ARKit names in any rig's spelling, or their stand-ins: other shapes of that part of the face, or emotions,
- * which move all of it.
+ * Finds the targets that match an ARKit name in any rig's spelling. If a rig lacks a shape, a stand-in replaces it: another shape that moves
+ * the same part of the face, or an emotion, which moves the whole face.
  *
  * @param targets names of the skin's targets.
  * @returns a function from a name to indices into `targets`, empty if there is no stand-in.
@@ -53,7 +53,7 @@ export function partShapeFinder(targets: readonly string[], hints: TargetHints):
   return (name) => firstFound(name, [find, together, like])
 }
 
-/** Finds shapes without stand-ins and without combinations of several ARKit shapes. */
+/** Finds only targets that are the named shape. Excludes stand-ins, and targets that combine several ARKit shapes. */
 function exactFinder(targets: readonly string[], hints: TargetHints): Find {
   const find = targetFinder(targets)
   const exact = ofSides((shape) => {
@@ -114,12 +114,12 @@ function firstFound(name: string, finders: readonly Find[]): number[] {
   return []
 }
 
-/** Returns all targets of a kind with the shape. */
+/** Returns all targets whose hint passes `isWanted` and that contain the shape. */
 function matching(hints: TargetHints, isWanted: (hint: NameHint) => boolean): (shape: string) => number[] {
   return (shape) => ranked(hints, shape, isWanted).map(({ index }) => index)
 }
 
-/** Finds the targets of a kind closest to a shape. Targets of one side take precedence over two-sided ones. */
+/** Finds the targets closest to a shape among those whose hint passes `isWanted`. One-sided targets take precedence over two-sided ones. */
 function closest(hints: TargetHints, isWanted: (hint: NameHint) => boolean): Find {
   return ofSides((shape) => {
     const all = ranked(hints, shape, isWanted)

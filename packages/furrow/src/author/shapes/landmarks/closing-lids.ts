@@ -25,7 +25,7 @@ const RATIO = 4
 /** Fraction of the largest displacement above which a point counts as moved, and maximum fraction of points that a lid moves. */
 const MOVED = 0.25
 const MAX_MOVED = 0.5
-/** Extent of moved points, as a fraction of their extent at rest, below which a target hides a piece. */
+/** Targets that shrink their moved points below this fraction of the extent at rest hide a part of the mesh, e.g. a second set of eyes. */
 const SHRUNK = 0.5
 const NEIGHBOURS = 8
 /** Minimum number of pairs per eye. */
@@ -101,7 +101,7 @@ function extent(points: Float64Array): number {
 /**
  * Finds the eyes: where a target closes lids, away from the middle and the mouth. The right side is mirrored onto the left.
  *
- * @param isAbove whether a position may be an eye relative to the mouth.
+ * @param isAbove whether a position is far enough above the mouth to be an eye.
  * @returns the centres of both openings, first the one on the side of the plane's normal.
  */
 export function eyesOf(
@@ -119,7 +119,7 @@ export function eyesOf(
     list.push(plus(middle, x, -2 * Math.min(0, offset(middle))))
     byMotion.set(motion, list)
   }
-  // Lids close only beside the middle; chins and cheeks fold across it.
+  // Lids close on one side of the symmetry plane; folds of the chin cross it.
   const groups = [...byMotion.values()]
     .map((list) => ({ all: list.length, list: list.filter((point) => offset(point) > OFF_MIDDLE * radius) }))
     .filter(({ all, list }) => list.length >= MIN_PAIRS && list.length > 0.9 * all)
