@@ -12,7 +12,7 @@ from .source import ARKIT
 
 # Displacements (metres) and changes of unit normals below the first number are dropped, and fade in up to the second
 # number, so that no edge is visible. A third of a millimetre is less than half a pixel on a full-screen face. Parts
-# without changes of normals are hidden or thin, and may be coarser.
+# without changes of normals are hidden or thin, so their displacements have larger limits.
 SHIFT_FADE = (3.4e-4, 8e-4)
 SHIFT_FADE_UNLIT = (5e-4, 1.2e-3)
 TURN_FADE = (0.068, 0.138)

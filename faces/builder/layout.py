@@ -11,7 +11,7 @@ from scipy.sparse.linalg import spsolve
 
 FOCUS = 3.0  # u = asinh(FOCUS x) / asinh(FOCUS) enlarges the face and compresses the nape
 HEAD_BOTTOM = 0.93  # v of the source island's lower end; the neck is below
-ROUNDS = 3  # of relaxation; a fourth would fold quads at the nostrils
+ROUNDS = 3  # rounds of relaxation; a fourth would fold quads at the nostrils
 FACE_CENTRE = np.array([0.0, 0.735, 0.15])  # metres, on the source's unblended base figure
 FACE_SIZE = 0.085  # metres
 FACE_GAIN = 1.0  # added texel density in the middle of the face
@@ -28,7 +28,7 @@ def skin_layout(source: np.ndarray, quads: np.ndarray, positions: np.ndarray) ->
     outline, holes = loops[-1], loops[:-1]
     uv[outline] = _close_outline(uv[outline], positions[outline])
 
-    # Closes eyes and mouth with fans, to relax the openings too.
+    # Triangle fans close the openings of eyes and mouth, so that the relaxation moves their edges too.
     a, b, c, d = quads.T
     triangles = [np.stack(t, 1) for t in ((a, b, c), (a, c, d), (a, b, d), (b, c, d))]  # both diagonals, for symmetry
     points = [positions]

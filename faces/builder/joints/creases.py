@@ -7,9 +7,9 @@ from scipy.interpolate import PchipInterpolator
 
 from ..part import Part
 
-SAMPLES = 24  # points of a stroke
+SAMPLES = 24  # points per stroke
 LEAP = 0.03  # uv; consecutive samples further apart are on opposite sides of a seam
-MIN_POINTS = 4  # of a stroke cut by a seam
+MIN_POINTS = 4  # points; shorter pieces of a stroke that a seam cuts are dropped
 
 
 class Chart:

@@ -41,8 +41,8 @@ EXTENSION = {
     ],
     3: [(-1.2, -0.5, 1.1, 0.20), (0.2, 0.0, 1.2, 0.24), (1.6, 0.5, 1.1, 0.18)],
 }
-REACH = 11.0  # millimetres to either side, wider than a finger
-BACK_WIDTH = 0.55  # of a finger's half width
+REACH = 11.0  # length of a crease to either side, millimetres: more than half a finger's width
+BACK_WIDTH = 0.55  # fraction of half the finger's width
 
 
 def hand_strokes(hand: Hand) -> str:

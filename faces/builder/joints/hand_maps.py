@@ -11,7 +11,7 @@ from .hand import FINGERS, Hand
 
 
 class HandFields(Fields):
-    """Fields of a hand, around its joints."""
+    """Masks of the hand's regions in its texture layout, placed by the joints."""
 
     def __init__(self, hand: Hand, atlas: Atlas, seed: int):
         super().__init__(atlas, hand.part.positions, seed)
@@ -95,9 +95,9 @@ def paint_hand_relief(fields: HandFields, depth: float) -> np.ndarray:
 
 
 def paint_pressed(fields: HandFields) -> tuple[np.ndarray, np.ndarray]:
-    """Paints the white knuckles of a fist, in gray: the blood map over the heads of the metacarpals, and the area.
+    """Paints two gray images for the white knuckles of a fist: a blood map, and a wider area of influence around it.
 
-    The area is wider than the map, so that only the map fades.
+    The blood map fades at the edge of each knuckle. The area is constant there, so its own edge is not visible.
     """
     blood = (128 - 127 * fields.heads) / 255
     area = 1 - np.clip(3 * fields.heads, 0, 1)

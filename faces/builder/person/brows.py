@@ -13,7 +13,7 @@ BOX = (0.505, 0.375, 0.68, 0.505)  # u0, v0, u1, v1
 SHELL = (
     1024,
     512,
-)  # drawn pixels of one brow; the finished map is half as high and has both brows, right first
+)  # pixels of one brow as drawn; the finished map has both brows side by side, right first, at half this height
 HEIGHT = 0.5e-3  # metres from the skin to the shell
 
 
@@ -77,7 +77,9 @@ def shell_map(look: dict) -> tuple[str, bytes]:
         sheet.paste(drawn.resize((width, height), Image.Resampling.BOX), (left, 0))
     alpha = np.asarray(sheet.resize((width, height // 2), Image.Resampling.LANCZOS))
     pixels = np.empty((*alpha.shape, 4), np.uint8)
-    pixels[..., :3] = np.round(np.array(look["brow"]) * 255)  # also where transparent, against fringes
+    pixels[..., :3] = np.round(
+        np.array(look["brow"]) * 255
+    )  # transparent pixels have the same colour, because filtering would mix in any other
     pixels[..., 3] = np.round(alpha / 8.5) * 8.5  # 31 levels, which compress well
     out = io.BytesIO()
     Image.fromarray(pixels).save(out, "PNG", optimize=True)

@@ -10,7 +10,7 @@ from .head import Head
 
 # From the centre of the source's flattened helper eye to the centre of a sphere that touches the lids.
 OFFSET = np.array([0.0, -0.9e-3, 0.6e-3])  # metres
-BITE = 0.35e-3  # metres; the ball cuts into the nearest lid rim, to fill the far corner
+BITE = 0.35e-3  # metres that the ball overlaps the nearest lid rim, so that no gap remains at the far corner
 IRIS_RADIUS = 5.85e-3  # an adult's iris measures 11.7 mm (Rüfer, Schröder, Erb 2005)
 CORNEA_RISE = 1.1e-3  # metres that the cornea rises above the ball
 REACH = np.radians(110)  # from the front pole; the rest of the ball is never visible
@@ -108,9 +108,11 @@ def _shade(head: Head, ball: Ball, rim: np.ndarray):
     def band(shift):
         edge = head.positions[rim] + shift
         inward = edge.mean(axis=0) - edge
-        # Bands of nearly closed lids end where they meet.
+        # On nearly closed lids the upper and the lower band end where they meet.
         room = np.abs(inward[:, 1:2]) + 0.4e-3
-        inward[:, 0] *= 0.5  # mostly vertical, to keep the corners' shade off the lids
+        inward[:, 0] *= (
+            0.5  # makes the bands mostly vertical, so that the shade of the corners does not darken the lids
+        )
         inward /= np.linalg.norm(inward, axis=1, keepdims=True)
         rows = np.concatenate([edge + inward * np.minimum(distance, room) for distance, _, _ in SHADE])
         direction = rows - ball.centre

@@ -1,4 +1,4 @@
-"""Fields for painting maps: noise in space, soft spots around landmarks, soft outlines, occlusion."""
+"""Scalar fields for painting maps: noise in space, soft spots around landmarks, soft outlines, occlusion."""
 
 import numpy as np
 from PIL import Image, ImageDraw

@@ -13,9 +13,9 @@ from ..subdivide import catmull_clark, vertex_normals
 
 COLLAR = 0.61  # height in metres; islands entirely above it belong to the head
 NECK_RINGS = 5  # rings of quads below the head's island that are skin
-SHIRT_RINGS = 9  # all rings below the head's island; rings after the skin's are the shirt
-SOCKET_RINGS = 6  # kept rings of fine quads of the eye sockets
-NAPE = 0.02  # z in metres; neck vertices on the midline behind it are on the seam
+SHIRT_RINGS = 9  # rings of quads below the head's island: first the skin's, then the shirt's
+SOCKET_RINGS = 6  # rings of fine quads that remain of each eye socket
+NAPE = 0.02  # z in metres; neck vertices behind it on the midline are on the texture seam
 
 
 @dataclass
@@ -32,7 +32,7 @@ class Head:
     matrix: object  # sparse, fine vertices x used vertices
     uv: np.ndarray  # fine texture coordinates of the skin
     uv_quads: np.ndarray  # fine quads of the skin into uv
-    neck: np.ndarray  # by quad of the skin before subdivision: whether it is neck
+    neck: np.ndarray  # whether each quad of the skin before subdivision belongs to the neck
     moves: dict[str, tuple[np.ndarray, np.ndarray]]  # fine displacements and changes of normals by ARKit name
 
 
@@ -137,7 +137,7 @@ def _settled(values: np.ndarray) -> np.ndarray:
 def skin_part(head: Head, dense_neck=False) -> tuple[Part, np.ndarray]:
     """Returns the skin, split only at the texture seam, and the fine vertex of each of its vertices.
 
-    By default vertices of the nearly still neck are thinned out, without changing its surface.
+    By default, the neck, which hardly moves, keeps fewer vertices on the same surface.
     """
     quads = head.fine_quads[head.region == "skin"]
     pairs, index = np.unique(np.stack([quads.ravel(), head.uv_quads.ravel()], 1), axis=0, return_inverse=True)
@@ -201,7 +201,7 @@ def socket_lining(head: Head) -> Part:
 
 
 def _lining(head: Head, chosen: np.ndarray, name: str) -> Part:
-    """Returns a lining without uv, and without changes of normals because it is dark."""
+    """Returns a lining without uv. It is dark, so its targets do not change normals."""
     used, index = np.unique(head.fine_quads[chosen], return_inverse=True)
     triangles = triangulate(index.reshape(-1, 4), head.positions[used])
     part = _part(head, name, "mouth", used, None, triangles)
