@@ -45,7 +45,7 @@ def scattered(fields: Fields, spacing: np.ndarray) -> np.ndarray:
     near = cKDTree(points).query_pairs(radii.max(), output_type="ndarray")
     gap = np.linalg.norm(points[near[:, 0]] - points[near[:, 1]], axis=1)
     near = near[gap < np.minimum(radii[near[:, 0]], radii[near[:, 1]])]
-    # Of points that are too close to each other, keeps the first in random order.
+    # Keeps one of several points that are too close to each other: the first in random order.
     while open_.any():
         rival = near[open_[near].all(axis=1)]
         beaten = np.zeros(count, bool)
