@@ -32,7 +32,7 @@ class AutomaticRun:
         self.output = folder / "wrinkled.glb"
         _export(face, folder / "face.glb")
         words = [command, "auto", str(folder / "face.glb"), "-o", str(self.output), "--replace", *options]
-        # A file: nobody would read from a pipe while the command runs.
+        # Errors go to a file, because nothing reads a pipe while the command runs: a full pipe would block the command.
         self.errors = folder / "errors.txt"
         with open(self.errors, "w") as errors:
             self.process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=errors)

@@ -44,7 +44,7 @@ def update_delays(scene, depsgraph):
 
 @persistent
 def clear_delays(*_):
-    """Clear delays before saving: without the extension they would never end."""
+    """Clear delays before saving. In a Blender without the extension, nothing would ever end them."""
     for tree in bpy.data.node_groups:
         for delay in tree.furrow.delays:
             _set_late(tree, delay.area, 0.0)

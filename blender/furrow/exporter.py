@@ -31,7 +31,7 @@ class ExportHooks:
                 text = f"{error}; {material.name} is exported without wrinkles"
                 export_settings["log"].warning(text, popup=True)
             detach_group(material)
-        # Restores materials after failed exports, which call no hook.
+        # Restores materials after a failed export, for which Blender calls no hook.
         bpy.app.timers.register(restore_materials, first_interval=0)
 
     def post_export_hook(self, export_settings):

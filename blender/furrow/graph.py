@@ -1,4 +1,4 @@
-"""Writes nodes as formulas: functions take sockets and numbers, and return sockets."""
+"""Builds node trees by formulas. Each function takes sockets or numbers, adds a node, and returns its output socket."""
 
 import bpy
 

@@ -1,4 +1,4 @@
-"""Hooks for Blender's glTF importer. An error costs the wrinkles and one warning, never the plain face."""
+"""Hooks for Blender's glTF importer. After an error the face is imported without wrinkles, with one warning."""
 
 import json
 import struct
@@ -38,7 +38,7 @@ class ImportHooks:
             insert_group(material, tree)
             self.loaded.append((material, tree))
             if EXTENSION in _animations(self.file):
-                _warn(gltf, f"Furrow: key frames of activations in {gltf.filename} are skipped; animate At Rest")
+                _warn(gltf, f'Furrow: key frames of activations in {gltf.filename} are skipped; animate "At Rest"')
             if errors:
                 _warn(gltf, f"{errors[0]}; skipped drivers: {len(errors)}")
         except Exception as error:

@@ -98,7 +98,7 @@ def store_frames(armature, rest_of):
 
 
 def store_nodes(wrinkles, names, objects):
-    """Store the objects of drivers' joints with a set, and their current world rotations as rest."""
+    """Store the objects that drivers measure as joints in a set, with their current world rotations as rest."""
     for name in names:
         if name in objects:
             joint = wrinkles.joints.add()

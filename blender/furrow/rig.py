@@ -1,6 +1,6 @@
 """
 Builds the drivers of a wrinkle group. Each step of the plan is a driven custom property of one node, "Steps". Drivers
-of the other nodes' inputs read the last steps. `nodes["Steps"]["d0l1"]` is the second link of the first driver, and
+of the other nodes' inputs read the final steps. `nodes["Steps"]["d0l1"]` is the second link of the first driver, and
 `nodes["Steps"]["a3"]` the activation of the fourth area. The group's own properties `["rest3"]` and `["late3"]` are
 that area's resting activation and lag (`delays.py`).
 

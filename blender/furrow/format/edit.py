@@ -68,7 +68,7 @@ def rename_joints(drivers, names):
 
 
 def meshes_of(shapes):
-    """List the distinct mesh names in shape corrections. Skips malformed ones."""
+    """List the distinct mesh names in shape corrections. Malformed corrections are skipped."""
     items = shapes if isinstance(shapes, list) else []
     names = [item.get("mesh") for item in items if isinstance(item, dict)]
     return list(dict.fromkeys(name for name in names if isinstance(name, str)))
