@@ -1,9 +1,6 @@
-// The table of docs/conformance.md: results by rule and engine.
+// The table of docs/conformance.md: results by engine.
 
 import { writeTable } from './marked-table.mjs'
-
-/** A missing result means that the engine does not support a feature the sample needs. */
-const CELLS = { true: 'yes', false: '**no**', undefined: 'not supported' }
 
 /** Test suites named after their engine, with one test per sample. */
 const SUITE = /conformance of (.+)$/
@@ -27,26 +24,15 @@ export function resultsOf(report) {
   return engines
 }
 
-/** Updates the table in the page. */
+/** Updates the table in the page. A missing result means that the engine lacks a feature that the sample needs. */
 export function writeConformance(samples, engines) {
-  const names = [...engines.keys()]
-  const rows = samples.map(({ name, rule, section }) => {
-    const cells = names.map((engine) => CELLS[String(engines.get(engine).get(name))])
-    return `| [\`${name}\`](../conformance/files/${name}.json) | ${rule} | ${link(section)} | ${cells.join(' | ')} |`
+  const rows = [...engines].map(([engine, results]) => {
+    const withResult = (value) =>
+      samples.flatMap(({ name }) => (results.get(name) === value ? [`\`${name}\``] : []))
+    const passed = `${withResult(true).length} of ${samples.length}`
+    const cells = [engine, passed, withResult(false).join(', '), withResult(undefined).join(', ')]
+    return `|${cells.map((cell) => (cell ? ` ${cell} |` : ' |')).join('')}`
   })
-  const table = [
-    `| sample | rule | specification | ${names.join(' | ')} |`,
-    `| --- | --- | --- |${' --- |'.repeat(names.length)}`,
-    ...rows,
-  ]
-  writeTable('docs/conformance.md', 'table', table)
-}
-
-/** Links to a heading of the specification with GitHub's anchor. */
-function link(section) {
-  const anchor = section
-    .toLowerCase()
-    .replace(/[^\w -]/g, '')
-    .replaceAll(' ', '-')
-  return `[${section.replaceAll('_', '\\_')}](FURROW_wrinkle_maps.md#${anchor})`
+  const head = ['| engine | passed | failed | not supported |', '| --- | --- | --- | --- |']
+  writeTable('docs/conformance.md', 'table', [...head, ...rows])
 }
