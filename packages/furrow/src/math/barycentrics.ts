@@ -1,5 +1,5 @@
 /**
- * Barycentric coordinates of a point in the plane, below 0 outside the triangle. Infinite or NaN where the triangle has no area.
+ * Computes barycentric coordinates of a 2D point; some are negative outside the triangle, and all are infinite or NaN if it has no area.
  *
  * @param triangle x and y of its three corners.
  */
@@ -17,8 +17,8 @@ export function barycentrics2(out: Float64Array, triangle: ArrayLike<number>, x:
 }
 
 /**
- * Barycentric coordinates of a point's projection onto the plane of a triangle (Ericson, Real-Time Collision Detection, 3.4).
- * Infinite or NaN where the triangle has no area.
+ * Computes barycentric coordinates of a point projected onto the plane of a triangle (Ericson, Real-Time Collision Detection, 3.4).
+ * Infinite or NaN if the triangle has no area.
  *
  * @param positions x, y and z of each vertex.
  * @param a, b, c the triangle's vertices.
@@ -54,9 +54,9 @@ export function barycentrics3(
 }
 
 /**
- * Interpolates the values of a triangle's vertices, not normalised.
+ * Interpolates vertex values inside a triangle, without normalising the result.
  *
- * @param out takes as many numbers as it has room for.
+ * @param out receives the first `out.length` values.
  * @param values `stride` numbers per vertex.
  * @param a, b, c the triangle's vertices.
  * @param wa, wb, wc barycentric coordinates.

@@ -1,4 +1,4 @@
-/** The point of a cubic Bezier curve at t, 0..1, by its four control points (Bernstein's form). */
+/** Evaluates a cubic Bezier curve in the plane at t, 0..1 (Bernstein form). */
 export function bezierAt(
   a: readonly [number, number],
   b: readonly [number, number],

@@ -1,7 +1,7 @@
 /**
- * Sides of the bounding box of some points.
+ * Returns the lengths of the bounding box's sides.
  *
- * @param positions x, y and z of each.
+ * @param positions x, y and z of each point.
  */
 export function boundingBoxSize(positions: ArrayLike<number>): [x: number, y: number, z: number] {
   const low = [Infinity, Infinity, Infinity]

@@ -11,13 +11,13 @@ export interface RestMesh {
   triangles: ArrayLike<number>
 }
 
-/** Squared length of a sum of normals below which a point has no direction. */
+/** Squared length; shorter sums of normals have no usable direction. */
 export const NO_DIRECTION = 1e-24
 
-/** Cosine below which a rotation counts as half a turn, which has no unique shortest arc. */
+/** Rotations with a smaller cosine count as half a turn, whose axis is ambiguous. */
 export const HALF_TURN = -0.9999
 
-/** Scratch normal of a triangle, so that updates allocate nothing. */
+/** Scratch, so that updates allocate nothing. */
 const normal = new Float64Array(3)
 
 /**
@@ -44,7 +44,7 @@ export function sumNormals(
   }
 }
 
-/** Returns a function from a morph target's position deltas to its normal deltas, x, y and z per vertex both. */
+/** Returns a function that computes the normal deltas of a morph target from its position deltas; both have x, y and z per vertex. */
 export function morphNormalDeltas(mesh: RestMesh): (offsets: ArrayLike<number>) => Float32Array {
   const positions = Float32Array.from(mesh.positions)
   const normals = Float32Array.from(mesh.normals)
@@ -60,16 +60,16 @@ export function morphNormalDeltas(mesh: RestMesh): (offsets: ArrayLike<number>) 
 }
 
 /**
- * Shading normals of a deforming mesh. Vertices with the same rest position share a direction, the area-weighted sum of adjacent triangle
- * normals, so that seams and hard edges stay closed. Each authored normal is rotated by the shortest arc between the rest and current
- * directions. Updates allocate nothing.
+ * Recomputes shading normals of a deforming mesh. At each position, the area-weighted normals of adjacent triangles give a direction, at
+ * rest and now. The authored normals are rotated by the shortest arc between both, so that hard edges stay hard and seams stay closed.
+ * Updates allocate nothing.
  */
 export class DeformedNormals {
   readonly #rest: Float32Array
   readonly #triangles: Uint32Array
-  /** Point of each vertex. */
+  /** Point index of each vertex; vertices at one position share a point. */
   readonly #pointOf: Uint32Array
-  /** Directions of all points, at rest and now. */
+  /** Unnormalised directions of all points, at rest and now. */
   readonly #from: Float64Array
   readonly #to: Float64Array
 
@@ -96,7 +96,7 @@ export class DeformedNormals {
   }
 
   /**
-   * Rotates other directions at the vertices, e.g. tangents, as the last update rotated the normals.
+   * Rotates other vertex directions, such as tangents, like the normals in the last update.
    *
    * @param directions xyz every `stride` numbers; modified.
    */
@@ -104,7 +104,7 @@ export class DeformedNormals {
     for (let i = 0; i < this.#pointOf.length; i++) this.#rotate(directions, stride * i, 3 * this.#pointOf[i])
   }
 
-  /** The shortest arc from one direction to another, by Rodrigues' formula: d c + (a x d) + a (a . d) / (1 + c), a = from x to. */
+  /** Rotates by the shortest arc between two directions (Rodrigues): d c + (a x d) + a (a . d) / (1 + c), where a = from x to. */
   #rotate(vectors: Float32Array, offset: number, point: number): void {
     const from = this.#from
     const to = this.#to

@@ -1,24 +1,24 @@
-/** Points of a leaf at most. */
+/** Maximum number of points in a leaf. */
 const LEAF = 8
 
-/** Finds the points nearest to a position, in two or three dimensions (Bentley 1975). */
+/** k-d tree that finds the points nearest to a position, in 2D or 3D (Bentley 1975). */
 export class KdTree {
   readonly #points: ArrayLike<number>
   readonly #dimensions: number
-  /** Points in the order of the leaves: each range is split at its middle. */
+  /** Point indices in leaf order. Each node is a range, split at its middle index. */
   readonly #order: Uint32Array
-  /** Coordinate at which a range is split, by the index of its middle. */
+  /** Split coordinate of each node, stored at its middle index. */
   readonly #splits: Float64Array
   readonly #found: Int32Array
   readonly #squares: Float64Array
   #count = 0
-  /** Square of the distance within which points count. */
+  /** Squared search radius; shrinks as `nearest` finds points. */
   #reach = Infinity
 
   /**
-   * @param points coordinates of each point, one after the other. They are kept.
-   * @param dimensions coordinates of a point.
-   * @param most points that a query finds at most.
+   * @param points coordinates of all points, interleaved; not copied.
+   * @param dimensions number of coordinates per point.
+   * @param most maximum number of points that `nearest` returns.
    */
   constructor(points: ArrayLike<number>, dimensions: number, most = 1) {
     this.#points = points
@@ -31,11 +31,11 @@ export class KdTree {
   }
 
   /**
-   * Finds the nearest points, the nearest first. The results are overwritten by the next query.
+   * Finds the nearest points, sorted by distance. The next query overwrites the returned arrays.
    *
-   * @param query array that holds the position.
-   * @param offset index of its first coordinate.
-   * @param limit distance beyond which points are ignored.
+   * @param query array that contains the position.
+   * @param offset index of the position's first coordinate.
+   * @param limit maximum distance.
    */
   nearest(
     query: ArrayLike<number>,
@@ -49,13 +49,13 @@ export class KdTree {
     return { count: this.#count, indices: this.#found, squares: this.#squares }
   }
 
-  /** Visits the points within a distance, in no particular order. */
+  /** Visits all points within a distance, in no particular order. */
   within(query: ArrayLike<number>, offset: number, limit: number, visit: (index: number) => void): void {
     this.#reach = limit * limit
     this.#walk(query, offset, 0, this.#order.length, 0, visit)
   }
 
-  /** Visits the points within reach: first the half that the query lies in. */
+  /** Visits the points within reach, in the half that contains the query first. */
   #walk(
     query: ArrayLike<number>,
     offset: number,
@@ -84,7 +84,7 @@ export class KdTree {
     else this.#walk(query, offset, from, middle, next, visit)
   }
 
-  /** Adds a point to the nearest ones; when they are complete, the furthest is the reach. */
+  /** Inserts a point into the sorted results. Once they are full, the farthest result limits the reach. */
   readonly #offer = (index: number, square: number): void => {
     const last = this.#squares.length - 1
     if (!(square < this.#squares[last])) return
@@ -99,7 +99,7 @@ export class KdTree {
     this.#reach = Math.min(this.#reach, this.#squares[last])
   }
 
-  /** Splits a range at its middle, and its halves (quickselect by Hoare). */
+  /** Partitions a range at its median, then both halves recursively (Hoare's quickselect). */
   #sort(from: number, to: number, axis: number): void {
     if (to - from <= LEAF) return
     const order = this.#order

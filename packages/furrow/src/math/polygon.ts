@@ -1,7 +1,7 @@
 /**
- * Whether a point lies inside a polygon: even-odd rule, by the edges to the point's right.
+ * Tests whether a point is inside a polygon, by the even-odd rule for a ray to the right.
  *
- * @param polygon its corners; the last is joined to the first.
+ * @param polygon corners; an edge joins the last corner to the first.
  */
 export function isInsidePolygon(
   polygon: readonly (readonly [number, number])[],

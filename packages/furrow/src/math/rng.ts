@@ -1,15 +1,15 @@
-/** Pseudo-random numbers that follow from a seed alone. */
+/** Deterministic pseudo-random numbers from a seed. */
 export class Rng {
   #state: number
 
-  /** @param stream names one of the seed's independent streams: how much is drawn from one does not change another. */
+  /** @param stream name of an independent sequence, so that the number of draws from one does not affect the others. */
   constructor(seed: number, stream = '') {
     this.#state = seed | 0
     for (const character of stream)
       this.#state = Math.imul(this.#state ^ (character.codePointAt(0) ?? 0), 0x01000193)
   }
 
-  /** 0..1, without 1 (mulberry32: T. Ettinger 2017, public domain). */
+  /** Uniform in 0..1, excluding 1 (mulberry32: T. Ettinger 2017, public domain). */
   next(): number {
     this.#state = (this.#state + 0x6d2b79f5) | 0
     let h = Math.imul(this.#state ^ (this.#state >>> 15), 1 | this.#state)

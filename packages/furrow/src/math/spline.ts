@@ -1,15 +1,15 @@
 import { lerp } from './scalar.ts'
 import { length3 } from './vector.ts'
 
-/** Remainder of a distance after rounding. */
+/** Factor that allows for rounding errors of a distance. */
 const ROUNDED = 1 - 1e-6
 
 /**
- * The point at t, 0..1, of a segment of a centripetal Catmull-Rom spline through points in space, by the pyramid of Barry and Goldman (1988). At
- * its ends the spline continues as if the neighbouring point were mirrored.
+ * Evaluates a centripetal Catmull-Rom spline in space (pyramid of Barry and Goldman, 1988). Mirrored neighbours extend both ends.
  *
- * @param points x, y and z of each; two or more, and no two in a row the same.
- * @param segment from point `segment` to the next one.
+ * @param points x, y and z of at least two points; consecutive points differ.
+ * @param segment index of the segment's first point.
+ * @param t position within the segment, 0..1.
  */
 export function splineAt(out: Float64Array, points: ArrayLike<number>, segment: number, t: number): void {
   const t1 = knotAt(points, segment - 1)
@@ -30,7 +30,7 @@ export function splineAt(out: Float64Array, points: ArrayLike<number>, segment: 
   }
 }
 
-/** A coordinate of a point, or of one beyond the ends. */
+/** Returns a coordinate of a point, mirrored beyond the ends. */
 function pointAt(points: ArrayLike<number>, i: number, k: number): number {
   const last = points.length / 3 - 1
   if (i < 0) return 2 * points[k] - points[3 + k]
@@ -38,7 +38,7 @@ function pointAt(points: ArrayLike<number>, i: number, k: number): number {
   return points[3 * i + k]
 }
 
-/** From a point's knot to the next one's: the root of their distance gives neither cusps nor loops within a segment (Yuksel et al. 2011). */
+/** Returns the knot interval of a segment: the square root of its length avoids cusps and loops (Yuksel et al. 2011). */
 function knotAt(points: ArrayLike<number>, i: number): number {
   const x = pointAt(points, i + 1, 0) - pointAt(points, i, 0)
   const y = pointAt(points, i + 1, 1) - pointAt(points, i, 1)
@@ -47,11 +47,12 @@ function knotAt(points: ArrayLike<number>, i: number): number {
 }
 
 /**
- * Chooses points of a line through which a spline stays within a distance of all others.
+ * Simplifies a line to spline knots: chooses points so that a spline through them stays within a tolerance of the line.
  *
- * @param points x, y and z of each; two or more, and no two in a row the same.
- * @param chosen indices of points that are among them, from the first to the last.
- * @returns indices of points, the first and the last among them.
+ * @param points x, y and z of at least two points; consecutive points differ.
+ * @param tolerance maximum distance, in the unit of the points.
+ * @param chosen ascending indices of points to keep, including the first and the last.
+ * @returns ascending indices of the knots.
  */
 export function splineKnots(
   points: Float64Array,
@@ -80,10 +81,11 @@ export function splineKnots(
 }
 
 /**
- * Measures the distance from a position to the nearest of the segments between two points of a line, from one of them outwards. Distances up to
- * `enough` are not exact.
+ * Measures the distance from a position to part of a line. Searches outwards from a segment, and skips segments that cannot be nearer.
  *
- * @param longest length of the longest segment: how much the distance changes from one segment to the next, at most.
+ * @param first segment where the search starts.
+ * @param longest length of the longest segment, which bounds the change of the distance per segment.
+ * @param enough the search stops at any distance up to this.
  */
 function distanceToLine(
   points: Float64Array,
@@ -108,7 +110,7 @@ function distanceToLine(
   return nearest
 }
 
-/** The distance from a position to the segment that starts at a point of a line. */
+/** Measures the distance from a position to the segment that starts at a point. */
 function distanceToSegment(points: Float64Array, point: number, position: Float64Array): number {
   let along = 0
   let square = 0

@@ -1,11 +1,11 @@
-/** Dot products of the two edges of the triangle in hand: uu, uv, vv. Reused, so that nothing is allocated. */
+/** Scratch: dot products uu, uv and vv of two edges of a triangle. */
 const products = new Float64Array(3)
 
 /**
- * Inverse of the matrix of a triangle's two edges at rest, in its own plane; for `principalStretches`.
+ * Inverts the 2x2 matrix of a triangle's edges at rest, in its plane. `principalStretches` takes the result.
  *
  * @param positions x, y and z of each vertex.
- * @returns xx, xy and yy of the upper triangular matrix; undefined where the triangle has no area.
+ * @returns xx, xy and yy of the upper triangular inverse; undefined if the triangle has no area.
  */
 export function restInverse(
   a: number,
@@ -15,7 +15,7 @@ export function restInverse(
 ): number[] | undefined {
   multiplyEdges(a, b, c, positions)
   const [uu, uv, vv] = products
-  // In the plane, the first edge is (along, 0), the second one (across, height).
+  // In the triangle's plane, the edges are (along, 0) and (across, height).
   const along = Math.sqrt(uu)
   const across = uv / along
   const height = Math.sqrt(Math.max(0, vv - across * across))
@@ -23,22 +23,22 @@ export function restInverse(
   return inverse.every(Number.isFinite) ? inverse : undefined
 }
 
-/** A mesh at rest, and the direction along which its stretch is measured. */
+/** Mesh at rest, and an optional direction in which its stretch is measured. */
 export interface AtRest {
   /** x, y and z of each vertex. */
   positions: ArrayLike<number>
-  /** Texture coordinates of each vertex; a direction needs them. */
+  /** Texture coordinates of each vertex; read only with a direction. */
   uvs: ArrayLike<number>
-  /** In texture coordinates, of any length but 0; by default the principal ones. */
+  /** Direction in the texture, of any length above 0; default: the principal directions. */
   direction?: readonly [number, number] | undefined
 }
 
 /**
- * `restInverse`, or what takes its place along a direction of the texture: for `principalStretches`, whose results are then both the stretch
- * along it.
+ * Returns three numbers for `principalStretches`. Without a direction, these are from `restInverse`. With a direction, both stretches that
+ * `principalStretches` computes are the stretch along it.
  *
- * @returns along a direction 0, and the multiples of the triangle's two edges that sum to a vector of length 1 along it. Undefined where
- *   the triangle has no area, in space or, along a direction, in the texture.
+ * @returns with a direction: 0 and the factors of both edges whose sum is a unit vector along it. Undefined if the triangle has no area in
+ *   space, or with a direction in the texture.
  */
 export function restMatrix(
   a: number,
@@ -61,12 +61,13 @@ export function restMatrix(
 }
 
 /**
- * Principal stretches of a triangle in its own plane: the square roots of the eigenvalues of the right Cauchy-Green tensor (Bonet, Wood:
- * Nonlinear Continuum Mechanics, 3.6). A rigid motion gives 1 and 1.
+ * Computes the principal stretches of a triangle in its plane: the square roots of the eigenvalues of the right Cauchy-Green tensor (Bonet,
+ * Wood: Nonlinear Continuum Mechanics, 3.6). A rigid motion gives 1 and 1.
  *
- * @param out takes the smaller and the larger one.
- * @param inverses results of `restInverse` or `restMatrix`; the triangle's begins at `offset`.
- * @param positions of the vertices now.
+ * @param out receives the smaller and the larger stretch.
+ * @param inverses results of `restInverse` or `restMatrix`.
+ * @param offset index of the triangle's first number in `inverses`.
+ * @param positions current positions of all vertices.
  */
 export function principalStretches(
   out: Float64Array,
@@ -90,7 +91,7 @@ export function principalStretches(
   const mean = (c00 + c11) / 2
   const spread = Math.sqrt(((c00 - c11) / 2) ** 2 + c01 * c01)
   out[1] = Math.sqrt(mean + spread)
-  // Only the matrix of a direction has a 0 here.
+  // xx is 0 only if `restMatrix` was given a direction.
   out[0] = xx === 0 ? out[1] : Math.sqrt(Math.max(0, mean - spread))
 }
 

@@ -1,5 +1,5 @@
 /**
- * Normal of a triangle, not normalised: the cross product of its edges, as long as twice its area.
+ * Computes the cross product of a triangle's edges: an unnormalised normal, twice as long as the area.
  *
  * @param positions x, y and z of each vertex.
  * @param a, b, c the triangle's vertices, counterclockwise as seen from outside.
@@ -23,7 +23,7 @@ export function triangleNormal(
 }
 
 /**
- * Area of a triangle in the texture, where the whole texture is 1.
+ * Computes the area of a triangle in the texture, as a fraction of the texture.
  *
  * @param uvs u and v of each vertex.
  * @param a, b, c the triangle's vertices.
@@ -37,9 +37,9 @@ export function uvArea(uvs: ArrayLike<number>, a: number, b: number, c: number):
 }
 
 /**
- * Writes the corners of a triangle in the texture as x and y in texels, whose centres are at whole numbers.
+ * Converts the texture coordinates of a triangle to x and y in texels; texel centres are at integers.
  *
- * @param out takes six numbers.
+ * @param out receives six numbers.
  * @param uvs u and v of each vertex.
  * @param a, b, c the triangle's vertices.
  */

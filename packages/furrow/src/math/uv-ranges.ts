@@ -1,9 +1,9 @@
 type Range = [least: number, largest: number]
 
-/** Ranges of u and v in a mesh. */
+/** Smallest and largest u and v of a mesh. */
 export type UvRanges = readonly [u: Range, v: Range]
 
-/** @param read returns a coordinate of a vertex: axis 0 is u, 1 is v. */
+/** @param read returns u (axis 0) or v (axis 1) of a vertex. */
 export function uvRanges(vertices: number, read: (vertex: number, axis: number) => number): UvRanges {
   const rangeOf = (axis: number) => {
     const range: Range = [Infinity, -Infinity]
@@ -18,8 +18,8 @@ export function uvRanges(vertices: number, read: (vertex: number, axis: number) 
 }
 
 /**
- * Whether texture coordinates may leave 0..1 on a mesh, so that neighbouring pixels can sample opposite edges of a map. Conservative for
- * rotated maps. The map is sampled at (a u + b v + c, d u + e v + f).
+ * Tests whether transformed texture coordinates can leave 0..1, where neighbouring pixels may sample opposite edges of a map. The map is
+ * sampled at (a u + b v + c, d u + e v + f). With a rotation, the result may be true although the mesh stays within 0..1.
  */
 export function isTiledBy(
   ranges: UvRanges,
@@ -30,7 +30,7 @@ export function isTiledBy(
   e: number,
   f: number,
 ): boolean {
-  // No closures, because Babylon.js calls this every frame.
+  // Allocates nothing, because Babylon.js calls this every frame.
   for (let corner = 0; corner < 4; corner++) {
     const u = ranges[0][corner & 1]
     const v = ranges[1][corner >> 1]

@@ -1,7 +1,7 @@
 /**
- * a x b. `out` must be neither of them.
+ * Writes a x b to `out`, which must be another array.
  *
- * @param i, j where they begin, for vectors in arrays of many.
+ * @param i, j index of x of each vector.
  */
 export function cross(out: Float64Array, a: ArrayLike<number>, b: ArrayLike<number>, i = 0, j = 0): void {
   out[0] = a[i + 1] * b[j + 2] - a[i + 2] * b[j + 1]
@@ -9,7 +9,6 @@ export function cross(out: Float64Array, a: ArrayLike<number>, b: ArrayLike<numb
   out[2] = a[i] * b[j + 1] - a[i + 1] * b[j]
 }
 
-/** a . b */
 export function dot(a: ArrayLike<number>, b: ArrayLike<number>): number {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
@@ -33,7 +32,7 @@ export function length3(x: number, y: number, z: number): number {
   return Math.sqrt(two + (c * c - rounding)) * largest
 }
 
-/** As `length3`, in the plane. */
+/** Computes the length of a 2D vector, like `length3`. */
 export function length2(x: number, y: number): number {
   const largest = Math.max(Math.abs(x), Math.abs(y))
   if (largest === 0) return 0
@@ -43,9 +42,9 @@ export function length2(x: number, y: number): number {
 }
 
 /**
- * Scales a vector to length 1 in place. The zero vector stays as it is.
+ * Scales a vector to length 1 in place. The zero vector does not change.
  *
- * @param offset of its x, for a vector in an array of many.
+ * @param offset index of the vector's x.
  */
 export function normalize(vectors: Float64Array | Float32Array, offset = 0): void {
   const scale = length3(vectors[offset], vectors[offset + 1], vectors[offset + 2]) || 1

@@ -1,15 +1,15 @@
 /**
- * Numbers the points of a mesh: vertices with the same position at rest share one.
+ * Welds vertices at identical positions into points.
  *
- * @param positions x, y and z of each vertex.
- * @returns the point of each vertex, and how many points there are.
+ * @param positions x, y and z of each vertex, at rest.
+ * @returns point index of each vertex, and the number of points.
  */
 export function weldVertices(positions: ArrayLike<number>): { pointOf: Uint32Array; count: number } {
   const vertices = Math.floor(positions.length / 3)
   const pointOf = new Uint32Array(vertices)
-  /** The first vertex of each point. */
+  /** First vertex of each point. */
   const firstOf = new Uint32Array(vertices)
-  /** Points by the hash of their position, from 1; where it is taken, by the next one that is free. */
+  /** Hash table with linear probing: point index + 1, 0 = free. */
   const slots = new Uint32Array(2 ** Math.ceil(Math.log2(2 * vertices + 2)))
   const mask = slots.length - 1
   let count = 0
@@ -27,7 +27,7 @@ export function weldVertices(positions: ArrayLike<number>): { pointOf: Uint32Arr
 
 function isSame(positions: ArrayLike<number>, i: number, j: number): boolean {
   for (let k = 0; k < 3; k++) {
-    // NaN is the same as NaN, and -0 as 0.
+    // NaN equals NaN here; adding 0 turns -0 into 0.
     if (!Object.is(positions[3 * i + k] + 0, positions[3 * j + k] + 0)) return false
   }
   return true
@@ -36,11 +36,11 @@ function isSame(positions: ArrayLike<number>, i: number, j: number): boolean {
 const number = new Float64Array(1)
 const bits = new Uint32Array(number.buffer)
 
-/** FNV-1a over words of 32 bits, with the last step of MurmurHash 3. */
+/** FNV-1a over 32-bit words, followed by the finaliser of MurmurHash3. */
 function hash(positions: ArrayLike<number>, vertex: number): number {
   let h = 0x811c9dc5
   for (let k = 3 * vertex; k < 3 * vertex + 3; k++) {
-    // -0 is 0.
+    // Adding 0 turns -0 into 0.
     number[0] = positions[k] + 0
     h = Math.imul(h ^ bits[0], 0x01000193)
     h = Math.imul(h ^ bits[1], 0x01000193)

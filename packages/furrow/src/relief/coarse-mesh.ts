@@ -1,9 +1,9 @@
-/** A mesh whose triangles are split, at rest. */
+/** Original mesh, at rest, before its triangles are split. */
 export interface CoarseMesh {
   /** x, y and z of each vertex, in metres. */
   positions: ArrayLike<number>
-  /** Texture coordinates of the layers' maps, of each vertex. */
+  /** u and v of each vertex, for the layers' maps. */
   uvs: ArrayLike<number>
-  /** Three vertices each. */
+  /** Three vertex indices per triangle. */
   triangles: ArrayLike<number>
 }

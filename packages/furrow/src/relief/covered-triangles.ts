@@ -4,13 +4,13 @@ import type { CoarseMesh } from './coarse-mesh.ts'
 import type { Mask } from './height-fields.ts'
 import { MAX_LEVEL } from './welded-edges.ts'
 
-/** Finds the triangles on which a mask has any texel: 1 for each of these, 0 for the others. */
+/** Marks with 1 each triangle that covers a texel of a mask. */
 export function coveredTriangles(mesh: CoarseMesh, mask: Mask): Uint8Array {
   const isCovered = coverage(mesh, mask)
   return Uint8Array.from({ length: Math.floor(mesh.triangles.length / 3) }, (_, t) => Number(isCovered(t)))
 }
 
-/** Creates a test of whether a mask covers a triangle. */
+/** Returns a test of whether a triangle covers a texel of the mask. */
 export function coverage(
   { uvs, triangles }: CoarseMesh,
   { width, height, data }: Mask,
@@ -26,14 +26,14 @@ export function coverage(
     if (!corners.every(Number.isFinite)) return false
     moveIntoTexture(corners, width, height)
     any = 0
-    // A triangle smaller than a texel covers no texel centre, so the corners are tested too.
+    // Tests corners too, because a triangle smaller than a texel may cover no texel centre.
     for (let k = 0; k < 6; k += 2) visit(Math.round(corners[k]), Math.round(corners[k + 1]))
     if (!any) rasterize(corners, 0, visit, box)
     return any > 0
   }
 }
 
-/** Returns the maximum halvings for edges of covered triangles and 0 for others, see `splitMesh`. */
+/** Returns the maximum number of halvings for each edge of a covered triangle, and 0 for other edges; see `splitMesh`. */
 export function mostHalvings(covered: Uint8Array): Float32Array {
   return Float32Array.from(
     { length: 3 * covered.length },
@@ -41,7 +41,7 @@ export function mostHalvings(covered: Uint8Array): Float32Array {
   )
 }
 
-/** Texture coordinates repeat: moves a triangle by whole textures, so that its centre is inside. */
+/** Moves a triangle by whole textures until its centre is inside 0..1, because texture coordinates repeat. */
 function moveIntoTexture(corners: Float64Array, width: number, height: number): void {
   for (let axis = 0; axis < 2; axis++) {
     const size = axis === 0 ? width : height

@@ -5,7 +5,7 @@
 export interface DenseMesh {
   /** Number of vertices; the coarse mesh's own come first. */
   count: number
-  /** Three vertices each. */
+  /** Three vertex indices per triangle. */
   triangles: Uint32Array
   /** Triangles of coarser versions of the surface, which use a subset of the vertices. */
   coarser: Uint32Array[]
@@ -23,7 +23,7 @@ export interface DenseMesh {
   edge: number
 }
 
-/** Numbers in a typed array that grows. */
+/** Typed array that grows. */
 class Numbers<T extends Float32Array | Uint32Array> {
   #array: T
   #length = 0
@@ -46,7 +46,7 @@ class Numbers<T extends Float32Array | Uint32Array> {
   }
 }
 
-/** A dense mesh while it grows. */
+/** Collects the vertices and triangles of a dense mesh. */
 export class DenseBuilder {
   count = 0
   readonly #parents = new Numbers(new Uint32Array())
@@ -65,7 +65,7 @@ export class DenseBuilder {
     this.#versions = Array.from({ length: versions }, () => new Numbers(new Uint32Array()))
   }
 
-  /** Adds a vertex, by its corners, its weights and two pairs of texture coordinates, and returns its index. */
+  /** Adds a vertex and returns its index. */
   addVertex(
     corners: readonly [number, number, number],
     weights: readonly [number, number, number],

@@ -1,25 +1,25 @@
-/** The surface with relief in float64: what tests compare the shaders of both renderers with. */
+/** Computes relief in float64. Tests compare the shaders of both renderers with it. */
 import type { DenseMesh } from './dense-mesh.ts'
 
 /**
- * How far Phong tessellation moves a point from its flat triangle towards its projections onto the planes of the corners (T. Boubekeur,
- * M. Alexa, "Phong Tessellation", 2008). They choose 3/4 by eye; with 1/2 the surface through the corners is exact where it is quadratic.
+ * Shape factor of Phong tessellation: 0 = flat triangle, 1 = projections onto the tangent planes of the corners (T. Boubekeur, M. Alexa,
+ * "Phong Tessellation", 2008). The authors choose 3/4 by eye; 1/2 reproduces quadratic surfaces exactly.
  */
 export const PHONG = 0.5
 
-/** Metres of room from which on a surface is curved in full. */
+/** Room in metres at which Phong tessellation reaches its full strength. */
 export const ROOM_TO_CURVE = 0.0005
 
-/** The coarse mesh as it is deformed now. */
+/** Current deformation of the coarse mesh. */
 export interface DeformedMesh {
   /** x, y and z of each vertex. */
   positions: ArrayLike<number>
-  /** Unit normals of each vertex, which may differ where positions are equal. */
+  /** Unit normal of each vertex; vertices at one position may have different normals. */
   normals: ArrayLike<number>
 }
 
 /**
- * Computes the outward displacement by the heights of all layers.
+ * Sums the outward displacement of all layers.
  *
  * @param layers influence, 0..1; height, 0..1, 0.5 = undisplaced; and amplitude, metres from height 0 to 1.
  * @returns metres.
@@ -34,12 +34,12 @@ export function displacement(
 }
 
 /**
- * Displaces a dense mesh. Every vertex is placed on its deformed coarse triangle, curved by Phong tessellation, and moved along the smooth
- * normal.
+ * Displaces a dense mesh. Places each vertex on its deformed coarse triangle, curves the triangle by Phong tessellation, and moves the vertex
+ * along the smooth normal.
  *
  * @param heightAt returns the outward displacement at texture coordinates, metres.
- * @param room maximum displacement in either direction by coarse vertex, metres, see `outwardRoom`. The surface is not curved where there is
- *   almost no room, because other meshes may adjoin.
+ * @param room maximum displacement of each coarse vertex in either direction, metres, see `outwardRoom`. Without room the surface stays flat,
+ *   because another mesh may be next to it.
  * @param amount 0 = the coarse mesh, 1 = full relief.
  * @returns x, y and z of each dense vertex.
  */
@@ -79,7 +79,7 @@ export function displace(
   return out
 }
 
-/** Returns the mean normal at the position of each first vertex; the vertex's own normal if they cancel out. */
+/** Averages the normals of all vertices at one position, for each first vertex. Keeps the vertex's own normal if they cancel out. */
 export function smoothNormals(normals: ArrayLike<number>, firstOf: ArrayLike<number>): Float64Array {
   const sums = new Float64Array(normals.length)
   for (let i = 0; i < firstOf.length; i++) {
@@ -95,7 +95,7 @@ export function smoothNormals(normals: ArrayLike<number>, firstOf: ArrayLike<num
   return sums
 }
 
-/** A sum of unit normals that is shorter has no direction. */
+/** Length; shorter sums of unit normals have no usable direction. */
 export const CANCELLED = 1e-3
 
 function unit(vector: readonly number[]): number[] {

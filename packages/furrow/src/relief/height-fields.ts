@@ -1,37 +1,37 @@
 import type { ImageArray } from '../core/image-array.ts'
 
-/** A layer with heights, as far as these are in memory. */
+/** Layer with heights that are in memory. */
 export interface RaisedLayer {
-  /** Slice of its heights. */
+  /** Slice of the height array. */
   slice: number
-  /** Metres from black to white. */
+  /** Height difference from black to white, metres. */
   amplitude: number
-  /** Slices of its areas. */
+  /** Slices of the layer's areas. */
   areas: readonly number[]
 }
 
-/** Texels of which each is 1 or 0. */
+/** Texels that are 1 or 0. */
 export interface Mask {
   width: number
   height: number
   data: Uint8Array
 }
 
-/** The gray at which the surface is where it was. */
+/** Gray value without displacement. */
 const NEUTRAL = 127.5
 
-/** How far a layer moves the surface where all of its areas are active, in texture space. */
+/** Displacement by a layer with all of its areas active, in texture space. */
 export class HeightField {
   readonly width: number
   readonly height: number
-  /** The heights, and their mipmaps as far as they have been asked for. */
+  /** Full-resolution heights, and the mipmaps computed so far. */
   readonly #mipmaps: Gray[]
   readonly #metresPerGray: number
   readonly #weights: Gray | null
 
   /**
-   * @param heights gray, 127.5 = the surface.
-   * @param areas weights, one slice each; null where they are not in memory, and may be 255 anywhere.
+   * @param heights gray, 127.5 = no displacement.
+   * @param areas one slice of weights per area; null if they are not in memory, which counts as 255 everywhere.
    */
   constructor(
     { slice, amplitude, areas: slices }: RaisedLayer,
@@ -47,7 +47,7 @@ export class HeightField {
     this.#weights = areas && { ...areas, data: unite(areas, slices) }
   }
 
-  /** Adds how many metres each texel can be moved, in either direction. */
+  /** Adds the largest displacement of each texel in either direction, metres. */
   addReach(sums: Float32Array): void {
     const [{ width, height, data }] = this.#mipmaps
     const areas = this.#weights && { ...this.#weights, data: widen(this.#weights.data, this.#weights) }
@@ -55,7 +55,7 @@ export class HeightField {
       const row = areas ? areas.width * Math.floor(((y + 0.5) / height) * areas.height) : 0
       for (let x = 0; x < width; x++) {
         const weight = areas ? areas.data[row + Math.floor(((x + 0.5) / width) * areas.width)] : 255
-        // Most of the texture is under no area.
+        // Shortcut: areas cover a small part of the texture.
         if (weight === 0) continue
         const i = x + y * width
         sums[i] += (weight / 255) * Math.abs(data[i] - NEUTRAL) * this.#metresPerGray
@@ -64,13 +64,14 @@ export class HeightField {
   }
 
   /**
-   * Metres outwards between texels, whose centres are at whole numbers; coordinates are repeated.
+   * Samples the outward displacement in metres, trilinearly like a GPU.
    *
-   * @param level of the mipmaps, between which it is interpolated as a graphics card does.
+   * @param x, y position in texels; centres are at integers, and coordinates repeat.
+   * @param level mipmap level, may be fractional.
    */
   between(x: number, y: number, level = 0): number {
     const weight = this.#weights ? this.#bilinear(x, y, this.#weights) / 255 : 1
-    // Most of the skin is under no area of a layer.
+    // Shortcut: areas cover a small part of the skin.
     if (weight === 0) return 0
     const finer = Math.floor(level)
     const gray = this.#bilinear(x, y, this.#mipmap(finer))
@@ -78,7 +79,7 @@ export class HeightField {
     return weight * (gray + (level - finer) * (coarser - gray) - NEUTRAL) * this.#metresPerGray
   }
 
-  /** An image of the same texture coordinates between its texels. */
+  /** Samples an image of another size at a position in texels of the full-resolution heights. */
   #bilinear(atX: number, atY: number, { width, height, data }: Gray): number {
     const x = ((atX + 0.5) / this.width) * width - 0.5
     const y = ((atY + 0.5) / this.height) * height - 0.5
@@ -103,14 +104,13 @@ export class HeightField {
   }
 }
 
-/** A gray image. */
 interface Gray {
   width: number
   height: number
   data: Uint8Array
 }
 
-/** The next mipmap: each texel the mean of four. */
+/** Computes the next mipmap by a 2 x 2 box filter. */
 function halve({ width, height, data }: Gray): Gray {
   const half = { width: Math.max(width >> 1, 1), height: Math.max(height >> 1, 1) }
   const out = new Uint8Array(half.width * half.height)
@@ -124,7 +124,7 @@ function halve({ width, height, data }: Gray): Gray {
   return { ...half, data: out }
 }
 
-/** Finds the texels at which the layers together can move the surface by more than some metres. */
+/** Finds the texels at which all layers together can displace the surface by more than a threshold in metres. */
 export function* raisedTexels(fields: readonly HeightField[], metres: number): Generator<void, Mask> {
   const [{ width, height }] = fields
   const sums = new Float32Array(width * height)
@@ -137,7 +137,7 @@ export function* raisedTexels(fields: readonly HeightField[], metres: number): G
   return { width, height, data: widen(mask, { width, height }) }
 }
 
-/** Finds the texels on which any of some areas has weight, whatever heights there are. */
+/** Finds the texels where any area has a weight above 0, regardless of heights. */
 export function weightedTexels(areas: ImageArray, slices: readonly number[]): Mask {
   const weights = unite(areas, slices)
   const { width, height } = areas
@@ -155,7 +155,7 @@ function wrap(texel: number, size: number): number {
   return ((texel % size) + size) % size
 }
 
-/** The sum of some areas, at most 255: no way of combining them shows more. */
+/** Sums areas and clamps to 255: an upper bound for every way to combine them. */
 function unite({ width, height, data }: ImageArray, slices: readonly number[]): Uint8Array {
   const sum = new Uint8ClampedArray(width * height)
   for (const slice of slices) {
@@ -165,7 +165,7 @@ function unite({ width, height, data }: ImageArray, slices: readonly number[]): 
   return new Uint8Array(sum.buffer)
 }
 
-/** The largest of every texel and its neighbours: as far as bilinear filtering spreads it. */
+/** Dilates by one texel, the reach of bilinear filtering. */
 function widen(values: Uint8Array, { width, height }: { width: number; height: number }): Uint8Array {
   const rows = new Uint8Array(values.length)
   for (let y = 0; y < height; y++) {

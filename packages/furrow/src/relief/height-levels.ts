@@ -2,14 +2,14 @@ import { triangleNormal, uvArea } from '../math/triangle.ts'
 import type { CoarseMesh } from './coarse-mesh.ts'
 
 /**
- * Finds the mipmap level whose texels are half as wide as the space between vertices. Narrower details would show as isolated vertices
- * (L. Williams, "Pyramidal Parametrics", 1983). Texels as wide as the space would remove three quarters of the finest waves that vertices
- * can show, because mipmaps filter twice; these remove a quarter.
+ * Chooses mipmap levels of the heights so that details narrower than the vertex spacing do not alias (L. Williams, "Pyramidal Parametrics",
+ * 1983). Texels are half as wide as the spacing. With texels as wide as the spacing, the finest waves that vertices can show would lose three
+ * quarters of their height instead of one quarter.
  *
- * @param firstOf by vertex: the first vertex at its position, see `firstVertices`.
- * @param edge distance between vertices, metres.
+ * @param firstOf first vertex at the position of each vertex, see `firstVertices`.
+ * @param edge vertex spacing, metres.
  * @param map size of the height map in texels.
- * @returns level at each vertex, 0 = full resolution; equal for all vertices at one position.
+ * @returns level of each vertex, 0 = full resolution. Vertices at one position have the same level.
  */
 export function heightLevels(
   { positions, uvs, triangles }: CoarseMesh,

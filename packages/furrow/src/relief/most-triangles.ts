@@ -1,2 +1,2 @@
-/** Triangles that a mesh has at most after splitting; one that begins with more is not split at all. */
+/** Maximum number of triangles after splitting. A mesh that has more is not split. */
 export const MOST_TRIANGLES = 100_000

@@ -6,26 +6,26 @@ import { type HeightField, raisedTexels } from './height-fields.ts'
 import { MAX_LEVEL, nextCorner } from './welded-edges.ts'
 
 /**
- * Maximum error of the surface in metres, for each version: less than half a pixel at 10, 5 and 2.5 pixels per millimetre. At 10, a head is
- * 2,000 pixels high.
+ * Maximum error of each version of the surface, metres: less than half a pixel at 10, 5 and 2.5 pixels per millimetre. A head is 2,000 pixels
+ * high at 10 pixels per millimetre.
  */
 export const TOLERANCES = [0.00004, 0.00008, 0.00016] as const
 
-/** Share of the maximum error allowed on edges: a sphere through the corners of an equilateral triangle is 4/3 as far off inside. */
+/** Fraction of the error allowed on edges. Inside an equilateral triangle inscribed in a sphere, the error is 4/3 of the error on its edges. */
 const ON_EDGES = 3 / 4
 
-/** Halvings of heights at most that are tried, in as many steps as there are texels. */
+/** Maximum number of halvings measured per triangle; the grid has about one sample per texel. */
 const MOST = 5
 
 /**
- * Computes how often to halve each edge of each triangle, so that the mesh follows the heights and the curvature of the surface. An edge is
- * halved as often as parallel lines inside the triangle require: triangles are split across folds, not along them. Triangles with linear
- * heights are not split.
+ * Computes how often to halve each edge of each triangle, so that the mesh follows the heights and the curvature of the surface. An edge
+ * is halved until lines parallel to it, inside the triangle, are accurate. Triangles are therefore split across folds and not along them, and
+ * triangles with linear heights are not split.
  *
  * @param normals unit normals at rest.
  * @param levels mipmap level of the heights at each vertex, see `heightLevels`.
- * @returns halvings of the edge from each corner to the next, for each tolerance. Values are fractional: an edge with 1.5 is halved twice,
- *   but inner lines slightly longer than its halves are not halved again.
+ * @returns for each tolerance, halvings of the edge from each corner to the next. Values are fractional: an edge with 1.5 is halved twice, but
+ *   inner lines slightly longer than its halves are not halved again.
  */
 export function* neededHalvings(
   mesh: CoarseMesh,
@@ -34,7 +34,7 @@ export function* neededHalvings(
   levels: ArrayLike<number>,
 ): Generator<void, Float32Array[]> {
   const { uvs, triangles } = mesh
-  // A surface misses heights that are half as large by no more than the tolerance.
+  // Smaller heights deviate from a flat triangle by at most the tolerance.
   const isCovered = coverage(mesh, yield* raisedTexels(fields, TOLERANCES[0] / 2))
   const count = Math.floor(triangles.length / 3)
   const needed = TOLERANCES.map(() => new Float32Array(3 * count))
@@ -55,7 +55,7 @@ export function* neededHalvings(
       const edge = 3 * t + k
       const bulge = bulgeOf(mesh, normals, edge)
       const misses = missesOf(grids, k, bulge)
-      // The coarsest first: a finer version has all of its points.
+      // Coarsest version first, because a finer version contains all of its points.
       let halvings = FEWEST
       for (let i = TOLERANCES.length - 1; i >= 0; i--) {
         halvings = Math.max(halvings, halvingsFor(misses, ON_EDGES * TOLERANCES[i]))
@@ -70,7 +70,7 @@ export function* neededHalvings(
 /** Triangles in one slice. */
 const SLICE = 256
 
-/** Metres by which the surface is missed along lines parallel to an edge after some halvings; half of an edge is a quarter as far from a curve. */
+/** Returns the error in metres along lines parallel to an edge after a number of halvings. Each halving quarters the error of a curve. */
 function missesOf(grids: readonly Grid[], edge: number, bulge: number): (halvings: number) => number {
   const known: number[] = []
   return (halvings) => {
@@ -79,10 +79,10 @@ function missesOf(grids: readonly Grid[], edge: number, bulge: number): (halving
   }
 }
 
-/** Halvings of an edge along which the surface is straight, or nearly: it would do if it were eight times as long. */
+/** Lower bound, for edges along which the surface is straight: they could be eight times as long. */
 const FEWEST = -3
 
-/** The last halving need not be a whole one. */
+/** Returns the number of halvings that meets the tolerance. The last halving may be fractional. */
 function halvingsFor(misses: (halvings: number) => number, tolerance: number): number {
   let enough = 0
   while (enough < MAX_LEVEL && misses(enough) > tolerance) enough++
@@ -91,9 +91,9 @@ function halvingsFor(misses: (halvings: number) => number, tolerance: number): n
 }
 
 /**
- * Lets no edge be in more parts than the other two together: lengths of a triangle, by which the patch is split.
+ * Makes the numbers of parts satisfy the triangle inequality, because `splitMesh` uses them as edge lengths.
  *
- * @param first the first of three halvings.
+ * @param first index of the first of three halvings.
  */
 function balance(halvings: Float32Array, first: number): void {
   const [a, b, c] = [first, first + 1, first + 2].sort((i, k) => halvings[i] - halvings[k])
@@ -101,7 +101,7 @@ function balance(halvings: Float32Array, first: number): void {
   if (rest > 2 ** halvings[b]) halvings[b] = Math.log2(rest)
 }
 
-/** How far an edge of a triangle is from the surface that is curved through its ends, see `displace`, in metres. */
+/** Returns the distance in metres between an edge and the surface that Phong tessellation curves through its ends, see `displace`. */
 function bulgeOf({ positions, triangles }: CoarseMesh, normals: ArrayLike<number>, corner: number): number {
   const [from, to] = [3 * triangles[corner], 3 * triangles[nextCorner(corner)]]
   let [start, end] = [0, 0]
@@ -117,7 +117,7 @@ function longestSide([ax, ay, bx, by, cx, cy]: Float64Array): number {
   return Math.max(Math.hypot(bx - ax, by - ay), Math.hypot(cx - bx, cy - by), Math.hypot(ax - cx, ay - cy))
 }
 
-/** Heights on a triangle, in equal steps along its sides. */
+/** Heights sampled on a triangle at equal steps along its sides. */
 class Grid {
   readonly #field: HeightField
   #steps = 1
@@ -132,16 +132,16 @@ class Grid {
   }
 
   /**
-   * Reads the heights of another triangle.
+   * Samples the heights of a triangle.
    *
-   * @param corners of the triangle, in texels.
-   * @param steps along each side.
-   * @returns false where no height differs from the surface: the layer is none of this skin.
+   * @param corners x and y of the corners, in texels.
+   * @param steps number of steps along each side.
+   * @returns false if the layer does not displace this triangle.
    */
   read([ax, ay, bx, by, cx, cy]: Float64Array, steps: number, mipmap: number): boolean {
     this.#steps = steps
     const column = steps + 1
-    // Values are at i * column + j, for i steps towards the first corner and j towards the second.
+    // Index i * column + j: i steps towards the first corner, j steps towards the second.
     this.#from.set([steps * column, steps, 0])
     this.#along.set([1 - column, -1, column])
     this.#across.set([-column, column - 1, 1])
@@ -159,13 +159,13 @@ class Grid {
     return isRaised
   }
 
-  /** The farthest that heights are from straight lines along rows parallel to an edge, after some halvings of these. */
+  /** Returns the largest distance between heights and linear interpolation, along rows parallel to an edge after a number of halvings. */
   error(edge: number, halvings: number): number {
     const stride = this.#steps / 2 ** halvings
     if (stride <= 1) return 0
     const step = this.#along[edge]
     let worst = 0
-    // The row of the edge itself is the longest; each other one begins a step further from it.
+    // Starts at the edge itself, the longest row.
     for (let row = 0, first = this.#from[edge]; row < this.#steps; row++, first += this.#across[edge]) {
       const length = this.#steps - row
       for (let from = 0; from < length; from += stride) {

@@ -3,26 +3,26 @@ import { ROOM_TO_CURVE, smoothNormals } from './displaced.ts'
 import { PairNumbers } from './pair-numbers.ts'
 import { nextCorner } from './welded-edges.ts'
 
-/** Share of the gap between two surfaces that each may fill. */
+/** Fraction of the gap between two surfaces that each surface may fill. */
 const OF_GAP = 0.4
 
-/** Metres outwards per metre from a rim. */
+/** Room per distance from a rim. */
 const FROM_RIM = 0.25
 
-/** Maximum outward displacement without obstacles, metres: more than any skin fold. */
+/** Room without obstacles, metres: more than the height of any fold. */
 const AMPLE = 0.01
 
-/** Cosine of the angle between two normals beyond which surfaces face each other, or an edge is a rim. */
+/** Cosine between two normals below which surfaces face each other, or an edge is a rim. */
 const OPPOSED = -0.2
 
 /**
- * Computes how far a surface may bulge at each vertex without touching itself. Lips face each other, so each may fill less than half of the
- * gap. Rims, such as those of eyelids, touch other parts when the face moves, so the room is 0 there and grows with the distance.
+ * Computes how far each vertex can move outwards without touching other skin. Of two surfaces that face each other, such as lips, each may
+ * fill less than half of the gap. Rims, such as those of eyelids, touch other parts as the face moves: room is 0 there and grows with distance.
  *
  * @param normals unit normals at rest.
- * @param firstOf by vertex: the first vertex at its position, see `firstVertices`.
- * @param reach largest displacement, metres; more room need not be measured.
- * @returns outward room at each vertex, metres. A generator, so that a page may spread the work over frames.
+ * @param firstOf first vertex at the position of each vertex, see `firstVertices`.
+ * @param reach largest displacement, metres; limits the search for obstacles.
+ * @returns outward room of each vertex, metres. A generator, so that pages can spread the work over frames.
  */
 export function* outwardRoom(
   { positions, triangles }: CoarseMesh,
@@ -51,10 +51,10 @@ export function* outwardRoom(
   return room
 }
 
-/** Points in one slice. */
+/** Number of points per slice of work. */
 const SLICE = 512
 
-/** Whether a point is in front of another one, and faces it. */
+/** Tests whether point j is in front of point i and faces it. */
 function isFacing(positions: ArrayLike<number>, smooth: Float64Array, i: number, j: number): boolean {
   if (i === j || dot(smooth, 3 * i, smooth, 3 * j) >= OPPOSED) return false
   let ahead = 0
@@ -62,7 +62,7 @@ function isFacing(positions: ArrayLike<number>, smooth: Float64Array, i: number,
   return ahead >= 0
 }
 
-/** 1 for each first vertex on the border of the mesh, or on an edge that turns back. */
+/** Marks with 1 each first vertex on the border of the mesh or on an edge that folds back. */
 function rims(triangles: ArrayLike<number>, smooth: Float64Array, firstOf: Uint32Array): Uint8Array {
   const isRim = new Uint8Array(firstOf.length)
   const corners = triangles.length - (triangles.length % 3)
@@ -84,20 +84,20 @@ function rims(triangles: ArrayLike<number>, smooth: Float64Array, firstOf: Uint3
   return isRim
 }
 
-/** Points in cubes. */
+/** Uniform grid of points with a hash table of cubes; each cube is a linked list. */
 class PointGrid {
   readonly #positions: ArrayLike<number>
   readonly #side: number
-  /** The cube of each vertex, three numbers. */
+  /** Integer coordinates of each vertex's cube. */
   readonly #cubes: Int32Array
-  /** By its hash, the last point of each cube, from 1; where that is taken, in the next slot that is free. */
+  /** Hash table with linear probing: index + 1 of the last point of a cube, 0 = free. */
   readonly #last: Uint32Array
-  /** The point of the same cube before each, from 1. */
+  /** Index + 1 of the previous point in the same cube, 0 = none. */
   readonly #before: Uint32Array
   readonly #count: number
-  /** The cube that was asked for last: many points are in one. */
+  /** Cube of the last query, cached because consecutive queries are often in one cube. */
   readonly #middle = [NaN, NaN, NaN]
-  /** The last points of those around it that have any, from 1. */
+  /** Index + 1 of the last point of each occupied cube around it. */
   readonly #around = new Uint32Array(27)
   #near = 0
 
@@ -116,7 +116,7 @@ class PointGrid {
     }
   }
 
-  /** All points, cube by cube. */
+  /** Lists all points, cube by cube. */
   points(): Uint32Array {
     const all = new Uint32Array(this.#count)
     let count = 0
@@ -126,7 +126,7 @@ class PointGrid {
     return all
   }
 
-  /** How far the nearest point is of those that fulfil a condition; Infinity where none is within a cube's side. */
+  /** Returns the distance to the nearest point that meets a condition, or Infinity if there is none within the side of a cube. */
   nearest(i: number, condition: (j: number, i: number) => boolean): number {
     this.#lookAround(this.#cubes[3 * i], this.#cubes[3 * i + 1], this.#cubes[3 * i + 2])
     let least = this.#side ** 2
@@ -142,7 +142,7 @@ class PointGrid {
     return isFound ? Math.sqrt(least) : Infinity
   }
 
-  /** Finds the last points of a cube and of those around it. */
+  /** Collects the occupied cubes in the 3 x 3 x 3 neighbourhood of a cube. */
   #lookAround(x: number, y: number, z: number): void {
     const middle = this.#middle
     if (middle[0] === x && middle[1] === y && middle[2] === z) return

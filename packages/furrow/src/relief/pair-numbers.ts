@@ -1,23 +1,23 @@
 /**
- * Numbers pairs of vertices, as edges are, from 0 in the order in which they are first asked for. A table with open addressing: a `Map`
- * of as many pairs takes several times as long.
+ * Assigns consecutive numbers to ordered pairs of vertices, such as edges. A hash table with linear probing: a `Map` takes several times as
+ * long.
  */
 export class PairNumbers {
-  /** How many pairs there are. */
+  /** Number of pairs so far. */
   count = 0
   readonly #firsts: Uint32Array
   readonly #seconds: Uint32Array
-  /** Pairs by their hash, from 1; where it is taken, by the next one that is free. */
+  /** Pair number + 1, 0 = free. */
   readonly #slots: Uint32Array
 
-  /** @param most pairs that may be asked for. */
+  /** @param most maximum number of pairs. */
   constructor(most: number) {
     this.#firsts = new Uint32Array(most)
     this.#seconds = new Uint32Array(most)
     this.#slots = new Uint32Array(2 ** Math.ceil(Math.log2(2 * most + 2)))
   }
 
-  /** The number of a pair, whose order matters; the next one where it is new. */
+  /** Returns the number of an ordered pair; a new pair gets the next number. */
   numberOf(first: number, second: number): number {
     const slots = this.#slots
     const mask = slots.length - 1
@@ -33,7 +33,7 @@ export class PairNumbers {
   }
 }
 
-/** The last step of MurmurHash 3. */
+/** Combines both numbers, then applies the finaliser of MurmurHash3. */
 function hash(first: number, second: number): number {
   let h = Math.imul(first, 0x9e3779b1) ^ second
   h = Math.imul(h ^ (h >>> 16), 0x85ebca6b)

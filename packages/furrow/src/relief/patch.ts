@@ -1,9 +1,9 @@
 import { MAX_LEVEL } from './welded-edges.ts'
 
-/** Barycentric coordinates in a patch are whole numbers that sum to this: halved until an edge is as short as any may be. */
+/** Sum of a point's integer barycentric coordinates: a power of two, large enough for the shortest edges. */
 export const WHOLE = 2 ** (MAX_LEVEL + 4)
 
-/** A point of a patch: multiples of 1 / `WHOLE` of its first and second corner, and the index of its vertex. */
+/** Point of a patch: barycentric coordinates of the first two corners, in units of 1 / `WHOLE`, and vertex index. */
 interface Point {
   x: number
   y: number
@@ -12,23 +12,23 @@ interface Point {
 
 /** Rules for splitting a patch. */
 export interface PatchRules {
-  /** Vertices of the three corners. */
+  /** Vertex indices of the corners. */
   corners: readonly [number, number, number]
   /** Halvings of the edges from corner 0 to 1, 1 to 2 and 2 to 0. */
   levels: readonly [number, number, number]
-  /** Whether an edge inside the patch is too long; a patch that is only joined to its neighbours has none. */
+  /** Tests whether an inner edge is too long. In patches that only join their neighbours, none is. */
   isLong(dx: number, dy: number): boolean
-  /** The vertex on an edge, `part` of it from its first corner on. */
+  /** Returns the vertex on an edge; `part` is the fraction of its length from the first corner. */
   onEdge(edge: number, part: number): number
-  /** The vertex inside, the same for the same numbers. */
+  /** Returns the vertex at an inner point, always the same for the same coordinates. */
   inside(x: number, y: number): number
 }
 
 /**
- * Splits a triangle: every edge that is too long is halved, and again. Whether it is follows from the edge alone, so that neighbours
- * always agree, and there are no T-junctions.
+ * Splits a triangle by halving edges that are too long, recursively. The decision depends only on the edge, so that neighbours agree and no
+ * T-junctions appear.
  *
- * @param emit takes the three vertices of each triangle, in the order of the corners.
+ * @param emit called with the vertices of each triangle, with the winding of the corners.
  */
 export function splitPatch(rules: PatchRules, emit: (a: number, b: number, c: number) => void): void {
   const middle = (p: Point, q: Point): Point | null => {
@@ -70,14 +70,14 @@ export function splitPatch(rules: PatchRules, emit: (a: number, b: number, c: nu
   split({ x: WHOLE, y: 0, index: a }, { x: 0, y: WHOLE, index: b }, { x: 0, y: 0, index: c })
 }
 
-/** The edge of the patch that two points are on, or -1. */
+/** Returns the edge of the patch on which both points lie, or -1. */
 function edgeOf(p: Point, q: Point): number {
   if (p.x + p.y === WHOLE && q.x + q.y === WHOLE) return 0
   if (p.x === 0 && q.x === 0) return 1
   return p.y === 0 && q.y === 0 ? 2 : -1
 }
 
-/** How far along an edge of the patch a point is, 0..1 from the edge's first corner. */
+/** Returns the position of a point along an edge, 0..1 from the edge's first corner. */
 function alongEdge({ x, y }: Point, edge: number): number {
   if (edge === 0) return y / WHOLE
   return edge === 1 ? 1 - y / WHOLE : x / WHOLE

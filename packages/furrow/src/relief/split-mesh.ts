@@ -6,28 +6,28 @@ import { splitPatch, WHOLE } from './patch.ts'
 import { WeldedEdges } from './welded-edges.ts'
 
 export interface SplitOptions {
-  /** Length that edges have after splitting, about, in metres. */
+  /** Target edge length, metres. */
   edge?: number
-  /** Triangles at most; edges become longer instead. */
+  /** Maximum number of triangles. To meet it, edges get longer than `edge`. */
   budget?: number
-  /** Halvings of edges for coarser versions of the surface, each with no more than the one before. */
+  /** Edge halvings of coarser versions of the surface; no version halves an edge more often than the previous one. */
   coarser?: readonly Float32Array[]
 }
 
 export const SPLIT_DEFAULTS: Required<SplitOptions> = { edge: 0.0012, budget: MOST_TRIANGLES, coarser: [] }
 
-/** Halved edges are between 0.7 and 1.4 of the length that is aimed at. */
+/** Edges longer than this multiple of the target are halved, so halves have 0.7 to 1.4 of the target. */
 const LONGEST = Math.SQRT2
 
-/** Triangles of the coarse mesh in one slice. */
+/** Number of coarse triangles per slice of work. */
 const SLICE = 256
 
 /**
- * Splits triangles into patches, and joins all others to them without T-junctions.
+ * Splits triangles into patches, and joins the other triangles to them without T-junctions.
  *
- * @param halvings how often the three edges of each triangle are halved at most, as real numbers, see `neededHalvings`; those that are short
- *   enough are not.
- * @returns a generator, so that a page may spread the work over frames.
+ * @param halvings maximum halvings of the three edges of each triangle, fractional, see `neededHalvings`. Edges shorter than the target are not
+ *   halved.
+ * @returns a generator, so that pages can spread the work over frames.
  */
 export function* splitMesh(
   mesh: CoarseMesh,
@@ -50,7 +50,7 @@ export function* splitMesh(
   return splitter.dense.finish(edge)
 }
 
-/** Cuts edges so that there are no more triangles than allowed. Returns the length aimed at. */
+/** Increases the target edge length until the mesh meets the budget of triangles. */
 function fitBudget(halvings: Float32Array, edges: WeldedEdges, wanted: number, budget: number): number {
   for (let edge = wanted; ; ) {
     const levels = edges.levelsFor(halvings, LONGEST * edge)
@@ -60,7 +60,7 @@ function fitBudget(halvings: Float32Array, edges: WeldedEdges, wanted: number, b
   }
 }
 
-/** About how many triangles there will be: each halving of all three edges makes four of one, of two of them more than two. */
+/** Estimates the number of triangles: halving all three edges gives four. */
 function countTriangles(edgeOf: Uint32Array, levels: Uint8Array): number {
   let sum = 0
   for (let k = 0; k < edgeOf.length; k += 3) {
@@ -69,18 +69,19 @@ function countTriangles(edgeOf: Uint32Array, levels: Uint8Array): number {
   return sum
 }
 
-/** Splits triangles one by one, for all versions. Those that have an edge in common have its vertices in common too. */
+/** Splits triangles one by one, for all versions. Neighbours share the vertices on their edge. */
 class Splitter {
   readonly dense: DenseBuilder
   readonly #mesh: CoarseMesh
   readonly #edges: WeldedEdges
   readonly #levels: readonly Uint8Array[]
   readonly #longest: number
-  /** The edges that are cut, by their two vertices, which are two edges at a seam; and the first vertex on each. */
+  /** Split edges by their vertices; a seam has two edges. */
   readonly #cut: PairNumbers
+  /** First new vertex on each split edge. */
   readonly #onEdges: Uint32Array
 
-  /** @param levels of the edges in each version, the finest first. */
+  /** @param levels number of halvings of each edge, for each version, finest first. */
   constructor(mesh: CoarseMesh, edges: WeldedEdges, levels: readonly Uint8Array[], longest: number) {
     this.#mesh = mesh
     this.#edges = edges
@@ -96,7 +97,7 @@ class Splitter {
     }
   }
 
-  /** @param versions the halvings of all edges in each version. */
+  /** @param versions halvings of all edges, for each version. */
   split(t: number, versions: readonly Float32Array[]): void {
     const { triangles, positions } = this.#mesh
     const { edgeOf } = this.#edges
@@ -127,7 +128,7 @@ class Splitter {
     }
   }
 
-  /** @param known the vertices inside of the triangle so far. */
+  /** @param known inner vertices of this triangle so far, by position. */
   #inside(
     corners: readonly [number, number, number],
     x: number,
@@ -147,13 +148,13 @@ class Splitter {
     return vertex
   }
 
-  /** The vertex at some part, 0..1, of the edge from `a` to `b`. */
+  /** Returns the vertex at a fraction 0..1 of the edge from `a` to `b`. */
   #onEdge(corner: number, a: number, b: number, part: number): number {
     const isForward = this.#edges.startsAt(a, b)
     const from = isForward ? a : b
     const to = isForward ? b : a
     const edge = this.#edges.edgeOf[corner]
-    // Coarser versions have some of the vertices of the finest.
+    // Coarser versions use a subset of the finest version's vertices.
     const segments = 2 ** this.#levels[0][edge]
     const { count } = this.#cut
     const cut = this.#cut.numberOf(from, to)
@@ -175,18 +176,18 @@ class Splitter {
 }
 
 /**
- * Returns the squared number of parts that a step within a triangle needs, times the square of `WHOLE`. This is the squared length in the
- * metric whose edge lengths are their numbers of parts, in which edges of the split triangle must be shorter than 1 (P.-L. George,
- * H. Borouchaki, "Delaunay Triangulation and Meshing", 1998).
+ * Returns a function that measures a step within a triangle, as a squared length times `WHOLE` squared. Its metric gives each edge a length
+ * equal to its number of parts. Edges of the split triangle must be shorter than 1 in this metric (P.-L. George, H. Borouchaki, "Delaunay
+ * Triangulation and Meshing", 1998).
  *
- * @param first the first of the three edges' halvings.
+ * @param first index of the first of the three edges' halvings.
  */
 function partsOf(halvings: Float32Array, first: number): (dx: number, dy: number) => number {
   const [ab, bc, ca] = [4 ** halvings[first], 4 ** halvings[first + 1], 4 ** halvings[first + 2]]
   return (dx, dy) => dx * dx * ca + dx * dy * (ca + bc - ab) + dy * dy * bc
 }
 
-/** Squared length, times the square of `WHOLE`, of a step within a triangle, given by how much its first two barycentrics change. */
+/** Returns a function that measures the squared length, times `WHOLE` squared, of a change of the first two barycentric coordinates. */
 function squaredLengths(
   positions: ArrayLike<number>,
   [a, b, c]: readonly [number, number, number],
@@ -202,7 +203,7 @@ function squaredLengths(
   return (dx, dy) => dx * dx * xx + 2 * dx * dy * xy + dy * dy * yy
 }
 
-/** Returns two texture coordinates for each first vertex, shared by all vertices at its position. */
+/** Returns two pairs of texture coordinates for each first vertex: the smallest and largest at its position, in lexicographic order. */
 function uvsOfPoints({ uvs }: CoarseMesh, firstOf: Uint32Array): Float64Array {
   const found = new Float64Array(4 * firstOf.length)
   for (let vertex = 0; vertex < firstOf.length; vertex++) {
@@ -210,7 +211,6 @@ function uvsOfPoints({ uvs }: CoarseMesh, firstOf: Uint32Array): Float64Array {
     const last = first + 2
     const u = uvs[2 * vertex]
     const v = uvs[2 * vertex + 1]
-    // The first vertex at a position comes first.
     const isNew = first === 4 * vertex
     if (isNew || u < found[first] || (u === found[first] && v < found[first + 1])) {
       found[first] = u

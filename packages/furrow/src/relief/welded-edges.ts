@@ -2,26 +2,26 @@ import { weldVertices } from '../math/weld.ts'
 import type { CoarseMesh } from './coarse-mesh.ts'
 import { PairNumbers } from './pair-numbers.ts'
 
-/** Halvings of an edge at most: 1 m into segments of 1 mm. */
+/** Maximum number of halvings of an edge: 1 m into segments of 1 mm. */
 export const MAX_LEVEL = 10
 
-/** Texture coordinates of two edges, each u and v at one end and at the other. */
+/** Number of texture coordinates per welded edge: u and v at both ends, on both sides of a seam. */
 const PER_EDGE = 8
 
 /**
- * The edges of the welded mesh, by number: those between the same two positions are one, whatever their texture coordinates. They begin at
- * the end whose first vertex comes first.
+ * Edges of the welded mesh. Edges between the same two positions are one, regardless of texture coordinates. An edge starts at the end whose
+ * first vertex has the smaller index.
  */
 export class WeldedEdges {
-  /** By vertex: the first vertex at its position, which all of them follow. */
+  /** First vertex at the position of each vertex. */
   readonly firstOf: Uint32Array
-  /** The edge from each corner of each triangle to the next. */
+  /** Edge from each corner of each triangle to the next corner. */
   readonly edgeOf: Uint32Array
-  /** How many edges there are. */
+  /** Number of edges. */
   readonly count: number
   readonly #lengths: Float64Array
   readonly #uvs: Float64Array
-  /** The texture coordinates at hand. */
+  /** Scratch: texture coordinates of one side of an edge. */
   readonly #own = new Float64Array(4)
 
   constructor({ positions, uvs, triangles }: CoarseMesh) {
@@ -47,16 +47,16 @@ export class WeldedEdges {
     this.count = known.count
   }
 
-  /** Whether the edge between two vertices begins at `a`. */
+  /** Tests whether the edge between two vertices starts at `a`. */
   startsAt(a: number, b: number): boolean {
     return this.firstOf[a] < this.firstOf[b]
   }
 
   /**
-   * One of the texture coordinates at a point of an edge: of two of the edges at a seam, the same two for all of them; otherwise twice the same.
+   * Returns a texture coordinate at a point of an edge. Both sides are equal except at a seam.
    *
-   * @param at 0..1, from where the edge begins.
-   * @param k 0 and 1 for u and v of the one, 2 and 3 for those of the other.
+   * @param at fraction of the edge from its start, 0..1.
+   * @param k 0 and 1: u and v on the first side of a seam; 2 and 3: on the second.
    */
   uvAt(edge: number, at: number, k: number): number {
     const offset = PER_EDGE * edge + (k < 2 ? k : k + 2)
@@ -64,10 +64,9 @@ export class WeldedEdges {
   }
 
   /**
-   * Halves edges as often as one of their triangles needs, but not those that are no longer than `longest`.
+   * Returns how often each edge is halved: as often as its most demanding triangle needs, but only until segments are no longer than `longest`.
    *
-   * @param halvings of each triangle's own edges.
-   * @returns of each edge, into 2 to the power of how many segments it is cut.
+   * @param halvings needed halvings of the three edges of each triangle.
    */
   levelsFor(halvings: Float32Array, longest: number): Uint8Array {
     const levels = new Uint8Array(this.count)
@@ -92,7 +91,7 @@ export class WeldedEdges {
     if (isNew || this.#compare(last) > 0) this.#uvs.set(own, last)
   }
 
-  /** Below 0 where the texture coordinates at hand come before those at some offset, above where they come after them. */
+  /** Compares the scratch coordinates with those at an offset, in lexicographic order: negative if they come first. */
   #compare(offset: number): number {
     for (let k = 0; k < 4; k++) {
       const difference = this.#own[k] - this.#uvs[offset + k]
@@ -102,7 +101,7 @@ export class WeldedEdges {
   }
 }
 
-/** The corner of the same triangle that follows. */
+/** Returns the next corner of the same triangle. */
 export function nextCorner(corner: number): number {
   return corner % 3 === 2 ? corner - 2 : corner + 1
 }
@@ -115,7 +114,7 @@ export function firstVertices(positions: ArrayLike<number>): Uint32Array {
   return pointOf.map((point) => first[point])
 }
 
-/** Halvings until segments are no longer than `longest`. */
+/** Returns how many halvings make the segments no longer than `longest`. */
 function levelOf(length: number, longest: number): number {
   const level = Math.ceil(Math.log2(length / longest))
   return Number.isFinite(level) ? Math.min(Math.max(level, 0), MAX_LEVEL) : 0
