@@ -1,7 +1,8 @@
 /**
- * Computes barycentric coordinates of a 2D point; some are negative outside the triangle, and all are infinite or NaN if it has no area.
+ * Computes the barycentric coordinates of a point in the plane. Outside the triangle at least one is negative. If the triangle has no area,
+ * they are infinite or NaN.
  *
- * @param triangle x and y of its three corners.
+ * @param triangle x and y of the three corners.
  */
 export function barycentrics2(out: Float64Array, triangle: ArrayLike<number>, x: number, y: number): void {
   const ux = triangle[2] - triangle[0]
@@ -17,11 +18,11 @@ export function barycentrics2(out: Float64Array, triangle: ArrayLike<number>, x:
 }
 
 /**
- * Computes barycentric coordinates of a point projected onto the plane of a triangle (Ericson, Real-Time Collision Detection, 3.4).
- * Infinite or NaN if the triangle has no area.
+ * Projects a point onto the plane of a triangle and computes its barycentric coordinates (Ericson, Real-Time Collision Detection, 3.4). If
+ * the triangle has no area, they are infinite or NaN.
  *
- * @param positions x, y and z of each vertex.
- * @param a, b, c the triangle's vertices.
+ * @param positions packed xyz per vertex.
+ * @param a, b, c vertex indices of the triangle.
  * @param point x, y and z.
  */
 export function barycentrics3(
@@ -54,11 +55,11 @@ export function barycentrics3(
 }
 
 /**
- * Interpolates vertex values inside a triangle, without normalising the result.
+ * Interpolates vertex attributes over a triangle. Interpolated vectors are not normalised.
  *
- * @param out receives the first `out.length` values.
+ * @param out receives the interpolated attribute; its length is the number of components.
  * @param values `stride` numbers per vertex.
- * @param a, b, c the triangle's vertices.
+ * @param a, b, c vertex indices of the triangle.
  * @param wa, wb, wc barycentric coordinates.
  */
 export function interpolate(

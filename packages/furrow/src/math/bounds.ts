@@ -1,7 +1,7 @@
 /**
- * Returns the lengths of the bounding box's sides.
+ * Computes the size of the axis-aligned bounding box of points.
  *
- * @param positions x, y and z of each point.
+ * @param positions packed xyz per point.
  */
 export function boundingBoxSize(positions: ArrayLike<number>): [x: number, y: number, z: number] {
   const low = [Infinity, Infinity, Infinity]

@@ -1,30 +1,30 @@
 import { triangleNormal } from './triangle.ts'
 import { weldVertices } from './weld.ts'
 
-/** A mesh at rest; its arrays are copied. */
+/** Mesh in its rest pose. The arrays are copied. */
 export interface RestMesh {
-  /** x, y and z of each vertex. */
+  /** Packed xyz per vertex. */
   positions: ArrayLike<number>
-  /** Unit normal of each vertex, as authored. */
+  /** Authored unit normal of each vertex, packed xyz. */
   normals: ArrayLike<number>
-  /** Three vertices per triangle. */
+  /** Three vertex indices per triangle. */
   triangles: ArrayLike<number>
 }
 
-/** Squared length; shorter sums of normals have no usable direction. */
+/** Squared length below which a sum of normals has no meaningful direction. */
 export const NO_DIRECTION = 1e-24
 
-/** Rotations with a smaller cosine count as half a turn, whose axis is ambiguous. */
+/** Cosine of a rotation angle close to 180 degrees. Below it, the shortest arc is not unique. */
 export const HALF_TURN = -0.9999
 
-/** Scratch, so that updates allocate nothing. */
+/** Scratch vector: updates allocate nothing. */
 const normal = new Float64Array(3)
 
 /**
- * Sums the normals of the triangles around each point, weighted by twice the area.
+ * Sums the normals of the triangles around each welded point. The weight of a normal is twice the triangle's area.
  *
- * @param sums receives xyz of each point.
- * @param pointOf point of each vertex, from `weldVertices`.
+ * @param sums receives packed xyz per point.
+ * @param pointOf index of the welded point of each vertex, from `weldVertices`.
  */
 export function sumNormals(
   sums: Float64Array,
@@ -44,7 +44,7 @@ export function sumNormals(
   }
 }
 
-/** Returns a function that computes the normal deltas of a morph target from its position deltas; both have x, y and z per vertex. */
+/** Returns a function that computes a morph target's normal deltas from its position deltas. Both are packed xyz per vertex. */
 export function morphNormalDeltas(mesh: RestMesh): (offsets: ArrayLike<number>) => Float32Array {
   const positions = Float32Array.from(mesh.positions)
   const normals = Float32Array.from(mesh.normals)
@@ -60,16 +60,16 @@ export function morphNormalDeltas(mesh: RestMesh): (offsets: ArrayLike<number>) 
 }
 
 /**
- * Recomputes shading normals of a deforming mesh. At each position, the area-weighted normals of adjacent triangles give a direction, at
- * rest and now. The authored normals are rotated by the shortest arc between both, so that hard edges stay hard and seams stay closed.
- * Updates allocate nothing.
+ * Computes the shading normals of a deforming mesh. For each group of vertices with one rest position, the area-weighted sum of the adjacent
+ * triangle normals gives a direction, at rest and now. The shortest arc between both directions rotates the authored normals of the group,
+ * so that lighting stays continuous at seams. Updates allocate nothing.
  */
 export class DeformedNormals {
   readonly #rest: Float32Array
   readonly #triangles: Uint32Array
-  /** Point index of each vertex; vertices at one position share a point. */
+  /** Index of the welded point of each vertex. */
   readonly #pointOf: Uint32Array
-  /** Unnormalised directions of all points, at rest and now. */
+  /** Directions of all welded points, packed xyz: in the rest pose, and in the current pose. */
   readonly #from: Float64Array
   readonly #to: Float64Array
 
@@ -84,7 +84,7 @@ export class DeformedNormals {
   }
 
   /**
-   * Computes the normals of the deformed mesh. A vertex without a direction, at rest or now, keeps its authored normal.
+   * Computes the normals of the deformed mesh. A vertex keeps its authored normal if its direction is undefined at rest or now.
    *
    * @param positions current positions of all vertices.
    * @param normals receives the unit normals.
@@ -96,15 +96,18 @@ export class DeformedNormals {
   }
 
   /**
-   * Rotates other vertex directions, such as tangents, like the normals in the last update.
+   * Rotates other vertex vectors, such as tangents, in place. Each is rotated like its vertex's normal in the last `update`.
    *
-   * @param directions xyz every `stride` numbers; modified.
+   * @param directions one vector per vertex; xyz are the first of every `stride` numbers.
    */
   rotate(directions: Float32Array, stride: number): void {
     for (let i = 0; i < this.#pointOf.length; i++) this.#rotate(directions, stride * i, 3 * this.#pointOf[i])
   }
 
-  /** Rotates by the shortest arc between two directions (Rodrigues): d c + (a x d) + a (a . d) / (1 + c), where a = from x to. */
+  /**
+   * Rotates a vector d by the shortest arc from the rest direction to the current one, with Rodrigues' formula:
+   * `c * d + cross(a, d) + a * dot(a, d) / (1 + c)`, where `a = cross(from, to)` and `c = dot(from, to)`.
+   */
   #rotate(vectors: Float32Array, offset: number, point: number): void {
     const from = this.#from
     const to = this.#to

@@ -5,20 +5,20 @@ const LEAF = 8
 export class KdTree {
   readonly #points: ArrayLike<number>
   readonly #dimensions: number
-  /** Point indices in leaf order. Each node is a range, split at its middle index. */
+  /** Point indices in the order of the leaves. A node is a range of this array, split at its middle. */
   readonly #order: Uint32Array
-  /** Split coordinate of each node, stored at its middle index. */
+  /** Coordinate at which each node is split, stored at the middle of its range. */
   readonly #splits: Float64Array
   readonly #found: Int32Array
   readonly #squares: Float64Array
   #count = 0
-  /** Squared search radius; shrinks as `nearest` finds points. */
+  /** Squared search radius. */
   #reach = Infinity
 
   /**
-   * @param points coordinates of all points, interleaved; not copied.
-   * @param dimensions number of coordinates per point.
-   * @param most maximum number of points that `nearest` returns.
+   * @param points packed coordinates. Not copied.
+   * @param dimensions number of coordinates per point, 2 or 3.
+   * @param most maximum number of points that a query finds.
    */
   constructor(points: ArrayLike<number>, dimensions: number, most = 1) {
     this.#points = points
@@ -31,11 +31,11 @@ export class KdTree {
   }
 
   /**
-   * Finds the nearest points, sorted by distance. The next query overwrites the returned arrays.
+   * Finds the nearest points, sorted by distance. The next query overwrites the results.
    *
-   * @param query array that contains the position.
-   * @param offset index of the position's first coordinate.
-   * @param limit maximum distance.
+   * @param query array with the coordinates of the query position.
+   * @param offset index of the first coordinate in `query`.
+   * @param limit search radius.
    */
   nearest(
     query: ArrayLike<number>,
@@ -55,7 +55,7 @@ export class KdTree {
     this.#walk(query, offset, 0, this.#order.length, 0, visit)
   }
 
-  /** Visits the points within reach, in the half that contains the query first. */
+  /** Visits the points within the search radius. Descends first into the half that contains the query position. */
   #walk(
     query: ArrayLike<number>,
     offset: number,
@@ -84,7 +84,7 @@ export class KdTree {
     else this.#walk(query, offset, from, middle, next, visit)
   }
 
-  /** Inserts a point into the sorted results. Once they are full, the farthest result limits the reach. */
+  /** Inserts a point into the results. Once they are full, the farthest result limits the search radius. */
   readonly #offer = (index: number, square: number): void => {
     const last = this.#squares.length - 1
     if (!(square < this.#squares[last])) return
@@ -99,7 +99,7 @@ export class KdTree {
     this.#reach = Math.min(this.#reach, this.#squares[last])
   }
 
-  /** Partitions a range at its median, then both halves recursively (Hoare's quickselect). */
+  /** Partitions a range at its middle, then both halves recursively (quickselect, Hoare 1961). */
   #sort(from: number, to: number, axis: number): void {
     if (to - from <= LEAF) return
     const order = this.#order

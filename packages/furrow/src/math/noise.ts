@@ -1,13 +1,13 @@
 import { hash32 } from './hash.ts'
 import { lerp, smoothstep } from './scalar.ts'
 
-/** One-dimensional value noise, -1..1: random values at integers, interpolated by smoothstep. */
+/** Computes one-dimensional value noise, -1..1: random values at integers, interpolated by smoothstep. */
 export function noise(x: number, seed: number): number {
   const cell = Math.floor(x)
   return lerp(randomAt(cell, seed), randomAt(cell + 1, seed), smoothstep(x - cell))
 }
 
-/** Random value at an integer, -1..1. */
+/** Hashes two integers to a number in -1..1. */
 function randomAt(cell: number, seed: number): number {
   return hash32(Math.imul(cell, 0x9e3779b1) ^ Math.imul(seed, 0x85ebca6b)) / 0x7fffffff - 1
 }

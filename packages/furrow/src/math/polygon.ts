@@ -1,7 +1,7 @@
 /**
- * Tests whether a point is inside a polygon, by the even-odd rule for a ray to the right.
+ * Tests whether a point is inside a polygon, by the even-odd rule: counts the edges that cross a ray to the point's right.
  *
- * @param polygon corners; an edge joins the last corner to the first.
+ * @param polygon corners in order. The polygon is closed: an edge joins the last and the first corner.
  */
 export function isInsidePolygon(
   polygon: readonly (readonly [number, number])[],

@@ -1,4 +1,7 @@
-/** Evaluates uu u^2 + 2 uv u v + vv v^2: the squared length of a step (u, v) under the first fundamental form of a surface. */
+/**
+ * Computes `uu * u * u + 2 * uv * u * v + vv * v * v`. If `uu`, `uv` and `vv` are the first fundamental form of a surface, this is the squared
+ * length on the surface of the step (u, v) in texture coordinates.
+ */
 export function quadraticForm(uu: number, uv: number, vv: number, u: number, v: number): number {
   return uu * u * u + 2 * uv * u * v + vv * v * v
 }

@@ -1,18 +1,18 @@
-/** Box of pixels, all four bounds inclusive. */
+/** Inclusive box of pixels: all four values are columns or rows inside the box. */
 export type PixelBox = readonly [left: number, top: number, right: number, bottom: number]
 
 const UNBOUNDED: PixelBox = [-Infinity, -Infinity, Infinity, Infinity]
 
-/** Twice the area in square pixels; smaller triangles are skipped. */
+/** Triangles with less than half this area, in square pixels, cover no pixel. */
 const NO_AREA = 1e-9
 
 /**
- * Visits the pixels whose centres a triangle covers, row by row. A centre on a shared edge belongs to both triangles.
+ * Visits the pixels whose centres a triangle covers, row by row. A centre on an edge belongs to the triangles on both sides.
  *
- * @param triangle x and y of three corners in pixels; pixel centres are at integers.
- * @param tolerance widens the triangle: barycentric coordinates down to -tolerance count as inside.
- * @param visit called with a pixel and its barycentric coordinates.
- * @param box pixels outside are skipped.
+ * @param triangle x and y of the three corners in pixels. Pixel centres are at integers.
+ * @param tolerance distance by which barycentric coordinates may be below 0.
+ * @param visit receives the pixel and its barycentric coordinates.
+ * @param box clips the triangle to these pixels.
  */
 export function rasterize(
   triangle: ArrayLike<number>,
@@ -38,7 +38,7 @@ export function rasterize(
   const lastColumn = Math.min(Math.floor(Math.max(x0, x1, x2)), right)
   for (let row = firstRow; row <= lastRow; row++) {
     for (let column = firstColumn; column <= lastColumn; column++) {
-      // Same as barycentrics2; inlining is three times faster here.
+      // Inlined from `barycentrics2`: a call takes three times as long here.
       const b = ((column - x0) * vy - (row - y0) * vx) / det
       if (!(b >= -tolerance)) continue
       const c = (ux * (row - y0) - uy * (column - x0)) / det

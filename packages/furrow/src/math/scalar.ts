@@ -2,11 +2,12 @@ export function clamp(x: number, low: number, high: number): number {
   return Math.min(Math.max(x, low), high)
 }
 
+/** Interpolates linearly: returns `a` at t = 0 and `b` at t = 1. */
 export function lerp(a: number, b: number, t: number): number {
   return a + t * (b - a)
 }
 
-/** 3 x^2 - 2 x^3, with x clamped to 0..1. */
+/** Clamps x to 0..1, then returns `3 * x^2 - 2 * x^3`. */
 export function smoothstep(x: number): number {
   const t = clamp(x, 0, 1)
   return t * t * (3 - 2 * t)

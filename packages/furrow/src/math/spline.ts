@@ -1,15 +1,15 @@
 import { lerp } from './scalar.ts'
 import { length3 } from './vector.ts'
 
-/** Factor that allows for rounding errors of a distance. */
+/** Factor for distances, slightly below 1, to allow for rounding. */
 const ROUNDED = 1 - 1e-6
 
 /**
- * Evaluates a centripetal Catmull-Rom spline in space (pyramid of Barry and Goldman, 1988). Mirrored neighbours extend both ends.
+ * Evaluates a segment of a centripetal Catmull-Rom spline at `t`, 0..1, with the pyramidal algorithm of Barry and Goldman (1988). Beyond each
+ * end of the spline, the second point is mirrored at the end point.
  *
- * @param points x, y and z of at least two points; consecutive points differ.
+ * @param points packed xyz of at least two points; consecutive points must differ.
  * @param segment index of the segment's first point.
- * @param t position within the segment, 0..1.
  */
 export function splineAt(out: Float64Array, points: ArrayLike<number>, segment: number, t: number): void {
   const t1 = knotAt(points, segment - 1)
@@ -30,7 +30,7 @@ export function splineAt(out: Float64Array, points: ArrayLike<number>, segment: 
   }
 }
 
-/** Returns a coordinate of a point, mirrored beyond the ends. */
+/** Returns coordinate `k` of point `i`. Indices beyond the ends give mirrored points. */
 function pointAt(points: ArrayLike<number>, i: number, k: number): number {
   const last = points.length / 3 - 1
   if (i < 0) return 2 * points[k] - points[3 + k]
@@ -38,7 +38,10 @@ function pointAt(points: ArrayLike<number>, i: number, k: number): number {
   return points[3 * i + k]
 }
 
-/** Returns the knot interval of a segment: the square root of its length avoids cusps and loops (Yuksel et al. 2011). */
+/**
+ * Returns the knot interval between a point and the next: the square root of their distance. This centripetal parametrisation has no cusps or
+ * loops within a segment (Yuksel et al. 2011).
+ */
 function knotAt(points: ArrayLike<number>, i: number): number {
   const x = pointAt(points, i + 1, 0) - pointAt(points, i, 0)
   const y = pointAt(points, i + 1, 1) - pointAt(points, i, 1)
@@ -47,12 +50,11 @@ function knotAt(points: ArrayLike<number>, i: number): number {
 }
 
 /**
- * Simplifies a line to spline knots: chooses points so that a spline through them stays within a tolerance of the line.
+ * Chooses few points of a polyline, such that the spline through them passes within a distance of all points of the polyline.
  *
- * @param points x, y and z of at least two points; consecutive points differ.
- * @param tolerance maximum distance, in the unit of the points.
- * @param chosen ascending indices of points to keep, including the first and the last.
- * @returns ascending indices of the knots.
+ * @param points packed xyz of at least two points; consecutive points must differ.
+ * @param chosen indices of points that must be chosen, in ascending order, including the first and the last point.
+ * @returns indices of the chosen points, in ascending order.
  */
 export function splineKnots(
   points: Float64Array,
@@ -81,11 +83,10 @@ export function splineKnots(
 }
 
 /**
- * Measures the distance from a position to part of a line. Searches outwards from a segment, and skips segments that cannot be nearer.
+ * Computes the distance from a position to a part of a polyline. Searches from one segment outwards, and stops as soon as the distance is
+ * known to be at most `enough`.
  *
- * @param first segment where the search starts.
- * @param longest length of the longest segment, which bounds the change of the distance per segment.
- * @param enough the search stops at any distance up to this.
+ * @param longest length of the longest segment. From one segment to the next, the distance changes by at most this length.
  */
 function distanceToLine(
   points: Float64Array,
@@ -110,7 +111,7 @@ function distanceToLine(
   return nearest
 }
 
-/** Measures the distance from a position to the segment that starts at a point. */
+/** Computes the distance from a position to the segment that starts at a point of a polyline. */
 function distanceToSegment(points: Float64Array, point: number, position: Float64Array): number {
   let along = 0
   let square = 0

@@ -1,10 +1,12 @@
-/** Scratch: dot products uu, uv and vv of two edges of a triangle. */
+/** Scratch: dot products of the first edge u and the second edge v of a triangle, in the order u.u, u.v, v.v. */
 const products = new Float64Array(3)
 
 /**
- * Inverts the 2x2 matrix of a triangle's edges at rest, in its plane. `principalStretches` takes the result.
+ * Inverts the 2 x 2 matrix whose columns are two edges of a triangle in its rest pose, in coordinates of the triangle's plane. The result is an
+ * input of `principalStretches`.
  *
- * @param positions x, y and z of each vertex.
+ * @param a, b, c vertex indices of the triangle.
+ * @param positions packed xyz per vertex, in the rest pose.
  * @returns xx, xy and yy of the upper triangular inverse; undefined if the triangle has no area.
  */
 export function restInverse(
@@ -15,7 +17,7 @@ export function restInverse(
 ): number[] | undefined {
   multiplyEdges(a, b, c, positions)
   const [uu, uv, vv] = products
-  // In the triangle's plane, the edges are (along, 0) and (across, height).
+  // In the triangle's plane, the first edge is (along, 0) and the second is (across, height).
   const along = Math.sqrt(uu)
   const across = uv / along
   const height = Math.sqrt(Math.max(0, vv - across * across))
@@ -23,22 +25,23 @@ export function restInverse(
   return inverse.every(Number.isFinite) ? inverse : undefined
 }
 
-/** Mesh at rest, and an optional direction in which its stretch is measured. */
+/** Mesh in its rest pose, and the direction along which to measure stretch. */
 export interface AtRest {
-  /** x, y and z of each vertex. */
+  /** Packed xyz per vertex. */
   positions: ArrayLike<number>
-  /** Texture coordinates of each vertex; read only with a direction. */
+  /** Packed uv per vertex; only read if there is a direction. */
   uvs: ArrayLike<number>
-  /** Direction in the texture, of any length above 0; default: the principal directions. */
+  /** Direction in texture coordinates, of any nonzero length. Default: the principal directions of stretch. */
   direction?: readonly [number, number] | undefined
 }
 
 /**
- * Returns three numbers for `principalStretches`. Without a direction, these are from `restInverse`. With a direction, both stretches that
- * `principalStretches` computes are the stretch along it.
+ * Returns the matrix that `principalStretches` needs. Without a direction, this is the result of `restInverse`. With a direction, the matrix
+ * makes `principalStretches` return the stretch along this direction twice.
  *
- * @returns with a direction: 0 and the factors of both edges whose sum is a unit vector along it. Undefined if the triangle has no area in
- *   space, or with a direction in the texture.
+ * @param a, b, c vertex indices of the triangle.
+ * @returns with a direction: 0, and the factors of the triangle's two edges whose sum is a unit vector in that direction. Undefined if the
+ *   triangle has no area, or if there is a direction and the triangle has no area in the texture.
  */
 export function restMatrix(
   a: number,
@@ -62,12 +65,13 @@ export function restMatrix(
 
 /**
  * Computes the principal stretches of a triangle in its plane: the square roots of the eigenvalues of the right Cauchy-Green tensor (Bonet,
- * Wood: Nonlinear Continuum Mechanics, 3.6). A rigid motion gives 1 and 1.
+ * Wood: Nonlinear Continuum Mechanics, 3.6). Both are 1 after a rigid motion.
  *
- * @param out receives the smaller and the larger stretch.
- * @param inverses results of `restInverse` or `restMatrix`.
+ * @param out receives the smaller stretch, then the larger.
+ * @param inverses results of `restInverse` or `restMatrix`, three numbers per triangle.
  * @param offset index of the triangle's first number in `inverses`.
- * @param positions current positions of all vertices.
+ * @param a, b, c vertex indices of the triangle.
+ * @param positions packed xyz per vertex, in the current pose.
  */
 export function principalStretches(
   out: Float64Array,
@@ -91,7 +95,7 @@ export function principalStretches(
   const mean = (c00 + c11) / 2
   const spread = Math.sqrt(((c00 - c11) / 2) ** 2 + c01 * c01)
   out[1] = Math.sqrt(mean + spread)
-  // xx is 0 only if `restMatrix` was given a direction.
+  // `xx` is 0 only in the matrix of a direction, see `restMatrix`.
   out[0] = xx === 0 ? out[1] : Math.sqrt(Math.max(0, mean - spread))
 }
 

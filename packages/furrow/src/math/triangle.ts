@@ -1,8 +1,8 @@
 /**
- * Computes the cross product of a triangle's edges: an unnormalised normal, twice as long as the area.
+ * Computes the normal of a triangle as the cross product of its edges. Its length is twice the triangle's area.
  *
- * @param positions x, y and z of each vertex.
- * @param a, b, c the triangle's vertices, counterclockwise as seen from outside.
+ * @param positions packed xyz per vertex.
+ * @param a, b, c vertex indices of the triangle, counterclockwise as seen from outside.
  */
 export function triangleNormal(
   out: Float64Array,
@@ -23,10 +23,10 @@ export function triangleNormal(
 }
 
 /**
- * Computes the area of a triangle in the texture, as a fraction of the texture.
+ * Computes the area of a triangle in texture coordinates; the full texture has an area of 1.
  *
- * @param uvs u and v of each vertex.
- * @param a, b, c the triangle's vertices.
+ * @param uvs packed uv per vertex.
+ * @param a, b, c vertex indices of the triangle.
  */
 export function uvArea(uvs: ArrayLike<number>, a: number, b: number, c: number): number {
   const ux = uvs[2 * b] - uvs[2 * a]
@@ -37,11 +37,11 @@ export function uvArea(uvs: ArrayLike<number>, a: number, b: number, c: number):
 }
 
 /**
- * Converts the texture coordinates of a triangle to x and y in texels; texel centres are at integers.
+ * Converts the corners of a triangle from texture coordinates to texels. Texel centres are at integers.
  *
- * @param out receives six numbers.
- * @param uvs u and v of each vertex.
- * @param a, b, c the triangle's vertices.
+ * @param out receives x and y of the three corners.
+ * @param uvs packed uv per vertex.
+ * @param a, b, c vertex indices of the triangle.
  */
 export function uvToTexels(
   out: Float64Array,

@@ -18,8 +18,9 @@ export function uvRanges(vertices: number, read: (vertex: number, axis: number) 
 }
 
 /**
- * Tests whether transformed texture coordinates can leave 0..1, where neighbouring pixels may sample opposite edges of a map. The map is
- * sampled at (a u + b v + c, d u + e v + f). With a rotation, the result may be true although the mesh stays within 0..1.
+ * Tests whether the transformed texture coordinates of a mesh may leave 0..1. Neighbouring pixels can then sample opposite edges of a map.
+ * Tests the corners of the range, so a rotation can give true although no vertex leaves 0..1. The map is sampled at
+ * `(a * u + b * v + c, d * u + e * v + f)`.
  */
 export function isTiledBy(
   ranges: UvRanges,

@@ -1,7 +1,7 @@
 /**
- * Writes a x b to `out`, which must be another array.
+ * Computes the cross product of `a` and `b`. `out` must be another array than both.
  *
- * @param i, j index of x of each vector.
+ * @param i, j indices of the vectors' x in `a` and `b`, for packed arrays.
  */
 export function cross(out: Float64Array, a: ArrayLike<number>, b: ArrayLike<number>, i = 0, j = 0): void {
   out[0] = a[i + 1] * b[j + 2] - a[i + 2] * b[j + 1]
@@ -9,6 +9,7 @@ export function cross(out: Float64Array, a: ArrayLike<number>, b: ArrayLike<numb
   out[2] = a[i] * b[j + 1] - a[i + 1] * b[j]
 }
 
+/** Computes the dot product. */
 export function dot(a: ArrayLike<number>, b: ArrayLike<number>): number {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
@@ -32,7 +33,7 @@ export function length3(x: number, y: number, z: number): number {
   return Math.sqrt(two + (c * c - rounding)) * largest
 }
 
-/** Computes the length of a 2D vector, like `length3`. */
+/** `length3` for two coordinates. */
 export function length2(x: number, y: number): number {
   const largest = Math.max(Math.abs(x), Math.abs(y))
   if (largest === 0) return 0
@@ -42,9 +43,9 @@ export function length2(x: number, y: number): number {
 }
 
 /**
- * Scales a vector to length 1 in place. The zero vector does not change.
+ * Scales a vector to length 1 in place. Leaves the zero vector unchanged.
  *
- * @param offset index of the vector's x.
+ * @param offset index of the vector's x in `vectors`, for packed arrays.
  */
 export function normalize(vectors: Float64Array | Float32Array, offset = 0): void {
   const scale = length3(vectors[offset], vectors[offset + 1], vectors[offset + 2]) || 1

@@ -1,8 +1,8 @@
-/** Original mesh, at rest, before its triangles are split. */
+/** Mesh to subdivide, in its rest pose. */
 export interface CoarseMesh {
-  /** x, y and z of each vertex, in metres. */
+  /** Packed xyz per vertex, metres. */
   positions: ArrayLike<number>
-  /** u and v of each vertex, for the layers' maps. */
+  /** Packed uv per vertex: texture coordinates of the layers' maps. */
   uvs: ArrayLike<number>
   /** Three vertex indices per triangle. */
   triangles: ArrayLike<number>

@@ -4,13 +4,13 @@ import type { CoarseMesh } from './coarse-mesh.ts'
 import type { Mask } from './height-fields.ts'
 import { MAX_LEVEL } from './welded-edges.ts'
 
-/** Marks with 1 each triangle that covers a texel of a mask. */
+/** Returns 1 for each triangle that covers a set texel of a mask, and 0 for the others. */
 export function coveredTriangles(mesh: CoarseMesh, mask: Mask): Uint8Array {
   const isCovered = coverage(mesh, mask)
   return Uint8Array.from({ length: Math.floor(mesh.triangles.length / 3) }, (_, t) => Number(isCovered(t)))
 }
 
-/** Returns a test of whether a triangle covers a texel of the mask. */
+/** Creates a function that tests whether a triangle covers a set texel of a mask. */
 export function coverage(
   { uvs, triangles }: CoarseMesh,
   { width, height, data }: Mask,
@@ -26,14 +26,14 @@ export function coverage(
     if (!corners.every(Number.isFinite)) return false
     moveIntoTexture(corners, width, height)
     any = 0
-    // Tests corners too, because a triangle smaller than a texel may cover no texel centre.
+    // A triangle smaller than a texel may cover no texel centre, so its corners are tested too.
     for (let k = 0; k < 6; k += 2) visit(Math.round(corners[k]), Math.round(corners[k + 1]))
     if (!any) rasterize(corners, 0, visit, box)
     return any > 0
   }
 }
 
-/** Returns the maximum number of halvings for each edge of a covered triangle, and 0 for other edges; see `splitMesh`. */
+/** Returns `halvings` for `splitMesh`: the maximum for all edges of covered triangles, and 0 for other edges. */
 export function mostHalvings(covered: Uint8Array): Float32Array {
   return Float32Array.from(
     { length: 3 * covered.length },
@@ -41,7 +41,7 @@ export function mostHalvings(covered: Uint8Array): Float32Array {
   )
 }
 
-/** Moves a triangle by whole textures until its centre is inside 0..1, because texture coordinates repeat. */
+/** Moves a triangle by multiples of the texture's size until its centre is inside the texture, because texture coordinates repeat. */
 function moveIntoTexture(corners: Float64Array, width: number, height: number): void {
   for (let axis = 0; axis < 2; axis++) {
     const size = axis === 0 ? width : height

@@ -3,11 +3,11 @@
  * texture seam have bit-identical `parents`, `weights` and `uvs`; a surface computed from these has no cracks.
  */
 export interface DenseMesh {
-  /** Number of vertices; the coarse mesh's own come first. */
+  /** Number of vertices. The vertices of the coarse mesh come first. */
   count: number
   /** Three vertex indices per triangle. */
   triangles: Uint32Array
-  /** Triangles of coarser versions of the surface, which use a subset of the vertices. */
+  /** Triangles of coarser versions of the surface. Each version uses a subset of the vertices. */
   coarser: Uint32Array[]
   /** Three coarse vertices per vertex, whose positions are interpolated. Of several coarse vertices at one position, the first is used. */
   parents: Uint32Array
@@ -23,7 +23,7 @@ export interface DenseMesh {
   edge: number
 }
 
-/** Typed array that grows. */
+/** Growing typed array. */
 class Numbers<T extends Float32Array | Uint32Array> {
   #array: T
   #length = 0
@@ -65,7 +65,7 @@ export class DenseBuilder {
     this.#versions = Array.from({ length: versions }, () => new Numbers(new Uint32Array()))
   }
 
-  /** Adds a vertex and returns its index. */
+  /** Adds a vertex by its coarse corners, barycentric weights and two pairs of texture coordinates. Returns the vertex index. */
   addVertex(
     corners: readonly [number, number, number],
     weights: readonly [number, number, number],

@@ -1,28 +1,28 @@
-/** Computes relief in float64. Tests compare the shaders of both renderers with it. */
+/** Reference implementation of relief in float64. Tests compare the shaders of all renderers with it. */
 import type { DenseMesh } from './dense-mesh.ts'
 
 /**
- * Shape factor of Phong tessellation: 0 = flat triangle, 1 = projections onto the tangent planes of the corners (T. Boubekeur, M. Alexa,
- * "Phong Tessellation", 2008). The authors choose 3/4 by eye; 1/2 reproduces quadratic surfaces exactly.
+ * Shape factor of Phong tessellation, 0..1 (T. Boubekeur, M. Alexa, "Phong Tessellation", 2008). The authors choose 3/4 by eye. 1/2 reproduces
+ * quadratic surfaces exactly.
  */
 export const PHONG = 0.5
 
-/** Room in metres at which Phong tessellation reaches its full strength. */
+/** Outward room in metres at which Phong tessellation has its full effect. With less room, the surface is flatter. */
 export const ROOM_TO_CURVE = 0.0005
 
-/** Current deformation of the coarse mesh. */
+/** Coarse mesh in its current pose. */
 export interface DeformedMesh {
-  /** x, y and z of each vertex. */
+  /** Packed xyz per vertex. */
   positions: ArrayLike<number>
-  /** Unit normal of each vertex; vertices at one position may have different normals. */
+  /** Unit normals, packed xyz per vertex. Vertices at one position may have different normals. */
   normals: ArrayLike<number>
 }
 
 /**
  * Sums the outward displacement of all layers.
  *
- * @param layers influence, 0..1; height, 0..1, 0.5 = undisplaced; and amplitude, metres from height 0 to 1.
- * @returns metres.
+ * @param layers influence 0..1, height 0..1 (0.5 = undisplaced), and amplitude in metres (difference between heights 0 and 1).
+ * @returns displacement in metres.
  */
 export function displacement(
   layers: readonly { influence: number; height: number; amplitude: number }[],
@@ -38,10 +38,10 @@ export function displacement(
  * along the smooth normal.
  *
  * @param heightAt returns the outward displacement at texture coordinates, metres.
- * @param room maximum displacement of each coarse vertex in either direction, metres, see `outwardRoom`. Without room the surface stays flat,
- *   because another mesh may be next to it.
+ * @param room maximum displacement in either direction by coarse vertex, metres, see `outwardRoom`. Near other surfaces there is almost no
+ *   room. The surface is not curved there, so that it still meets its neighbours.
  * @param amount 0 = the coarse mesh, 1 = full relief.
- * @returns x, y and z of each dense vertex.
+ * @returns packed xyz per dense vertex.
  */
 export function displace(
   dense: DenseMesh,
@@ -79,7 +79,7 @@ export function displace(
   return out
 }
 
-/** Averages the normals of all vertices at one position, for each first vertex. Keeps the vertex's own normal if they cancel out. */
+/** Averages the normals of all vertices at one position. If they cancel out, keeps the normal of the first vertex there. */
 export function smoothNormals(normals: ArrayLike<number>, firstOf: ArrayLike<number>): Float64Array {
   const sums = new Float64Array(normals.length)
   for (let i = 0; i < firstOf.length; i++) {
@@ -95,7 +95,7 @@ export function smoothNormals(normals: ArrayLike<number>, firstOf: ArrayLike<num
   return sums
 }
 
-/** Length; shorter sums of unit normals have no usable direction. */
+/** Minimum length of a sum of unit normals. Shorter sums have no meaningful direction. */
 export const CANCELLED = 1e-3
 
 function unit(vector: readonly number[]): number[] {

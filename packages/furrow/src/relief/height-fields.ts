@@ -1,8 +1,8 @@
 import type { ImageArray } from '../core/image-array.ts'
 
-/** Layer with heights that are in memory. */
+/** Layer with a height map. */
 export interface RaisedLayer {
-  /** Slice of the height array. */
+  /** Slice of the layer's height map. */
   slice: number
   /** Height difference from black to white, metres. */
   amplitude: number
@@ -10,28 +10,28 @@ export interface RaisedLayer {
   areas: readonly number[]
 }
 
-/** Texels that are 1 or 0. */
+/** Image with a value of 1 (set) or 0 per texel. */
 export interface Mask {
   width: number
   height: number
   data: Uint8Array
 }
 
-/** Gray value without displacement. */
+/** Gray of undisplaced skin. */
 const NEUTRAL = 127.5
 
-/** Displacement by a layer with all of its areas active, in texture space. */
+/** Displacement by one layer in texture space, if all areas of the layer are fully active. */
 export class HeightField {
   readonly width: number
   readonly height: number
-  /** Full-resolution heights, and the mipmaps computed so far. */
+  /** Height map, followed by its mipmaps. Mipmaps are computed on demand. */
   readonly #mipmaps: Gray[]
   readonly #metresPerGray: number
   readonly #weights: Gray | null
 
   /**
-   * @param heights gray, 127.5 = no displacement.
-   * @param areas one slice of weights per area; null if they are not in memory, which counts as 255 everywhere.
+   * @param heights height maps, 127.5 = undisplaced skin.
+   * @param areas weights, one slice per area. Null if the weights are only on the GPU; they then count as 255 everywhere.
    */
   constructor(
     { slice, amplitude, areas: slices }: RaisedLayer,
@@ -47,7 +47,7 @@ export class HeightField {
     this.#weights = areas && { ...areas, data: unite(areas, slices) }
   }
 
-  /** Adds the largest displacement of each texel in either direction, metres. */
+  /** Adds each texel's maximum displacement in either direction, metres. */
   addReach(sums: Float32Array): void {
     const [{ width, height, data }] = this.#mipmaps
     const areas = this.#weights && { ...this.#weights, data: widen(this.#weights.data, this.#weights) }
@@ -55,7 +55,7 @@ export class HeightField {
       const row = areas ? areas.width * Math.floor(((y + 0.5) / height) * areas.height) : 0
       for (let x = 0; x < width; x++) {
         const weight = areas ? areas.data[row + Math.floor(((x + 0.5) / width) * areas.width)] : 255
-        // Shortcut: areas cover a small part of the texture.
+        // No area covers most of the texture.
         if (weight === 0) continue
         const i = x + y * width
         sums[i] += (weight / 255) * Math.abs(data[i] - NEUTRAL) * this.#metresPerGray
@@ -64,14 +64,13 @@ export class HeightField {
   }
 
   /**
-   * Samples the outward displacement in metres, trilinearly like a GPU.
+   * Samples the outward displacement with bilinear filtering and repeated coordinates, metres. Texel centres are at integers.
    *
-   * @param x, y position in texels; centres are at integers, and coordinates repeat.
-   * @param level mipmap level, may be fractional.
+   * @param level mipmap level. Fractional levels interpolate between two mipmaps (trilinear filtering).
    */
   between(x: number, y: number, level = 0): number {
     const weight = this.#weights ? this.#bilinear(x, y, this.#weights) / 255 : 1
-    // Shortcut: areas cover a small part of the skin.
+    // No area of the layer covers most of the skin.
     if (weight === 0) return 0
     const finer = Math.floor(level)
     const gray = this.#bilinear(x, y, this.#mipmap(finer))
@@ -79,7 +78,7 @@ export class HeightField {
     return weight * (gray + (level - finer) * (coarser - gray) - NEUTRAL) * this.#metresPerGray
   }
 
-  /** Samples an image of another size at a position in texels of the full-resolution heights. */
+  /** Samples an image bilinearly. The coordinates are in texels of the height map, and the image may have another size. */
   #bilinear(atX: number, atY: number, { width, height, data }: Gray): number {
     const x = ((atX + 0.5) / this.width) * width - 0.5
     const y = ((atY + 0.5) / this.height) * height - 0.5
@@ -110,7 +109,7 @@ interface Gray {
   data: Uint8Array
 }
 
-/** Computes the next mipmap by a 2 x 2 box filter. */
+/** Computes the next mipmap: each texel is the mean of four. */
 function halve({ width, height, data }: Gray): Gray {
   const half = { width: Math.max(width >> 1, 1), height: Math.max(height >> 1, 1) }
   const out = new Uint8Array(half.width * half.height)
@@ -124,7 +123,7 @@ function halve({ width, height, data }: Gray): Gray {
   return { ...half, data: out }
 }
 
-/** Finds the texels at which all layers together can displace the surface by more than a threshold in metres. */
+/** Finds the texels that all layers together can displace by more than `metres`. */
 export function* raisedTexels(fields: readonly HeightField[], metres: number): Generator<void, Mask> {
   const [{ width, height }] = fields
   const sums = new Float32Array(width * height)
@@ -137,7 +136,7 @@ export function* raisedTexels(fields: readonly HeightField[], metres: number): G
   return { width, height, data: widen(mask, { width, height }) }
 }
 
-/** Finds the texels where any area has a weight above 0, regardless of heights. */
+/** Finds the texels that any of some areas covers, regardless of heights. */
 export function weightedTexels(areas: ImageArray, slices: readonly number[]): Mask {
   const weights = unite(areas, slices)
   const { width, height } = areas
@@ -155,7 +154,7 @@ function wrap(texel: number, size: number): number {
   return ((texel % size) + size) % size
 }
 
-/** Sums areas and clamps to 255: an upper bound for every way to combine them. */
+/** Adds the weights of some areas, clamped to 255. This is an upper bound for every `combine` mode. */
 function unite({ width, height, data }: ImageArray, slices: readonly number[]): Uint8Array {
   const sum = new Uint8ClampedArray(width * height)
   for (const slice of slices) {
@@ -165,7 +164,7 @@ function unite({ width, height, data }: ImageArray, slices: readonly number[]): 
   return new Uint8Array(sum.buffer)
 }
 
-/** Dilates by one texel, the reach of bilinear filtering. */
+/** Replaces each texel by the maximum of itself and its eight neighbours, because bilinear filtering reads neighbours. */
 function widen(values: Uint8Array, { width, height }: { width: number; height: number }): Uint8Array {
   const rows = new Uint8Array(values.length)
   for (let y = 0; y < height; y++) {

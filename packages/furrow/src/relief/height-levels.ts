@@ -2,12 +2,12 @@ import { triangleNormal, uvArea } from '../math/triangle.ts'
 import type { CoarseMesh } from './coarse-mesh.ts'
 
 /**
- * Chooses mipmap levels of the heights so that details narrower than the vertex spacing do not alias (L. Williams, "Pyramidal Parametrics",
- * 1983). Texels are half as wide as the spacing. With texels as wide as the spacing, the finest waves that vertices can show would lose three
- * quarters of their height instead of one quarter.
+ * Finds the mipmap level whose texels are half as wide as the distance between vertices. Narrower details would displace single vertices
+ * (L. Williams, "Pyramidal Parametrics", 1983). This level weakens the finest waves that the vertices can represent by a quarter. Texels as
+ * wide as the distance between vertices would weaken them by three quarters.
  *
- * @param firstOf first vertex at the position of each vertex, see `firstVertices`.
- * @param edge vertex spacing, metres.
+ * @param firstOf maps each vertex to the first vertex at the same position, see `firstVertices`.
+ * @param edge distance between vertices, metres.
  * @param map size of the height map in texels.
  * @returns level of each vertex, 0 = full resolution. Vertices at one position have the same level.
  */

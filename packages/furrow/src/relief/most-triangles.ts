@@ -1,2 +1,2 @@
-/** Maximum number of triangles after splitting. A mesh that has more is not split. */
+/** Default maximum number of triangles after subdivision. A mesh with more triangles is not subdivided. */
 export const MOST_TRIANGLES = 100_000

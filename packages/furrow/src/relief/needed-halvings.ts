@@ -6,26 +6,29 @@ import { type HeightField, raisedTexels } from './height-fields.ts'
 import { MAX_LEVEL, nextCorner } from './welded-edges.ts'
 
 /**
- * Maximum error of each version of the surface, metres: less than half a pixel at 10, 5 and 2.5 pixels per millimetre. A head is 2,000 pixels
- * high at 10 pixels per millimetre.
+ * Maximum error of the surface in metres, for each version of the dense mesh: less than half a pixel at 10, 5 and 2.5 pixels per millimetre.
+ * At 10 pixels per millimetre, a head is 2,000 pixels high.
  */
 export const TOLERANCES = [0.00004, 0.00008, 0.00016] as const
 
-/** Fraction of the error allowed on edges. Inside an equilateral triangle inscribed in a sphere, the error is 4/3 of the error on its edges. */
+/**
+ * Fraction of the maximum error that is allowed on edges, because the error is larger inside a triangle: on a sphere through the corners of
+ * an equilateral triangle, 4/3 of the error on the edges.
+ */
 const ON_EDGES = 3 / 4
 
-/** Maximum number of halvings measured per triangle; the grid has about one sample per texel. */
+/** Maximum number of halvings of a triangle's edges when heights are sampled, about one sample per texel. */
 const MOST = 5
 
 /**
- * Computes how often to halve each edge of each triangle, so that the mesh follows the heights and the curvature of the surface. An edge
- * is halved until lines parallel to it, inside the triangle, are accurate. Triangles are therefore split across folds and not along them, and
- * triangles with linear heights are not split.
+ * Computes how often to halve each edge of each triangle, so that the mesh follows the heights and the curvature of the surface. The error of
+ * an edge is the maximum over all lines in the triangle that are parallel to the edge. Triangles are therefore split across folds, not along
+ * them. Triangles with linear heights are not split.
  *
  * @param normals unit normals at rest.
  * @param levels mipmap level of the heights at each vertex, see `heightLevels`.
- * @returns for each tolerance, halvings of the edge from each corner to the next. Values are fractional: an edge with 1.5 is halved twice, but
- *   inner lines slightly longer than its halves are not halved again.
+ * @returns for each tolerance, the halvings of the edge from each corner to the next. Values are fractional: an edge with 1.5 is halved twice,
+ *   but inner lines that are slightly longer than half of the edge are halved only once.
  */
 export function* neededHalvings(
   mesh: CoarseMesh,
@@ -34,7 +37,7 @@ export function* neededHalvings(
   levels: ArrayLike<number>,
 ): Generator<void, Float32Array[]> {
   const { uvs, triangles } = mesh
-  // Smaller heights deviate from a flat triangle by at most the tolerance.
+  // Heights below half the tolerance need no vertices: the error is below the tolerance.
   const isCovered = coverage(mesh, yield* raisedTexels(fields, TOLERANCES[0] / 2))
   const count = Math.floor(triangles.length / 3)
   const needed = TOLERANCES.map(() => new Float32Array(3 * count))
@@ -55,7 +58,7 @@ export function* neededHalvings(
       const edge = 3 * t + k
       const bulge = bulgeOf(mesh, normals, edge)
       const misses = missesOf(grids, k, bulge)
-      // Coarsest version first, because a finer version contains all of its points.
+      // Starts with the coarsest version, because finer versions contain its vertices.
       let halvings = FEWEST
       for (let i = TOLERANCES.length - 1; i >= 0; i--) {
         halvings = Math.max(halvings, halvingsFor(misses, ON_EDGES * TOLERANCES[i]))
@@ -67,10 +70,13 @@ export function* neededHalvings(
   return needed
 }
 
-/** Triangles in one slice. */
+/** Number of triangles between two yields. */
 const SLICE = 256
 
-/** Returns the error in metres along lines parallel to an edge after a number of halvings. Each halving quarters the error of a curve. */
+/**
+ * Returns a function from a number of halvings to the error in metres along lines parallel to an edge. The error of a curved edge is divided by
+ * four with each halving.
+ */
 function missesOf(grids: readonly Grid[], edge: number, bulge: number): (halvings: number) => number {
   const known: number[] = []
   return (halvings) => {
@@ -79,10 +85,10 @@ function missesOf(grids: readonly Grid[], edge: number, bulge: number): (halving
   }
 }
 
-/** Lower bound, for edges along which the surface is straight: they could be eight times as long. */
+/** Minimum number of halvings. The value -3 means that the edge could be eight times as long. */
 const FEWEST = -3
 
-/** Returns the number of halvings that meets the tolerance. The last halving may be fractional. */
+/** Returns the number of halvings, usually fractional, after which the error is within the tolerance. */
 function halvingsFor(misses: (halvings: number) => number, tolerance: number): number {
   let enough = 0
   while (enough < MAX_LEVEL && misses(enough) > tolerance) enough++
@@ -91,9 +97,9 @@ function halvingsFor(misses: (halvings: number) => number, tolerance: number): n
 }
 
 /**
- * Makes the numbers of parts satisfy the triangle inequality, because `splitMesh` uses them as edge lengths.
+ * Increases halvings until the numbers of parts of a triangle's edges meet the triangle inequality. `splitPatch` treats them as edge lengths.
  *
- * @param first index of the first of three halvings.
+ * @param first index of the first of the triangle's three values.
  */
 function balance(halvings: Float32Array, first: number): void {
   const [a, b, c] = [first, first + 1, first + 2].sort((i, k) => halvings[i] - halvings[k])
@@ -101,7 +107,7 @@ function balance(halvings: Float32Array, first: number): void {
   if (rest > 2 ** halvings[b]) halvings[b] = Math.log2(rest)
 }
 
-/** Returns the distance in metres between an edge and the surface that Phong tessellation curves through its ends, see `displace`. */
+/** Computes the maximum distance between a straight edge and the edge curved by Phong tessellation (see `displace`), metres. */
 function bulgeOf({ positions, triangles }: CoarseMesh, normals: ArrayLike<number>, corner: number): number {
   const [from, to] = [3 * triangles[corner], 3 * triangles[nextCorner(corner)]]
   let [start, end] = [0, 0]
@@ -117,12 +123,12 @@ function longestSide([ax, ay, bx, by, cx, cy]: Float64Array): number {
   return Math.max(Math.hypot(bx - ax, by - ay), Math.hypot(cx - bx, cy - by), Math.hypot(ax - cx, ay - cy))
 }
 
-/** Heights sampled on a triangle at equal steps along its sides. */
+/** Displacements sampled on a triangle, on a regular grid of barycentric coordinates. */
 class Grid {
   readonly #field: HeightField
   #steps = 1
   readonly #values = new Float64Array((2 ** MOST + 1) ** 2)
-  /** By edge: start of its row, step to the next value, and step to the next row. */
+  /** Array offsets by edge: index of the edge's first value, step to the next value along the edge, and step to the next row. */
   readonly #from = new Int32Array(3)
   readonly #along = new Int32Array(3)
   readonly #across = new Int32Array(3)
@@ -132,16 +138,16 @@ class Grid {
   }
 
   /**
-   * Samples the heights of a triangle.
+   * Samples another triangle.
    *
-   * @param corners x and y of the corners, in texels.
-   * @param steps number of steps along each side.
-   * @returns false if the layer does not displace this triangle.
+   * @param corners x and y of the triangle's corners, texels.
+   * @param steps number of steps along each edge.
+   * @returns false if all displacements are 0.
    */
   read([ax, ay, bx, by, cx, cy]: Float64Array, steps: number, mipmap: number): boolean {
     this.#steps = steps
     const column = steps + 1
-    // Index i * column + j: i steps towards the first corner, j steps towards the second.
+    // The value at i steps towards the first corner and j steps towards the second has the index i * column + j.
     this.#from.set([steps * column, steps, 0])
     this.#along.set([1 - column, -1, column])
     this.#across.set([-column, column - 1, 1])
@@ -159,13 +165,13 @@ class Grid {
     return isRaised
   }
 
-  /** Returns the largest distance between heights and linear interpolation, along rows parallel to an edge after a number of halvings. */
+  /** Computes the maximum error if every row parallel to an edge is halved some times and its parts are straight. */
   error(edge: number, halvings: number): number {
     const stride = this.#steps / 2 ** halvings
     if (stride <= 1) return 0
     const step = this.#along[edge]
     let worst = 0
-    // Starts at the edge itself, the longest row.
+    // The first row is the edge itself. Each further row is one step shorter.
     for (let row = 0, first = this.#from[edge]; row < this.#steps; row++, first += this.#across[edge]) {
       const length = this.#steps - row
       for (let from = 0; from < length; from += stride) {

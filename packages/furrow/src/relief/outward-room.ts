@@ -6,23 +6,24 @@ import { nextCorner } from './welded-edges.ts'
 /** Fraction of the gap between two surfaces that each surface may fill. */
 const OF_GAP = 0.4
 
-/** Room per distance from a rim. */
+/** Increase of the room per distance from a rim. */
 const FROM_RIM = 0.25
 
 /** Room without obstacles, metres: more than the height of any fold. */
 const AMPLE = 0.01
 
-/** Cosine between two normals below which surfaces face each other, or an edge is a rim. */
+/** Maximum cosine between the normals of surfaces that face each other, and between the normals at both ends of a rim edge. */
 const OPPOSED = -0.2
 
 /**
- * Computes how far each vertex can move outwards without touching other skin. Of two surfaces that face each other, such as lips, each may
- * fill less than half of the gap. Rims, such as those of eyelids, touch other parts as the face moves: room is 0 there and grows with distance.
+ * Computes the room at each vertex: how far a surface may bulge outwards without touching itself. Lips face each other, so each may fill less
+ * than half of the gap. Rims, such as the rims of eyelids, touch other parts when the face moves. The room is therefore 0 on rims and grows
+ * with the distance from them.
  *
  * @param normals unit normals at rest.
- * @param firstOf first vertex at the position of each vertex, see `firstVertices`.
- * @param reach largest displacement, metres; limits the search for obstacles.
- * @returns outward room of each vertex, metres. A generator, so that pages can spread the work over frames.
+ * @param firstOf maps each vertex to the first vertex at the same position, see `firstVertices`.
+ * @param reach maximum displacement, metres. Rooms larger than this are not measured exactly.
+ * @returns generator that yields between parts of the work, and returns the room at each vertex, metres.
  */
 export function* outwardRoom(
   { positions, triangles }: CoarseMesh,
@@ -51,10 +52,10 @@ export function* outwardRoom(
   return room
 }
 
-/** Number of points per slice of work. */
+/** Number of points between two yields. */
 const SLICE = 512
 
-/** Tests whether point j is in front of point i and faces it. */
+/** Whether point `j` is in front of point `i`, and their surfaces face each other. */
 function isFacing(positions: ArrayLike<number>, smooth: Float64Array, i: number, j: number): boolean {
   if (i === j || dot(smooth, 3 * i, smooth, 3 * j) >= OPPOSED) return false
   let ahead = 0
@@ -62,7 +63,7 @@ function isFacing(positions: ArrayLike<number>, smooth: Float64Array, i: number,
   return ahead >= 0
 }
 
-/** Marks with 1 each first vertex on the border of the mesh or on an edge that folds back. */
+/** Returns 1 for each vertex on the border of the mesh, or on an edge where the surface folds back. Indexed by first vertex. */
 function rims(triangles: ArrayLike<number>, smooth: Float64Array, firstOf: Uint32Array): Uint8Array {
   const isRim = new Uint8Array(firstOf.length)
   const corners = triangles.length - (triangles.length % 3)
@@ -84,20 +85,20 @@ function rims(triangles: ArrayLike<number>, smooth: Float64Array, firstOf: Uint3
   return isRim
 }
 
-/** Uniform grid of points with a hash table of cubes; each cube is a linked list. */
+/** Spatial hash of points in cubic cells, for nearest-neighbour queries. */
 class PointGrid {
   readonly #positions: ArrayLike<number>
   readonly #side: number
-  /** Integer coordinates of each vertex's cube. */
+  /** Integer coordinates of each vertex's cell, packed xyz. */
   readonly #cubes: Int32Array
-  /** Hash table with linear probing: index + 1 of the last point of a cube, 0 = free. */
+  /** Hash table of cells with linear probing. Slots hold the index of the last point in the cell plus 1, or 0 if they are free. */
   readonly #last: Uint32Array
-  /** Index + 1 of the previous point in the same cube, 0 = none. */
+  /** Linked lists: index plus 1 of the previous point in the same cell, or 0. */
   readonly #before: Uint32Array
   readonly #count: number
-  /** Cube of the last query, cached because consecutive queries are often in one cube. */
+  /** Coordinates of the cell of the last query. Consecutive queries often have the same cell. */
   readonly #middle = [NaN, NaN, NaN]
-  /** Index + 1 of the last point of each occupied cube around it. */
+  /** Heads of the lists of all occupied cells around the last query. */
   readonly #around = new Uint32Array(27)
   #near = 0
 
@@ -116,7 +117,7 @@ class PointGrid {
     }
   }
 
-  /** Lists all points, cube by cube. */
+  /** Returns all points, cell by cell. */
   points(): Uint32Array {
     const all = new Uint32Array(this.#count)
     let count = 0
@@ -126,7 +127,7 @@ class PointGrid {
     return all
   }
 
-  /** Returns the distance to the nearest point that meets a condition, or Infinity if there is none within the side of a cube. */
+  /** Returns the distance to the nearest point that fulfils a condition, or Infinity if none is within one cell size. */
   nearest(i: number, condition: (j: number, i: number) => boolean): number {
     this.#lookAround(this.#cubes[3 * i], this.#cubes[3 * i + 1], this.#cubes[3 * i + 2])
     let least = this.#side ** 2
@@ -142,7 +143,7 @@ class PointGrid {
     return isFound ? Math.sqrt(least) : Infinity
   }
 
-  /** Collects the occupied cubes in the 3 x 3 x 3 neighbourhood of a cube. */
+  /** Finds the lists of a cell and of its 26 neighbours. */
   #lookAround(x: number, y: number, z: number): void {
     const middle = this.#middle
     if (middle[0] === x && middle[1] === y && middle[2] === z) return
@@ -167,7 +168,7 @@ class PointGrid {
     return x * x + y * y + z * z
   }
 
-  /** Returns the slot of a cube, or a free slot if the cube has no points. */
+  /** Returns the slot of a cell, or a free slot if the cell has no points. */
   #slotOf(x: number, y: number, z: number): number {
     const h = Math.imul(x, 0x9e3779b1) ^ Math.imul(y, 0x85ebca6b) ^ Math.imul(z, 0xc2b2ae35)
     const mask = this.#last.length - 1

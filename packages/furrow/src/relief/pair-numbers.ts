@@ -1,23 +1,23 @@
 /**
- * Assigns consecutive numbers to ordered pairs of vertices, such as edges. A hash table with linear probing: a `Map` takes several times as
- * long.
+ * Assigns consecutive numbers, from 0, to pairs of vertices such as edges. Uses a hash table with open addressing, which is several times
+ * faster than a `Map`.
  */
 export class PairNumbers {
-  /** Number of pairs so far. */
+  /** Number of distinct pairs. */
   count = 0
   readonly #firsts: Uint32Array
   readonly #seconds: Uint32Array
-  /** Pair number + 1, 0 = free. */
+  /** Hash table with linear probing. Slots hold the pair's number plus 1, or 0 if they are free. */
   readonly #slots: Uint32Array
 
-  /** @param most maximum number of pairs. */
+  /** @param most maximum number of distinct pairs. */
   constructor(most: number) {
     this.#firsts = new Uint32Array(most)
     this.#seconds = new Uint32Array(most)
     this.#slots = new Uint32Array(2 ** Math.ceil(Math.log2(2 * most + 2)))
   }
 
-  /** Returns the number of an ordered pair; a new pair gets the next number. */
+  /** Returns the number of an ordered pair. A new pair gets the next number. */
   numberOf(first: number, second: number): number {
     const slots = this.#slots
     const mask = slots.length - 1
@@ -33,7 +33,7 @@ export class PairNumbers {
   }
 }
 
-/** Combines both numbers, then applies the finaliser of MurmurHash3. */
+/** Hashes a pair with the finaliser of MurmurHash3. */
 function hash(first: number, second: number): number {
   let h = Math.imul(first, 0x9e3779b1) ^ second
   h = Math.imul(h ^ (h >>> 16), 0x85ebca6b)

@@ -1,9 +1,9 @@
 import { MAX_LEVEL } from './welded-edges.ts'
 
-/** Sum of a point's integer barycentric coordinates: a power of two, large enough for the shortest edges. */
+/** Sum of the integer barycentric coordinates of a point in a patch. A power of two that allows all halvings of an edge. */
 export const WHOLE = 2 ** (MAX_LEVEL + 4)
 
-/** Point of a patch: barycentric coordinates of the first two corners, in units of 1 / `WHOLE`, and vertex index. */
+/** Point of a patch: integer barycentric coordinates of the first and second corner, see `WHOLE`, and the vertex index. */
 interface Point {
   x: number
   y: number
@@ -16,19 +16,19 @@ export interface PatchRules {
   corners: readonly [number, number, number]
   /** Halvings of the edges from corner 0 to 1, 1 to 2 and 2 to 0. */
   levels: readonly [number, number, number]
-  /** Tests whether an inner edge is too long. In patches that only join their neighbours, none is. */
+  /** Whether to halve an edge inside the patch, given its step in barycentric coordinates. */
   isLong(dx: number, dy: number): boolean
-  /** Returns the vertex on an edge; `part` is the fraction of its length from the first corner. */
+  /** Returns the vertex on an edge of the patch. `part` is the fraction of the edge from its first corner, 0..1. */
   onEdge(edge: number, part: number): number
-  /** Returns the vertex at an inner point, always the same for the same coordinates. */
+  /** Returns the vertex inside the patch at integer barycentric coordinates. The same coordinates give the same vertex. */
   inside(x: number, y: number): number
 }
 
 /**
- * Splits a triangle by halving edges that are too long, recursively. The decision depends only on the edge, so that neighbours agree and no
- * T-junctions appear.
+ * Splits a triangle by halving all edges that are too long, recursively. The decision depends only on the edge, so both triangles at an edge
+ * decide alike, and there are no T-junctions.
  *
- * @param emit called with the vertices of each triangle, with the winding of the corners.
+ * @param emit receives the three vertices of each triangle, with the winding of the patch.
  */
 export function splitPatch(rules: PatchRules, emit: (a: number, b: number, c: number) => void): void {
   const middle = (p: Point, q: Point): Point | null => {
@@ -70,14 +70,14 @@ export function splitPatch(rules: PatchRules, emit: (a: number, b: number, c: nu
   split({ x: WHOLE, y: 0, index: a }, { x: 0, y: WHOLE, index: b }, { x: 0, y: 0, index: c })
 }
 
-/** Returns the edge of the patch on which both points lie, or -1. */
+/** Returns the index of the patch's edge that contains both points, or -1. */
 function edgeOf(p: Point, q: Point): number {
   if (p.x + p.y === WHOLE && q.x + q.y === WHOLE) return 0
   if (p.x === 0 && q.x === 0) return 1
   return p.y === 0 && q.y === 0 ? 2 : -1
 }
 
-/** Returns the position of a point along an edge, 0..1 from the edge's first corner. */
+/** Returns the position of a point along an edge of the patch, 0..1 from the edge's first corner. */
 function alongEdge({ x, y }: Point, edge: number): number {
   if (edge === 0) return y / WHOLE
   return edge === 1 ? 1 - y / WHOLE : x / WHOLE

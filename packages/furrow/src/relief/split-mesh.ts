@@ -8,26 +8,26 @@ import { WeldedEdges } from './welded-edges.ts'
 export interface SplitOptions {
   /** Target edge length, metres. */
   edge?: number
-  /** Maximum number of triangles. To meet it, edges get longer than `edge`. */
+  /** Maximum number of triangles. The target edge length is increased to fit. */
   budget?: number
-  /** Edge halvings of coarser versions of the surface; no version halves an edge more often than the previous one. */
+  /** Halvings for coarser versions of the surface, in the format of `halvings`. No edge has more halvings than in the version before. */
   coarser?: readonly Float32Array[]
 }
 
 export const SPLIT_DEFAULTS: Required<SplitOptions> = { edge: 0.0012, budget: MOST_TRIANGLES, coarser: [] }
 
-/** Edges longer than this multiple of the target are halved, so halves have 0.7 to 1.4 of the target. */
+/** Maximum edge length as a multiple of the target. Longer edges are halved, which leaves edges of 0.7 to 1.4 times the target. */
 const LONGEST = Math.SQRT2
 
-/** Number of coarse triangles per slice of work. */
+/** Number of coarse triangles between two yields. */
 const SLICE = 256
 
 /**
- * Splits triangles into patches, and joins the other triangles to them without T-junctions.
+ * Subdivides triangles, and joins neighbouring triangles to them without T-junctions.
  *
  * @param halvings maximum halvings of the three edges of each triangle, fractional, see `neededHalvings`. Edges shorter than the target are not
  *   halved.
- * @returns a generator, so that pages can spread the work over frames.
+ * @returns generator that yields between parts of the work, and returns the dense mesh.
  */
 export function* splitMesh(
   mesh: CoarseMesh,
@@ -50,7 +50,7 @@ export function* splitMesh(
   return splitter.dense.finish(edge)
 }
 
-/** Increases the target edge length until the mesh meets the budget of triangles. */
+/** Returns the smallest target edge length, at least `wanted`, that keeps the number of triangles within the budget. */
 function fitBudget(halvings: Float32Array, edges: WeldedEdges, wanted: number, budget: number): number {
   for (let edge = wanted; ; ) {
     const levels = edges.levelsFor(halvings, LONGEST * edge)
@@ -60,7 +60,7 @@ function fitBudget(halvings: Float32Array, edges: WeldedEdges, wanted: number, b
   }
 }
 
-/** Estimates the number of triangles: halving all three edges gives four. */
+/** Estimates the number of triangles. Halving all three edges of a triangle gives four triangles. */
 function countTriangles(edgeOf: Uint32Array, levels: Uint8Array): number {
   let sum = 0
   for (let k = 0; k < edgeOf.length; k += 3) {
@@ -69,19 +69,19 @@ function countTriangles(edgeOf: Uint32Array, levels: Uint8Array): number {
   return sum
 }
 
-/** Splits triangles one by one, for all versions. Neighbours share the vertices on their edge. */
+/** Splits triangles one by one, for all versions. Triangles with a common edge share the vertices on it. */
 class Splitter {
   readonly dense: DenseBuilder
   readonly #mesh: CoarseMesh
   readonly #edges: WeldedEdges
   readonly #levels: readonly Uint8Array[]
   readonly #longest: number
-  /** Split edges by their vertices; a seam has two edges. */
+  /** Cut edges by their two coarse vertices, and the first dense vertex on each. At a texture seam, both sides are separate edges. */
   readonly #cut: PairNumbers
   /** First new vertex on each split edge. */
   readonly #onEdges: Uint32Array
 
-  /** @param levels number of halvings of each edge, for each version, finest first. */
+  /** @param levels halvings of each edge in each version, finest version first. */
   constructor(mesh: CoarseMesh, edges: WeldedEdges, levels: readonly Uint8Array[], longest: number) {
     this.#mesh = mesh
     this.#edges = edges
@@ -97,7 +97,7 @@ class Splitter {
     }
   }
 
-  /** @param versions halvings of all edges, for each version. */
+  /** Splits triangle `t`. @param versions fractional halvings in each version, see `neededHalvings`. */
   split(t: number, versions: readonly Float32Array[]): void {
     const { triangles, positions } = this.#mesh
     const { edgeOf } = this.#edges
@@ -128,7 +128,7 @@ class Splitter {
     }
   }
 
-  /** @param known inner vertices of this triangle so far, by position. */
+  /** Returns the vertex inside a triangle at integer barycentric coordinates. @param known vertices of this triangle so far. */
   #inside(
     corners: readonly [number, number, number],
     x: number,
@@ -148,13 +148,13 @@ class Splitter {
     return vertex
   }
 
-  /** Returns the vertex at a fraction 0..1 of the edge from `a` to `b`. */
+  /** Returns the vertex on the edge from `a` to `b`. @param part fraction of the edge, 0..1. */
   #onEdge(corner: number, a: number, b: number, part: number): number {
     const isForward = this.#edges.startsAt(a, b)
     const from = isForward ? a : b
     const to = isForward ? b : a
     const edge = this.#edges.edgeOf[corner]
-    // Coarser versions use a subset of the finest version's vertices.
+    // Creates the vertices of the finest version, because coarser versions use a subset of them.
     const segments = 2 ** this.#levels[0][edge]
     const { count } = this.#cut
     const cut = this.#cut.numberOf(from, to)
@@ -176,18 +176,21 @@ class Splitter {
 }
 
 /**
- * Returns a function that measures a step within a triangle, as a squared length times `WHOLE` squared. Its metric gives each edge a length
- * equal to its number of parts. Edges of the split triangle must be shorter than 1 in this metric (P.-L. George, H. Borouchaki, "Delaunay
- * Triangulation and Meshing", 1998).
+ * Returns a function that measures the length of a step within a triangle in parts: an edge of the triangle is as long as the number of parts
+ * into which it is split (a metric as in P.-L. George, H. Borouchaki, "Delaunay Triangulation and Meshing", 1998). Steps longer than 1 are
+ * halved. The function returns the squared length times `WHOLE ** 2`.
  *
- * @param first index of the first of the three edges' halvings.
+ * @param first index of the first of the triangle's three values in `halvings`.
  */
 function partsOf(halvings: Float32Array, first: number): (dx: number, dy: number) => number {
   const [ab, bc, ca] = [4 ** halvings[first], 4 ** halvings[first + 1], 4 ** halvings[first + 2]]
   return (dx, dy) => dx * dx * ca + dx * dy * (ca + bc - ab) + dy * dy * bc
 }
 
-/** Returns a function that measures the squared length, times `WHOLE` squared, of a change of the first two barycentric coordinates. */
+/**
+ * Returns a function that measures the length of a step within a triangle. The arguments are the changes of the first two integer barycentric
+ * coordinates. The function returns the squared length times `WHOLE ** 2`.
+ */
 function squaredLengths(
   positions: ArrayLike<number>,
   [a, b, c]: readonly [number, number, number],
@@ -203,7 +206,7 @@ function squaredLengths(
   return (dx, dy) => dx * dx * xx + 2 * dx * dy * xy + dy * dy * yy
 }
 
-/** Returns two pairs of texture coordinates for each first vertex: the smallest and largest at its position, in lexicographic order. */
+/** Returns two pairs of texture coordinates for each first vertex: the smallest and the largest at its position, in lexicographic order. */
 function uvsOfPoints({ uvs }: CoarseMesh, firstOf: Uint32Array): Float64Array {
   const found = new Float64Array(4 * firstOf.length)
   for (let vertex = 0; vertex < firstOf.length; vertex++) {
@@ -211,6 +214,7 @@ function uvsOfPoints({ uvs }: CoarseMesh, firstOf: Uint32Array): Float64Array {
     const last = first + 2
     const u = uvs[2 * vertex]
     const v = uvs[2 * vertex + 1]
+    // The loop visits the first vertex at a position before the others.
     const isNew = first === 4 * vertex
     if (isNew || u < found[first] || (u === found[first] && v < found[first + 1])) {
       found[first] = u

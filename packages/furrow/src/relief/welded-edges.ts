@@ -2,26 +2,26 @@ import { weldVertices } from '../math/weld.ts'
 import type { CoarseMesh } from './coarse-mesh.ts'
 import { PairNumbers } from './pair-numbers.ts'
 
-/** Maximum number of halvings of an edge: 1 m into segments of 1 mm. */
+/** Maximum number of halvings of an edge: enough for segments of 1 mm on an edge of 1 m. */
 export const MAX_LEVEL = 10
 
-/** Number of texture coordinates per welded edge: u and v at both ends, on both sides of a seam. */
+/** Numbers per welded edge: u and v at both ends of two edges. */
 const PER_EDGE = 8
 
 /**
- * Edges of the welded mesh. Edges between the same two positions are one, regardless of texture coordinates. An edge starts at the end whose
- * first vertex has the smaller index.
+ * Numbered edges of the welded mesh. Edges between the same two positions are one welded edge, even if their texture coordinates differ. A
+ * welded edge starts at the end with the smaller index of `firstOf`.
  */
 export class WeldedEdges {
-  /** First vertex at the position of each vertex. */
+  /** Maps each vertex to the first vertex at the same position. */
   readonly firstOf: Uint32Array
-  /** Edge from each corner of each triangle to the next corner. */
+  /** Welded edge from each triangle corner to the next. */
   readonly edgeOf: Uint32Array
-  /** Number of edges. */
+  /** Number of welded edges. */
   readonly count: number
   readonly #lengths: Float64Array
   readonly #uvs: Float64Array
-  /** Scratch: texture coordinates of one side of an edge. */
+  /** Scratch: texture coordinates at both ends of an edge. */
   readonly #own = new Float64Array(4)
 
   constructor({ positions, uvs, triangles }: CoarseMesh) {
@@ -47,16 +47,16 @@ export class WeldedEdges {
     this.count = known.count
   }
 
-  /** Tests whether the edge between two vertices starts at `a`. */
+  /** Whether the welded edge between two vertices starts at `a`. */
   startsAt(a: number, b: number): boolean {
     return this.firstOf[a] < this.firstOf[b]
   }
 
   /**
-   * Returns a texture coordinate at a point of an edge. Both sides are equal except at a seam.
+   * Interpolates the texture coordinates at a point of a welded edge. At a seam there are two pairs, one per side; elsewhere both pairs are equal.
    *
-   * @param at fraction of the edge from its start, 0..1.
-   * @param k 0 and 1: u and v on the first side of a seam; 2 and 3: on the second.
+   * @param at position along the edge from its start, 0..1.
+   * @param k 0 and 1 for u and v of the first pair, 2 and 3 for u and v of the second.
    */
   uvAt(edge: number, at: number, k: number): number {
     const offset = PER_EDGE * edge + (k < 2 ? k : k + 2)
@@ -64,9 +64,11 @@ export class WeldedEdges {
   }
 
   /**
-   * Returns how often each edge is halved: as often as its most demanding triangle needs, but only until segments are no longer than `longest`.
+   * Computes the number of halvings of each welded edge: the maximum of its triangles, limited so that segments are not halved once they are
+   * shorter than `longest`.
    *
-   * @param halvings needed halvings of the three edges of each triangle.
+   * @param halvings fractional halvings of each triangle's edges.
+   * @returns integer halvings by welded edge. An edge gets `2 ** halvings` segments.
    */
   levelsFor(halvings: Float32Array, longest: number): Uint8Array {
     const levels = new Uint8Array(this.count)
@@ -91,7 +93,7 @@ export class WeldedEdges {
     if (isNew || this.#compare(last) > 0) this.#uvs.set(own, last)
   }
 
-  /** Compares the scratch coordinates with those at an offset, in lexicographic order: negative if they come first. */
+  /** Compares the scratch texture coordinates with those at an offset, in lexicographic order. Returns a negative number, 0, or a positive one. */
   #compare(offset: number): number {
     for (let k = 0; k < 4; k++) {
       const difference = this.#own[k] - this.#uvs[offset + k]
@@ -106,7 +108,7 @@ export function nextCorner(corner: number): number {
   return corner % 3 === 2 ? corner - 2 : corner + 1
 }
 
-/** Returns the first vertex at the position of each vertex. */
+/** Maps each vertex to the first vertex at the same position. */
 export function firstVertices(positions: ArrayLike<number>): Uint32Array {
   const { pointOf, count } = weldVertices(positions)
   const first = new Uint32Array(count)
@@ -114,7 +116,7 @@ export function firstVertices(positions: ArrayLike<number>): Uint32Array {
   return pointOf.map((point) => first[point])
 }
 
-/** Returns how many halvings make the segments no longer than `longest`. */
+/** Returns the number of halvings after which segments are at most `longest`. */
 function levelOf(length: number, longest: number): number {
   const level = Math.ceil(Math.log2(length / longest))
   return Number.isFinite(level) ? Math.min(Math.max(level, 0), MAX_LEVEL) : 0
