@@ -12,13 +12,13 @@ import { MAX_LEVEL, nextCorner } from './welded-edges.ts'
 export const TOLERANCES = [0.00004, 0.00008, 0.00016] as const
 
 /**
- * Fraction of the maximum error that is allowed on edges, because the error is larger inside a triangle: on a sphere through the corners of
- * an equilateral triangle, 4/3 of the error on the edges.
+ * Fraction of the maximum error that is allowed on edges, because the error is larger inside a triangle. For an equilateral triangle on a
+ * sphere, it is 4/3 of the error on the edges.
  */
 const ON_EDGES = 3 / 4
 
 /** Maximum number of halvings of a triangle's edges when heights are sampled, about one sample per texel. */
-const MOST = 5
+const MAX_GRID_HALVINGS = 5
 
 /**
  * Computes how often to halve each edge of each triangle, so that the mesh follows the heights and the curvature of the surface. The error of
@@ -52,7 +52,7 @@ export function* neededHalvings(
     const c = triangles[3 * t + 2]
     uvToTexels(corners, uvs, a, b, c, width, height)
     const mipmap = (levels[a] + levels[b] + levels[c]) / 3
-    const steps = 2 ** Math.min(Math.max(Math.ceil(Math.log2(longestSide(corners))), 0), MOST)
+    const steps = 2 ** Math.min(Math.max(Math.ceil(Math.log2(longestSide(corners))), 0), MAX_GRID_HALVINGS)
     const grids = all.filter((grid) => grid.read(corners, steps, mipmap))
     for (let k = 0; k < 3; k++) {
       const edge = 3 * t + k
@@ -127,7 +127,7 @@ function longestSide([ax, ay, bx, by, cx, cy]: Float64Array): number {
 class Grid {
   readonly #field: HeightField
   #steps = 1
-  readonly #values = new Float64Array((2 ** MOST + 1) ** 2)
+  readonly #values = new Float64Array((2 ** MAX_GRID_HALVINGS + 1) ** 2)
   /** Array offsets by edge: index of the edge's first value, step to the next value along the edge, and step to the next row. */
   readonly #from = new Int32Array(3)
   readonly #along = new Int32Array(3)

@@ -1,6 +1,6 @@
 import type { CoarseMesh } from './coarse-mesh.ts'
 import { DenseBuilder, type DenseMesh } from './dense-mesh.ts'
-import { MOST_TRIANGLES } from './most-triangles.ts'
+import { MAX_TRIANGLES } from './max-triangles.ts'
 import { PairNumbers } from './pair-numbers.ts'
 import { splitPatch, WHOLE } from './patch.ts'
 import { WeldedEdges } from './welded-edges.ts'
@@ -14,10 +14,10 @@ export interface SplitOptions {
   coarser?: readonly Float32Array[]
 }
 
-export const SPLIT_DEFAULTS: Required<SplitOptions> = { edge: 0.0012, budget: MOST_TRIANGLES, coarser: [] }
+export const SPLIT_DEFAULTS: Required<SplitOptions> = { edge: 0.0012, budget: MAX_TRIANGLES, coarser: [] }
 
 /** Maximum edge length as a multiple of the target. Longer edges are halved, which leaves edges of 0.7 to 1.4 times the target. */
-const LONGEST = Math.SQRT2
+const MAX_EDGE_FACTOR = Math.SQRT2
 
 /** Number of coarse triangles between two yields. */
 const SLICE = 256
@@ -40,9 +40,9 @@ export function* splitMesh(
   const edge = fitBudget(halvings, edges, wanted, budget)
   yield
   const versions = [halvings, ...coarser]
-  const levels = versions.map((version) => edges.levelsFor(version, LONGEST * edge))
+  const levels = versions.map((version) => edges.levelsFor(version, MAX_EDGE_FACTOR * edge))
   yield
-  const splitter = new Splitter(mesh, edges, levels, LONGEST * edge)
+  const splitter = new Splitter(mesh, edges, levels, MAX_EDGE_FACTOR * edge)
   for (let t = 0; 3 * t < halvings.length; t++) {
     splitter.split(t, versions)
     if (t % SLICE === SLICE - 1) yield
@@ -53,7 +53,7 @@ export function* splitMesh(
 /** Returns the smallest target edge length, at least `wanted`, that keeps the number of triangles within the budget. */
 function fitBudget(halvings: Float32Array, edges: WeldedEdges, wanted: number, budget: number): number {
   for (let edge = wanted; ; ) {
-    const levels = edges.levelsFor(halvings, LONGEST * edge)
+    const levels = edges.levelsFor(halvings, MAX_EDGE_FACTOR * edge)
     const count = countTriangles(edges.edgeOf, levels)
     if (count <= budget || levels.every((level) => level === 0)) return edge
     edge *= Math.max(1.05, Math.sqrt(count / budget))
@@ -176,9 +176,9 @@ class Splitter {
 }
 
 /**
- * Returns a function that measures the length of a step within a triangle in parts: an edge of the triangle is as long as the number of parts
- * into which it is split (a metric as in P.-L. George, H. Borouchaki, "Delaunay Triangulation and Meshing", 1998). Steps longer than 1 are
- * halved. The function returns the squared length times `WHOLE ** 2`.
+ * Returns a function that measures the length of a step within a triangle in a metric (see P.-L. George, H. Borouchaki, "Delaunay
+ * Triangulation and Meshing", 1998). In this metric, an edge of the triangle is as long as the number of parts into which it is split. Steps
+ * longer than 1 are halved. The function returns the squared length times `WHOLE ** 2`.
  *
  * @param first index of the first of the triangle's three values in `halvings`.
  */

@@ -1,6 +1,6 @@
 import { type InstancedMesh, type Mesh, REVISION } from 'three'
 import { FurrowError } from '../../core/error.ts'
-import { MOST_TRIANGLES } from '../../relief/most-triangles.ts'
+import { MAX_TRIANGLES } from '../../relief/max-triangles.ts'
 import { instancesOf } from '../mesh/instances.ts'
 import { releaseOf } from '../three-version.ts'
 
@@ -12,13 +12,13 @@ export function limitationOf(mesh: Mesh): FurrowError | null {
   const { index, attributes } = mesh.geometry
   const count = Math.floor((index ?? attributes.position).count / 3)
   const who = `Wrinkles.relief of mesh "${mesh.name}"`
-  if (count > MOST_TRIANGLES) {
+  if (count > MAX_TRIANGLES) {
     return new FurrowError({
       code: 'out-of-range',
       who,
       problem: 'too many triangles to split',
       value: count,
-      limit: `${MOST_TRIANGLES} triangles`,
+      limit: `${MAX_TRIANGLES} triangles`,
       remedy: 'simplify the mesh, and bake fine detail to its normal map',
     })
   }
