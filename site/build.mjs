@@ -20,12 +20,12 @@ await main(async () => {
     ['examples', buildExamples],
     ['studio', buildStudio],
   ])
-  say('site/dist is ready: any server of files shows it, under any path')
+  say('site/dist is ready: serve it with any static file server, under any path')
 })
 
 async function gather() {
   rmSync(PAGES, { recursive: true, force: true })
-  // They need what `setUp` builds.
+  // Imported here because these modules import packages that `setUp` builds.
   const { gatherPages } = await import('./gather/pages.mjs')
   const { gatherCommands } = await import('./gather/commands.mjs')
   const { gatherExamples } = await import('./gather/examples.mjs')
@@ -50,7 +50,7 @@ function buildStudio() {
   })
 }
 
-/** Says how long each step took. */
+/** Runs steps one after another and prints the time each took. */
 async function inOrder(steps) {
   for (const [name, work] of steps) {
     const start = performance.now()

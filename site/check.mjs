@@ -1,5 +1,5 @@
-// Checks the built site: `npm run site:check`. Links by Linkinator; performance, accessibility and best practices by Lighthouse. Both are
-// fetched by npx, since nothing else needs them and they bring 300 packages.
+// Checks the built site: `npm run site:check`. Linkinator checks links; Lighthouse checks performance, accessibility and best practices.
+// npx fetches both, so that their 300 packages stay out of package.json.
 
 import { execFile } from 'node:child_process'
 import { readFileSync } from 'node:fs'
@@ -13,7 +13,7 @@ import { serveSite } from './serve.mjs'
 const LINKINATOR = 'linkinator@7.6.1'
 const LIGHTHOUSE = 'lighthouse@12.8.2'
 
-/** Pages and the least that each category must have, of 100. */
+/** Pages with the minimum score of each category, 0..100. */
 const PAGES = [
   ['docs/guide.html', 95],
   ['docs/api/furrow.three.html', 95],
@@ -21,18 +21,18 @@ const PAGES = [
 ]
 const CATEGORIES = ['performance', 'accessibility', 'best-practices']
 
-/** Flags for Chromium without a display and without its sandbox. */
+/** Chromium without a display and without its sandbox, which containers do not allow. */
 const FLAGS = '--headless=new --no-sandbox --enable-unsafe-swiftshader'
 
 await main(async () => {
   const server = await serveSite()
   const folder = await mkdtemp(join(tmpdir(), 'furrow-site-'))
   try {
-    const faults = [
+    const problems = [
       ...(await checkLinks(server.address, folder)),
       ...(await checkPages(server.address, folder)),
     ]
-    if (faults.length > 0) throw new Failure(`site: ${faults.join('; ')}`)
+    if (problems.length > 0) throw new Failure(`site: ${problems.join('; ')}`)
     say('site: no broken link, all scores high enough')
   } finally {
     await rm(folder, { recursive: true })
@@ -40,7 +40,7 @@ await main(async () => {
   }
 })
 
-/** Follows every link, and looks for the heading that each names. */
+/** Follows every link, and checks that its fragment names a heading. */
 async function checkLinks(address, folder) {
   const config = join(folder, 'linkinator.json')
   const others = `^(?!${address})`
@@ -55,8 +55,8 @@ async function checkLinks(address, folder) {
 
 async function checkPages(address, folder) {
   process.env.CHROME_PATH = await ensureBrowser()
-  const faults = []
-  for (const [i, [page, least]] of PAGES.entries()) {
+  const problems = []
+  for (const [i, [page, minimum]] of PAGES.entries()) {
     const output = join(folder, `page-${i}.json`)
     const only = `--only-categories=${CATEGORIES.join(',')}`
     const words = ['npx', '-y', LIGHTHOUSE, `${address}${page}`, only, `--chrome-flags=${FLAGS}`, '--quiet']
@@ -70,7 +70,8 @@ async function checkPages(address, folder) {
     say(
       `${(page || 'first page').padEnd(28)} ${CATEGORIES.map((name, k) => `${name} ${scores[k]}`).join(', ')}; ${times}`,
     )
-    if (scores.some((score) => score < least)) faults.push(`${page || 'first page'} has less than ${least}`)
+    if (scores.some((score) => score < minimum))
+      problems.push(`${page || 'first page'} scores less than ${minimum}`)
     for (const name of CATEGORIES) {
       const lost = categories[name].auditRefs.filter(
         ({ id, weight }) => weight > 0 && (audits[id].score ?? 1) < 0.9,
@@ -78,10 +79,10 @@ async function checkPages(address, folder) {
       for (const { id } of lost) say(`  ${name}: ${audits[id].title}`)
     }
   }
-  return faults
+  return problems
 }
 
-/** Runs a program and returns its output. The exit code adds nothing to it. */
+/** Runs a program and returns its output. Linkinator's exit code is ignored, because its JSON lists every broken link. */
 function outputOf([program, ...words]) {
   return new Promise((done) => {
     execFile(program, words, { cwd: ROOT, maxBuffer: 1 << 28 }, (_, stdout) => done(stdout))

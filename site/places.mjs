@@ -1,11 +1,11 @@
-// Where files of the repository are on the site. Pages keep their folders, so that links between them stay as they are written.
+// Maps files of the repository to pages of the site. Pages keep their folders, so relative links between them stay valid.
 
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs'
 import { posix } from 'node:path'
 import { join } from 'node:path/posix'
 import { ROOT } from '../scripts/lib/run.mjs'
 
-/** Folders of which every Markdown file is a page, and single pages. */
+/** Folders whose Markdown files are all pages. */
 const FOLDERS = [
   'docs',
   'docs/api',
@@ -16,7 +16,9 @@ const FOLDERS = [
   'faces/hand',
   'faces/neck',
 ]
+/** Folders whose direct subfolders are treated like `FOLDERS`. */
 const SUBFOLDERS = ['bench']
+/** Markdown files outside these folders that are pages too. */
 const SINGLE = [
   'README.md',
   'CONTRIBUTING.md',
@@ -26,20 +28,20 @@ const SINGLE = [
   'studio/README.md',
 ]
 
-/** Files that pages link to, and that are on the site as they are. */
+/** Files that pages link to and the site serves unchanged. */
 const PUBLIC = /^docs\/schema\/.*\.json$/
 
-/** Folders of the repository that are applications on the site. */
+/** Folders of applications, with their start page on the site. */
 const APPLICATIONS = new Map([['studio', 'studio/index.html']])
 
-/** Markdown files of the repository that are pages of the site. */
+/** Lists the Markdown files of the repository that become pages. */
 export function pageFiles() {
   const below = SUBFOLDERS.flatMap((folder) =>
     readdirSync(join(ROOT, folder), { withFileTypes: true })
       .filter((entry) => entry.isDirectory())
       .map(({ name }) => `${folder}/${name}`),
   )
-  // The API reference is only there once it was generated.
+  // docs/api exists only after `npm run api`.
   const present = [...FOLDERS, ...below].filter((folder) => existsSync(join(ROOT, folder)))
   const found = present.flatMap((folder) =>
     readdirSync(join(ROOT, folder))
@@ -49,7 +51,7 @@ export function pageFiles() {
   return [...SINGLE.filter((file) => existsSync(join(ROOT, file))), ...found]
 }
 
-/** Names of the examples: `minimal` is examples/minimal.html. */
+/** Lists example names, sorted: `minimal` stands for examples/minimal.html. */
 export function exampleNames() {
   return readdirSync(join(ROOT, 'examples'))
     .filter((name) => name.endsWith('.html'))
@@ -57,38 +59,38 @@ export function exampleNames() {
     .sort()
 }
 
-/** The page of a Markdown file, relative to the site: a folder's README is its index, the repository's own an overview. */
+/** Returns the page of a Markdown file, relative to the site. A folder's README becomes index.md; the root README becomes overview.md. */
 export function pageOf(file) {
   if (file === 'README.md') return 'overview.md'
   return file.replace(/(^|\/)README\.md$/, '$1index.md')
 }
 
-/** The file of the repository that a page is made of. */
+/** Returns the repository file of a page: the inverse of `pageOf`. */
 export function fileOf(page) {
   if (page === 'overview.md') return 'README.md'
   return /\/index\.md$/.test(page) ? page.replace(/index\.md$/, 'README.md') : page
 }
 
 /**
- * Where a link in a file of the repository leads on the site.
+ * Resolves a relative link in a repository file to a link on the site.
  *
- * @param {string} file the file with the link.
- * @param {string} link relative, with or without a fragment.
- * @returns {{ href: string, leaves?: true } | undefined} `leaves`: to something that is no page. Undefined where the site does not have it and
- *   nobody knows the repository's address.
+ * @param {string} file repository file that contains the link.
+ * @param {string} link relative link, with or without a fragment.
+ * @returns {{ href: string, isExternal?: true } | undefined} `isExternal`: the target is not a VitePress page. Undefined if neither the site nor a
+ *   known repository has the target.
  */
-export function targetOf(file, link) {
+export function resolveLink(file, link) {
   const [path, fragment] = link.split(/(?=#)/)
   const target = join(posix.dirname(file), path).replace(/\/$/, '')
   const from = posix.dirname(pageOf(file))
-  const to = (place, more) => ({ href: `./${posix.relative(from, place)}${fragment ?? ''}`, ...more })
+  const to = (path, more) => ({ href: `./${posix.relative(from, path)}${fragment ?? ''}`, ...more })
   if (pages.has(target)) return to(pageOf(target))
   if (pages.has(`${target}/README.md`) && !APPLICATIONS.has(target)) return to(pageOf(`${target}/README.md`))
   const [, example] = /^examples\/([\w-]+)\.html$/.exec(target) ?? []
   if (example) return to(`examples/${example}.md`)
   if (target === 'examples') return to('examples/index.md')
-  if (APPLICATIONS.has(target)) return to(APPLICATIONS.get(target), { leaves: true })
-  if (PUBLIC.test(target)) return to(target, { leaves: true })
+  if (APPLICATIONS.has(target)) return to(APPLICATIONS.get(target), { isExternal: true })
+  if (PUBLIC.test(target)) return to(target, { isExternal: true })
   const address = repositoryAddress()
   if (!address) return undefined
   const isFolder = statSync(join(ROOT, target)).isDirectory()
@@ -97,7 +99,7 @@ export function targetOf(file, link) {
 
 const pages = new Set(pageFiles())
 
-/** The repository's address for readers, as package.json has it; undefined while it has none. */
+/** Returns the web address of the repository from package.json, or undefined if package.json has none. */
 export function repositoryAddress() {
   const { repository } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8'))
   return (repository?.url ?? repository)?.replace(/^git\+/, '').replace(/\.git$/, '')

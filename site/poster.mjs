@@ -1,4 +1,4 @@
-// Remakes the posters of the first page from the built site: `node site/poster.mjs`, after a change of its face or its light.
+// Renders the posters of the first page from the built site: `node site/poster.mjs`. Run it after a change of the face or its lighting.
 
 import { join } from 'node:path'
 import sharp from 'sharp'
@@ -10,8 +10,8 @@ const POSTERS = [
   ['poster-small.webp', 560],
 ]
 
-/** Nothing but the face, on no ground. */
-const ALONE = `
+/** Hides everything but the face, on a transparent background. */
+const FACE_ONLY = `
   * { background: none !important; }
   body * { visibility: hidden !important; }
   .stage .face { position: fixed !important; inset: 0; width: 560px !important; z-index: 99; }
@@ -24,10 +24,10 @@ await main(async () => {
   try {
     const page = await newPage(browser, { viewport: { width: 1280, height: 800 }, deviceScaleFactor: 2 })
     await page.goto(server.address)
-    await page.addStyleTag({ content: ALONE })
+    await page.addStyleTag({ content: FACE_ONLY })
     await page.keyboard.press('Shift')
     const canvas = await page.waitForSelector('canvas.drawn')
-    // The expression has come, and wrinkles are there.
+    // Long enough for the expression and its wrinkles to fade in.
     await page.waitForTimeout(4000)
     const picture = await canvas.screenshot({ omitBackground: true })
     for (const [name, side] of POSTERS) {

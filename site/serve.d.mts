@@ -1,2 +1,2 @@
-/** Serves the built site as any server of files would, under a path of its own. */
+/** Serves the built site like a static file server, under an arbitrary path. */
 export function serveSite(): Promise<{ address: string; close(): Promise<void> }>

@@ -2,10 +2,10 @@ import { join } from 'node:path'
 import { preview } from 'vite'
 import { ROOT } from '../scripts/lib/run.mjs'
 
-/** A folder that nobody built it for. */
+/** Arbitrary path: the site must work under any. */
 const PATH = '/somewhere/else/'
 
-/** Serves the built site as any server of files would, under a path of its own. */
+/** Serves the built site like a static file server, under an arbitrary path. */
 export async function serveSite() {
   const server = await preview({
     configFile: false,

@@ -8,7 +8,7 @@ import { slugOf } from './slug.mjs'
 
 const folder = (path) => fileURLToPath(new URL(path, import.meta.url))
 
-/** The studio's, so that both have one. */
+/** Same icon as the studio. */
 const ICON =
   "data:image/svg+xml,<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 32 32'><rect width='32' height='32' rx='7' fill='%2324272c'/><path d='M6 11q10-5 20 0M6 17q10-5 20 0M6 23q10-5 20 0' fill='none' stroke='%23e6b48c' stroke-width='2.4' stroke-linecap='round'/></svg>"
 
@@ -20,9 +20,9 @@ export default {
   lang: 'en',
   srcDir: './pages',
   outDir: './dist',
-  // All addresses are relative: the site works under any path.
+  // Relative URLs let the site work under any path.
   base: './',
-  // The studio and the live examples are built later.
+  // `npm run site` builds the studio and the live examples after these pages.
   ignoreDeadLinks: [/\/studio\//, /\/examples\/live\//],
   head: [
     ['link', { rel: 'icon', href: ICON }],
@@ -32,14 +32,14 @@ export default {
     anchor: { slugify: slugOf },
     toc: { slugify: slugOf },
     headers: { slugify: slugOf },
-    // Contrast of 4.5 and more on the grounds of the code.
+    // Contrast of at least 4.5 on the background of code blocks.
     theme: { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' },
     config(markdown) {
       repositoryLinks(markdown)
       indentedCode(markdown)
     },
   },
-  // By default a page that opens has the styles of all of its elements computed twice more, to keep colours from fading.
+  // VitePress's default forces two style recalculations of the whole page on load.
   appearance: { disableTransition: false },
   themeConfig: {
     logo: { src: ICON, alt: '' },
@@ -53,7 +53,7 @@ export default {
     externalLinkIcon: true,
   },
   vite: {
-    // Sources, not builds: the benchmark reaches into them, and two copies of the library know nothing of each other's faces.
+    // The benchmark imports source files. Resolving all imports to sources avoids a second copy of the library with its own state.
     resolve: SOURCES.resolve,
     cacheDir: folder('../../node_modules/.vite/site'),
     worker: { format: 'es' },

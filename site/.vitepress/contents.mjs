@@ -1,4 +1,4 @@
-// Entries of the site's menus, in order.
+// Navigation bar and sidebars.
 
 import { readCommands } from '../gather/commands.mjs'
 import { exampleNames } from '../places.mjs'

@@ -1,4 +1,4 @@
-/** A plugin of markdown-it: code that is indented looks, and is scrolled, like code between fences. */
+/** markdown-it plugin: renders indented code blocks like fenced ones, so that both scroll. */
 export function indentedCode(markdown) {
   markdown.core.ruler.push('furrow-indented-code', ({ tokens }) => {
     for (const token of tokens)

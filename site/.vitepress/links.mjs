@@ -1,10 +1,10 @@
-import { fileOf, targetOf } from '../places.mjs'
+import { fileOf, resolveLink } from '../places.mjs'
 
 const OUTSIDE = /^(?:[a-z]+:|\/|#)/i
 
 /**
- * A plugin of markdown-it: links between files of the repository become links of the site. What the site does not have is linked in the
- * repository, or is plain text where nobody knows its address.
+ * markdown-it plugin: turns links between repository files into links between pages. Links to other files lead to the repository, or become
+ * plain text while package.json names no repository.
  */
 export function repositoryLinks(markdown) {
   markdown.core.ruler.push('furrow-links', ({ tokens, env }) => {
@@ -14,18 +14,18 @@ export function repositoryLinks(markdown) {
   })
 }
 
-/** Pages that no file of the repository became; they link to pages only. */
+/** Generated pages have no repository file and link only to pages. */
 const isGenerated = (page) => page === 'index.md' || /^(commands|examples)\//.test(page)
 
 function rewrite(tokens, file) {
   for (const [i, token] of tokens.entries()) {
     const href = token.type === 'link_open' ? token.attrGet('href') : null
     if (href === null || OUTSIDE.test(href)) continue
-    const target = targetOf(file, decodeURI(href))
+    const target = resolveLink(file, decodeURI(href))
     if (target) {
       token.attrSet('href', target.href)
-      // The router of the pages knows nothing else.
-      if (target.leaves) token.attrSet('target', '_self')
+      // VitePress's router handles only pages; `_self` makes the browser load the target.
+      if (target.isExternal) token.attrSet('target', '_self')
     } else {
       toText(token)
       toText(tokens.slice(i).find(({ type }) => type === 'link_close'))

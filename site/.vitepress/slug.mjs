@@ -1,4 +1,4 @@
-/** The anchor of a heading, as GitHub makes it: links within the documentation count on that. */
+/** Returns the anchor that GitHub gives a heading, because links in the documentation use GitHub's anchors. */
 export function slugOf(heading) {
   return heading
     .trim()

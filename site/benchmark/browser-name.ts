@@ -1,4 +1,4 @@
-/** Client hints (https://wicg.github.io/ua-client-hints), which TypeScript does not know. */
+/** Client hints (https://wicg.github.io/ua-client-hints), missing in TypeScript's DOM types. */
 interface ClientHints {
   getHighEntropyValues(hints: string[]): Promise<{
     fullVersionList?: { brand: string; version: string }[]
@@ -7,10 +7,10 @@ interface ClientHints {
   }>
 }
 
-/** Brands that browsers make up, so that nobody relies on the list: `Not;A=Brand`. */
-const MADE_UP = /not.*brand/i
+/** Matches the placeholder that Chromium adds to its brand list, such as `Not;A=Brand`. */
+const PLACEHOLDER_BRAND = /not.*brand/i
 
-/** The browser and its system, with their versions; where the browser has no client hints, its user agent. */
+/** Returns browser and operating system with versions, or the user agent if the browser has no client hints. */
 export async function browserName(): Promise<string> {
   const { userAgentData } = navigator as { userAgentData?: ClientHints }
   if (!userAgentData) return navigator.userAgent
@@ -20,8 +20,8 @@ export async function browserName(): Promise<string> {
     platform,
     platformVersion = '',
   } = await userAgentData.getHighEntropyValues(hints)
-  const brands = fullVersionList.filter(({ brand }) => !MADE_UP.test(brand))
-  // Chrome is listed beside the Chromium that it is made of.
+  const brands = fullVersionList.filter(({ brand }) => !PLACEHOLDER_BRAND.test(brand))
+  // Chromium-based browsers list Chromium as well as their own brand.
   const own = brands.find(({ brand }) => brand !== 'Chromium') ?? brands[0]
   if (!own) return navigator.userAgent
   return `${own.brand} ${own.version}, ${platform} ${platformVersion}`.trim()

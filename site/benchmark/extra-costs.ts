@@ -1,6 +1,6 @@
 import type { Result } from '../../bench/report.ts'
 
-/** Frame time that moving wrinkles add to the plain face, on one renderer. */
+/** Frame time that moving wrinkles add to the plain face on one renderer. */
 export interface ExtraCosts {
   renderer: string
   adapter: string
@@ -10,16 +10,16 @@ export interface ExtraCosts {
 
 export interface Bar {
   name: string
-  /** Added time as a fraction of the plain face's. */
+  /** Added time as a fraction of the plain face's time. */
   extra: number
-  /** Length relative to the longest bar of all renderers, 0..1. */
+  /** Length relative to the longest bar over all renderers, 0..1. */
   length: number
 }
 
 const TITLES = { webgl: 'WebGL 2', webgpu: 'WebGPU' }
 const MAPS = { normals: '', all: ', all maps' }
 
-/** Bars of each renderer that was measured, in the order of the results. */
+/** Computes the bars of each measured renderer, in the order of the results. */
 export function extraCosts(results: readonly Result[]): ExtraCosts[] {
   const moving = results.filter(({ still }) => !still)
   const longest = Math.max(...moving.map(({ ratioToPlain }) => ratioToPlain - 1))
@@ -30,7 +30,7 @@ export function extraCosts(results: readonly Result[]): ExtraCosts[] {
       .filter(({ variant }) => variant !== 'plain')
       .map(({ variant, maps, ratioToPlain }) => {
         const extra = ratioToPlain - 1
-        // Noise makes some a little quicker than the plain face.
+        // Noise can make a variant slightly faster than the plain face.
         return { name: variant + MAPS[maps], extra, length: Math.max(0, extra) / longest }
       })
     return { renderer: TITLES[renderer], adapter, plainMs, bars }

@@ -1,4 +1,4 @@
-/** The quick benchmark of bench/, on the visitor's own GPU. */
+/** Runs the quick benchmark of bench/ on the visitor's GPU. */
 
 import { listCases, RENDERER_KINDS } from '../../bench/case.ts'
 import { LINE_VARIANTS, toLine } from '../../bench/line.ts'
@@ -10,9 +10,9 @@ import { loadFace } from '../../stage/face.ts'
 import type { RendererKind } from '../../stage/stage.ts'
 import { browserName } from './browser-name.ts'
 
-/** Most pages fill less, and small pictures are where wrinkles cost most beside the plain face. */
+/** Typical canvas size. Relative to the plain face, wrinkles cost more in small images than in large ones. */
 const SIZE = { width: 1280, height: 720 }
-/** Graphics cards make the same program of a shader each time, unlike rasterisers. */
+/** Few rounds suffice: a GPU driver compiles a shader to the same program every time; software rasterisers do not. */
 const ROUNDS = 3
 
 export interface BenchmarkRun {
@@ -24,11 +24,11 @@ export interface BenchmarkRun {
 }
 
 /**
- * Measures what the visitor's browser has.
+ * Measures each renderer that the browser supports.
  *
- * @param face address of `faces/human.glb`.
- * @param progress called with the fraction that is done, 0..1.
- * @throws Error if nothing could be measured; the signal's reason when it is aborted.
+ * @param face URL of `faces/human.glb`.
+ * @param progress called with the completed fraction, 0..1.
+ * @throws Error if every renderer failed; the signal's reason if aborted.
  */
 export async function runBenchmark(
   face: string,

@@ -1,4 +1,4 @@
-/** The face of the first page: it is drawn when something has changed, and moves with the pointer. */
+/** The face of the first page. It follows the pointer and renders only after changes. */
 
 import { EXPRESSIONS, type Expression } from 'furrow'
 import { ExpressionPlayer, frameFace, type WrinklesBase, wrinklesOf, wrinklesReady } from 'furrow/three'
@@ -15,24 +15,26 @@ import {
   WebGLRenderer,
 } from 'three'
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js'
-import { type AvatarFile, loadAvatar, type Making } from './load-avatar.ts'
+import { type AvatarFile, type AvatarOptions, loadAvatar } from './load-avatar.ts'
 
-/** Seconds in which the face follows, and in which a chosen expression comes. */
+/** Fade time when the face follows the pointer, seconds. */
 const FOLLOW = 0.12
+/** Fade time of an expression chosen by button, seconds. */
 const CHANGE = 0.35
 
-/** Radians that the camera moves round the face, unless the visitor wants less motion, and how much of the way in each frame. */
+/** Largest camera rotation around the face, radians; zero with `prefers-reduced-motion`. */
 const YAW = 0.2
 const PITCH = 0.1
+/** Fraction of the remaining rotation done per frame. */
 const EASE = 0.12
 
-/** Milliseconds that it is drawn after the last change. */
+/** Rendering time after the last change, milliseconds. */
 const LINGER = 600
 
-/** Nearer than `frameFace` goes. */
+/** Closer than the default of `frameFace`. */
 const ZOOM = 1.28
 
-/** Expression for each direction of the pointer, seen from the middle of the face. */
+/** Expression for each direction of the pointer from the centre of the face. */
 const UP = 'surprised'
 const DOWN = 'angry'
 const RIGHT = 'happy'
@@ -40,7 +42,7 @@ const LEFT = 'disgusted'
 
 const NAMES = ['neutral', UP, DOWN, RIGHT, LEFT]
 
-/** Where the eyes look. The person's left is the picture's right. */
+/** Gaze in image directions. The person's left is on the right of the image. */
 const GAZES: readonly Expression[] = [
   gaze('gazeUp', { eyeLookUpLeft: 0.6, eyeLookUpRight: 0.6 }),
   gaze('gazeDown', { eyeLookDownLeft: 0.5, eyeLookDownRight: 0.5 }),
@@ -52,8 +54,8 @@ function gaze(name: string, targets: Record<string, number>): Expression {
   return { name, targets, activations: {} }
 }
 
-/** The file's drivers make the wrinkles from the blendshapes: expressions bring none of their own. */
-const MOVED = [
+/** Expressions without activations, because the file's drivers compute them from the blendshapes. */
+const PLAYED = [
   ...EXPRESSIONS.filter(({ name }) => NAMES.includes(name)).map((expression) => ({
     ...expression,
     activations: {},
@@ -70,13 +72,13 @@ export class LiveFace {
   #wrinkles: WrinklesBase | undefined
   #wrinkled = true
   readonly #target = new Vector3()
-  /** Camera position relative to the target while the pointer is in the middle. */
+  /** Camera position relative to the target while the pointer is in the centre. */
   readonly #rest = new Spherical()
-  /** Where the pointer is, -1..1, and where the camera has followed it to. */
+  /** Pointer position, -1..1, and the eased position that the camera uses. */
   readonly #aim = { x: 0, y: 0 }
   readonly #now = { x: 0, y: 0 }
   readonly #isCalm = matchMedia('(prefers-reduced-motion: reduce)')
-  /** Milliseconds, by the page's clock. */
+  /** Time of `performance.now()` at which rendering stops, milliseconds. */
   #drawnUntil = 0
 
   /** @throws Error if the browser has no WebGL 2. */
@@ -91,16 +93,16 @@ export class LiveFace {
   }
 
   /**
-   * Shows an avatar in place of the last one; its wrinkles are made where it has none.
+   * Replaces the shown avatar. Generates wrinkles if the file has none.
    *
-   * @returns whether it wrinkles.
-   * @throws Error if it cannot be read.
+   * @returns whether the avatar has wrinkles.
+   * @throws Error if the file cannot be read.
    */
-  async show(file: AvatarFile, making?: Making): Promise<boolean> {
-    const avatar = await loadAvatar(file, this.#renderer, making)
-    // A face without blendshapes is shown as it is.
+  async show(file: AvatarFile, options?: AvatarOptions): Promise<boolean> {
+    const avatar = await loadAvatar(file, this.#renderer, options)
+    // A face without blendshapes has no expressions to play.
     const player = hasBlendshapes(avatar.scene)
-      ? new ExpressionPlayer(avatar.scene, wrinklesOf(avatar)[0], MOVED)
+      ? new ExpressionPlayer(avatar.scene, wrinklesOf(avatar)[0], PLAYED)
       : undefined
     if (this.#face) this.#scene.remove(this.#face)
     this.#face = avatar.scene
@@ -116,7 +118,7 @@ export class LiveFace {
     return wrinkles !== undefined
   }
 
-  /** Whether the wrinkles are seen. */
+  /** Whether wrinkles are visible. */
   get wrinkled(): boolean {
     return this.#wrinkled
   }
@@ -127,7 +129,7 @@ export class LiveFace {
     this.#draw()
   }
 
-  /** Moves the face by a pointer: -1..1 from the middle of the face, x to the right, y down. */
+  /** Moves the face by pointer position: -1..1 from the centre of the face, x to the right, y down. */
   aim(x: number, y: number): void {
     const far = Math.min(1, Math.hypot(x, y))
     const part = (along: number) => Math.min(1, Math.max(0, along * (0.4 + 0.6 * far)))
@@ -185,7 +187,7 @@ export class LiveFace {
     this.#draw()
   }
 
-  /** Draws for a while: what follows a change comes in later frames, such as wrinkles that fade in. */
+  /** Requests rendering for `LINGER` milliseconds, because wrinkles fade in over several frames. */
   #draw(): void {
     this.#drawnUntil = performance.now() + LINGER
   }
@@ -199,7 +201,7 @@ export class LiveFace {
     this.#renderer.render(this.#scene, this.#camera)
   }
 
-  /** Moves the camera on. Returns whether it has moved. */
+  /** Moves the camera towards the pointer. Returns whether the camera is still moving. */
   #follow(): boolean {
     const { x, y } = this.#aim
     const [dx, dy] = [x - this.#now.x, y - this.#now.y]

@@ -1,4 +1,4 @@
-/** The blendshapes that the first page moves: its face has no others. */
+/** Blendshapes kept in the face of the first page, beside those that its drivers read. */
 
 const both = (name) => [`${name}Left`, `${name}Right`]
 

@@ -1,4 +1,4 @@
-// The command reference, of the definitions that `--help` prints.
+// Generates the command reference from the definitions behind `--help`.
 
 import { mkdirSync, readdirSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -7,7 +7,7 @@ import { ROOT } from '../../scripts/lib/run.mjs'
 
 const COMMANDS = ['commands', 'batch/commands'].map((folder) => join(ROOT, 'packages/cli/dist', folder))
 
-/** Writes a page for each command, and one that lists them. */
+/** Writes one page per command and an index. */
 export async function gatherCommands(folder) {
   const commands = await readCommands()
   mkdirSync(join(folder, 'commands'), { recursive: true })
@@ -26,9 +26,9 @@ export async function gatherCommands(folder) {
 }
 
 const INTRODUCTION =
-  'What `npx furrow help COMMAND` prints. With `furrow-cli` installed, `npx furrow` runs a command; without it, `npx --yes furrow-cli` does.'
+  'These pages contain the output of `npx furrow help COMMAND`. `npx furrow` runs a command if `furrow-cli` is installed; otherwise use `npx --yes furrow-cli`.'
 
-/** Every command that a file of these folders exports, by name. */
+/** Imports all commands, sorted by name. */
 export async function readCommands() {
   const files = COMMANDS.flatMap((folder) => readdirSync(folder).map((name) => join(folder, name)))
   const scripts = files.filter((file) => file.endsWith('.js'))
@@ -45,7 +45,7 @@ function page(command) {
   const argumentsOf = command.registeredArguments
   return `${[
     `# furrow ${command.name()}`,
-    `${sentence(command.description())}`,
+    asSentence(command.description()),
     fence('sh', `npx furrow ${command.name()} ${command.usage()}`),
     ...section(
       'Arguments',
@@ -69,7 +69,7 @@ function section(title, heads, rows) {
   return [`## ${title}`, [`| ${heads.join(' | ')} |`, '| --- | --- |', ...lines].join('\n')]
 }
 
-/** Collects the help below the options: paragraphs, and examples as commands. */
+/** Converts the help text below the options to Markdown: paragraphs, examples as commands. */
 function notes(command) {
   let written = ''
   command.emit('afterHelp', { command, error: false, write: (more) => (written += more) })
@@ -77,7 +77,7 @@ function notes(command) {
   return blocks.filter(Boolean).flatMap((block) => {
     const [first, ...lines] = block.split('\n')
     if (first === 'Examples:') return ['## Examples', fence('sh', lines.map(withoutPrompt).join('\n'))]
-    // Lines of a list or table keep their columns.
+    // A text fence keeps the columns of lists and tables.
     if (lines.some((line) => line.startsWith('  '))) return [fence('text', block)]
     return [text(block.replaceAll('\n', ' '))]
   })
@@ -85,9 +85,9 @@ function notes(command) {
 
 const withoutPrompt = (line) => line.replace(/^ *\$ furrow/, 'npx furrow').trimStart()
 const fence = (language, content) => `\`\`\`${language}\n${content}\n\`\`\``
-const sentence = (description) => `${text(description.charAt(0).toUpperCase() + description.slice(1))}.`
+const asSentence = (description) => `${text(description.charAt(0).toUpperCase() + description.slice(1))}.`
 
-/** Plain text as Markdown. */
+/** Escapes plain text for Markdown. */
 function text(plain) {
   return plain.replace(/[\\`*_{}[\]<>|#]/g, (character) => `\\${character}`)
 }

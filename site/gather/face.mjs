@@ -1,4 +1,4 @@
-// The face of the first page: the shipped one, with only the blendshapes that the page or a driver names, quantised and compressed.
+// Makes the first page's face from faces/human.glb: removes blendshapes that neither the page nor a driver uses, quantises and compresses.
 
 import { readFileSync } from 'node:fs'
 import { meshopt, prune, textureCompress } from '@gltf-transform/functions'
@@ -7,10 +7,10 @@ import sharp from 'sharp'
 import { transformFile } from '../../scripts/lib/transform.mjs'
 import { TARGETS } from '../first-page/targets.mjs'
 
-/** Largest side of a texture: the face fills half of a screen. */
+/** Largest texture side in texels: the face fills half of the screen. */
 const SIDE = 1024
 
-/** Writes a face of about a third of the bytes. */
+/** Writes a face of about a third of the input's size. */
 export function gatherFace(input, output) {
   return transformFile(input, output, [
     keepTargets(new Set([...TARGETS, ...driverTargets(input)])),
@@ -26,7 +26,10 @@ export function gatherFace(input, output) {
   ])
 }
 
-/** Every word in the wrinkles of a .glb, of which some are blendshapes. Its JSON is at byte 20 (glTF 2.0, section 4.4). */
+/**
+ * Returns all words in the wrinkle extension of a .glb, which include the blendshapes that drivers read. A .glb's JSON starts at byte 20
+ * (glTF 2.0, section 4.4).
+ */
 function driverTargets(path) {
   const bytes = readFileSync(path)
   const json = JSON.parse(bytes.toString('utf8', 20, 20 + bytes.readUInt32LE(12)))
@@ -34,7 +37,7 @@ function driverTargets(path) {
   return JSON.stringify(wrinkles).match(/\w+/g)
 }
 
-/** Removes all other blendshapes, which are the most of the file. */
+/** Removes blendshapes that are not in `names`: they take most of the file. */
 function keepTargets(names) {
   return (document) => {
     for (const mesh of document.getRoot().listMeshes()) {

@@ -3,11 +3,11 @@ import { dirname, join } from 'node:path'
 import { ROOT } from '../../scripts/lib/run.mjs'
 import { pageFiles, pageOf } from '../places.mjs'
 
-/** Pictures on pages, and files that pages link to. */
 const FIGURES = ['docs/figures']
+/** Files that pages link to and the site serves unchanged. */
 const PUBLIC = ['docs/schema']
 
-/** Copies the Markdown files, their figures and the files that they link to. */
+/** Copies the Markdown files, their figures and the files they link to. */
 export function gatherPages(folder) {
   for (const file of pageFiles()) copy(file, join(folder, pageOf(file)))
   for (const path of FIGURES) copy(path, join(folder, path))

@@ -155,10 +155,10 @@ describe('the first page', () => {
   it("makes wrinkles for a visitor's avatar, by keyboard alone", async () => {
     await withPage('', { viewport: DESKTOP }, async (page) => {
       await mounted(page)
-      await page.getByLabel('Open an avatar of your own').setInputFiles(BARE_FACES[0].path)
+      await page.getByLabel('Open your avatar').setInputFiles(BARE_FACES[0].path)
       await expect
         .poll(() => page.locator('.stage .message').innerText(), { timeout: 240_000, interval: 500 })
-        .toMatch(/wrinkles\. Nothing has left this machine/)
+        .toMatch(/now has wrinkles\. The file was not uploaded/)
       await page.getByRole('button', { name: 'surprised' }).focus()
       await page.keyboard.press('Enter')
       const wrinkled = await settled(page)
@@ -173,7 +173,7 @@ describe('the first page', () => {
     await withPage('', { viewport: DESKTOP }, async (page) => {
       const file = { name: 'notes.glb', mimeType: 'model/gltf-binary', buffer: Buffer.from('not a face') }
       await mounted(page)
-      await page.getByLabel('Open an avatar of your own').setInputFiles(file)
+      await page.getByLabel('Open your avatar').setInputFiles(file)
       await page.getByText('notes.glb cannot be opened').waitFor()
       expect(contrast(await settled(page))).toBeGreaterThan(100)
     })
@@ -187,7 +187,7 @@ describe('the first page', () => {
     await page.goto(site.address)
     await mounted(page)
     await page.mouse.move(10, 10)
-    await page.getByText('The face cannot be drawn here').waitFor()
+    await page.getByText('This browser cannot show the face').waitFor()
     expect(contrast(await faceOf(page))).toBeGreaterThan(100)
     await page.context().close()
   })
