@@ -10,7 +10,7 @@ import {
 import { changed, checkCount, checkNewName, findNamed, kept, replaceNamed } from './names.ts'
 import { checkRange } from './ranges.ts'
 
-/** Maximum scale and amplitude in files. */
+/** Maximum of scales and amplitudes in files. */
 const LARGEST = 1000
 
 /** Layer fields that are set without further changes. */

@@ -1,7 +1,7 @@
 /** List relative to a previous one: indices of kept items, and new items. */
 export type ListChanges<T> = (number | T)[]
 
-/** Computes the changes between two lists by identity, which objects lose on the way to a worker. */
+/** Computes the changes between two lists of objects, compared by identity. A worker receives copies, so it cannot compare them itself. */
 export function changesOf<T extends object>(before: readonly T[], after: readonly T[]): ListChanges<T> {
   const indices = new Map(before.map((item, i) => [item, i]))
   return after.map((item) => indices.get(item) ?? item)

@@ -5,7 +5,7 @@ import { parseStored, type StoredDocument } from './stored-document.ts'
 /** Record format version. */
 const VERSION = 1
 
-/** Document whose images are replaced by numbers of separate records. */
+/** Document in which each image is replaced by the number of a separate record. */
 export interface DocumentRecord {
   version: number
   document: StoredDocument

@@ -17,7 +17,7 @@ type Numbers = ReadonlyMap<ImageRecord, number>
 /** State of a project in the database. */
 interface Stored {
   readonly images: Numbers
-  /** Connection that wrote or read the images. Under a new connection, nothing is known to be stored. */
+  /** Database connection that wrote or read the images. After a reconnection, all images are written again. */
   readonly by: unknown
 }
 

@@ -3,7 +3,7 @@ import { barycentricsAt, walk } from 'furrow/internal'
 import type { PaintMap } from './paint-map.ts'
 import type { PaintSkin, SkinPoint } from './paint-skin.ts'
 
-/** Weight of the enclosing outline. */
+/** Minimum weight, 0..255, of an outline that stops the fill. */
 const ENCLOSING = 128
 /** Maximum distance of neighbouring texels of an island on the skin, in texel sides: skewed UVs stretch texels. */
 const MAX_SKEW = 6
@@ -11,9 +11,9 @@ const MAX_SKEW = 6
 const NONE = -1
 
 /**
- * Flood fill on the skin, across seams. Fills the connected texels that are on the same side of one half as the start. At an
- * enclosing outline, continues uphill to its ridge, so that no gap remains at a soft edge. Without an outline, fills all connected
- * skin.
+ * Flood fill on the skin, across seams. Fills the connected texels whose weight is on the same side of `ENCLOSING` as the weight at the
+ * start. If a painted outline encloses the start, the fill also covers the soft inner edge of the outline, up to its maximum weight.
+ * Without an outline, it fills all connected skin.
  *
  * @param visit called once per texel.
  */
