@@ -49,8 +49,8 @@ export interface ComposedFormat extends Size {
   /** Level uniform of the material. */
   level?: Level | undefined
   /**
-   * Number of mip levels drawn, each from the same level of the maps, as the default mode mixes them. With 1 (the default) the GPU generates
-   * the other levels completely; they differ by one or two 8-bit steps.
+   * Number of mip levels to draw. Each level is mixed from the same level of the maps, as in the default mode. With 1 (the default), only the
+   * finest level is drawn, and the GPU generates the others from it. Both results differ by at most two 8-bit steps.
    */
   levels?: number
 }

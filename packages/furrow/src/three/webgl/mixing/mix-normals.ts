@@ -46,11 +46,11 @@ function layerNormal(kind: LayerKind, slice: number): string {
 }
 
 /**
- * `FURROW_FLAT` subtracts slightly less than half from z: a z of exactly 0 gives no normal, or 0 / 0 at an influence of 0.
+ * `FURROW_FLAT` subtracts slightly less than half from z. A z of exactly 0 would give a zero vector, or 0 / 0 at an influence of 0.
  *
- * `furrowReorient` is reoriented normal mapping (`reorientNormal` in the reference) of a base of any length l. `slope` is premultiplied by
- * `depth`. It expands t dot(t, r) / t.z - l r with t = (x, y, z + l) and r = (-slope, depth). A slope of 0 keeps the base's direction.
- * The epsilon in l keeps z + l above 0, cheaper than a clamp.
+ * `furrowReorient` is reoriented normal mapping (`reorientNormal` in the reference). The base (x, y, z) may have any length l, and `slope`
+ * is premultiplied by `depth`. The code expands `t * dot(t, r) / t.z - l * r`, where `t = (x, y, z + l)` and `r = (-slope, depth)`. A slope
+ * of 0 keeps the base's direction. The epsilon in l keeps `z + l` above 0, and is cheaper than a clamp.
  */
 const DETAILS = /* glsl */ `
 const vec3 FURROW_FLAT = vec3(0.0, 0.0, 0.4999999);

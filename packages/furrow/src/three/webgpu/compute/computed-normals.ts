@@ -102,7 +102,7 @@ export class ComputedNormals {
   }
 }
 
-/** Smallest rotation by Rodrigues' formula, as in math/deformed-normals: d c + (a x d) + a (a . d) / (1 + c). */
+/** Rotates a direction d with Rodrigues' formula, as in math/deformed-normals: `c * d + cross(a, d) + a * dot(a, d) / (1 + c)`. */
 function rotate(direction: Node<'vec3'>, axis: Node<'vec3'>, cosine: Node<'float'>): Node<'vec3'> {
   const along = axis.dot(direction).div(cosine.add(1))
   return direction.mul(cosine).add(cross(axis, direction), axis.mul(along))
