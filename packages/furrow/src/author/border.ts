@@ -1,18 +1,19 @@
 /**
- * Fills texels beyond the border of UV islands, where filtering and mipmaps read them:
+ * Fills texels outside UV islands, because filtering and mipmaps read them. There are three methods:
  *
- * - Strokes and `auto` (height, occlusion, areas, strain) use `extendPlanes`, because values follow from the position on the skin. Both sides
- *   of a seam filter alike.
- * - The metric uses `copyNearest`, because polygons and slopes read it at any texel. Copies stay positive definite.
- * - Normals from heights need no filling: they derive from the heights and the metric of neighbouring texels.
- * - `bake` and `targetArea` use `dilate`, because only texel values are known. Averaging hides the steps between them.
+ * - `extendPlanes` is for values that are computed from a position on the skin: strokes, and the heights, occlusion, areas and strain of
+ *   `autoWrinkles`. It supplies positions outside the islands, so that maps look the same on both sides of a UV seam.
+ * - `copyNearest` is for the metric. Area polygons and slopes read the metric at any texel, and a copied metric stays positive definite.
+ * - `dilate` is for `bakeMaps` and `targetArea`, which have values for covered texels only. It averages neighbours to hide steps.
+ *
+ * Normals computed from heights need no filling: they derive from heights and metric, which are already filled.
  */
 
 import { length2 } from '../math/vector.ts'
 
-/** Texels beyond an island that filtering without mipmaps reads. */
+/** Texels outside an island that filtering without mipmaps reads. */
 export const FILTER_MARGIN = 3
-/** Texels beyond an island that mipmapped maps need: at the third level filtering reads 12 texels beyond, and slopes need two more. */
+/** Texels outside an island that maps with mipmaps need. Filtering reads 12 texels at the third level, and slopes read 2 more. */
 export const MIPMAP_MARGIN = 14
 
 /** Triangle edge at the border of an island, in texels. */
@@ -25,19 +26,21 @@ export interface BorderEdge {
   dy: number
 }
 
-/** Maximum number of edges shorter than a texel extended from one texel: their planes are indistinguishable beyond it. */
+/** Maximum number of edges shorter than a texel that start in the same texel. Further edges are ignored: they start at almost one point. */
 const MAX_SHORT_EDGES = 8
-/** Side of a square block of texels, skipped as one if other edges are nearer. */
+/** Width and height in texels of the blocks that are skipped if another edge is nearer. */
 const BLOCK = 4
-/** Margin for single-precision rounding of a squared distance. */
+/** Factor that allows for single-precision rounding of a squared distance. */
 const ROUNDING = 1.000001
 
 /**
- * Extends border triangles in their planes: each free texel within the margin goes to the triangle of the nearest edge.
- * Where edges are dense, each reaches only as far as the next, because hundreds of thousands of triangles may have no neighbours.
+ * Assigns each free texel within `margin` texels of a border edge to the triangle of the nearest edge. The caller extends that triangle's
+ * plane to the texel. Blocks with a nearer edge are skipped, because a mesh can have hundreds of thousands of border edges.
  *
- * @param edges iterated twice.
- * @param claim called with the texel and the triangle, again if a later edge is nearer.
+ * @param edges called twice.
+ * @param margin in texels.
+ * @param isFree returns whether a texel may be assigned.
+ * @param claim called with the texel and the triangle, and called again for the texel if a later edge is nearer.
  */
 export function extendPlanes(
   edges: () => Iterable<BorderEdge>,
@@ -95,7 +98,7 @@ function blocksWithin(low: number, high: number, size: number): [first: number, 
   return [Math.max(Math.floor(low / BLOCK), 0), Math.floor(Math.min(high, size - 1) / BLOCK)]
 }
 
-/** Drops edges shorter than a texel if too many start in the same texel. */
+/** Drops edges shorter than a texel if more than `MAX_SHORT_EDGES` of them start in the same texel. */
 function* thinned(edges: Iterable<BorderEdge>, width: number, height: number): Generator<BorderEdge> {
   const counts = new Uint8Array(width * height)
   for (const edge of edges) {
@@ -110,8 +113,8 @@ function* thinned(edges: Iterable<BorderEdge>, width: number, height: number): G
 }
 
 /**
- * Computes an upper bound per block on the distance from its texels to the nearest edge. The bound counts steps between blocks, starting at
- * blocks with an edge's start (Rosenfeld and Pfaltz 1968, Distance functions on digital pictures).
+ * Computes, for each block, an upper bound on the distance from its texels to the nearest edge. The bound adds up the steps from the
+ * nearest block in which an edge starts (Rosenfeld and Pfaltz 1968, Distance functions on digital pictures).
  */
 function distanceBounds(edges: Iterable<BorderEdge>, width: number, height: number): Float32Array {
   const [blocks, rows] = [Math.ceil(width / BLOCK), Math.ceil(height / BLOCK)]
@@ -129,7 +132,7 @@ function distanceBounds(edges: Iterable<BorderEdge>, width: number, height: numb
         for (let across = -1; across <= (up < 0 ? 1 : -1); across++) {
           const column = (block % blocks) + sign * across
           if (column < 0 || column >= blocks) continue
-          // NaN above the first row and below the last, which is never less.
+          // Outside the first and last row, `bound` is NaN and the comparison below is false.
           const step = across !== 0 && up !== 0 ? Math.SQRT2 : 1
           const bound = bounds[block + sign * (across + up * blocks)] + step * BLOCK
           if (bound < bounds[block]) bounds[block] = bound
@@ -141,7 +144,7 @@ function distanceBounds(edges: Iterable<BorderEdge>, width: number, height: numb
 }
 
 /**
- * Copies the value of the nearest known texel to all others, breadth first over four neighbours.
+ * Copies the value of the nearest known texel to each unknown texel. The search is breadth-first over four neighbours.
  *
  * @param known 1 where a texel has a value.
  * @param width map width in texels.

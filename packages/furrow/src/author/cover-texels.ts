@@ -1,7 +1,7 @@
 import { type PixelBox, rasterize } from '../math/rasterize.ts'
 import { uvToTexels } from '../math/triangle.ts'
 
-/** Lets both triangles at a shared edge cover the texels on it despite rounding. */
+/** Barycentric tolerance: texels on a shared edge are covered by both triangles despite rounding. */
 const TOLERANCE = 1e-6
 
 /**

@@ -1,4 +1,4 @@
-/** Maximum length in UTF-8 bytes. With an extension and a temporary suffix, names stay within the 143 bytes of encrypted folders. */
+/** Maximum length in UTF-8 bytes. Encrypted folders (eCryptfs) allow 143 bytes, which must also hold an extension and a temporary suffix. */
 const MAX_BYTES = 100
 
 /** Characters that some file system or shell rejects or hides: reserved, invisible, and dots or spaces at either end. */
@@ -8,8 +8,8 @@ const UNSAFE = /[<>:"/\\|?*\p{Cc}\p{Cf}\p{Cs}\p{Cn}\p{Zl}\p{Zp}]|^[ .]+|[ .]+$/g
 const DEVICE = /^(con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9¹²³])(?=\.|$)/i
 
 /**
- * Derives file names without extension from layer or area names. They are valid on every file system and stay distinct if case and Unicode
- * normalisation are ignored. Names that are already valid are kept. Order matters only between names that would collide.
+ * Derives file names without extension from layer or area names. The file names are valid on every file system, and stay distinct on file
+ * systems that ignore case or Unicode normalisation. Valid names are kept unless two of them collide: then the first one is kept.
  *
  * @param names distinct names of any characters.
  * @returns one file name per name: at most 100 bytes in UTF-8, plus a number if needed to make it unique.
@@ -24,7 +24,7 @@ export function fileNamesOf(names: readonly string[]): string[] {
     taken.add(folded(unique))
     fileNames[index] = unique
   }
-  // Packing a folder again looks up a layer's maps by its name, so valid names are assigned first.
+  // Valid names are assigned first, so that no changed name takes their place: `pack` finds a layer's maps by the layer's name.
   const changed: number[] = []
   for (const [i, name] of names.entries()) {
     if (isFileName(name) && !taken.has(folded(name))) take(i)
@@ -34,7 +34,7 @@ export function fileNamesOf(names: readonly string[]): string[] {
   return fileNames
 }
 
-/** Returns whether a name is a valid file name without extension on every file system, so that the file alone can store it. */
+/** Returns whether a name is a valid file name, without extension, on every file system. */
 export function isFileName(name: string): boolean {
   return name !== '' && safeName(name) === name.normalize('NFC')
 }

@@ -1,5 +1,5 @@
 /**
- * Makes the maps of wrinkles, from strokes, heights, detailed surfaces or blendshapes. Pure functions on typed arrays.
+ * Creates wrinkle maps from strokes, heights, detailed surfaces or blendshapes. The functions work on typed arrays and need no engine.
  *
  * @module furrow/author
  */

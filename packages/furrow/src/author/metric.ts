@@ -16,18 +16,18 @@ export interface MetricMesh {
 }
 
 /**
- * Size of the texture on the skin: per texel, the first fundamental form of the surface P(u, v) (do Carmo, Differential Geometry of Curves
- * and Surfaces, 2.5). A small step (du, dv) is sqrt(uu du^2 + 2 uv du dv + vv dv^2) millimetres long. All maps have width x height values;
- * row 0 is at v = 0.
+ * Scale of a texture on the skin: at each texel, the first fundamental form of the surface P(u, v) (do Carmo, Differential Geometry of
+ * Curves and Surfaces, 2.5). A small step (du, dv) in the texture is `sqrt(uu * du^2 + 2 * uv * du * dv + vv * dv^2)` millimetres long on
+ * the skin. All maps have `width * height` values; row 0 is at v = 0.
  */
 export interface Metric {
   width: number
   height: number
-  /** dP/du . dP/du in mm^2. */
+  /** `dot(dP/du, dP/du)` in mm^2. */
   uu: Float32Array
-  /** dP/du . dP/dv in mm^2. */
+  /** `dot(dP/du, dP/dv)` in mm^2. */
   uv: Float32Array
-  /** dP/dv . dP/dv in mm^2. */
+  /** `dot(dP/dv, dP/dv)` in mm^2. */
   vv: Float32Array
   /** 1 where a triangle covers the texel's centre, 0 where the values are copied from the nearest covered texel. */
   inside: Uint8Array
@@ -36,12 +36,13 @@ export interface Metric {
 /** Millimetres per unit of a model in metres, the unit of glTF. */
 export const MILLIMETRES_PER_METRE = 1000
 
-/** Minimum squared sine of the angle between dP/du and dP/dv: keeps distances finite on degenerate triangles. */
+/** Minimum squared sine of the angle between dP/du and dP/dv. It keeps distances finite on degenerate triangles. */
 const MIN_SQUARED_SINE = 1e-4
 
 /**
- * Measures a mesh in its UV space. Forms are averaged at the vertices by area, which hides facets, and interpolated across triangles.
- * Texels outside the UV islands copy the nearest one. Where islands overlap, the last triangle wins.
+ * Computes the metric of a mesh. At each vertex, the forms of its triangles are averaged, weighted by area, so that facets do not show. The
+ * means are interpolated across triangles. Texels outside the UV islands copy the nearest covered texel. Where triangles overlap, the last
+ * triangle wins.
  *
  * @param width map width in texels; also the default height.
  * @param scale millimetres per unit of the positions.
@@ -66,7 +67,7 @@ export function surfaceMetric(
     inside: new Uint8Array(texels),
   }
   const forms = vertexForms(mesh, scale)
-  // In reverse order, because the last triangle wins: each texel is measured once.
+  // The last triangle wins: drawing in reverse order writes each texel only once.
   const triangles = Math.floor(cornerCount(mesh) / 3)
   for (let t = triangles - 1; t >= 0; t--) rasterizeForms(metric, mesh, forms, 3 * t)
   if (!metric.inside.includes(1)) {
@@ -113,7 +114,7 @@ function vertexAt({ indices }: MetricMesh, corner: number): number {
   return indices ? indices[corner] : corner
 }
 
-/** Returns uu, uv and vv per vertex: the area-weighted mean of its triangles, NaN if none has area. */
+/** Returns uu, uv and vv per vertex: the area-weighted mean of its triangles, NaN if all its triangles are degenerate. */
 function vertexForms(mesh: MetricMesh, scale: number): Float64Array {
   const { positions, uvs } = mesh
   const vertices = positions.length / 3
@@ -125,7 +126,7 @@ function vertexForms(mesh: MetricMesh, scale: number): Float64Array {
     const [u2, v2] = [uvs[2 * c] - uvs[2 * a], uvs[2 * c + 1] - uvs[2 * a + 1]]
     const det = u1 * v2 - u2 * v1
     if (Math.abs(det) < 1e-14) continue
-    // P(u, v) is linear on a triangle: [Pu Pv] = [e1 e2] inverse([u1 u2; v1 v2]).
+    // P(u, v) is linear on a triangle: `[Pu Pv] = [e1 e2] * inverse([u1 u2; v1 v2])`.
     let [uu, uv, vv] = [0, 0, 0]
     for (let k = 0; k < 3; k++) {
       const e1 = scale * (positions[3 * b + k] - positions[3 * a + k])

@@ -8,20 +8,20 @@ import type { MetricMesh } from './metric.ts'
 
 /** Margin around the UV islands in texels, so that filtering shows no seams. */
 const MARGIN = 2
-/** Weight of skin that moves without being compressed: stretched skin loses its wrinkles. */
+/** Factor on the weight of skin that moves without being compressed. It is small, because stretched skin has no wrinkles. */
 const STRETCHED_WEIGHT = 0.12
-/** Minimum weight of moving skin, so that it does not round to byte 0. */
+/** Minimum weight of moving skin: it must not round to byte 0. */
 const MIN_WEIGHT = 1.5 / 255
-/** Compression at which skin wrinkles fully, as a fraction of the maximum, which only a few folding triangles reach. */
+/** Compression from which skin has its full weight, as a fraction of the maximum. Only a few folding triangles reach the maximum itself. */
 const FULL_COMPRESSION = 0.35
 
 /**
- * Computes the area that a blendshape or a muscle moves. Weights grow with the square root of the displacement, from 0 for still skin to 1
- * at the largest displacement: the edge is soft and includes everything that moves. Stretched skin, such as beyond a muscle's end, gets
- * small weights.
+ * Computes the area of influence of a blendshape or a muscle. Weights grow with the square root of the displacement, from 0 for still skin
+ * to 1 at the largest displacement. The area includes all skin that moves and has a soft edge. Stretched skin, for example beyond a
+ * muscle's end, gets small weights.
  *
  * @param offsets packed xyz displacement per vertex.
- * @param size side in texels.
+ * @param size width and height of the area in texels.
  */
 export function targetArea(mesh: MetricMesh, offsets: ArrayLike<number>, size: number): GrayImage {
   const { uvs } = mesh
@@ -72,7 +72,7 @@ function weightVertices(
   })
 }
 
-/** Returns the fraction by which skin is shortened around each vertex: the mean of its triangles, 0 if none is shortened. */
+/** Returns the fraction by which the skin around each vertex is shortened: the mean over the vertex's triangles, 0..1. */
 function vertexCompressions(
   { positions }: MetricMesh,
   triangles: ArrayLike<number>,

@@ -11,20 +11,20 @@ const SKIN = [214, 212, 210]
 const WIRE = [40, 44, 52]
 const SEAM = [226, 88, 34]
 
-/** Line widths in texels. Lines at least `SPARSE` texels apart have `WIRE_OPACITY`; denser lines are fainter. */
+/** Line widths in texels. Edges of at least `SPARSE` texels have `WIRE_OPACITY`; shorter edges are fainter. */
 const WIRE_WIDTH = 0.8
 const SEAM_WIDTH = 2
 const WIRE_OPACITY = 0.5
 const SPARSE = 12
 
-/** Opacity of the base colour, 0..1: a template is a guide, not the painting. */
+/** Opacity of the base colour, 0..1. */
 const BASE_OPACITY = 0.6
 
-/** Light direction: from the upper left, in front of a face that looks along +z. */
+/** Direction to the light, which is in front of a face that looks along +z, at the upper left of the picture. */
 const LIGHT = [-0.35, 0.45, 0.82]
 
 export interface UvLayoutOptions {
-  /** Base colour, RGBA in sRGB, size x size texels, drawn faintly. Default: light gray. */
+  /** Base colour map, RGBA in sRGB, `size * size` texels; drawn faintly. Default: light gray. */
   base?: RgbaImage
 }
 
@@ -33,7 +33,7 @@ export interface UvLayoutOptions {
  * are transparent.
  *
  * @param mesh UVs outside 0..1 are wrapped.
- * @param size side of the picture in texels.
+ * @param size width and height of the picture in texels.
  * @returns sRGB with straight alpha, row 0 at v = 0.
  * @throws FurrowError if hundreds of triangles overlap.
  */
@@ -77,7 +77,7 @@ interface LaidTriangle {
   corners: number[]
 }
 
-/** Moves each triangle by whole tiles, so that its centre lies in 0..1. */
+/** Returns the triangles of a mesh, each moved by whole UV tiles so that its centroid is within 0..1. */
 function trianglesOf({ positions, uvs, indices }: MetricMesh, size: number): LaidTriangle[] {
   const corners = indices ?? Array.from({ length: positions.length / 3 }, (_, i) => i)
   const triangles: LaidTriangle[] = []
@@ -112,7 +112,7 @@ interface Edge {
 }
 
 function edgesOf({ positions, uvs }: MetricMesh, triangles: readonly LaidTriangle[]): Iterable<Edge> {
-  // Vertices that differ only in their normals are one point of the layout.
+  // Vertices with the same position and UV coordinates are one point of the layout; they differ in their normals, for example.
   const points = new Map<string, number>()
   const pointOf = (vertex: number) => {
     const key =
@@ -138,7 +138,7 @@ function edgesOf({ positions, uvs }: MetricMesh, triangles: readonly LaidTriangl
   return edges.values()
 }
 
-/** Covers the texels near a line, keeping the higher opacity where lines cross. */
+/** Writes the opacity of a line into `coverage`, keeping the higher value where lines cross. */
 function drawLine(
   coverage: Float32Array,
   size: number,

@@ -4,13 +4,14 @@ import { exp } from '../math/elementary.ts'
 import { clamp } from '../math/scalar.ts'
 import type { HeightMap } from './strokes/height.ts'
 
-/** Optical depth of the strongest flush in the green channel: the amplitude of layers with drawn blood. */
+/** Optical depth, in the green channel, of byte 255 in a generated blood map. */
 export const BLOOD_AMPLITUDE = 0.35
-/** Maximum tone of a valley, as a fraction of the amplitude, and the depth in millimetres that reaches 63% of it. */
+/** Maximum amount of blood in a wrinkle's valley, as a fraction of the amplitude. */
 const VALLEY = 0.3
+/** Depth in millimetres at which a valley has 63% of `VALLEY`. */
 const VALLEY_DEPTH = 0.7
 
-/** Draws the blood of lines: valleys are slightly darker. */
+/** Computes a blood map from heights: valleys (negative heights) get more blood, so they look slightly darker. */
 export function valleyBlood({ width, height, data }: HeightMap): GrayImage {
   const tones = new Uint8Array(data.length).fill(BLOOD_AT_REST)
   for (let i = 0; i < data.length; i++)
@@ -18,17 +19,18 @@ export function valleyBlood({ width, height, data }: HeightMap): GrayImage {
   return { width, height, data: tones }
 }
 
-/** @param amount -1..1. */
+/** Encodes an amount of blood relative to skin at rest, -1..1, as a byte of a blood map. */
 export function bloodByte(amount: number): number {
   return BLOOD_AT_REST + Math.round((255 - BLOOD_AT_REST) * clamp(amount, -1, 1))
 }
 
 /**
- * Replaces the valley tones in a layer's blood when its lines change. Everything else, such as a flush, stays.
+ * Updates a layer's blood map after its lines changed: subtracts the blood of the old valleys and adds the blood of the new ones. Flushes
+ * and painted blood stay. All maps have the same size.
  *
  * @param blood map with the old lines.
- * @param before `valleyBlood` of the old lines; undefined if they had none.
- * @param after `valleyBlood` of the new lines. All maps have the same size.
+ * @param before `valleyBlood` of the old lines; undefined if `blood` contains no valleys.
+ * @param after `valleyBlood` of the new lines.
  */
 export function changedBlood(blood: GrayImage, before: GrayImage | undefined, after: GrayImage): GrayImage {
   const tone = (i: number) => after.data[i] - (before ? before.data[i] : BLOOD_AT_REST)

@@ -6,7 +6,7 @@ import { SkinTexels } from './skin-texels.ts'
 import { pointAreas, type Skin, type SkinSurface, weldSurface } from './surface.ts'
 import { type UvGrid, UvLocator, uvGridOf } from './uv-locator.ts'
 
-/** Canvas for strokes: the skin as a surface, and the positions of a map's texels on it. */
+/** Data for drawing strokes into a texture: the skin as a surface, and the mapping between texels and positions on the skin. */
 export interface SkinCanvas {
   /** Surface in millimetres. */
   surface: SkinSurface
@@ -18,12 +18,12 @@ export interface SkinCanvas {
 }
 
 /**
- * Prepares a mesh for drawing. Vertices at one position are one point of the skin, so lines cross UV seams. If the left and right halves
- * share texels, the left one (x > 0) is drawn.
+ * Prepares a mesh for drawing. Vertices with equal positions are merged, so that lines can cross UV seams. If the left and right halves of
+ * the mesh share texels, only the left half (x > 0) is drawn.
  *
  * @param width map width in texels; also the default height.
  * @param scale millimetres per unit of the mesh's positions.
- * @throws FurrowError like `surfaceMetric`, or if hundreds of triangles overlap in UV space.
+ * @throws FurrowError if the mesh is inconsistent, covers no texel, or has hundreds of overlapping triangles in UV space.
  */
 export function skinCanvas(
   mesh: MetricMesh,
@@ -43,7 +43,7 @@ export function skinCanvas(
   return { metric, scale, ...mapSkin(skin, surface, width, height) }
 }
 
-/** Locates the texels of a map on a skin, and UV points on it. */
+/** Builds the two mappings between a texture and a skin: `locator` for UV points, `texels` for whole maps. */
 export function mapSkin(
   skin: Pick<Skin, 'uvs' | 'indices'>,
   surface: SkinSurface,
@@ -58,11 +58,11 @@ export function mapSkin(
   }
 }
 
-/** Canvas as arrays that a worker can transfer. */
+/** `SkinCanvas` as arrays that can be transferred between workers. */
 export interface SkinCanvasArrays extends Pick<SkinCanvas, 'surface' | 'metric' | 'scale'> {
-  /** Grid of the locator. */
+  /** `grid` of the `UvLocator`. */
   grid: UvGrid
-  /** Owners of the texels. */
+  /** `owners` of the `SkinTexels`. */
   owners: Int32Array
 }
 
@@ -70,7 +70,7 @@ export function canvasArrays({ locator, texels, ...plain }: SkinCanvas): SkinCan
   return { ...plain, grid: locator.grid, owners: texels.owners }
 }
 
-/** Restores the canvas of a skin from its arrays. */
+/** Rebuilds a canvas from the result of `canvasArrays` for the same skin. */
 export function canvasFromArrays(
   skin: Pick<Skin, 'uvs' | 'indices'>,
   { grid, owners, ...plain }: SkinCanvasArrays,

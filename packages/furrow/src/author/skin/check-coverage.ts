@@ -1,14 +1,14 @@
 import { FurrowError } from '../../core/error.ts'
 import type { Skin } from './surface.ts'
 
-/** Maximum total area of the triangles' bounding boxes, in textures; faces fill about two. */
+/** Maximum total area of the triangles' UV bounding boxes, in units of the texture's area. Typical faces reach about 2. */
 const MAX_COVERAGE = 128
 
 /**
- * Checks that triangles do not overlap by the hundred in UV space. They are drawn one by one, and a small file can hold hundreds of
- * thousands that each fill the texture.
+ * Rejects meshes with hundreds of overlapping triangles in UV space. Drawing time grows with the total area of the triangles, and a small
+ * file can hold hundreds of thousands of triangles that each fill the texture.
  *
- * @param skin UVs outside 0..1 are ignored.
+ * @param skin parts of triangles with UVs outside 0..1 do not count.
  * @param who function name for the error.
  * @throws FurrowError if the total area of the bounding boxes is too large.
  */

@@ -3,8 +3,8 @@ import { cornersOf, type SkinSurface, triangleBox } from './surface.ts'
 /**
  * Finds the point of a surface nearest to a position (Ericson, Real-Time Collision Detection, 5.1.5).
  *
- * @param weights receives the barycentric coordinates.
- * @returns the triangle.
+ * @param weights receives the barycentric coordinates of the nearest point.
+ * @returns index of the triangle that contains the nearest point.
  */
 export function nearestOnSurface(
   surface: SkinSurface,
@@ -27,7 +27,7 @@ export function nearestOnSurface(
   return nearest
 }
 
-/** @returns the squared distance. */
+/** Stores the barycentric coordinates of a triangle's nearest point in `weights`, and returns the squared distance to that point. */
 function nearestOnTriangle(
   surface: SkinSurface,
   triangle: number,

@@ -3,29 +3,32 @@ import { coverTexels } from '../cover-texels.ts'
 import { islandsOf } from './islands.ts'
 import { cornersOf, type Skin, type SkinSurface, skinVertices } from './surface.ts'
 
-/** Side in texels of the map used to detect overlaps. */
+/** Width and height in texels of the map used to detect overlaps. */
 const SIZE = 256
-/** Maximum fraction of covered texels that may overlap without counting as an overlap. */
+/** Shared texels are ignored up to this fraction of the covered texels. */
 const TOLERANCE = 0.05
 
-/** Texels shared by several parts of a skin. */
+/** Describes how much of the texture several parts of a skin share. */
 export interface UvOverlap {
   /** Fraction of the covered texels used more than once, 0..1. */
   fraction: number
-  /** Per triangle, whether its UV island is shared by left and right; undefined if no island is. */
+  /** Per triangle: true if the left and right halves of the skin share its UV island. Undefined if they share no island. */
   isMirrored: readonly boolean[] | undefined
 }
 
 type Textured = Pick<Skin, 'uvs' | 'indices'>
 
-/** Texel usage of a part of the skin. */
+/** Numbers of texels in a part of the skin. */
 interface Use {
+  /** Texels that at least one triangle covers. */
   covered: number
+  /** Texels that several triangles cover. */
   twice: number
+  /** Texels that triangles of both the left and the right half cover. */
   bothSides: number
 }
 
-/** Detects texels used by several parts of the skin. */
+/** Detects texels that several triangles of the skin cover. */
 export function findOverlap(skin: Textured, surface: SkinSurface): UvOverlap {
   const { points, skinTriangles } = surface
   const sides = new Uint8Array(SIZE * SIZE)
@@ -50,7 +53,7 @@ export function findOverlap(skin: Textured, surface: SkinSurface): UvOverlap {
   }
 }
 
-/** Decides per UV island: the limbs of a body often share texels while its face does not. */
+/** Decides separately for each UV island, because the limbs of a body often share texels while its face does not. */
 function mirroredTriangles(
   skin: Textured,
   surface: SkinSurface,
@@ -75,7 +78,7 @@ function mirroredTriangles(
   return useOf.map(usesBothSides)
 }
 
-/** Skips texels on edges, which adjacent triangles both cover. */
+/** Visits the texels that a triangle covers, except texels on its edges: adjacent triangles cover them too. */
 function visitTexels(
   skin: Textured,
   surface: SkinSurface,
@@ -96,7 +99,12 @@ export function isOverlapped({ fraction }: UvOverlap): boolean {
   return fraction > TOLERANCE
 }
 
-/** Selects the triangles drawn into the texture. Of halves that share texels, only triangles reaching the left side (x > 0) are drawn. */
+/**
+ * Selects the triangles to draw into the texture. In a UV island shared by both halves, only triangles with a corner on the left (x > 0) are
+ * selected.
+ *
+ * @returns undefined if all triangles are to be drawn.
+ */
 export function drawnTriangles(
   surface: SkinSurface,
   { isMirrored }: UvOverlap,

@@ -5,20 +5,20 @@ import { type BorderEdge, extendPlanes, FILTER_MARGIN } from '../border.ts'
 import { coverTexels } from '../cover-texels.ts'
 import { cornersOf, type Skin, type SkinSurface, skinVertices } from './surface.ts'
 
-/** Number of progress reports. */
+/** Maximum number of progress reports. */
 const PROGRESS_STEPS = 32
-/** Side in texels of the tiles tested as one. */
+/** Width and height in texels of the tiles that `visitNear` tests. */
 const TILE = 8
-/** Marks texels far from any island. */
+/** Owner of texels that have no triangle. */
 const NONE = -1
-/** Barycentric tolerance within which a texel is on the edge of a triangle. */
+/** A texel is on the edge of a triangle if its smallest barycentric coordinate is at most this. */
 const EDGE = 1e-3
-/** Doubled area, in square texels, below which a triangle has no plane to extend. */
+/** Triangles whose doubled UV area, in square texels, is smaller are not extended beyond their island. */
 const NO_AREA = 1e-9
 
 /**
- * Receives a texel's index, position and normal; the arrays are reused by the next call.
- * Beyond an island the position is in the plane of the border triangle, and the normal, not normalised, is the edge's.
+ * Receives a texel's index, and the position and normal of the skin at the texel. The normal is not normalised. The next call reuses the
+ * arrays. Outside the UV islands, the position is in the plane of the nearest border triangle, and the normal is interpolated on its edge.
  */
 export type TexelVisitor = (texel: number, position: Float64Array, normal: Float64Array) => void
 
@@ -28,22 +28,22 @@ export class SkinTexels {
   readonly height: number
   readonly surface: SkinSurface
   readonly #skin: Pick<Skin, 'uvs' | 'indices'>
-  /** Triangle per texel: -1 without skin, -2 - triangle beyond the islands. */
+  /** Triangle at each texel: -1 if there is no skin, `-2 - triangle` if the texel is in the margin around the islands. */
   readonly owners: Int32Array
   /** Bounding box of each tile's skin, computed on first access. */
   #boxes: Float64Array | undefined
   readonly #weights = new Float64Array(3)
   readonly #position = new Float64Array(3)
   readonly #normal = new Float64Array(3)
-  /** Last located triangle, and its corners in texels. */
+  /** Cache of `locate`: the last triangle, and its corners in texels. */
   #last = NONE
   readonly #corners = new Float64Array(6)
 
   /**
    * @param width map width in texels.
    * @param height map height in texels.
-   * @param isDrawn selects the triangles drawn into the texture; or previously computed `owners`.
-   * @param margin texels by which the skin extends beyond its islands.
+   * @param isDrawn selects the triangles to draw into the texture. The `owners` of an earlier instance are also accepted, and reused.
+   * @param margin width in texels of the margin around the islands.
    */
   constructor(
     skin: Pick<Skin, 'uvs' | 'indices'>,
@@ -78,9 +78,10 @@ export class SkinTexels {
   }
 
   /**
-   * Visits the texels whose centres triangles cover, and those extended beyond the islands.
+   * Visits every texel that has a triangle, in the islands and in the margin around them.
    *
-   * @param visit called with the texel's row-major index, the triangle and the barycentric coordinates, negative beyond an island.
+   * @param visit called with the texel's row-major index, the triangle and the texel's barycentric coordinates. Some of the coordinates are
+   *   negative in the margin.
    */
   visit(visit: (texel: number, triangle: number, a: number, b: number, c: number) => void): void {
     const weights = new Float64Array(3)
@@ -91,9 +92,9 @@ export class SkinTexels {
   }
 
   /**
-   * Visits the texels in parts of space, and possibly others near them.
+   * Visits all texels of the tiles that `isNear` accepts.
    *
-   * @param isNear tests whether a box, given by its lowest and highest x, y and z, intersects those parts.
+   * @param isNear receives the lowest and highest x, y and z of the skin in a tile.
    */
   visitNear(
     isNear: (low: Float64Array, high: Float64Array) => boolean,
@@ -109,7 +110,7 @@ export class SkinTexels {
     progress?.(1)
   }
 
-  /** Like `visitNear`, but yields the fraction done after each visited tile of 64 texels, so that the caller can postpone the rest. */
+  /** Does the work of `visitNear`, but yields the fraction done after each visited tile of 64 texels, so that the caller can pause. */
   *visitNearInSteps(
     isNear: (low: Float64Array, high: Float64Array) => boolean,
     visit: TexelVisitor,
@@ -128,7 +129,7 @@ export class SkinTexels {
     }
   }
 
-  /** Visits the texels covered by triangles that do not own them: overlapping parts of the skin. */
+  /** Visits texels that several triangles cover in UV space, once for each triangle that is not the texel's owner. */
   visitOverlaps(visit: (texel: number, triangle: number, a: number, b: number, c: number) => void): void {
     for (let triangle = 0; triangle < this.surface.skinTriangles.length; triangle++) {
       const corners = skinVertices(this.#skin, this.surface, triangle)
@@ -143,7 +144,7 @@ export class SkinTexels {
     return Math.ceil(this.width / TILE) * Math.ceil(this.height / TILE)
   }
 
-  /** Returns the lowest and highest x, y and z of each tile's texels; inverted for empty tiles. */
+  /** Returns the lowest and highest x, y and z of the skin in each tile. In tiles without skin, the lowest is greater than the highest. */
   #tileBoxes(): Float64Array {
     const boxes = new Float64Array(6 * this.#tileCount())
     for (let first = 0; first < boxes.length; first += 6) {
@@ -151,7 +152,7 @@ export class SkinTexels {
       boxes.fill(-Infinity, first + 3, first + 6)
       const { x0, y0, x1, y1 } = this.#boundsOf(first / 6)
       for (let row = y0; row < y1; row++) {
-        // Positions are linear along a row of one triangle: the extremes are at its ends.
+        // Positions are linear along a run of texels with the same owner, so only the first and the last texel of the run count.
         const end = row * this.width + x1
         for (let texel = row * this.width + x0; texel < end; texel++) {
           const owner = this.owners[texel]
@@ -166,7 +167,7 @@ export class SkinTexels {
     return boxes
   }
 
-  /** Expands a box by the position of a texel. */
+  /** Expands the box at index `first` to contain the position of a texel. */
   #widen(boxes: Float64Array, first: number, texel: number): void {
     const weights = this.#weights
     const [a, b, c] = cornersOf(this.surface, this.locate(texel, weights))
@@ -195,7 +196,7 @@ export class SkinTexels {
         if (triangle === NONE) continue
         const [a, b, c] = cornersOf(surface, triangle)
         interpolate(this.#position, surface.points, 3, a, b, c, weights[0], weights[1], weights[2])
-        // Beyond an island, positions extend the plane of the border triangle, but normals stay the edge's.
+        // In the margin, positions are in the plane of the border triangle, but normals are interpolated on its edge.
         for (let k = 0; k < 3; k++) weights[k] = Math.max(weights[k], 0)
         interpolate(this.#normal, surface.normals, 3, a, b, c, weights[0], weights[1], weights[2])
         visit(texel, this.#position, this.#normal)
@@ -206,8 +207,8 @@ export class SkinTexels {
   /**
    * Locates a texel on the skin.
    *
-   * @param weights receives the barycentric coordinates, negative beyond an island.
-   * @returns the triangle, -1 if there is none.
+   * @param weights receives the barycentric coordinates; some are negative in the margin around the islands.
+   * @returns the texel's triangle, -1 if there is none.
    */
   locate(texel: number, weights: Float64Array): number {
     const triangle = this.#triangleOf(texel)
@@ -229,7 +230,7 @@ export class SkinTexels {
     uvToTexels(out, this.#skin.uvs, a, b, c, this.width, this.height)
   }
 
-  /** Assigns a triangle the free texels whose centres it covers. */
+  /** Makes a triangle the owner of the texels whose centres it covers, unless they already have an owner. */
   #cover(triangle: number): void {
     const corners = skinVertices(this.#skin, this.surface, triangle)
     coverTexels(this.#skin.uvs, corners, this.width, this.height, (texel) => {
@@ -237,7 +238,7 @@ export class SkinTexels {
     })
   }
 
-  /** Returns the border edges, 3 t + k for the edge from corner k of triangle t. */
+  /** Returns the edges at the borders of islands, as `3 * t + k` for the edge from corner k of triangle t. */
   #borderEdges(drawn: Uint32Array): number[] {
     const { adjacent } = this.surface
     const c = new Float64Array(6)
@@ -288,7 +289,7 @@ export class SkinTexels {
     return false
   }
 
-  /** Returns the skin's vertex at corner k of triangle t, given 3 t + k. */
+  /** Returns the skin's vertex at corner k of triangle t, given `3 * t + k`. */
   #vertexAt(corner: number): number {
     return this.#skin.indices[3 * this.surface.skinTriangles[Math.floor(corner / 3)] + (corner % 3)]
   }

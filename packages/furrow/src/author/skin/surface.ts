@@ -2,9 +2,9 @@ import { triangleNormal } from '../../math/triangle.ts'
 import { length, normalize } from '../../math/vector.ts'
 import { weldVertices } from '../../math/weld.ts'
 
-/** Skin at rest and its blendshapes. Its arrays are neither changed nor kept. */
+/** Mesh of the skin in the rest pose, and its blendshapes. Functions that take a `Skin` neither change nor keep its arrays. */
 export interface Skin {
-  /** Packed xyz per vertex, y up, in metres; faces may use any unit. */
+  /** Packed xyz per vertex, y up, in metres. Faces may use any unit: they are scaled by the distance of their eyes. */
   positions: ArrayLike<number>
   /** Packed uv per vertex, v = 0 at the top. */
   uvs: ArrayLike<number>
@@ -20,7 +20,10 @@ export interface SkinTarget {
   name: string
   /** Name of a VRM expression that moves only this target. */
   expression?: string | undefined
-  /** Manually assigned ARKit name, without its side if it moves both; null if it matches no ARKit shape. Overrides motion and name. */
+  /**
+   * ARKit name that the user assigned; `null` if the user said that the target matches no ARKit shape. Overrides recognition by motion and
+   * name. The name has no `Left` or `Right` if the target moves both sides of the face.
+   */
   correction?: string | null | undefined
   /** Packed xyz added to the vertices at weight 1. */
   offsets: ArrayLike<number>
@@ -34,15 +37,15 @@ export interface SkinSurface {
   normals: Float64Array
   /** Area of each point: a third of the area of its triangles. */
   areas: Float64Array
-  /** Three points per triangle; degenerate triangles are skipped. */
+  /** Three points per triangle. Degenerate triangles of the skin are left out. */
   corners: Uint32Array
-  /** Index in the skin, per triangle. */
+  /** Index that each triangle of the surface has in the skin. */
   skinTriangles: Uint32Array
-  /** Point per vertex of the skin. */
+  /** Point of the surface for each vertex of the skin. */
   pointOf: Uint32Array
-  /** Triangle across each edge, at 3 t + k for the edge from corner k of triangle t to the next; -1 at a border. */
+  /** Triangle across each edge, -1 at a border. Index `3 * t + k` is the edge from corner k of triangle t to the next corner. */
   adjacent: Int32Array
-  /** Neighbours of point p: `neighbours` from `neighbourStarts[p]` to `neighbourStarts[p + 1]`. */
+  /** Start of each point's neighbours in `neighbours`. The neighbours of point p end before index `neighbourStarts[p + 1]`. */
   neighbourStarts: Uint32Array
   neighbours: Uint32Array
 }
@@ -101,7 +104,7 @@ export function pointAreas(points: ArrayLike<number>, corners: Uint32Array): Flo
   return areas
 }
 
-/** Returns the offsets of a target per point; NaN counts as 0. */
+/** Converts a target's offsets per vertex to offsets per point. NaN becomes 0. */
 export function pointOffsets({ points, pointOf }: SkinSurface, { offsets }: SkinTarget): Float64Array {
   const out = new Float64Array(points.length)
   for (let vertex = 0; vertex < pointOf.length; vertex++) {
@@ -130,7 +133,7 @@ export function triangleBox(
   }
 }
 
-/** Returns the three vertices of the skin at a triangle of its surface. */
+/** Returns the three vertices that a triangle of the surface has in the skin. */
 export function skinVertices(
   { indices }: Pick<Skin, 'indices'>,
   { skinTriangles }: SkinSurface,
@@ -148,7 +151,7 @@ export function skinVertices(
  * @param b second corner.
  * @param c third corner.
  * @param out receives x, y and z.
- * @returns its length, twice the triangle's area.
+ * @returns length of the normal, which is twice the triangle's area.
  */
 export function crossOf(
   points: ArrayLike<number>,
@@ -171,8 +174,8 @@ function weldPoints(positions: ArrayLike<number>) {
 }
 
 /**
- * Finds the triangle across each half-edge by sorting half-edges by their undirected edge. At edges with more than two triangles,
- * consecutive ones are paired.
+ * Finds the triangle across each half-edge by sorting half-edges by their undirected edge. If more than two triangles share an edge, they
+ * are paired in the sorted order.
  */
 function adjacentTriangles(corners: Uint32Array, count: number): Int32Array {
   const from = corners
@@ -181,7 +184,7 @@ function adjacentTriangles(corners: Uint32Array, count: number): Int32Array {
   order = sortedBy(order, (i) => Math.min(from[i], to[i]), count)
   order = sortedBy(order, (i) => Math.max(from[i], to[i]), count)
   const adjacent = new Int32Array(corners.length).fill(-1)
-  /** Last upward and last downward half-edge of this edge; -1 if none. */
+  /** Last half-edge of the current edge towards the higher point index (`up`) and towards the lower one (`down`); -1 if none. */
   let [up, down] = [-1, -1]
   for (let n = 0; n < order.length; n++) {
     const i = order[n]

@@ -4,20 +4,21 @@ import { type Skin, type SkinSurface, skinVertices } from './surface.ts'
 
 /** Maximum number of cells along each side of the grid. */
 const MAX_CELLS = 512
-/** Approximate average number of grid entries per triangle. */
+/** Target for the average number of cells that list a triangle. */
 const ENTRIES = 4
-/** Barycentric tolerance for points on an edge, against rounding. */
+/** Minimum barycentric coordinate of a point inside a triangle. Below 0, because points on an edge are rounded. */
 const INSIDE = -1e-9
-/** Distances outside an island, as fractions of the texture, that still count as inside: written coordinates are rounded. */
+/** Distances outside an island, as fractions of the texture, at which points are still found: files store rounded coordinates. */
 const MARGINS = [2 ** -12, 2 ** -10]
 const DIRECTIONS = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => (x || y ? [[x, y] as const] : [])))
 
-/** Triangles of a skin by cells of a UV grid, as arrays that a worker can transfer. */
+/** Grid over UV space that lists the triangles in each cell, as arrays that can be transferred between workers. */
 export interface UvGrid {
   /** Number of cells along each side. */
   side: number
-  /** Triangles whose bounding boxes overlap cell i: from `starts[i]` to `starts[i + 1]`. */
+  /** Start of each cell's list in `triangles`, by row-major cell index. The list of cell i ends before index `starts[i + 1]`. */
   starts: Uint32Array
+  /** Triangles whose bounding boxes overlap a cell, cell by cell. */
   triangles: Uint32Array
 }
 
@@ -31,7 +32,7 @@ export class UvLocator {
 
   /**
    * @param skin UVs outside 0..1 are ignored.
-   * @param grid of the candidate triangles; where several overlap, the first is found.
+   * @param grid lists the triangles to search. Where triangles overlap, the locator finds the first one in the list.
    */
   constructor(
     skin: Pick<Skin, 'uvs' | 'indices'>,
@@ -46,8 +47,8 @@ export class UvLocator {
   /**
    * Finds the triangle at a UV point.
    *
-   * @param weights receives the barycentric coordinates, slightly negative beside an island.
-   * @returns the triangle; -1 if there is no skin.
+   * @param weights receives the barycentric coordinates; some are slightly negative if the point is just outside an island.
+   * @returns the triangle; -1 if there is no skin at the point.
    */
   find(u: number, v: number, weights: Float64Array): number {
     const triangle = this.#triangleAt(u, v)
@@ -94,7 +95,7 @@ export class UvLocator {
   }
 }
 
-/** Builds the grid of the triangles that `isUsed` selects. */
+/** Builds a grid that lists the triangles selected by `isUsed`. */
 export function uvGridOf(
   skin: Pick<Skin, 'uvs' | 'indices'>,
   surface: SkinSurface,
@@ -137,7 +138,7 @@ export function uvGridOf(
 /** Minimum and maximum u and v of a triangle. */
 type UvBox = readonly [left: number, top: number, right: number, bottom: number]
 
-/** Chooses the side so that triangles have `ENTRIES` cells on average, regardless of their size. */
+/** Chooses the number of cells along each side so that a triangle is listed in about `ENTRIES` cells on average. */
 function chooseSide(triangles: readonly number[], boxOf: (triangle: number) => UvBox): number {
   let [area, extent] = [0, 0]
   for (const triangle of triangles) {

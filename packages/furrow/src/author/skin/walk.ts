@@ -3,12 +3,12 @@ import { triangleNormal } from '../../math/triangle.ts'
 import { dot, normalize } from '../../math/vector.ts'
 import { cornersOf, type SkinSurface } from './surface.ts'
 
-/** Fraction of the way to the centroid by which an entering line is pulled inwards. */
+/** Fraction of the distance to a triangle's centroid by which `pullInwards` moves a position. */
 const INWARDS = 1e-3
 /** Maximum number of triangles crossed per step. */
 const MAX_CROSSED = 8
 
-/** Scratch for barycentric coordinates of the start and the end, and the end position: `walk` runs for each half millimetre of a line. */
+/** Scratch for the barycentric coordinates of a step's start and end, and for its end position. Reused because `walk` is called often. */
 const [here, there, target] = [new Float64Array(3), new Float64Array(3), new Float64Array(3)]
 
 /**
@@ -77,7 +77,7 @@ export function positionAt(
   interpolate(out, surface.points, 3, a, b, c, weights[0], weights[1], weights[2])
 }
 
-/** Computes the unit normal at barycentric coordinates of a triangle, clamped to its edges. */
+/** Computes the unit normal at barycentric coordinates of a triangle. Negative coordinates count as 0. */
 export function normalAt(
   out: Float64Array,
   surface: SkinSurface,
@@ -90,7 +90,7 @@ export function normalAt(
   normalize(out)
 }
 
-/** Keeps a line that runs along an edge or through a corner from alternating between two triangles. */
+/** Moves a position slightly towards a triangle's centroid. Otherwise, a line along an edge could alternate between two triangles. */
 function pullInwards(surface: SkinSurface, triangle: number, position: Float64Array): void {
   const corners = cornersOf(surface, triangle)
   for (let k = 0; k < 3; k++) {
@@ -100,7 +100,7 @@ function pullInwards(surface: SkinSurface, triangle: number, position: Float64Ar
   }
 }
 
-/** Projects a direction onto a triangle's plane, at length 1. */
+/** Projects a direction onto a triangle's plane and normalises it. */
 function projectOntoTriangle(
   out: Float64Array,
   surface: SkinSurface,

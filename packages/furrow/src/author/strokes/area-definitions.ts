@@ -22,7 +22,7 @@ export interface GroupShape {
   feather: number
 }
 
-/** Area definition: at every texel the maximum of its shapes, times `within` if given. */
+/** Definition of an area. Its weight at a texel is the maximum of the shapes' weights, times the weight of `within` if given. */
 export interface AreaDefinition {
   name: string
   shapes: AreaShape[]
@@ -30,7 +30,12 @@ export interface AreaDefinition {
   within?: AreaShape
 }
 
-/** Reads the `areas` of a strokes document. Throws FurrowError through `read`. */
+/**
+ * Reads the `areas` of a strokes document.
+ *
+ * @param groups names of the groups that have strokes.
+ * @throws FurrowError if a definition is invalid.
+ */
 export function readAreaDefinitions(
   read: JsonReader,
   definitions: unknown[],

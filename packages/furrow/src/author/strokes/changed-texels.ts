@@ -1,11 +1,11 @@
 import { type Bounds, widen } from '../../core/bounds.ts'
 
-/** Side in texels of the squares that each track one rectangle. */
+/** Width and height in texels of the squares that the map is divided into. Each square tracks one rectangle of changed texels. */
 const SIDE = 16
-/** Cost of an extra rectangle in texels: two are merged if their union adds no more than this. */
+/** Two rectangles are merged if their union adds at most this many texels. */
 const SLACK = 4096
 
-/** Collects the changed texels of a map as rectangles. */
+/** Collects changed texels of a map, and returns rectangles that contain them. */
 export class ChangedTexels {
   readonly #width: number
   readonly #height: number

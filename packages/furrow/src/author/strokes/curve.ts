@@ -8,15 +8,15 @@ import type { SkinSurface } from '../skin/surface.ts'
 import { barycentricsAt, normalAt, positionAt, walk } from '../skin/walk.ts'
 import type { Stroke } from './document.ts'
 
-/** Segments per Bezier curve when flattened. */
+/** Number of straight segments that approximate one Bezier curve. */
 const BEZIER_SEGMENTS = 32
-/** Maximum step of a curve in UV space: a third of a millimetre on a face that fills the texture. */
+/** Maximum step of a curve in UV space. It is about a third of a millimetre on a face that fills the texture. */
 const MAX_UV_STEP = 1 / 1024
 /** Maximum step of a spline in millimetres. */
 const MAX_STEP = 0.5
 /** Approximate maximum number of steps of a curve. */
 const MAX_STEPS = 8192
-/** Step length on the skin in millimetres beyond which a maximum UV step must lead to another island. */
+/** Distance in millimetres. If a step of `MAX_UV_STEP` moves farther than this on the skin, it leads to another UV island. */
 const JUMP = 10
 
 /** Line on a skin. */
@@ -38,8 +38,8 @@ export type LocatedSkin = Pick<SkinCanvas, 'surface' | 'locator'>
 /**
  * Projects a stroke's curve onto the skin in short steps.
  *
- * @returns parts of at least two points. Where the texture has no skin, a polyline or Bezier curve is interrupted, and a spline skips
- *   points.
+ * @returns parts of the curve, each with at least two points. A polyline or a Bezier curve is interrupted where the texture has no skin. A
+ *   spline ignores control points where the texture has no skin.
  */
 export function layCurve(
   { curve, points }: Pick<Stroke, 'curve' | 'points'>,
@@ -58,7 +58,7 @@ function flattenBezier(points: readonly Uv[]): Uv[] {
   return polyline
 }
 
-/** Locates each step on the skin independently. */
+/** Lays a UV polyline on the skin by looking up the position of each step in the texture. */
 function layInTexture(polyline: readonly Uv[], { surface, locator }: LocatedSkin): TracedLine[] {
   const lines: TracedLine[] = []
   const trail = new Trail(surface)
@@ -92,7 +92,7 @@ function* stepsAlong(polyline: readonly Uv[], step: number): Generator<Uv> {
   }
 }
 
-/** Follows a smooth curve in space along the skin, from point to point. */
+/** Lays a spline on the skin: walks over the skin below a smooth curve in space through the control points. */
 function laySpline(uvs: readonly Uv[], { surface, locator }: LocatedSkin): TracedLine[] {
   const [position, weights] = [new Float64Array(3), new Float64Array(3)]
   const anchors: number[] = []
@@ -141,7 +141,7 @@ class Trail {
     this.#triangles.push(triangle)
   }
 
-  /** Adds the points between two control points: projected onto the skin, or on the curve itself beyond the skin's border. */
+  /** Adds the points between two control points. They are projected onto the skin, or stay on the curve once it passes the skin's border. */
   follow(
     position: Float64Array,
     start: number,
@@ -163,7 +163,7 @@ class Trail {
     }
   }
 
-  /** Moves along the skin to the point below or above a target. */
+  /** Moves over the skin to the point directly below or above a target. Returns the final triangle, or -1 at the skin's border. */
   #walkTowards(target: Float64Array, triangle: number, position: Float64Array): number {
     const direction = target.map((value, k) => value - position[k])
     const rise = dot(direction, this.#normal)
@@ -176,7 +176,7 @@ class Trail {
     return this.#points.length > 0 ? distance(position, this.#points.slice(-3)) : 0
   }
 
-  /** Returns the line if it has two points; the next point starts a new line. */
+  /** Ends the line, and returns it if it has at least two points. The next point starts a new line. */
   end(): TracedLine[] {
     const line = {
       points: Float64Array.from(this.#points),

@@ -6,14 +6,14 @@ import { type AreaDefinition, type AreaShape, readAreaDefinitions } from './area
 
 export type { AreaDefinition, AreaShape, Uv }
 
-/** Interpolation of a stroke's points; see `Stroke.curve`. */
+/** Kind of interpolation between a stroke's points; see `Stroke.curve`. */
 export type CurveKind = 'polyline' | 'bezier' | 'spline'
 
 const CURVES = ['polyline', 'bezier', 'spline'] as const satisfies CurveKind[]
 
 /** Wrinkle: a curve on the skin with a measured cross-section. */
 export interface Stroke {
-  /** Name of the area that shows the stroke. */
+  /** Name of the stroke's group. If the document defines no areas, each group gets an area of the same name. */
   group?: string
   /** Name of the stroke's layer, in documents with several layers. */
   layer?: string
@@ -21,47 +21,50 @@ export interface Stroke {
    * Interpolation of the points:
    *
    * - `polyline`: straight lines in UV space.
-   * - `bezier`: n cubic Bezier curves in UV space through 3 n + 1 points, with two handles between ends.
-   * - `spline`: a smooth curve over the skin (centripetal Catmull-Rom), the only kind that crosses UV seams.
+   * - `bezier`: n cubic Bezier curves in UV space from `3 * n + 1` points: one end, then two handles and an end per curve.
+   * - `spline`: a smooth curve over the skin through the points (centripetal Catmull-Rom). Only splines can cross UV seams.
    */
   curve: CurveKind
   /** [u, v], both 0..1, v = 0 at the top. */
   points: Uv[]
-  /** Full width of the valley on the skin in millimetres, 0.1..50; with full shoulders, the height is zero at its edges. */
+  /** Width of the valley on the skin in millimetres, 0.1..50. With `shoulder` 1, the height is 0 at half the width from the centre line. */
   width: number
   /** Maximum depth of the valley below the skin in millimetres, 0..10. */
   depth: number
-  /** Factors on the depth, 0..1, evenly spaced from start to end, at least 2; default 1. */
+  /** Factors on the depth, 0..1, evenly spaced from the start of the stroke to its end. At least 2; default: 1 everywhere. */
   depths?: number[]
   /** Fractions of the length, 0..1, over which the wrinkle fades in at its start and out at its end. */
   taper: [start: number, end: number]
-  /** Raised banks, 0..1, left and right along the curve as seen from outside. At 1 they hold all the skin pushed out of the valley. */
+  /**
+   * Strengths, 0..1, of the raised banks on both sides of the valley. Left and right are relative to the curve's direction, as seen from
+   * outside. At 1, the banks have the same volume as the valley.
+   */
   shoulder: [left: number, right: number]
-  /** Reach of the banks from the bottom, left and right, in millimetres, 0.1..100; default 2.2 widths. */
+  /** Distances in millimetres from the centre line to the outer ends of the banks, 0.1..100; default: 2.2 widths. */
   bank?: [left: number, right: number]
-  /** Asymmetry, -0.9..0.9, default 0: the half widths are 1 - lean (left) and 1 + lean (right) times their mean. */
+  /** Asymmetry of the valley, -0.9..0.9, default 0: `(1 - lean) / 2` of the width is left of the centre line, the rest right of it. */
   lean?: number
-  /** Roundness of the valley's bottom, 0..1: 0 = a sharp fold, 1 = as round as the valley is wide. */
+  /** Roundness of the valley's bottom, 0..1: 0 = a sharp fold, 1 = a radius of half the valley's width. */
   softness: number
-  /** Irregularity, 0..1: the line meanders and its depth varies, deterministically. */
+  /** Irregularity, 0..1: the line meanders and its depth varies. The variation is deterministic. */
   waviness: number
 }
 
 /** Strokes of one or several layers, and optionally the areas that show them. */
 export interface StrokesDocument {
   version: 1
-  /** Millimetres per unit of the face's positions, more than 0: 1000 for a life-size face in metres. */
+  /** Millimetres per unit of the mesh's positions; see `SCALE_RANGE`. A life-size face in metres has 1000. */
   scale: number
-  /** Default side of the maps in texels, 16..8192. */
+  /** Default width and height of the maps in texels, 16..8192. */
   size?: number
   strokes: Stroke[]
-  /** Net of fine furrows between the strokes. */
+  /** Pattern of fine furrows that cover the skin between the strokes. */
   furrows?: Furrows
-  /** Soft shapes that become the areas. Default: one area around the strokes of each group. */
+  /** Definitions of the areas of influence. Default: one area around the strokes of each group. */
   areas?: AreaDefinition[]
 }
 
-/** Minimum and maximum millimetres per unit of a face. */
+/** Minimum and maximum of `StrokesDocument.scale`. */
 export const SCALE_RANGE = [1e-6, 1e6] as const
 
 /** Default values of optional stroke fields. */
@@ -92,7 +95,7 @@ const STROKE_FIELDS = [
 /**
  * Reads a strokes document (docs/strokes-format.md) and fills in the defaults. The input is not changed.
  *
- * @throws FurrowError with the field's path if anything is malformed or unknown.
+ * @throws FurrowError with the path of a field that is malformed or unknown.
  */
 export function parseStrokes(json: unknown): StrokesDocument {
   const read = new JsonReader('parseStrokes')

@@ -5,33 +5,36 @@ import type { CrossSection, LaidStroke } from './lay-out.ts'
 import { bankAt, valleyAt } from './profile.ts'
 
 /**
- * Exponents of the norms that join strokes. Valleys: (a^6 + b^6)^(1/6) is close to the maximum, at most 12% more. Crossing valleys are as
- * deep as the deeper one, not the sum. Banks: (a^2 + b^2)^(1/2) merges the banks of two neighbouring lines into one bulge.
+ * Exponents of the norms that combine overlapping strokes. Two valleys of depths a and b have the depth `(a^6 + b^6)^(1/6)`, at most 12%
+ * more than the deeper one, because crossing wrinkles do not add up. Two banks of heights a and b have the height `sqrt(a^2 + b^2)`, so that
+ * the banks between two neighbouring wrinkles merge into one bulge.
  */
 const JOIN = { valleys: 6, banks: 2 } as const
-/** Fraction of the light lost in a valley, per depth in half widths, and its maximum. */
+/** Fraction of the light lost at the bottom of a valley whose depth equals its half width. */
 const SHADE = 1.1
+/** Maximum fraction of the light lost in a valley. */
 const MAX_SHADE = 0.75
 
 /**
- * Minimum half width of a drawn valley, in half texels. Narrower valleys would alias into dotted lines: full depth at texel centres, half
- * depth between them.
+ * Minimum half width of a drawn valley, in half texels. Narrower valleys would look like dotted lines, because their bottom has full depth
+ * at a texel's centre and half the depth between two texels.
  */
 const NARROWEST = 3
 
-/** Sums the strokes at a texel in order: valleys with valleys and banks with banks (see JOIN), then subtracts. */
+/** Combines the strokes at a texel: valleys with valleys, and banks with banks (see `JOIN`). The height is banks minus valleys. */
 export class HeightSum {
-  /** Sums of powers of depths and of heights. */
+  /** Sum of the valleys' depths to the power `JOIN.valleys`. */
   valleys = 0
+  /** Sum of the banks' heights to the power `JOIN.banks`. */
   banks = 0
-  /** Darkest shade of the strokes. */
+  /** Maximum fraction of the light lost to one stroke. */
   shade = 0
 
   clear(): void {
     this.valleys = this.banks = this.shade = 0
   }
 
-  /** Adds the powers of a depth and of a height. */
+  /** Adds a depth to the power `JOIN.valleys` and a height to the power `JOIN.banks`. */
   add(valley: number, bank: number): void {
     this.valleys += valley
     this.banks += bank
@@ -42,23 +45,23 @@ export class HeightSum {
     return Math.fround(Math.sqrt(this.banks) - power(this.valleys, 1 / JOIN.valleys))
   }
 
-  /** Occlusion: 255 = open to the light. */
+  /** Occlusion byte: 255 = unoccluded. */
   get open(): number {
     return Math.round(255 * (1 - Math.min(MAX_SHADE, Math.fround(this.shade))))
   }
 }
 
-/** Powers that a stroke adds at a texel. */
+/** Numbers that a stroke adds to a `HeightSum`. */
 export interface StrokePowers {
   valley: number
   bank: number
 }
 
 /**
- * Adds a stroke to the sum of a texel; see `LineVisitor` for the other parameters.
+ * Adds a stroke to the sum of a texel. The parameters `distance`, `segment`, `t` and `side` are those of `LineVisitor`.
  *
- * @param sharpest half the texel's size: the limit of a valley's sharpness, and the unit of NARROWEST.
- * @param out receives the added powers.
+ * @param sharpest half the texel's size in millimetres. Valleys and banks are rounded by this radius, and it is the unit of `NARROWEST`.
+ * @param out receives the added numbers.
  */
 export function addStroke(
   sum: HeightSum,
@@ -75,7 +78,7 @@ export function addStroke(
   addSection(sum, stroke, depth, halfWidth, distance, side, sharpest, out)
 }
 
-/** Adds a point of a stroke's cross-section to a sum; see `addStroke`. */
+/** Adds one point of a stroke's cross-section to a sum. The parameters are those of `addStroke`. */
 export function addSection(
   sum: HeightSum,
   { shoulder, banks, lean, softness }: CrossSection,

@@ -11,23 +11,23 @@ import type { OtherStrokes } from './other-strokes.ts'
 export interface HeightMap {
   width: number
   height: number
-  /** Millimetres above (+) or below (-) the smooth skin, width x height values, row 0 is v = 0. */
+  /** Millimetres above (+) or below (-) the smooth skin: `width * height` values, row 0 is at v = 0. */
   data: Float32Array
 }
 
 /** Heights and occlusion drawn from strokes. */
 export interface DrawnStrokes {
   heights: HeightMap
-  /** 255 = open. */
+  /** 255 = unoccluded. */
   occlusion: GrayImage
 }
 
 /**
- * Draws strokes as a height map. Distances are measured in 3D, so texture stretch and seams do not show. Valleys and banks are joined
- * separately (see `HeightSum`), then added: the order of strokes does not matter, and a single stroke keeps its exact profile. Valleys are
- * at least as wide as three texels, and shallower if widened. Parts of strokes outside the skin are skipped.
+ * Draws strokes as a height map. Distances are measured in 3D, so texture stretch and UV seams do not show. Where strokes overlap,
+ * `HeightSum` combines their valleys and banks; the order of strokes does not matter. Valleys narrower than three texels are drawn wider and
+ * shallower. Parts of strokes outside the skin are skipped.
  *
- * @param progress called with the number of strokes drawn in the finished part of the map.
+ * @param progress called with the finished share of the work, as a number of strokes, and the total number of strokes.
  * @throws FurrowError if the strokes are longer than 100 m in total.
  */
 export function strokesToHeight(
@@ -67,9 +67,9 @@ export function flatSkin(width: number, height: number): DrawnStrokes {
   }
 }
 
-/** Draws strokes texel by texel. A texel's value depends only on the strokes within reach. */
+/** Draws strokes texel by texel. The value of a texel depends only on the strokes within reach of it. */
 export class StrokePen {
-  /** Returns whether strokes may be within reach of a box, given by its lowest and highest x, y and z. */
+  /** Returns whether a stroke may be within reach of a box, given by its lowest and highest x, y and z. */
   readonly isNear: LineGrid['isNear']
   readonly #strokes: readonly LaidStroke[]
   readonly #grid: LineGrid
@@ -81,7 +81,7 @@ export class StrokePen {
 
   /**
    * @param drawn receives the maps.
-   * @param others also drawn, in all texels visited.
+   * @param others further strokes to draw, with cached results.
    */
   constructor(strokes: readonly LaidStroke[], metric: Metric, drawn: DrawnStrokes, others?: OtherStrokes) {
     this.#strokes = strokes

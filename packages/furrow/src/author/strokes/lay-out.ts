@@ -16,17 +16,17 @@ export type SectionStyle = Readonly<
   }
 >
 
-/** Cross-section of a stroke, relative to the valley's depth and half width. */
+/** Cross-section of a stroke. Heights are relative to the valley's depth, and distances to its half width. */
 export interface CrossSection {
-  /** Height of the raised banks, 0..1, left and right along the stroke as seen from outside. */
+  /** Strengths of the raised banks, 0..1; see `Stroke.shoulder`. */
   shoulder: readonly [left: number, right: number]
-  /** Reach of the banks, left and right, in half widths. */
+  /** Distances from the centre line to the outer ends of the banks, in half widths. */
   banks: readonly [left: number, right: number]
   lean: number
   softness: number
 }
 
-/** Stroke on the skin, with its cross-section at each point. */
+/** Part of a stroke laid on the skin, with its cross-section at each point. */
 export interface LaidStroke extends SkinLine, CrossSection {
   /** Depth and half width of the valley at each point, in millimetres. */
   depths: Float64Array
@@ -40,21 +40,21 @@ const MAX_SEGMENT = 0.5
 const MAX_SEGMENTS = 8192
 /** Maximum total length of strokes in millimetres. Lines a millimetre apart across a face of 300 x 300 mm are 90 m long. */
 export const MAX_TOTAL_LENGTH = 100_000
-/** Fraction of the width at a tapered end, where the depth is zero: a crease ends in a hairline. */
+/** Width at a tapered end as a fraction of the stroke's width. The depth is zero there. */
 const END_WIDTH = 0.4
 /**
- * Default reach of banks, in widths. With full shoulders, the height is zero half a width from the bottom, where 12 x^2 (1 - x)^2 = 1/e,
- * x = 1/2 / BANK_WIDTHS.
+ * Default reach of banks, in widths. It makes the height zero at half a width from the centre line if `shoulder` is 1. There, bank and valley
+ * cancel: `12 * x^2 * (1 - x)^2 = 1 / e` for `x = 1 / (2 * BANK_WIDTHS)`.
  */
 export const BANK_WIDTHS = 2.2055
-/** Wavelength of the irregularity in millimetres. A second, weaker octave has 0.4 of this wavelength. */
+/** Wavelength of the waviness in millimetres. A second, weaker octave has 0.4 of this wavelength. */
 const WAVELENGTH = 9
 
 /**
  * Lays strokes on the skin; see `layOutStroke`.
  *
  * @returns the parts of each stroke.
- * @throws FurrowError if their total length exceeds the limit: each stroke costs a search in all nearby texels.
+ * @throws FurrowError if the total length exceeds `MAX_TOTAL_LENGTH`, because the drawing time grows with the length.
  */
 export function layOutStrokes(strokes: readonly Stroke[], skin: LocatedSkin): LaidStroke[][] {
   let left = MAX_TOTAL_LENGTH / MAX_SEGMENT
@@ -73,7 +73,7 @@ export function layOutStrokes(strokes: readonly Stroke[], skin: LocatedSkin): La
   })
 }
 
-/** Lays a stroke on the skin in one or several parts, none if its texels have no skin. Deterministic. */
+/** Lays a stroke on the skin. Returns several parts if the stroke is interrupted, none if it is outside the skin. */
 export function layOutStroke(stroke: Stroke, skin: LocatedSkin): LaidStroke[] {
   const lines = layCurve(stroke, skin)
   const lengths = lines.map(arcLengths)
@@ -172,7 +172,7 @@ function shapeLine(stroke: Stroke, line: SkinLine, start: number, end: number, t
   return { points, normals: line.normals, depths, halfWidths, ...sectionOf(stroke), span }
 }
 
-/** Computes the unit vector to the right of a line at a point, in the skin as seen from outside. */
+/** Computes the unit vector that is tangent to the skin and points to the right of a line, as seen from outside. */
 function rightOf({ points, normals }: SkinLine, i: number, out: Float64Array): void {
   const [from, to] = [3 * Math.max(0, i - 1), Math.min(points.length - 3, 3 * i + 3)]
   const along = [0, 1, 2].map((k) => points[to + k] - points[from + k])
@@ -180,13 +180,14 @@ function rightOf({ points, normals }: SkinLine, i: number, out: Float64Array): v
   normalize(out)
 }
 
+/** Returns the fade of a stroke's depth, 0..1, at the fraction `t` of its length. */
 export function taperAt(t: number, [start, end]: readonly [number, number]): number {
   const fadeIn = start === 0 ? 1 : smoothstep(t / start)
   const fadeOut = end === 0 ? 1 : smoothstep((1 - t) / end)
   return fadeIn * fadeOut
 }
 
-/** Interpolates factors that are evenly spaced over 0..1. */
+/** Interpolates depth factors, evenly spaced along the stroke, at the fraction `t` of its length. */
 export function depthFactor(factors: readonly number[] | undefined, t: number): number {
   if (!factors) return 1
   const x = clamp(t, 0, 1) * (factors.length - 1)
@@ -194,7 +195,7 @@ export function depthFactor(factors: readonly number[] | undefined, t: number): 
   return lerp(factors[from], factors[from + 1], x - from)
 }
 
-/** Derived from the start of the stroke: different per stroke, the same on every run. */
+/** Derives a stroke's random seed from its first point, so that results are reproducible. */
 function seedOf([u, v]: Uv): number {
   return Math.round(u * 65_521) * 31 + Math.round(v * 65_521) * 7919
 }

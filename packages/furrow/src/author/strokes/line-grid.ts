@@ -1,61 +1,64 @@
 import type { SkinLine } from './curve.ts'
 import { LineSegments } from './line-segments.ts'
 
-/**
- * Minimum side of a cell in millimetres, and maximum number of cells along the longest side. The limit keeps cell indices exact on skin
- * of any size.
- */
+/** Minimum edge length of a cell in millimetres. */
 const MIN_CELL = 4
+/** Maximum number of cells along the longest axis. On very large skin, cells grow so that cell indices stay exact. */
 const MAX_CELLS_PER_AXIS = 2 ** 16
-/** Ratio of cube sides between two levels; the lowest level consists of the cells. */
+/** Ratio between the edge lengths of cubes in two successive levels. The cubes of the lowest level are the cells. */
 const BRANCHING = 4
-/** Maximum count of numbers stored per level. A full level is emptied, which bounds the memory on dense lines. */
+/** Maximum count of numbers cached per level. A level that exceeds it is emptied, to bound the memory. */
 const MAX_CACHED = 2 ** 21
-/** Distance from the centre of a cube to its corners in half sides, with a margin for rounding. */
+/** Distance from the centre of a cube to its corners, as a multiple of half the edge length, with a margin for rounding. */
 const RADIUS = 1.0005 * Math.sqrt(3)
-/** Maximum number of cells searched for a box; larger boxes count as near. */
+/** Maximum number of cells that `isNear` searches. It returns true for boxes with more cells. */
 const MAX_CELLS = 4096
 /** Marks a missing segment index. */
 const NONE = -1
 const NO_RUNS = new Int32Array(0)
 /**
- * Receives the nearest point of a line.
+ * Receives the point of a line that is nearest to a position.
  *
  * @param line index of the line.
- * @param distance in millimetres.
- * @param segment index of the point before the nearest point.
- * @param t position along the segment, 0..1.
- * @param side -1 left of the line as seen from outside, 1 right, 0 on the line; in between around its ends.
+ * @param distance distance from the position to the nearest point, in millimetres.
+ * @param segment index of the line's point that starts the segment with the nearest point.
+ * @param t position of the nearest point along the segment, 0..1.
+ * @param side -1 if the position is left of the line as seen from outside, 1 if it is right, 0 on the line. Around the ends of the line, the
+ *   value changes continuously.
  */
 export type LineVisitor = (line: number, distance: number, segment: number, t: number, side: number) => void
 
-/** Cubes of one size. Each holds the segments within reach as runs, computed on first access. */
+/** Cubes of one size. */
 interface Level {
-  /** Side of a cube in millimetres. */
+  /** Edge length of a cube in millimetres. */
   side: number
-  /** Index of the first cube along each axis, and number of cubes along y and z. */
+  /** Index of the first cube along each axis. */
   low: readonly number[]
+  /** Number of cubes along y. */
   rows: number
+  /** Number of cubes along z. */
   layers: number
+  /** Runs of the segments within reach of each cube (see `LineSegments.runs`), computed on first access. */
   cubes: Map<number, Int32Array>
 }
 
 /**
- * Finds lines near positions on the skin with a hierarchical grid. Cells are filled on first access, because few cells of a skin are within
- * reach of a line. Each level filters the runs of the next larger cubes. Results at a position depend only on the lines within reach.
+ * Finds the lines near a position on the skin with a hierarchical grid of cubes. Cubes are filled on first access, because few cubes are
+ * within reach of a line. A cube finds its segments among those of the larger cube that contains it. Results at a position depend only on
+ * the lines within reach.
  */
 export class LineGrid {
   readonly #reaches: readonly number[]
-  /** Side of a cell in millimetres. */
+  /** Edge length of a cell in millimetres. */
   readonly #cell: number
   readonly #segments: LineSegments
-  /** Segment found by the last visit, per line: the next texel mostly finds the same one. */
+  /** Nearest segment of each line at the last visited position. The next position mostly has the same one. */
   readonly #last: Int32Array
   /** Levels from the cells up. */
   readonly #levels: readonly Level[]
-  /** Count of numbers stored per level. */
+  /** Count of numbers cached per level. */
   readonly #held: number[]
-  /** Cell of the last access: mostly also the cell of the next texel. */
+  /** Cell of the last visited position. The next position is mostly in the same cell. */
   #around: { i: number; j: number; k: number; cell: Int32Array } = { i: NaN, j: NaN, k: NaN, cell: NO_RUNS }
   /** First and last cell within reach of any line, along each axis. */
   readonly #low = [Infinity, Infinity, Infinity]
@@ -72,7 +75,7 @@ export class LineGrid {
     this.#held = this.#levels.map(() => 0)
   }
 
-  /** Returns whether lines may be within reach of a box, given by its lowest and highest x, y and z. */
+  /** Returns whether a line may be within reach of a box, given by its lowest and highest x, y and z. */
   readonly isNear = (low: ArrayLike<number>, high: ArrayLike<number>): boolean => {
     const left = Math.max(this.#cellOf(low[0]), this.#low[0])
     const right = Math.min(this.#cellOf(high[0]), this.#high[0])
@@ -90,7 +93,7 @@ export class LineGrid {
     return false
   }
 
-  /** Returns whether lines are within reach of a position, whichever way they face. */
+  /** Returns whether a line is within reach of a position, regardless of its normals. */
   isWithinReach(position: ArrayLike<number>): boolean {
     const [x, y, z] = [position[0], position[1], position[2]]
     const cell = this.#cellAround(x, y, z)
@@ -106,10 +109,10 @@ export class LineGrid {
   }
 
   /**
-   * Visits each line within reach once, in order, at the nearest point whose normal agrees with the skin's.
+   * Visits each line within reach of a position once, by ascending index. Only segments whose normal is similar to the skin's normal count.
    *
-   * @param position on the skin.
-   * @param normal of the skin there.
+   * @param position position on the skin.
+   * @param normal unit normal of the skin at the position.
    */
   visit(position: ArrayLike<number>, normal: ArrayLike<number>, visit: LineVisitor): void {
     const [x, y, z] = [position[0], position[1], position[2]]
@@ -125,14 +128,14 @@ export class LineGrid {
         nearest = last
         least = segments.squareTo(last, x, y, z)
       }
-      /** Search radius: farther segments are out of reach, or another one is nearer. */
+      /** Search radius: segments farther away are out of reach, or `last` is nearer. */
       const most = Math.min(this.#reaches[line], Math.sqrt(least))
       const far = segments.farFrom(line, most)
       for (; run < cell.length && segments.lineOf[cell[run]] === line; run += 2) {
         const end = cell[run + 1]
         for (let segment = cell[run]; segment < end; ) {
           const square = segments.squareTo(segment, x, y, z)
-          // On a tie, the lowest index wins, independent of the cached segment.
+          // On a tie, the lowest index wins, so that the result does not depend on the cached segment.
           const isNearer = square < least || (square === least && segment < nearest)
           if (isNearer && segments.faces(segment, nx, ny, nz)) {
             nearest = segment
@@ -149,7 +152,7 @@ export class LineGrid {
     }
   }
 
-  /** Widens the box within reach of any line by the points of one line. A single point has no segment. */
+  /** Extends `#low` and `#high` to the cells within reach of a line. A line with a single point has no segment and is skipped. */
   #widen(points: Float64Array, reach: number): void {
     if (points.length < 6) return
     for (let i = 0; i < points.length; i++) {
@@ -189,7 +192,7 @@ export class LineGrid {
     return cube
   }
 
-  /** Creates levels until a cube is nearly as large as the box within reach of any line. */
+  /** Creates levels until a cube spans nearly all cells within reach of any line. */
   #levelsOf(): Level[] {
     const levels: Level[] = []
     const extent = Math.max(...this.#high.map((high, k) => high - this.#low[k]))
@@ -203,7 +206,7 @@ export class LineGrid {
     return levels
   }
 
-  /** Filters runs to the segments within reach of a cube, given by its index along each axis and its side. */
+  /** Returns the part of `runs` within reach of a cube, which has the indices `x`, `y`, `z` and the edge length `side`. */
   #within(runs: Int32Array, x: number, y: number, z: number, side: number): Int32Array {
     const radius = (side / 2) * RADIUS
     const [px, py, pz] = [(x + 0.5) * side, (y + 0.5) * side, (z + 0.5) * side]
@@ -230,7 +233,7 @@ export class LineGrid {
   }
 }
 
-/** Returns the longest side of the bounding box of the lines. */
+/** Returns the longest edge of the lines' bounding box in millimetres. */
 function extentOf(lines: readonly SkinLine[]): number {
   const [low, high] = [
     [Infinity, Infinity, Infinity],

@@ -1,22 +1,23 @@
 import { length2 } from '../../math/vector.ts'
 import type { SkinLine } from './curve.ts'
 
-/** Factor that keeps a distance a lower bound after rounding. */
+/** Factor on a distance that keeps it a lower bound despite rounding. */
 const ROUNDED = 1 - 1e-6
-/** Minimum cosine between normals of points that face the same way: separates the upper from the lower lip. */
+/** Minimum cosine between the normals of a line and of the skin that it marks. It keeps lines on one lip from marking the other lip. */
 const FACING = 0.25
 /** Numbers per segment: start, vector to its end, inverse of its squared length, normal. */
 const STRIDE = 10
 
 /** Segments of lines on the skin, packed for tight loops. Positions are in millimetres. */
 export class LineSegments {
-  /** Line and start point of each segment. */
+  /** Line of each segment. */
   readonly lineOf: Int32Array
+  /** Index of each segment's start point in its line. */
   readonly pointOf: Int32Array
-  /** All segments as runs: pairs of first index and end index (exclusive), one run per line. */
+  /** All segments as runs of successive indices, one run per line. A run is a pair of numbers: its first index, and its last index plus 1. */
   readonly runs: Int32Array
   readonly #numbers: Float64Array
-  /** Longest segment of each line in millimetres. */
+  /** Length of the longest segment of each line in millimetres. */
   readonly #longest: Float64Array
 
   constructor(lines: readonly SkinLine[]) {
@@ -54,7 +55,7 @@ export class LineSegments {
     return dx * dx + dy * dy + dz * dz
   }
 
-  /** Returns the position along a segment nearest to a point, 0..1. */
+  /** Returns the fraction of a segment's length, 0..1, at which the segment is nearest to a position. */
   fractionAt(segment: number, px: number, py: number, pz: number): number {
     const s = this.#numbers
     const k = STRIDE * segment
@@ -63,7 +64,7 @@ export class LineSegments {
     return along < 0 ? 0 : along > 1 ? 1 : along
   }
 
-  /** Returns whether a segment faces the same way as the skin with this normal. */
+  /** Returns whether a segment's normal is within about 75 degrees of a unit normal of the skin. */
   faces(segment: number, nx: number, ny: number, nz: number): boolean {
     const s = this.#numbers
     const k = STRIDE * segment
@@ -71,10 +72,10 @@ export class LineSegments {
   }
 
   /**
-   * Returns the sine, in the tangent plane, between the segment and the direction to a position: 1 to its right, -1 to its left, less
-   * around its ends. The height above the tangent plane is ignored, because skin is curved.
+   * Returns on which side of a segment a position is: 1 = right, -1 = left. Around an end of the line, returns the sine of the angle between
+   * the segment and the direction from that end to the position. The angle is measured in the tangent plane, because skin is curved.
    *
-   * @param t result of `fractionAt`.
+   * @param t result of `fractionAt` for the same segment and position.
    */
   sideOf(segment: number, x: number, y: number, z: number, t: number): number {
     const s = this.#numbers
@@ -82,7 +83,7 @@ export class LineSegments {
     const vx = x - s[k]
     const vy = y - s[k + 1]
     const vz = z - s[k + 2]
-    // Both are scaled by the segment's length. (segment x offset) . normal is positive on the left.
+    // `dot(normal, cross(segment, offset))` is positive on the left. Like `beyond`, it is scaled by the segment's length.
     const left =
       s[k + 7] * (s[k + 4] * vz - s[k + 5] * vy) +
       s[k + 8] * (s[k + 5] * vx - s[k + 3] * vz) +
@@ -95,14 +96,16 @@ export class LineSegments {
   }
 
   /**
-   * Returns the number of segments to skip to the next one that may be within `distance`, given the squared distance to the current one.
+   * Returns the number of steps from a segment to the next one of its line that may be within `distance` of a position.
+   *
+   * @param square squared distance from the position to the current segment.
    */
   stepsTo(line: number, square: number, distance: number): number {
     const segments = (ROUNDED * Math.sqrt(square) - distance) / this.#longest[line]
     return segments > 1 ? Math.ceil(segments) : 1
   }
 
-  /** Returns the squared distance beyond which `stepsTo` skips segments of a line: cheaper to compare. */
+  /** Returns the minimum squared distance for which `stepsTo` exceeds 1. Comparing with it is cheaper than calling `stepsTo`. */
   farFrom(line: number, distance: number): number {
     return ((distance + this.#longest[line]) / ROUNDED) ** 2
   }

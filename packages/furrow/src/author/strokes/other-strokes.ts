@@ -5,20 +5,24 @@ import { LineGrid, type LineVisitor } from './line-grid.ts'
 
 /** Maximum count of cached numbers (32 MB); a full cache is emptied. */
 const MAX_CACHED = 2 ** 22
-/** Header per texel: three numbers of the sum and a count. Two numbers per stroke behind the edited one follow. */
+/**
+ * Length of a texel's header: `valleys`, `banks` and `shade` of a sum, and the count of numbers that follow. Two numbers follow for each
+ * stroke after the edited one.
+ */
 const HEAD = 4
 
 /**
- * Caches the contribution of all strokes but the edited one, per texel on first access: while an artist bends one line, its neighbours
- * stay. Floating-point sums depend on the order, so strokes before the edited one are cached as a sum, and strokes behind it separately.
+ * Caches what all strokes except the edited one contribute to each texel, because they do not change while an artist edits one stroke.
+ * Strokes must be added in the order of the list, because rounding depends on the order. Strokes before the edited one are therefore cached
+ * as one sum, and strokes after it (`behind`) one by one.
  */
 export class OtherStrokes {
   readonly #strokes: readonly LaidStroke[]
-  /** Index of the first stroke behind the edited one. */
+  /** Index of the first stroke after the edited one. */
   readonly #behind: number
   readonly #grid: LineGrid
   readonly #metric: Metric
-  /** Offset of each texel's numbers. */
+  /** Index in `#numbers` of each texel's header. */
   readonly #starts = new Map<number, number>()
   #numbers = new Float64Array(2 ** 14)
   #used = 0
@@ -43,7 +47,7 @@ export class OtherStrokes {
   /**
    * Starts the sum of a texel with the strokes before the edited one.
    *
-   * @returns offset to pass to `end` after the edited stroke is added.
+   * @returns number to pass to `end` after the edited stroke is added.
    */
   begin(sum: HeightSum, texel: number, position: Float64Array, normal: Float64Array): number {
     const start = this.hold(texel, position, normal)
@@ -53,7 +57,7 @@ export class OtherStrokes {
     return start
   }
 
-  /** Adds the strokes behind the edited one. */
+  /** Adds the strokes after the edited one. */
   end(sum: HeightSum, start: number): void {
     const first = start + HEAD
     const end = first + this.#numbers[start + HEAD - 1]
@@ -61,9 +65,9 @@ export class OtherStrokes {
   }
 
   /**
-   * Caches the contribution of the other strokes to a texel, unless cached already.
+   * Caches the contributions of the other strokes to a texel, unless they are cached already.
    *
-   * @returns offset of the texel's numbers.
+   * @returns index in `#numbers` of the texel's header.
    */
   hold(texel: number, position: Float64Array, normal: Float64Array): number {
     const known = this.#starts.get(texel)

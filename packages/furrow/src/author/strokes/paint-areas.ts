@@ -10,19 +10,19 @@ import { layOutStrokes } from './lay-out.ts'
 import { LineGrid } from './line-grid.ts'
 import { visitTexelsNear } from './near-outline.ts'
 
-/** Painted area: the part of `Area` that a strokes document defines. */
+/** Area painted from a strokes document. */
 export interface PaintedArea {
   name: string
   /** Weights at the canvas's size, 255 = fully visible. */
   weights: GrayImage
 }
 
-/** Default shape around a group's strokes if the document defines no areas, in millimetres. */
+/** Shape around the strokes of each group if the document defines no areas, in millimetres. */
 export const GROUP_SHAPE = { radius: 7, feather: 8 } as const
 
 /**
- * Paints the areas of a strokes document at the canvas's size. Default: one area around the strokes of each group. Weights fall from 1 to
- * 0 by smoothstep across the feather and are exactly 0 outside.
+ * Paints the areas of a strokes document at the canvas's size. If the document defines no areas, paints one area around the strokes of each
+ * group. Weights fall from 1 to 0 by smoothstep across the soft edge (`feather`) and are exactly 0 outside.
  *
  * @throws FurrowError if the document has neither areas nor groups.
  */
@@ -56,7 +56,7 @@ function areasOfGroups(strokes: readonly Stroke[]): AreaDefinition[] {
   return [...groups].map((group) => ({ name: group, shapes: [{ group, ...GROUP_SHAPE }] }))
 }
 
-/** Paints one area: the maximum of its shapes, times `within`. Group shapes need the group's strokes. */
+/** Paints one area. `strokes` must contain the strokes of the groups that the definition names. */
 export function paintArea(
   { shapes, within }: AreaDefinition,
   strokes: readonly Stroke[],
@@ -100,7 +100,7 @@ function paintGroup(
   return weights
 }
 
-/** Paints a polygon in UV space, which may extend beyond the skin. */
+/** Paints a polygon in UV space. Polygons may extend beyond the skin. */
 function paintPolygon({ polygon, feather }: PolygonShape, metric: Metric): Float32Array {
   const { width, height } = metric
   const weights = new Float32Array(width * height)
@@ -116,7 +116,7 @@ function paintPolygon({ polygon, feather }: PolygonShape, metric: Metric): Float
 }
 
 /**
- * Returns 1 half a feather inside the outline, 0.5 on it and 0 half a feather outside.
+ * Returns the weight at a distance from an outline: 1 at half a feather inside, 0.5 on the outline, 0 at half a feather outside.
  *
  * @param distance signed distance from the outline in millimetres, positive outside.
  */

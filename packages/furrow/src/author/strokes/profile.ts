@@ -7,19 +7,19 @@ export const VALLEY_REACH = 5
 /** Distance in half widths where the fade to zero begins. */
 const FADE_START = 3
 
-/** Volume under a bank of height and reach 1. */
+/** Area under the cross-section of a bank with height 1 and reach 1. */
 const BANK_VOLUME = 9 / 16
 
 /**
- * Cross-section of a valley without banks: exp(-t), with t the distance from the bottom in half widths. Skin bends sharply at the bottom
- * and is convex everywhere else (Harrison, A physics-based model for wrinkling skin, University of British Columbia 2015). The area on each
- * side of the bottom is `halfWidth * depth`. `softness` rounds the bottom and keeps the values at t = 0 and t = 1. The far end fades to
- * exactly 0 at `VALLEY_REACH`.
+ * Computes the cross-section of a valley without banks: `exp(-t)`, with t the distance from the bottom in half widths. Skin bends sharply at
+ * the bottom and is convex everywhere else (Harrison, A physics-based model for wrinkling skin, University of British Columbia 2015). The
+ * cross-section has the area `halfWidth * depth` on each side of the bottom. `softness` rounds the bottom but keeps the depths at t = 0 and
+ * t = 1. The depth fades to exactly 0 at `VALLEY_REACH`.
  *
- * @param distance from the bottom in half widths, at least 0.
- * @param softness radius of the rounded bottom in half widths of the widened valley, 0..1.
- * @param widened factor by which the valley is drawn wider and shallower at the same volume, at least 1.
- * @returns depth as a fraction of the depth before widening: `1 / widened` at the bottom.
+ * @param distance distance from the bottom in half widths, at least 0.
+ * @param softness radius of the rounded bottom in half widths, 0..1; if `widened` is above 1, in half widths of the wider valley.
+ * @param widened factor, at least 1, that makes the valley wider and divides its depth, so that the volume stays the same.
+ * @returns depth as a fraction of the valley's depth; `1 / widened` at the bottom.
  */
 export function valleyAt(distance: number, softness: number, widened = 1): number {
   if (distance >= VALLEY_REACH) return 0
@@ -33,12 +33,12 @@ export function valleyAt(distance: number, softness: number, widened = 1): numbe
 }
 
 /**
- * Cross-section of a bank: x (1 - x)^2, with x the distance from the bottom as a fraction of the bank's reach. The bank rises at the
- * bottom, peaks at a third of its reach and ends without an edge. If two valleys are as far apart as their reach, their banks add up to the
- * parabola `x * (1 - x)`: one convex bulge between them. Banks with `shoulder` 1 have the volume of a valley of half width 1 and depth 1.
+ * Computes the cross-section of a bank. It is proportional to `x * (1 - x)^2`, with x the distance from the valley's bottom as a fraction of
+ * the bank's reach. The bank starts at the bottom, peaks at a third of its reach and ends smoothly. If two valleys are one reach apart, their
+ * banks add up to the parabola `x * (1 - x)`: one convex bulge. A bank with `shoulder` 1 has the same volume as its side of the valley.
  *
- * @param distance from the bottom in half widths, at least 0.
- * @param reach in half widths.
+ * @param distance distance from the valley's bottom in half widths, at least 0.
+ * @param reach distance from the valley's bottom to the bank's outer end, in half widths.
  * @returns height as a fraction of the valley's depth.
  */
 export function bankAt(distance: number, reach: number, shoulder: number): number {

@@ -13,37 +13,42 @@ import { OtherStrokes } from './other-strokes.ts'
 
 /** Base normal map and tangent frame of a `StrokeLayer`. */
 export interface StrokeLayerOptions {
-  /** Smooth normal map (pores, scars) under the wrinkles, of the canvas's size; kept by reference, not changed. Default: flat skin. */
+  /**
+   * Normal map of the skin without wrinkles, for example with pores and scars, of the canvas's size. The layer keeps a reference and does not
+   * change the map. Default: flat skin.
+   */
   base?: RgbaImage
   /** Tangent frame of the normal map; default `orthonormal`. */
   frame?: TangentFrame
 }
 
 /**
- * Maps of a layer that follow its strokes. An edit redraws only the skin within reach of added, removed or replaced strokes. While the same
- * stroke is edited repeatedly, the contributions of the others are cached; `prepare` fills this cache ahead. Results are bit-identical to a
- * full redraw with `strokesToHeight`, `heightToNormal` and `combineNormals`. Memory: 10 bytes per texel, 64 bytes per half millimetre of
- * stroke, and up to 32 MB while one stroke is edited. Layers of one size can share their canvas.
+ * Maps of one layer that are updated when its strokes change. An edit redraws only the skin within reach of added, removed or replaced
+ * strokes. While the same stroke is edited repeatedly, the contributions of all other strokes are cached; `prepare` fills this cache before
+ * the first edit. Results are bit-identical to a full redraw with `strokesToHeight`, `heightToNormal` and `combineNormals`.
+ *
+ * Memory: 10 bytes per texel, 64 bytes per half millimetre of stroke, and up to 32 MB while one stroke is edited. Layers with maps of the
+ * same size can share a canvas.
  */
 export class StrokeLayer {
   /** Changed in place by `draw`, like the other maps. */
   readonly heights: HeightMap
-  /** 255 = open to the light. */
+  /** 255 = unoccluded. */
   readonly occlusion: GrayImage
-  /** Tangent-space normal map of wrinkles and base, as `heightToNormal` writes it. */
+  /** Tangent-space normal map of wrinkles and base, in the encoding of `heightToNormal`. */
   readonly normal: RgbaImage
   readonly #canvas: SkinCanvas
   readonly #base: RgbaImage | undefined
   readonly #frame: TangentFrame
   readonly #drawn: DrawnStrokes
   #strokes: readonly PlacedStroke[] = []
-  /** Null if the last change involved several strokes. */
+  /** Cache for the stroke that is being edited. Null if the last change involved several strokes. */
   #edit: Edit | null = null
 
   /**
    * Creates a layer without strokes.
    *
-   * @throws FurrowError if the base does not have the canvas's size.
+   * @throws FurrowError if `base` does not have the canvas's size.
    */
   constructor(canvas: SkinCanvas, { base, frame = 'orthonormal' }: StrokeLayerOptions = {}) {
     const { metric } = canvas
@@ -60,10 +65,10 @@ export class StrokeLayer {
   }
 
   /**
-   * Redraws the maps for other strokes. Strokes are compared by identity, so an edit must replace the object. A stroke at another index
-   * also counts as changed.
+   * Updates the maps to a new list of strokes. Strokes are compared by identity, so an edit must replace the stroke's object. Strokes whose
+   * order changed also count as changed.
    *
-   * @returns changed rectangles in texels: several if far apart, for example on both sides of a seam; none if nothing changed.
+   * @returns changed rectangles in texels. There are several if changes are far apart, for example on both sides of a UV seam.
    */
   draw(strokes: readonly Stroke[]): Bounds[] {
     const { placed, changed } = this.#place(strokes)
@@ -82,11 +87,11 @@ export class StrokeLayer {
   }
 
   /**
-   * Caches the contributions of the other strokes within reach of a stroke. Otherwise, `draw` does this when the stroke is first replaced
-   * or removed.
+   * Prepares the edit of a stroke: caches the contributions of all other strokes to the skin within its reach. Without this call, `draw`
+   * fills the cache when the stroke is first replaced or removed.
    *
-   * @returns steps of 64 texels each. They may be postponed, also between calls of `draw`, and end once another stroke is prepared or
-   *   edited. Empty if the stroke is not drawn.
+   * @returns generator that processes 64 texels per step. The caller may pause it, and call `draw` meanwhile. It ends early if another stroke
+   *   is prepared or edited.
    */
   *prepare(stroke: Stroke): Generator<void, void> {
     const index = this.#strokes.findIndex((each) => each.stroke === stroke)
@@ -104,7 +109,7 @@ export class StrokeLayer {
     }
   }
 
-  /** Finds the edit that leads to the given strokes if one stroke was added, removed or replaced; otherwise null. */
+  /** Returns the edit that leads to the given strokes if only one stroke was added, removed or replaced; otherwise null. */
   #editTo(placed: readonly PlacedStroke[]): Edit | null {
     if (this.#edit && matchesEdit(placed, this.#edit)) return this.#edit
     const old = this.#strokes
@@ -122,7 +127,7 @@ export class StrokeLayer {
   }
 
   #penFor(changed: readonly PlacedStroke[]): StrokePen {
-    // Includes unchanged strokes that reach a changed texel.
+    // Unchanged strokes that reach a changed texel are needed too.
     const near = this.#strokes.filter(({ box }) => changed.some((other) => overlap(box, other.box)))
     return new StrokePen(laidOf(near), this.#canvas.metric, this.#drawn)
   }
@@ -132,7 +137,7 @@ export class StrokeLayer {
     return new StrokePen(laidOf(own), this.#canvas.metric, this.#drawn, others)
   }
 
-  /** Lays new strokes on the skin, and finds added and removed ones. */
+  /** Lays new strokes on the skin, and returns all strokes and the added or removed ones. */
   #place(strokes: readonly Stroke[]): { placed: PlacedStroke[]; changed: PlacedStroke[] } {
     const indices = new Map<Stroke, number[]>()
     for (const [i, { stroke }] of this.#strokes.entries())
@@ -163,18 +168,20 @@ export class StrokeLayer {
 interface PlacedStroke {
   stroke: Stroke
   laid: readonly LaidStroke[]
-  /** Bounding box within reach: lowest x, y and z, then highest. */
+  /** Bounding box of the space within reach of the stroke: lowest x, y and z, then highest. */
   box: Float64Array
 }
 
-/** Edit of one stroke: the others, before and behind it. */
+/** Edit of one stroke. */
 interface Edit {
+  /** Strokes before the edited one in the list. */
   before: readonly PlacedStroke[]
+  /** Strokes after the edited one in the list. */
   behind: readonly PlacedStroke[]
   others: OtherStrokes
 }
 
-/** Returns whether the strokes match an edit, with at most one stroke at the edited position. */
+/** Returns whether the strokes are those of an edit, with one stroke or none between `before` and `behind`. */
 function matchesEdit(strokes: readonly PlacedStroke[], { before, behind }: Edit): boolean {
   const more = strokes.length - before.length - behind.length
   return (

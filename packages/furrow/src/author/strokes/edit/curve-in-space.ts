@@ -3,7 +3,7 @@ import type { SkinCanvas } from '../../skin/canvas.ts'
 import type { Stroke } from '../document.ts'
 import { layOutStroke } from '../lay-out.ts'
 
-/** Part of a stroke as a line in space, in mesh coordinates. */
+/** Uninterrupted part of a stroke as a line in space, in mesh coordinates. */
 export interface StrokeCurve {
   /** Packed xyz. */
   points: Float64Array
@@ -23,7 +23,7 @@ export interface StrokePoint {
 }
 
 /**
- * Returns the bottom of a stroke's valley as lines on the face, for drawing and picking, with steps of at most half a millimetre.
+ * Returns the centre line of a stroke's valley on the face, for drawing and picking. The points are at most half a millimetre apart.
  *
  * @returns several parts if the stroke is interrupted, none if it is outside the skin.
  */

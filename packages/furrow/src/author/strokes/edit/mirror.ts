@@ -17,10 +17,11 @@ export interface MirrorPlane {
 const MIDDLE: MirrorPlane = { origin: [0, 0, 0], normal: [1, 0, 0] }
 
 /**
- * Mirrors a stroke across a plane: each point goes to the point of the skin nearest to its mirror image. Left and right of the
- * cross-section are swapped, and the group's suffix `Left` or `Right`. If both halves share texels, a stroke is its own mirror image.
+ * Mirrors a stroke across a plane. Each control point moves to the point of the skin nearest to its mirror image. The left and right values
+ * of the cross-section are swapped, and a suffix `Left` or `Right` of the group's name changes to the other one. If both halves of the face
+ * share texels, the result has the same points as the stroke.
  *
- * @param plane default: x = 0; `middleOf` finds a face's plane.
+ * @param plane symmetry plane of the face. Default: x = 0.
  * @returns the mirrored stroke as a spline (`splineOf`).
  */
 export function mirrorStroke<S extends Stroke>(stroke: S, canvas: SkinCanvas, plane = MIDDLE): S {

@@ -10,12 +10,11 @@ import { clamped, knotsOf, traceStroke, uvOf } from './traced-stroke.ts'
 const STEP = 0.5
 
 /**
- * Inserts a point on a stroke's existing line. The extra point changes the spline slightly: on faces by 0.01 mm in the median, 0.1 mm at
- * most.
+ * Inserts a control point on a stroke's line. The line moves slightly: on faces by a median of 0.01 mm, and by at most 0.1 mm.
  *
  * @param along position on the line as a fraction of its length, 0..1.
- * @returns the stroke as a spline (`splineOf`) and the index of the new point. Returns the unchanged stroke and -1 if a point exists
- *   there, or the line is outside the skin.
+ * @returns the stroke as a spline (`splineOf`), and the index of the new point. Returns the unchanged stroke and -1 if the stroke already
+ *   has a point at this position, or is outside the skin.
  */
 export function insertPoint<S extends Stroke>(
   stroke: S,
@@ -35,8 +34,8 @@ export function insertPoint<S extends Stroke>(
 /**
  * Removes a point of a stroke.
  *
- * @param index of the point in the result of `splineOf`.
- * @throws FurrowError if the point is missing, or only two points are left.
+ * @param index index of the point in the spline that `splineOf` returns for the stroke.
+ * @throws FurrowError if the index is out of range, or the stroke has only two points.
  */
 export function removePoint<S extends Stroke>(stroke: S, index: number, skin: LocatedSkin): S {
   const spline = splineOf(stroke, skin)
@@ -56,7 +55,7 @@ export function removePoint<S extends Stroke>(stroke: S, index: number, skin: Lo
 /**
  * Smooths a stroke: moves each inner point over the skin towards the straight line between its neighbours. The ends stay.
  *
- * @param amount fraction of the way, 0..1.
+ * @param amount fraction of the distance to that straight line by which each point moves, 0..1.
  * @returns the stroke as a spline (`splineOf`).
  */
 export function smoothStroke<S extends Stroke>(stroke: S, amount: number, skin: LocatedSkin): S {

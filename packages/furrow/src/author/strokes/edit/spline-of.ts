@@ -7,10 +7,10 @@ import { traceStroke, uvOf } from './traced-stroke.ts'
 export const TOLERANCE = 0.08
 
 /**
- * Converts a stroke to a spline, whose points can be moved individually and across seams. The line stays in place within 0.08 mm. The
- * spline bridges gaps where the texture has no skin.
+ * Converts a stroke to a spline, because the points of a spline can be moved one by one and across UV seams. The new line is within 0.08 mm
+ * of the old one. The spline bridges gaps where the texture has no skin.
  *
- * @returns the same stroke if it is already a spline, or outside the skin.
+ * @returns the stroke itself if it is already a spline, or is outside the skin.
  */
 export function splineOf<S extends Stroke>(stroke: S, skin: LocatedSkin): S {
   if (stroke.curve === 'spline') return stroke

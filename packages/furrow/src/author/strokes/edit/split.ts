@@ -13,12 +13,12 @@ const FACTOR_SPACING = 1
 const MAX_FACTORS = 256
 
 /**
- * Splits a stroke in two at one of its points. Both parts keep the line within 0.08 mm, adding points as needed, and the depth, without
- * tapering at the cut. The second part gets different waviness.
+ * Splits a stroke in two at one of its points. Points are added so that both parts stay within 0.08 mm of the line. Both parts keep the
+ * stroke's depths and do not taper at the cut. The waviness of the second part changes, because it depends on the part's first point.
  *
- * @param index inner point in the result of `splineOf`.
- * @returns both parts as splines, from start to end.
- * @throws FurrowError if the point is missing or not an inner one.
+ * @param index index of an inner point in the spline that `splineOf` returns for the stroke.
+ * @returns both parts as splines; the first one contains the start of the stroke.
+ * @throws FurrowError if the index is out of range, or is that of an end point.
  */
 export function splitStroke<S extends Stroke>(stroke: S, index: number, skin: LocatedSkin): [S, S] {
   const spline = splineOf(stroke, skin)
@@ -28,11 +28,11 @@ export function splitStroke<S extends Stroke>(stroke: S, index: number, skin: Lo
   const part = (first: number, last: number): S => {
     const points = splinePoints(spline, first, last)
     const [start, end] = [line.lengths[knots[first]], line.lengths[knots[last]]]
-    // Points outside the skin have no line to preserve.
+    // A part outside the skin has no length, so its depths and tapers cannot be computed.
     if (!(end > start)) return { ...spline, points }
     return { ...spline, points, ...shapeOf(spline, start, end, line.lengths.at(-1) ?? end) }
   }
-  /** Returns the points of the line between two points of the stroke. */
+  /** Returns the control points of the part between two points of the stroke. */
   function splinePoints(of: S, first: number, last: number): S['points'] {
     const own = knots.slice(first, last + 1)
     if (own.some((knot, i) => i > 0 && knot <= own[i - 1])) return of.points.slice(first, last + 1)

@@ -4,16 +4,17 @@ import { type LocatedSkin, layCurve } from '../curve.ts'
 import type { Stroke } from '../document.ts'
 import { arcLengths } from '../lay-out.ts'
 
-/** Line of a stroke on the skin, from end to end in short steps. An interruption is one long step. */
+/** Line of a stroke on the skin, from end to end in short steps. A gap without skin is one long step. */
 export interface TracedStroke {
-  /** Packed xyz in millimetres, and the triangle of each point. */
+  /** Packed xyz in millimetres. */
   points: Float64Array
+  /** Triangle of the skin at each point. */
   triangles: readonly number[]
   /** Arc length in millimetres from the start to each point. */
   lengths: Float64Array
 }
 
-/** Lays a stroke's line on the skin; empty if the stroke is outside the skin. */
+/** Lays a stroke's line on the skin. The result has no points if the stroke is outside the skin. */
 export function traceStroke(stroke: Stroke, skin: LocatedSkin): TracedStroke {
   const lines = layCurve(stroke, skin)
   const points = Float64Array.from(lines.flatMap((line) => [...line.points]))
@@ -31,12 +32,12 @@ export function uvOf({ points, triangles }: TracedStroke, i: number, { surface, 
   return clamped(locator.uvAt(triangles[i], weights))
 }
 
-/** Clamps to the range allowed in documents: beyond the skin's border a line may leave the texture. */
+/** Clamps UV coordinates to 0..1, the range allowed in documents. A line that passes the skin's border can leave the texture. */
 export function clamped([u, v]: Uv): Uv {
   return [Math.min(1, Math.max(0, u)), Math.min(1, Math.max(0, v))]
 }
 
-/** Returns the index on a spline's line of each of its points. Points outside the skin repeat the previous index. */
+/** Returns the index of each control point of a spline in its traced line. Control points outside the skin repeat the previous index. */
 export function knotsOf(
   { points: uvs }: Stroke,
   line: TracedStroke,
