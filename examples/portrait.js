@@ -1,4 +1,4 @@
-/** Shared code of the driver examples: a lit face with controls below it. Not part of the library. */
+/** Shared code of the examples: a lit face with controls below it. Not part of the library. */
 
 import * as three from 'three'
 
@@ -42,6 +42,13 @@ export function showFace(
   renderer.setAnimationLoop((milliseconds) => {
     beforeFrame(milliseconds / 1000)
     renderer.render(scene, camera)
+  })
+}
+
+/** Sets a blendshape of every mesh of a face that has it, 0..1. */
+export function setTarget(face, name, weight) {
+  face.traverse(({ morphTargetDictionary: targets, morphTargetInfluences: weights }) => {
+    if (targets && name in targets) weights[targets[name]] = weight
   })
 }
 

@@ -1,10 +1,12 @@
-// `npm run figures`: renders the README's and the docs' pictures into docs/figures/. `-- ktx2` selects figures.
+// `npm run figures`: renders the README's and the docs' pictures into docs/figures/. `-- ktx2` selects figures. `-- examples` takes the
+// gallery's pictures, `-- examples/age` one of them.
 // FURROW_BEFORE=../checkout adds the faces and automatic wrinkles of an earlier, built version to the close-ups.
 
 import { existsSync } from 'node:fs'
 import { mkdtemp, rm } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
+import { isExamplePicture, writeExamplePictures } from './figures/examples.mjs'
 import { FACE, FACES, SCAN } from './figures/faces.mjs'
 import { FIGURES, FORMATS } from './figures/list.mjs'
 import { MOVING, movingFrames } from './figures/moving.mjs'
@@ -15,9 +17,12 @@ import { Failure, main, ROOT, say } from './lib/run.mjs'
 import { setUp } from './lib/set-up.mjs'
 
 await main(async () => {
-  const figures = selectFigures(process.argv.slice(2))
+  const names = process.argv.slice(2)
+  const examples = names.filter(isExamplePicture)
+  const figures = selectFigures(names)
   await setUp()
   process.env.FURROW_CHROMIUM = await ensureBrowser()
+  if (names.length === 0 || examples.length > 0) await writeExamplePictures(examples)
   const parts = Object.values(figures).flat()
   const pictures = await renderFaces(parts.filter(({ page }) => page === undefined))
   const pages = await shootPages(parts.filter(({ page }) => page !== undefined))
@@ -37,14 +42,14 @@ await main(async () => {
 
 /** Selects figures by name, all by default. */
 function selectFigures(names) {
-  const unknown = names.find((name) => !(name in FIGURES))
+  const unknown = names.find((name) => !(name in FIGURES) && !isExamplePicture(name))
   if (unknown === undefined)
     return Object.fromEntries(
       (names.length > 0 ? names : Object.keys(FIGURES))
-        .filter((name) => !name.includes('scan') || existsSync(SCAN))
+        .filter((name) => (name in FIGURES && !name.includes('scan')) || existsSync(SCAN))
         .map((name) => [name, FIGURES[name]]),
     )
-  const allowed = Object.keys(FIGURES).join(', ')
+  const allowed = ['examples', ...Object.keys(FIGURES)].join(', ')
   throw new Failure(`unknown figure, got "${unknown}", allowed: ${allowed}; name one of these`)
 }
 

@@ -51,14 +51,6 @@ export function pageFiles() {
   return [...SINGLE.filter((file) => existsSync(join(ROOT, file))), ...found]
 }
 
-/** Lists example names, sorted: `minimal` stands for examples/minimal.html. */
-export function exampleNames() {
-  return readdirSync(join(ROOT, 'examples'))
-    .filter((name) => name.endsWith('.html'))
-    .map((name) => name.slice(0, -'.html'.length))
-    .sort()
-}
-
 /** Returns the page of a Markdown file, relative to the site. A folder's README becomes index.md; the root README becomes overview.md. */
 export function pageOf(file) {
   if (file === 'README.md') return 'overview.md'

@@ -28,6 +28,7 @@ export const PROMISES = [
   'test/gpu/conformance/babylon.test.ts',
   'test/gpu/babylon/influence.test.ts',
   'test/gpu/babylon/loader.test.ts',
+  'test/pages/examples.test.ts',
   'test/pages/studio-path.test.ts',
 ]
 

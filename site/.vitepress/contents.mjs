@@ -1,7 +1,7 @@
 // Navigation bar and sidebars.
 
+import { GROUPS, readExamples } from '../../scripts/lib/examples.mjs'
 import { readCommands } from '../gather/commands.mjs'
-import { exampleNames } from '../places.mjs'
 
 const doc = (text, name) => ({ text, link: `/docs/${name}` })
 const group = (text, items, more) => ({ text, items, ...more })
@@ -87,13 +87,16 @@ export async function sidebar() {
       group('Commands', [{ text: 'All commands', link: '/commands/' }, ...listed('commands', commands)]),
     ],
     '/examples/': [
-      group('Examples', [
-        { text: 'All examples', link: '/examples/' },
-        ...listed('examples', exampleNames()),
-      ]),
+      group('Examples', [{ text: 'All examples', link: '/examples/' }]),
+      ...GROUPS.map((name) => group(name, examplesIn(name))).filter(({ items }) => items.length > 0),
     ],
     '/': GUIDES,
   }
+}
+
+function examplesIn(group) {
+  const examples = readExamples().filter((example) => example.group === group)
+  return examples.map(({ name, title }) => ({ text: title, link: `/examples/${name}` }))
 }
 
 export const NAVIGATION = [

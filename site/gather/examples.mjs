@@ -1,45 +1,61 @@
-// A page for each example: it runs beside its source.
+// The gallery, and a page for each example: it runs beside its source.
 
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { cpSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
+import { readExamples } from '../../scripts/lib/examples.mjs'
 import { ROOT } from '../../scripts/lib/run.mjs'
-import { exampleNames } from '../places.mjs'
 
-/** A module that examples share. */
-const SHARED = 'portrait.js'
-
-/** Writes the pages, and one that lists them. */
+/** Writes the pages, the gallery and its pictures. */
 export function gatherExamples(folder) {
   const target = join(folder, 'examples')
   mkdirSync(target, { recursive: true })
-  const examples = exampleNames().map((name) => ({ name, ...readExample(name) }))
+  const examples = readExamples()
   for (const example of examples) writeFileSync(join(target, `${example.name}.md`), page(example))
-  const rows = examples.map(({ name, title }) => `| [${name}](${name}.md) | ${title} |`)
-  const index = [
-    '# Examples',
-    'Each is one file in the folder `examples`, without a bundler, and runs here beside its source.',
-    ['| example | what it shows |', '| --- | --- |', ...rows].join('\n'),
-  ]
-  writeFileSync(join(target, 'index.md'), `${index.join('\n\n')}\n`)
+  writeFileSync(join(target, 'index.md'), gallery(examples))
+  cpSync(join(ROOT, 'examples/pictures'), join(folder, 'public/examples/pictures'), { recursive: true })
 }
 
-function readExample(name) {
-  const source = readFileSync(join(ROOT, 'examples', `${name}.html`), 'utf8')
-  const [, title] = /<title>Furrow: ([^<]*)<\/title>/.exec(source)
-  return { source, title }
-}
-
-function page({ name, title, source }) {
+function gallery(examples) {
+  const cards = examples.map(({ source, ...card }) => card)
   const parts = [
-    '---\naside: false\npageClass: example\n---',
-    `# ${title[0].toUpperCase()}${title.slice(1)}`,
+    '---\naside: false\npageClass: gallery\n---',
+    '# Examples',
+    'Each example is one file in the folder `examples`, without a bundler. It runs here beside its source.',
+    `<script setup>\nconst examples = ${JSON.stringify(cards)}\n</script>`,
+    '<ExampleGallery :examples="examples" />',
+  ]
+  return `${parts.join('\n\n')}\n`
+}
+
+/** The search of the site indexes the title, the description and the keywords. */
+function page({ name, title, description, keywords, source }) {
+  const parts = [
+    `---\naside: false\npageClass: example\ndescription: ${JSON.stringify(description)}\n---`,
+    `# ${title}`,
+    description,
     `<LiveExample name="${name}" title="${title}" />`,
     `\`examples/${name}.html\``,
     `\`\`\`html\n${source.trimEnd()}\n\`\`\``,
+    ...modulesOf(source).map(details),
+    `Keywords: ${keywords}`,
   ]
-  if (source.includes(`./${SHARED}`)) {
-    const shared = readFileSync(join(ROOT, 'examples', SHARED), 'utf8').trimEnd()
-    parts.push(`::: details \`examples/${SHARED}\`, which it imports\n\`\`\`js\n${shared}\n\`\`\`\n:::`)
-  }
   return `${parts.join('\n\n')}\n`
+}
+
+/** Lists the modules in the folder of examples that a source imports, directly or not. */
+function modulesOf(source, found = []) {
+  for (const [, module] of source.matchAll(/from '\.\/([\w-]+\.js)'/g)) {
+    if (found.includes(module)) continue
+    found.push(module)
+    modulesOf(readModule(module), found)
+  }
+  return found
+}
+
+function details(module) {
+  return `::: details \`examples/${module}\`, which it imports\n\`\`\`js\n${readModule(module).trimEnd()}\n\`\`\`\n:::`
+}
+
+function readModule(module) {
+  return readFileSync(join(ROOT, 'examples', module), 'utf8')
 }

@@ -2,8 +2,8 @@
 
 import { join } from 'node:path'
 import { build } from 'vite'
+import { exampleNames } from '../../scripts/lib/examples.mjs'
 import { ROOT } from '../../scripts/lib/run.mjs'
-import { exampleNames } from '../places.mjs'
 
 /** The faces, which the studio brings, seen from a running example. */
 const FACES = '../../studio/faces/'

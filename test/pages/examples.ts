@@ -1,35 +1,110 @@
-import { readdirSync } from 'node:fs'
-import type { Region } from './pixels.ts'
+import { type Region, WHOLE } from './pixels.ts'
 
-/** Pages of all examples. */
-export const EXAMPLES = readdirSync(new URL('../../examples/', import.meta.url)).filter((name) =>
-  name.endsWith('.html'),
-)
-
-/** The forehead of the shipped face in the examples' framing. */
+/** The forehead of the shipped face in the framing of `minimal.html`. */
 export const FOREHEAD: Region = { left: 0.4, top: 0.14, right: 0.6, bottom: 0.36 }
 
-/** Blendshape weights for normals.html. */
-export const CHEEKS_PUFFED = 'cheekPuff=1&mouthPucker=0.7'
-
-/** Examples with one face that is surprised repeatedly. */
-export const PORTRAITS = ['minimal.html', 'webgpu.html']
-
+/** The brows and the forehead in the framing of `portrait.js`. */
 export const BROWS: Region = { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }
 
-/** Slider values by name; `true` presses a button or radio button. */
+/** The cheeks, with the corners of eyes and mouth, in the framing of `portrait.js`. */
+export const CHEEKS: Region = { left: 0.25, top: 0.3, right: 0.75, bottom: 0.7 }
+
+/** The face in the framing of `portrait.js`, in a window of 4:3. */
+export const FACE: Region = { left: 0.25, top: 0.04, right: 0.75, bottom: 0.54 }
+
+/** Slider values by name; `true` presses a button, a radio button or a checkbox. */
 export type Controls = Record<string, number | true>
 
-/**
- * Examples of drivers: query that shows wrinkles, controls that remove them, and the region where they appear. Left is the person's right.
- */
-export const DRIVERS: readonly (readonly [page: string, driven: string, atRest: Controls, region: Region])[] =
-  [
-    ['age.html', '?age=75', { age: 20 }, BROWS],
-    ['expressions.html', '?happy=0.7&surprised=0.6', { happy: 0, surprised: 0 }, BROWS],
-    ['inputs.html', '?stress=100', { stress: 0 }, BROWS],
-    ['joints.html', '?fist=1', { fist: 0 }, { left: 0.4, top: 0.45, right: 0.6, bottom: 0.95 }],
-    ['joints.html', '?model=neck&turn=1', { turn: 0 }, { left: 0.5, top: 0.55, right: 0.65, bottom: 0.75 }],
-    ['key-frames.html', '?time=2.2', { seconds: 0 }, BROWS],
-    ['muscles.html', '?expression=surprise', { neutral: true }, BROWS],
-  ]
+/** An example page and how its wrinkles are seen. */
+export interface Example {
+  /** File name without `.html`. */
+  page: string
+  /** Query that shows wrinkles. Default: none, for a page that starts with them or that is surprised 1.5 seconds after it was opened. */
+  query?: string
+  /** Controls that remove the wrinkles. Default: the page has no controls. */
+  atRest?: Controls
+  /** Rectangle in which wrinkles appear. Left is the person's right. */
+  region: Region
+  /** Query of the gallery's picture. Default: `query`. */
+  picture?: string
+  /** Part of the window that the gallery's picture shows, 4:3. Default: the face in the framing of `portrait.js`. */
+  frame?: Region
+  /** Whether something besides wrinkles moves while the query's pose is held. */
+  moves?: true
+  /** Whether `npm test` opens the page too. */
+  quick?: true
+  /** Test file for a page that the common test cannot check. */
+  test?: string
+}
+
+/** All examples, sorted by name. The gallery and its tests read this table: a new page needs an entry. */
+export const EXAMPLES: readonly Example[] = [
+  { page: 'age', query: '?age=75', atRest: { age: 20 }, region: BROWS, quick: true },
+  { page: 'auto', picture: '?age=75&expression=angry', region: BROWS, test: 'examples-auto.test.ts' },
+  {
+    page: 'crowd',
+    query: '?count=6',
+    picture: '?count=40',
+    frame: WHOLE,
+    region: { left: 0.25, top: 0, right: 0.75, bottom: 1 },
+    moves: true,
+  },
+  {
+    page: 'expressions',
+    query: '?happy=0.7&surprised=0.6',
+    atRest: { happy: 0, surprised: 0 },
+    region: BROWS,
+  },
+  { page: 'inputs', query: '?stress=100', atRest: { stress: 0 }, region: BROWS },
+  { page: 'inspector', picture: '?view=influence', frame: WHOLE, atRest: { neutral: true }, region: BROWS },
+  {
+    page: 'joints',
+    query: '?fist=1',
+    frame: { left: 0.25, top: 0.45, right: 0.75, bottom: 0.95 },
+    atRest: { fist: 0 },
+    region: { left: 0.4, top: 0.45, right: 0.6, bottom: 0.95 },
+  },
+  {
+    page: 'joints',
+    query: '?model=neck&turn=1',
+    atRest: { turn: 0 },
+    region: { left: 0.5, top: 0.55, right: 0.65, bottom: 0.75 },
+  },
+  { page: 'key-frames', query: '?time=2.2', atRest: { seconds: 0 }, region: BROWS },
+  { page: 'minimal', region: FOREHEAD, quick: true },
+  {
+    page: 'muscles',
+    query: '?expression=surprise',
+    picture: '?expression=disgust',
+    atRest: { neutral: true },
+    region: BROWS,
+  },
+  {
+    page: 'normals',
+    query: '?mouthSmileLeft=1&mouthSmileRight=1',
+    picture: '?cheekPuff=1&mouthPucker=0.7',
+    atRest: { mouthSmileLeft: 0, mouthSmileRight: 0 },
+    region: CHEEKS,
+  },
+  {
+    page: 'tension',
+    query: '?push=0.3',
+    frame: { left: 0.15, top: 0.15, right: 0.85, bottom: 0.85 },
+    atRest: { push: 0 },
+    region: { left: 0.4, top: 0.3, right: 0.6, bottom: 0.8 },
+    moves: true,
+  },
+  {
+    page: 'vrm',
+    query: '?happy=1&blink=1',
+    picture: '?happy=1',
+    atRest: { happy: 0, blink: 0 },
+    region: CHEEKS,
+  },
+  { page: 'webgpu', region: FOREHEAD, quick: true },
+]
+
+/** The address of an example with its wrinkles, relative to the folder of examples. */
+export function addressOf({ page, query = '' }: Example): string {
+  return `${page}.html${query}`
+}

@@ -40,10 +40,8 @@ export async function playSurprise(page: Page): Promise<void> {
  * Draws a page in its final state: with relief, after meshes were split, and with delayed blood. Modules come from the page's import map.
  */
 export async function drawSettled(page: Page): Promise<void> {
-  const imports = await page.locator('script[type=importmap]').textContent()
-  if (!imports!.includes('furrow/three')) return
   await page.evaluate(`
-    Promise.all([import('three'), import('furrow/three')]).then(([{ Scene }, { wrinklesOf }]) => {
+    Promise.all([import('three'), import('${await libraryOf(page)}')]).then(([{ Scene }, { wrinklesOf }]) => {
       Scene.prototype.onBeforeRender = (_, scene) => {
         const all = new Set()
         scene.traverse((object) => object.isMesh && all.add(wrinklesOf(object)))
@@ -58,16 +56,20 @@ export async function drawSettled(page: Page): Promise<void> {
 
 /** Switches the wrinkles of all meshes off or on from the next frame on. Modules come from the page's import map. */
 export async function switchWrinkles(page: Page, mode: 'off' | 'default'): Promise<void> {
-  const imports = await page.locator('script[type=importmap]').textContent()
-  const furrow = imports!.includes('furrow/three') ? 'furrow/three' : 'furrow/webgpu'
   await page.evaluate(`
-    Promise.all([import('three'), import('${furrow}')]).then(([{ Scene }, { wrinklesOf }]) => {
+    Promise.all([import('three'), import('${await libraryOf(page)}')]).then(([{ Scene }, { wrinklesOf }]) => {
       Scene.prototype.onBeforeRender = (_, scene) =>
         scene.traverse((object) => {
           const wrinkles = object.isMesh && wrinklesOf(object)
           if (wrinkles) wrinkles.mode = '${mode}'
         })
     })`)
+}
+
+/** Finds the entry point for the page's renderer in its import map. */
+async function libraryOf(page: Page): Promise<string> {
+  const imports = await page.locator('script[type=importmap]').textContent()
+  return imports!.includes('furrow/three') ? 'furrow/three' : 'furrow/webgpu'
 }
 
 /** Reads the frame after next, which shows changes made before the next one. */

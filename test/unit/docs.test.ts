@@ -38,8 +38,8 @@ function blocks(page: string, language: string): string[] {
 }
 
 describe('documentation', () => {
-  it('has the minimal page in the README unchanged, in at most 25 lines', () => {
-    const page = read('examples/minimal.html')
+  it('has the minimal page in the README, except its lines for the gallery, in at most 25 lines', () => {
+    const page = read('examples/minimal.html').replace(/<meta name="(description|keywords|group)".*\n/g, '')
     expect(blocks('README.md', 'html')).toEqual([page])
     expect(page.trimEnd().split('\n').length).toBeLessThanOrEqual(25)
   })

@@ -1,0 +1,101 @@
+// The gallery's pictures: examples/pictures/NAME.jpg, and all of them on one sheet.
+
+import { mkdir } from 'node:fs/promises'
+import { join } from 'node:path'
+import { exampleNames, readExamples } from '../lib/examples.mjs'
+import { importSource } from '../lib/import-source.mjs'
+import { ROOT, say } from '../lib/run.mjs'
+
+const FOLDER = 'examples/pictures'
+const SHEET = 'docs/figures/examples.jpg'
+const SIZE = { width: 480, height: 360 }
+/** Window size. Pictures show a part of it, scaled down. */
+const VIEWPORT = { width: 1280, height: 960 }
+/** Columns of the sheet, and the width of each, pixels. */
+const COLUMNS = 6
+const COLUMN_WIDTH = 240
+const GAP = 6
+
+const names = new Set(exampleNames().map((name) => `examples/${name}`))
+
+/** Tells whether a figure's name selects all pictures or one. */
+export const isExamplePicture = (name) => name === 'examples' || names.has(name)
+
+/** Takes the pictures of some examples, by default all. Then makes the sheet again. */
+export async function writeExamplePictures(selected) {
+  const all = selected.length === 0 || selected.includes('examples')
+  const { EXAMPLES, FACE } = await importSource('test/pages/examples.ts')
+  const shown = new Map(EXAMPLES.toReversed().map((example) => [example.page, { frame: FACE, ...example }]))
+  const chosen = exampleNames().filter((name) => all || selected.includes(`examples/${name}`))
+  await mkdir(join(ROOT, FOLDER), { recursive: true })
+  await takePictures(chosen.map((name) => shown.get(name)))
+  await writeSheet(readExamples().map(({ name }) => name))
+}
+
+async function takePictures(examples) {
+  const { default: sharp } = await import('sharp')
+  const { startStaticServer } = await importSource('test/pages/static-server.ts')
+  const { launchBrowser } = await import('../../packages/cli/dist/browser.js')
+  const server = await startStaticServer()
+  const browser = await launchBrowser()
+  try {
+    for (const { page: name, query = '', picture = query, frame } of examples) {
+      const page = await browser.newPage({ viewport: VIEWPORT })
+      await openSettled(page, `${server.origin}/examples/${name}.html${picture}`)
+      const file = `${FOLDER}/${name}.jpg`
+      const small = sharp(await page.screenshot())
+        .extract(pixelsOf(frame))
+        .resize(SIZE.width, SIZE.height)
+      await small.jpeg({ quality: 82, mozjpeg: true }).toFile(join(ROOT, file))
+      await page.close()
+      say(file)
+    }
+  } finally {
+    await browser.close()
+    server.close()
+  }
+}
+
+/** The pixels of a part of the window. */
+function pixelsOf({ left, top, right, bottom }) {
+  const { width, height } = VIEWPORT
+  const [x, y] = [Math.round(left * width), Math.round(top * height)]
+  return { left: x, top: y, width: Math.round(right * width) - x, height: Math.round(bottom * height) - y }
+}
+
+/** Opens an example in the pose that its test checks, without the controls below the canvas. */
+async function openSettled(page, url) {
+  const { drawSettled, openPaused, playSurprise } = await importSource('test/pages/paused-page.ts')
+  // A WebGPU canvas cannot be captured without a GPU.
+  await page.addInitScript('Object.defineProperty(Navigator.prototype, "gpu", { value: undefined })')
+  await openPaused(page, url)
+  await page.addStyleTag({ content: 'form { display: none !important }' })
+  await page.evaluate('dispatchEvent(new Event("resize"))')
+  // Automatic wrinkles take as long as they take.
+  await page.locator('progress').waitFor({ state: 'detached', timeout: 0 })
+  await playSurprise(page)
+  await drawSettled(page)
+}
+
+async function writeSheet(names) {
+  const { default: sharp } = await import('sharp')
+  const height = (COLUMN_WIDTH * SIZE.height) / SIZE.width
+  const layers = await Promise.all(
+    names.map(async (name, i) => ({
+      input: await sharp(join(ROOT, FOLDER, `${name}.jpg`))
+        .resize(COLUMN_WIDTH, height)
+        .toBuffer(),
+      left: (i % COLUMNS) * (COLUMN_WIDTH + GAP),
+      top: Math.floor(i / COLUMNS) * (height + GAP),
+    })),
+  )
+  const rows = Math.ceil(names.length / COLUMNS)
+  const create = {
+    width: COLUMNS * (COLUMN_WIDTH + GAP) - GAP,
+    height: rows * (height + GAP) - GAP,
+    channels: 3,
+    background: '#fff',
+  }
+  await sharp({ create }).composite(layers).jpeg({ quality: 80, mozjpeg: true }).toFile(join(ROOT, SHEET))
+  say(SHEET)
+}

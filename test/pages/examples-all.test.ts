@@ -1,0 +1,57 @@
+// Opens the examples that examples.test.ts does not, and checks more of some of them.
+
+import { expect, test } from 'vitest'
+import { BROWS, EXAMPLES } from './examples.ts'
+import { savePicture, setControls, useExamples } from './open-example.ts'
+import { readNextFrame, switchWrinkles } from './paused-page.ts'
+import { largestDifference, meanDifference, WHOLE } from './pixels.ts'
+import { readCanvas } from './read-canvas.ts'
+
+const { open, testWrinkles } = useExamples()
+
+for (const example of EXAMPLES) if (!example.quick && !example.test) testWrinkles(example)
+
+test("vrm.html blocks a blink and the blink's wrinkles by another expression", () =>
+  open('vrm.html?happy=1&blink=1', async (page) => {
+    const both = await readCanvas(page)
+    expect(largestDifference(both, await setControls(page, { blink: 0 }), WHOLE)).toBe(0)
+    const blinking = await setControls(page, { happy: 0, blink: 1 })
+    expect(largestDifference(both, blinking, WHOLE)).toBeGreaterThan(20)
+    expect(largestDifference(both, await setControls(page, { happy: 1 }), WHOLE)).toBe(0)
+  }))
+
+test('expressions.html?scores moves the face like the same blendshapes', async () => {
+  const scored = await open('expressions.html?scores', readCanvas)
+  const [rest, played] = await open('expressions.html', async (page) => [
+    await readCanvas(page),
+    await setControls(page, { surprised: 1 }),
+  ])
+  expect(largestDifference(scored, rest, BROWS)).toBeGreaterThan(20)
+  expect(largestDifference(scored, played, BROWS)).toBeLessThan(largestDifference(scored, rest, BROWS))
+})
+
+test('normals.html lights the cheeks with the normals of their blendshapes', () =>
+  open('normals.html?remedy=none&cheekPuff=1&mouthPucker=0.7', async (page) => {
+    const none = await readCanvas(page)
+    const baked = await setControls(page, { baked: true })
+    const recomputed = await setControls(page, { recomputed: true })
+    await savePicture(recomputed, 'normals.html')
+    const cheeks = { left: 0.38, top: 0.35, right: 0.62, bottom: 0.6 }
+    // Wrong shading differs by far more than noise and antialiasing.
+    expect(largestDifference(none, recomputed, cheeks)).toBeGreaterThan(40)
+    // The remedies differ by less than a sixth of that: baked normals of two targets are summed, and only recomputing rotates tangents.
+    expect(meanDifference(baked, recomputed, cheeks)).toBeLessThan(
+      meanDifference(none, recomputed, cheeks) / 6,
+    )
+  }))
+
+test('crowd.html shows faces that wrinkle independently', () =>
+  open('crowd.html?count=6', async (page) => {
+    const wrinkled = await readCanvas(page)
+    await switchWrinkles(page, 'off')
+    const smooth = await readNextFrame(page)
+    // At any time four of the six faces wrinkle, in some of the columns.
+    const columns = [0, 1, 2, 3].map((i) => ({ left: i / 4, top: 0, right: (i + 1) / 4, bottom: 1 }))
+    const changed = columns.filter((column) => largestDifference(wrinkled, smooth, column) > 20)
+    expect(changed.length).toBeGreaterThanOrEqual(2)
+  }))
