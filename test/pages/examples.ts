@@ -10,7 +10,7 @@ export const BROWS: Region = { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }
 export const CHEEKS: Region = { left: 0.25, top: 0.3, right: 0.75, bottom: 0.7 }
 
 /** The face in the framing of `portrait.js`, in a window of 4:3. */
-export const FACE: Region = { left: 0.25, top: 0.04, right: 0.75, bottom: 0.54 }
+export const FACE: Region = { left: 0.2, top: 0.04, right: 0.8, bottom: 0.64 }
 
 /** Slider values by name; `true` presses a button, a radio button or a checkbox. */
 export type Controls = Record<string, number | true>
@@ -60,7 +60,7 @@ export const EXAMPLES: readonly Example[] = [
   {
     page: 'joints',
     query: '?fist=1',
-    frame: { left: 0.25, top: 0.45, right: 0.75, bottom: 0.95 },
+    frame: { left: 0.2, top: 0.38, right: 0.8, bottom: 0.98 },
     atRest: { fist: 0 },
     region: { left: 0.4, top: 0.45, right: 0.6, bottom: 0.95 },
   },
