@@ -11,10 +11,10 @@
  */
 export const BLOOD_ABSORPTION = [0.35, 1, 0.89] as const
 
-/** Byte of a blood map that means no change; 127 above and below are the full amplitude. */
+/** Byte of a blood map for skin at rest. Full amplitude is 127 above or below. */
 export const BLOOD_AT_REST = 128
 
-/** Maximum amplitude, optical depth of green: flushed skin keeps 13% of the green light. All blood of pale skin is less than half of it. */
+/** Maximum amplitude, optical depth of green: flushed skin keeps 13% of the green light. The blood in pale skin at rest has less than half. */
 export const MAX_BLOOD_AMPLITUDE = 2
 
 /** Tolerance around `BLOOD_AT_REST`, in byte steps: texture filters do not return equal texels bit by bit. */

@@ -131,8 +131,7 @@ export class Fields {
     )
   }
 
-  /** Reads `inner` and `outer` of a muscle: distances from its origin at which the pull is strongest and at which the pull ends, as fractions of
-   * the muscle's length. */
+  /** Reads `inner` and `outer` of a muscle: where its pull is strongest and where it ends, as fractions of its length from the origin. */
   zone(): { inner: number; outer: number } {
     const [inner, outer] = [this.number('inner', 0, 10, 0.8), this.number('outer', 0.001, 10, 1.2)]
     if (outer > inner) return { inner, outer }

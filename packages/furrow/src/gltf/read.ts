@@ -82,7 +82,7 @@ export function readMaterialWrinkles(
     .setUnknownFields(without(raw, KNOWN.root))
 }
 
-/** Returns the texture, which is an image in glTF; missing if no registered extension reads its format. */
+/** Returns the texture with an index. Throws if no registered extension reads the format of its image. */
 function textureOf(context: ReaderContext, index: number, who: string): Texture {
   const texture = context.textures[context.jsonDoc.json.textures![index]?.source ?? -1]
   if (texture) return texture

@@ -65,7 +65,7 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
     return this.setRef('layer', layer)
   }
 
-  /** Returns the image of the weights, linear, 1 = fully visible. Tools do not mistake the slot `weightsTexture` for colour. */
+  /** Returns the image of the weights, linear, 1 = fully visible. Its slot is `weightsTexture`, which tools do not take for colours. */
   getTexture(): Texture | null {
     return this.getRef('weightsTexture')
   }

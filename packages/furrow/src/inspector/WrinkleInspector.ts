@@ -16,9 +16,9 @@ const RELIEF_MODES: readonly ReliefMode[] = ['off', 'near', 'on']
 
 /**
  * A panel that shows the wrinkles of one face: its areas with their activations and what drives them, technical views, mode, relief and
- * cost. It works with the `Wrinkles` of both renderers, and uses nothing that a page could not use.
+ * cost. Supports both renderers, and uses only the public API.
  *
- * The panel is a `GUI` of lil-gui in the page's top right corner. It closes itself when the wrinkles are disposed of.
+ * The panel is a `GUI` of lil-gui in the top right corner of the page. It closes when the wrinkles are disposed of.
  *
  * @example
  * ```ts

@@ -7,7 +7,7 @@ import { StrainView } from './strain-view.ts'
 export const VIEWS = ['shaded', 'influence', 'normals', 'strain', 'wireframe'] as const
 export type View = (typeof VIEWS)[number]
 
-/** Views that draw copies of the meshes, which instances have not. */
+/** Views that draw copies of the meshes; not available for instances. */
 const COPYING: readonly View[] = ['normals', 'strain']
 
 /** Lists the views that wrinkles can be shown in. */

@@ -15,7 +15,7 @@ export type { WrinkleState } from './wrinkle-state.ts'
 export type { WrinklesProps } from './wrinkles-component.ts'
 
 /**
- * Declares the state of the wrinkles among its children, or, without children, of its parent and the meshes under that.
+ * Declares the state of all wrinkled faces among its children, or without children of its parent and all objects below it.
  *
  * Properties that a face does not support are skipped with one warning. Faces without wrinkles are left unchanged.
  */

@@ -18,9 +18,9 @@ export type ShapeKind =
 /** Kind, shapes and side of a blendshape, from its name. */
 export interface NameHint {
   kind: ShapeKind
-  /** ARKit names of the shapes that it is, is a part of, or resembles; empty if it moves skin unlike any of them. */
+  /** ARKit names of related shapes, see `match`; empty if none is related. */
   shapes: readonly string[]
-  /** Whether it equals all these shapes at once, is a part of each, or moves the same skin. */
+  /** `same`: all these shapes at once. `part`: a part of each shape. `like`: moves the same skin. */
   match: 'same' | 'part' | 'like'
   /** Side in the name. */
   side: 'Left' | 'Right' | undefined
