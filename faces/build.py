@@ -15,7 +15,7 @@ from builder.recipes import RECIPES
 from builder.source import Mesh, Wheel
 from builder.tangents import tangents
 
-LARGEST_FILE = 5_000_000  # bytes
+MAX_FILE_BYTES = 5_000_000  # bytes
 
 
 def build(wheel: Wheel, mesh: Mesh, recipe: dict, report) -> bytes:
@@ -39,7 +39,7 @@ def main() -> int:
         return Job(
             recipe["file"],
             ["shape", *STEPS, "file"],
-            LARGEST_FILE,
+            MAX_FILE_BYTES,
             lambda wheel, mesh, report: (build(wheel, mesh, recipe, report), {}),
         )
 

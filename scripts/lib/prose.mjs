@@ -9,7 +9,7 @@ const CHECKED = /\.(ts|tsx|mjs|js|py|md)$/
 const SKIPPED = /templates\/template-data\.ts$|^docs\/(auto|studio)\.md$/
 
 /** Maximum number of words in a sentence. */
-const LONGEST = 30
+const MAX_WORDS = 30
 
 /** Openings of comments without a subject. */
 const NO_SUBJECT = /^(Of|What|That|Those|In which|For which)\s/
@@ -44,8 +44,8 @@ export function findProblems(path, text) {
       found.push({ line, problem: 'begins without a subject', sentence: prose })
     for (const { segment } of sentences.segment(prose)) {
       const words = countWords(segment)
-      if (words > LONGEST)
-        found.push({ line, problem: `${words} words, at most ${LONGEST}`, sentence: segment.trim() })
+      if (words > MAX_WORDS)
+        found.push({ line, problem: `${words} words, at most ${MAX_WORDS}`, sentence: segment.trim() })
     }
     return found
   })

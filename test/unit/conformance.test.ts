@@ -7,7 +7,7 @@ import { SAMPLES } from '../../conformance/src/samples.ts'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 const FOLDER = join(ROOT, 'conformance/files')
-const LARGEST_FILE = 50_000
+const MAX_FILE_BYTES = 50_000
 
 const specification = readFileSync(join(ROOT, 'docs/FURROW_wrinkle_maps.md'), 'utf8')
 const headings = new Set(
@@ -27,7 +27,7 @@ it('the folder holds the files of the samples, none above 50 kB', () => {
   expect(files.filter((name) => name.endsWith('.glb')).sort()).toEqual(
     SAMPLES.map(({ name }) => `${name}.glb`).sort(),
   )
-  for (const name of files) expect(statSync(join(FOLDER, name)).size, name).toBeLessThan(LARGEST_FILE)
+  for (const name of files) expect(statSync(join(FOLDER, name)).size, name).toBeLessThan(MAX_FILE_BYTES)
 })
 
 describe.each(SAMPLES)('$name', (sample) => {

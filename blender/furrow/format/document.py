@@ -1,7 +1,7 @@
 """Checks the extension's JSON by the rules of docs/FURROW_wrinkle_maps.md."""
 
 from .driver_fields import read_driver
-from .reader import LARGEST, FurrowError, Reader
+from .reader import MAX_NUMBER, FurrowError, Reader
 
 EXTENSION = "FURROW_wrinkle_maps"
 MAX_LAYERS = 4
@@ -10,11 +10,11 @@ MAX_DRIVERS = 4096
 
 #: Texture slots of a layer with their number: name, minimum, maximum and default (None: required).
 SLOTS = {
-    "normalTexture": ("scale", -LARGEST, LARGEST, 1),
+    "normalTexture": ("scale", -MAX_NUMBER, MAX_NUMBER, 1),
     "baseColorTexture": None,
     "roughnessTexture": None,
     "occlusionTexture": ("strength", 0, 1, 1),
-    "heightTexture": ("amplitude", 0, LARGEST, None),
+    "heightTexture": ("amplitude", 0, MAX_NUMBER, None),
     "bloodTexture": ("amplitude", 0, 2, None),
 }
 

@@ -2,7 +2,7 @@
 
 import math
 
-from .reader import LARGEST
+from .reader import MAX_NUMBER
 
 IDENTITY = [[0, 0], [1, 1]]
 RULES = ("sum", "max", "min", "product")
@@ -35,9 +35,9 @@ def _links(reader, driver, at, field, known=None):
             reader.text(link.get("name"), f"{path}.name")
         else:
             reader.choice(link.get("name"), f"{path}.name", known)
-        link["weight"] = reader.number(link.get("weight", 1), f"{path}.weight", -LARGEST, LARGEST)
+        link["weight"] = reader.number(link.get("weight", 1), f"{path}.weight", -MAX_NUMBER, MAX_NUMBER)
         if "curve" in link:
-            link["curve"] = reader.curve(link["curve"], f"{path}.curve", -LARGEST, LARGEST)
+            link["curve"] = reader.curve(link["curve"], f"{path}.curve", -MAX_NUMBER, MAX_NUMBER)
         links.append(link)
     driver[field] = links
     driver["rule"] = reader.choice(driver.get("rule", "sum"), f"{at}.rule", RULES)
@@ -51,7 +51,7 @@ def _names(reader, driver, at, field):
 def _vector(reader, driver, at, field, size):
     values = reader.array(driver.get(field), f"{at}.{field}", size, size)
     for i, value in enumerate(values):
-        reader.number(value, f"{at}.{field}[{i}]", -LARGEST, LARGEST)
+        reader.number(value, f"{at}.{field}[{i}]", -MAX_NUMBER, MAX_NUMBER)
     return values
 
 
@@ -101,7 +101,7 @@ def _muscle(reader, driver, at, areas):
         reader.fail(f"{at}.insertion equals the origin", insertion, None, "give the muscle a length")
     ranges = {
         "angle": (0.001, 1.57, 0.5),
-        "width": (0.0001, LARGEST, 0.01),
+        "width": (0.0001, MAX_NUMBER, 0.01),
         "inner": (0, 10, 0.8),
         "outer": (0.001, 10, 1.2),
         "strength": (-1, 1, 0.3),
@@ -115,7 +115,7 @@ def _muscle(reader, driver, at, areas):
 def _age(reader, driver, at, areas):
     _area(reader, driver, at, areas)
     _curve(reader, driver, at)
-    driver["initial"] = reader.number(driver.get("initial", 20), f"{at}.initial", -LARGEST, LARGEST)
+    driver["initial"] = reader.number(driver.get("initial", 20), f"{at}.initial", -MAX_NUMBER, MAX_NUMBER)
 
 
 def _input(reader, driver, at, areas):
@@ -132,7 +132,7 @@ def _time(reader, driver, at, areas):
 
 def _expression(reader, driver, at, areas):
     reader.text(driver.get("name"), f"{at}.name")
-    for field, name, value, low in (("targets", "name", "weight", -LARGEST), ("activations", "area", "activation", 0)):
+    for field, name, value, low in (("targets", "name", "weight", -MAX_NUMBER), ("activations", "area", "activation", 0)):
         items = []
         for i, item in enumerate(reader.array(driver.get(field, []), f"{at}.{field}", 0, MAX_LINKS)):
             path = f"{at}.{field}[{i}]"
@@ -141,7 +141,7 @@ def _expression(reader, driver, at, areas):
                 reader.text(entry.get(name), f"{path}.{name}")
             else:
                 reader.choice(entry.get(name), f"{path}.{name}", areas)
-            high = LARGEST if field == "targets" else 1
+            high = MAX_NUMBER if field == "targets" else 1
             entry[value] = reader.number(entry.get(value, 1), f"{path}.{value}", low, high)
             items.append(entry)
         driver[field] = items

@@ -4,8 +4,8 @@ import math
 import re
 import unicodedata
 
-LARGEST = 1000
-LONGEST_NAME = 256
+MAX_NUMBER = 1000
+MAX_NAME_LENGTH = 256
 
 
 class FurrowError(Exception):
@@ -59,14 +59,14 @@ class Reader:
 
     def text(self, value, path):
         """Check text of 1 to 256 characters."""
-        if not isinstance(value, str) or not 1 <= len(value) <= LONGEST_NAME:
-            self.fail(f"{path} must be text", value, f"1 to {LONGEST_NAME} characters", "write it in quotes")
+        if not isinstance(value, str) or not 1 <= len(value) <= MAX_NAME_LENGTH:
+            self.fail(f"{path} must be text", value, f"1 to {MAX_NAME_LENGTH} characters", "write it in quotes")
         return value
 
     def name(self, value, path):
         """Check the name of a layer or area."""
         if not is_name(value):
-            limit = f"1 to {LONGEST_NAME} characters without line breaks"
+            limit = f"1 to {MAX_NAME_LENGTH} characters without line breaks"
             self.fail(f"{path} must be text", value, limit, "choose another name")
         return value
 
@@ -81,7 +81,7 @@ class Reader:
         points = []
         for i, point in enumerate(self.array(value, path, 2, 64)):
             x, y = self.array(point, f"{path}[{i}]", 2, 2)
-            self.number(x, f"{path}[{i}][0]", -LARGEST, LARGEST)
+            self.number(x, f"{path}[{i}][0]", -MAX_NUMBER, MAX_NUMBER)
             self.number(y, f"{path}[{i}][1]", low, high)
             if points and x <= points[-1][0]:
                 self.fail(f"{path}[{i}][0] must increase", x, f"more than {points[-1][0]}", "sort the points")
@@ -91,6 +91,6 @@ class Reader:
 
 def is_name(value):
     """Whether a value can name a layer or area: no control characters, line breaks or unpaired surrogates."""
-    if not isinstance(value, str) or not 1 <= len(value) <= LONGEST_NAME:
+    if not isinstance(value, str) or not 1 <= len(value) <= MAX_NAME_LENGTH:
         return False
     return not re.search("[\u2028\u2029]", value) and not any(unicodedata.category(c) in ("Cc", "Cs") for c in value)

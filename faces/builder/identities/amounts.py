@@ -107,7 +107,7 @@ UNEVEN = [
 
 SPREAD = 0.25  # standard deviation of the amount of a pair
 SKULL_SPREAD = 0.15  # the same for the skull, whose targets are stronger
-LARGEST = 0.8  # maximum amount
+MAX_AMOUNT = 0.8  # maximum amount
 UNEVENNESS = 0.04  # standard deviation of the difference between the sides
 CHILDREN = 0.1  # fraction of heads with childlike features
 
@@ -157,4 +157,4 @@ def _three(value: float) -> dict[str, float]:
 
 def _add(amounts: dict[str, float], family: str, pair: str, amount: float) -> None:
     name, low, high = pair.split(":")
-    amounts[f"{family}{name}-{high if amount > 0 else low}"] = min(abs(amount), LARGEST)
+    amounts[f"{family}{name}-{high if amount > 0 else low}"] = min(abs(amount), MAX_AMOUNT)

@@ -39,7 +39,7 @@ export { type MapToPack, type SetToPack, setOfFolder } from './pack/set-to-pack.
 export { stripWrinkles } from './pack/strip.ts'
 export { faceWarnings } from './validate/face-rules.ts'
 export type { Finding } from './validate/finding.ts'
-export { GAVE_UP, runKhronosValidator } from './validate/khronos.ts'
+export { runKhronosValidator, VALIDATOR_FAILED } from './validate/khronos.ts'
 export { checkWrinkles } from './validate/rules.ts'
 export { type Cost, costOf } from './wrinkles/cost.ts'
 export { addressOf, folderDocument, STROKES_FILE, WRINKLES_FILE } from './wrinkles/folder-document.ts'

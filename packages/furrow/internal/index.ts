@@ -67,12 +67,12 @@ export { resampleGray } from '../src/core/image.ts'
 export { JsonReader } from '../src/core/json.ts'
 export {
   DEFAULT_AREA_SIZE,
-  LARGEST,
-  LONGEST_NAME,
   MAX_AREAS,
   MAX_IMAGE_BYTES,
   MAX_IMAGE_SIDE,
   MAX_LAYERS,
+  MAX_NAME_LENGTH,
+  MAX_NUMBER,
 } from '../src/core/limits.ts'
 export { checkDeclared, WRINKLE_MAPS } from '../src/core/maps/declared.ts'
 export { DecodedBytes } from '../src/core/maps/decoded-bytes.ts'

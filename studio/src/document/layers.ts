@@ -1,5 +1,5 @@
 import { FurrowError } from 'furrow'
-import { MAX_BLOOD_AMPLITUDE, MAX_LAYERS } from 'furrow/internal'
+import { MAX_BLOOD_AMPLITUDE, MAX_LAYERS, MAX_NUMBER } from 'furrow/internal'
 import {
   type ImageFile,
   LAYER_DEFAULTS,
@@ -9,9 +9,6 @@ import {
 } from './document.ts'
 import { changed, checkCount, checkNewName, findNamed, kept, replaceNamed } from './names.ts'
 import { checkRange } from './ranges.ts'
-
-/** Maximum of scales and amplitudes in files. */
-const LARGEST = 1000
 
 /** Layer fields that are set without further changes. */
 export type LayerFields = Partial<
@@ -70,9 +67,9 @@ export function moveLayer(document: StudioDocument, name: string, index: number)
 
 /** @throws FurrowError if the layer is unknown or a number is outside the range that files allow. */
 export function setLayer(document: StudioDocument, name: string, fields: LayerFields): StudioDocument {
-  checkRange(`normal scale of ${name}`, fields.normalScale, -LARGEST, LARGEST)
+  checkRange(`normal scale of ${name}`, fields.normalScale, -MAX_NUMBER, MAX_NUMBER)
   checkRange(`strength of the occlusion of ${name}`, fields.occlusionStrength, 0, 1)
-  checkRange(`amplitude of the heights of ${name}`, fields.heightAmplitude, 0, LARGEST)
+  checkRange(`amplitude of the heights of ${name}`, fields.heightAmplitude, 0, MAX_NUMBER)
   checkRange(`amplitude of the blood of ${name}`, fields.bloodAmplitude, 0, MAX_BLOOD_AMPLITUDE)
   return {
     ...document,

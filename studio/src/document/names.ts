@@ -1,5 +1,5 @@
 import { FurrowError } from 'furrow'
-import { isName, LONGEST_NAME } from 'furrow/internal'
+import { isName, MAX_NAME_LENGTH } from 'furrow/internal'
 
 /** Item with a unique name among its kind. */
 interface Named {
@@ -89,5 +89,5 @@ export function freeName(items: readonly Named[], name: string): string {
 /** Shortens the stem to stay within the longest allowed name. */
 function appendNumber(stem: string, number: number): string {
   const end = ` ${number}`
-  return [...stem].slice(0, LONGEST_NAME - end.length).join('') + end
+  return [...stem].slice(0, MAX_NAME_LENGTH - end.length).join('') + end
 }

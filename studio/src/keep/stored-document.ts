@@ -2,12 +2,12 @@ import { parseDrivers } from 'furrow'
 import { parseStrokes } from 'furrow/author'
 import {
   JsonReader,
-  LARGEST,
-  LONGEST_NAME,
   MAX_AREAS,
   MAX_BLOOD_AMPLITUDE,
   MAX_IMAGE_SIDE,
   MAX_LAYERS,
+  MAX_NAME_LENGTH,
+  MAX_NUMBER,
   parseCorrections,
 } from 'furrow/internal'
 import {
@@ -52,8 +52,8 @@ export function parseStored(json: unknown): StoredDocument {
   for (const [i, { layer }] of areas.entries()) reader.choice(layer, `areas[${i}].layer`, layerNames)
   const areaNames = areas.map(({ name }) => name)
   const document = {
-    ...(mesh !== undefined && { mesh: reader.text(mesh, 'mesh', LONGEST_NAME) }),
-    ...(material !== undefined && { material: reader.text(material, 'material', LONGEST_NAME) }),
+    ...(mesh !== undefined && { mesh: reader.text(mesh, 'mesh', MAX_NAME_LENGTH) }),
+    ...(material !== undefined && { material: reader.text(material, 'material', MAX_NAME_LENGTH) }),
     scale: reader.number(fields.scale, 'scale', Number.MIN_VALUE, Number.MAX_VALUE, 'mm per unit'),
     mapSize: reader.integer(fields.mapSize, 'mapSize', 1, MAX_IMAGE_SIDE),
     areaSize: reader.integer(fields.areaSize, 'areaSize', 1, MAX_IMAGE_SIDE),
@@ -99,10 +99,10 @@ function parseLayer(reader: JsonReader, value: unknown, path: string): StoredLay
     maps: Object.fromEntries(
       numbers.map(([map, number]) => [map, imageNumber(reader, number, `${path}.maps.${map}`)]),
     ),
-    normalScale: reader.number(normalScale, `${path}.normalScale`, -LARGEST, LARGEST, ''),
+    normalScale: reader.number(normalScale, `${path}.normalScale`, -MAX_NUMBER, MAX_NUMBER, ''),
     occlusionStrength: reader.number(occlusionStrength, `${path}.occlusionStrength`, 0, 1, ''),
     ...(heightAmplitude !== undefined && {
-      heightAmplitude: reader.number(heightAmplitude, `${path}.heightAmplitude`, 0, LARGEST, 'metres'),
+      heightAmplitude: reader.number(heightAmplitude, `${path}.heightAmplitude`, 0, MAX_NUMBER, 'metres'),
     }),
     ...(bloodAmplitude !== undefined && {
       bloodAmplitude: reader.number(bloodAmplitude, `${path}.bloodAmplitude`, 0, MAX_BLOOD_AMPLITUDE, ''),

@@ -1,5 +1,5 @@
 import { AUTO_REGIONS } from 'furrow/author'
-import { JsonReader, LARGEST, MAX_IMAGE_SIDE, parseCorrections, SCALE_RANGE } from 'furrow/internal'
+import { JsonReader, MAX_IMAGE_SIDE, MAX_NUMBER, parseCorrections, SCALE_RANGE } from 'furrow/internal'
 import {
   AUTO_AGES,
   AUTO_STRENGTHS,
@@ -184,7 +184,7 @@ function parseLayer(reader: JsonReader, value: unknown, path: string): DrawnLaye
     ),
     ...(under !== undefined && { under: parseUnder(under, `${path}.under`) }),
     ...(heightAmplitude !== undefined && {
-      heightAmplitude: reader.number(heightAmplitude, `${path}.heightAmplitude`, 0, LARGEST, 'metres'),
+      heightAmplitude: reader.number(heightAmplitude, `${path}.heightAmplitude`, 0, MAX_NUMBER, 'metres'),
     }),
   }
 }

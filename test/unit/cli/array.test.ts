@@ -254,7 +254,7 @@ describe('furrow array fails and writes nothing for', () => {
     ['two arrays', ['good.ktx2', 'good.ktx2'], ['--extract', 'x'], 'got 2, allowed: 1; extract one'],
     ['no array', ['text.ktx2'], ['--extract', 'x'], 'cannot read the array'],
     ...['climb', 'twice', 'few', 'torn'].map((name): [string, string[], string[], string] => {
-      return [name, [`${name}.ktx2`], ['--extract', 'x'], 'are not 3 different names']
+      return [name, [`${name}.ktx2`], ['--extract', 'x'], 'does not have 3 different names']
     }),
   ])('%s', (_, files, options, message) => at.fails(message, ...files.map(file), ...options))
 

@@ -94,7 +94,7 @@ test('a mesh without normals gets some, and validate accepts the result', async 
 })
 
 test('an unlit material is refused before the work', async () => {
-  const message = 'the material "cloth" can show no wrinkles: it is unlit (KHR_materials_unlit)'
+  const message = 'the material "cloth" cannot show wrinkles: it is unlit (KHR_materials_unlit)'
   const face = await write('unlit.glb', (({ materials }: Json) => unlit(materials[0]!)) as never)
   await fails(message, face, '-o', file('unlit-out.glb'), '--size', '512')
 })

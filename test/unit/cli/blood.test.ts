@@ -198,7 +198,7 @@ describe('pack refuses', () => {
     [
       'blood without an amplitude, whose file lies there',
       async (at: string) => shop.json(`${at}/wrinkles.json`, { layers: [{ name: 'up' }] }),
-      /layers\/up\/blood\.png needs the bloodAmplitude of its layer, .*, allowed: 0 to 2; write it into "layers" there, such as \{"name":"up","bloodAmplitude":0\.3\}, or move the file elsewhere$/,
+      /layers\/up\/blood\.png requires bloodAmplitude of its layer, .*, allowed: 0 to 2; add it to "layers" in wrinkles\.json, e\.g\. \{"name":"up","bloodAmplitude":0\.3\}, or move the map out of the folder$/,
     ],
     [
       'a damaged image',

@@ -136,7 +136,7 @@ describe('another kind of file', async () => {
       'pack',
       [face, '-o', shop.path('x.glb')],
       `furrow pack: ${face} is a file, allowed: a folder with layers/NAME/normal.png, areas/NAME.png and optionally` +
-        ' wrinkles.json; make wrinkles for an avatar with furrow auto, or take them out of a file with furrow unpack',
+        ' wrinkles.json; generate wrinkles with furrow auto, or extract the wrinkles of a file with furrow unpack',
     ],
     [
       'inspect',

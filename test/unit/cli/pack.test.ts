@@ -166,7 +166,7 @@ describe('furrow pack', () => {
     shop.write('odd/areas/zero.png', await painted(99))
     await shop.run('pack', odd, '-o', shop.path('warned.glb'))
     expect(shop.warned).toContain('target "noseSneer" of a driver of area "nose" does not exist; it is kept')
-    expect(shop.warned).toContain('area "zero" is visible nowhere')
+    expect(shop.warned).toContain('area "zero" is empty')
     expect(wrinklesIn(shop.path('warned.glb')).drivers[0].targets[0].name).toBe('noseSneer')
     expect(wrinklesIn(shop.path('warned.glb')).areas.at(-1).name).toBe('zero')
   })
@@ -205,7 +205,7 @@ describe('furrow pack with invalid input', () => {
     [
       'heights that no layer has an amplitude for',
       async (at) => shop.write(`${at}/layers/age/height.png`, await noise(1)),
-      'layers/age/height.png needs the heightAmplitude of its layer, which is not in wrinkles.json, allowed: metres from black to white',
+      'layers/age/height.png requires heightAmplitude of its layer, missing in wrinkles.json, allowed: metres from black to white',
     ],
     [
       'an image cut off',

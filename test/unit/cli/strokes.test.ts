@@ -204,7 +204,7 @@ describe('furrow strokes', () => {
       expect(existsSync(set)).toBe(false)
       await draw(DOCUMENT)
       await expect(draw(DOCUMENT, '--size', '128')).rejects.toThrow(
-        /its flushes would be lost, got "?32 x 32/,
+        /so its painted blood cannot be kept, got "?32 x 32/,
       )
       const before = '{ "layers": 3 }'
       writeFileSync(inSet('wrinkles.json'), before)

@@ -1,4 +1,4 @@
-import { checkWrinkles, type Finding, GAVE_UP, runKhronosValidator } from 'furrow-files'
+import { checkWrinkles, type Finding, runKhronosValidator, VALIDATOR_FAILED } from 'furrow-files'
 import { type ReadOptions, readGlbFile } from 'furrow-files/node'
 import { createCommand } from '../command.ts'
 import { allowOutsideOption } from '../options.ts'
@@ -38,7 +38,7 @@ async function validate(path: string, { all = false, json = false, ...options }:
   const errors = findings.filter(isError).length
   const warnings = findings.length - errors
   if (errors > 0) process.exitCode = 1
-  const rest = all ? [] : others.filter(({ code }) => code !== GAVE_UP)
+  const rest = all ? [] : others.filter(({ code }) => code !== VALIDATOR_FAILED)
   const listed = findings.filter((finding) => !rest.includes(finding))
   const lines = json
     ? JSON.stringify({ file: path, errors, warnings, findings })

@@ -3,21 +3,21 @@ import { parseCorrections, type ShapeCorrection, WRINKLE_MAPS } from 'furrow/int
 import { type GltfJson, targetNamesOf } from './gltf-json.ts'
 import { namesOfMesh } from './target-names.ts'
 
-/** Reads the corrections of a material's blendshapes, and what is wrong with others: no renderer needs them, so that nothing else suffers. */
+/** Reads corrections of a material's blendshapes. Malformed ones are skipped and reported in `problem`, because renderers do not need them. */
 export function correctionsIn(
   { materials = [] }: GltfJson,
   material: number,
   who: string,
 ): { corrections: ShapeCorrection[]; problem?: string } {
   const extension = materials[material]?.extensions?.[WRINKLE_MAPS] as { shapes?: unknown } | null | undefined
-  const faults: FurrowError[] = []
-  const corrections = parseCorrections(extension?.shapes, who, (fault) => faults.push(fault))
-  if (faults.length === 0) return { corrections }
-  const others = faults.length > 1 ? ` (${faults.length - 1} more malformed)` : ''
-  return { corrections, problem: `${faults[0].message}${others}` }
+  const errors: FurrowError[] = []
+  const corrections = parseCorrections(extension?.shapes, who, (error) => errors.push(error))
+  if (errors.length === 0) return { corrections }
+  const others = errors.length > 1 ? ` (${errors.length - 1} more malformed)` : ''
+  return { corrections, problem: `${errors[0].message}${others}` }
 }
 
-/** Blendshapes that corrections name and no mesh with the material has, e.g. `blendshape "key_12" of mesh "Head"`. */
+/** Lists blendshapes in corrections that no mesh with the material has, e.g. `blendshape "key_12" of mesh "Head"`. */
 export function missingIn(
   json: GltfJson,
   material: number,

@@ -34,7 +34,7 @@ export interface BufferView {
   extensions?: Record<string, Partial<CompressedView>>
 }
 
-/** The bytes that a view is decompressed from, by EXT_meshopt_compression or a successor. */
+/** Compressed data of a buffer view, by EXT_meshopt_compression or KHR_meshopt_compression. */
 export interface CompressedView {
   buffer: number
   byteOffset?: number
@@ -43,7 +43,7 @@ export interface CompressedView {
   byteStride: number
 }
 
-/** The parts of a glTF document that wrinkles touch; everything else is kept as it is. */
+/** Parts of a glTF document that Furrow reads or changes. Other parts are kept unchanged. */
 export interface GltfJson {
   extensionsUsed?: string[]
   extensionsRequired?: string[]
@@ -60,22 +60,22 @@ export interface GltfJson {
   extensions?: Extensions
 }
 
-/** Names of the blendshapes of a mesh, as three.js and others know them. */
+/** Returns the names of a mesh's blendshapes, as three.js reads them. */
 export function targetNamesOf({ primitives, extras }: GltfMesh): string[] {
   return namesOfTargets(extras?.targetNames, primitives[0]?.targets?.length ?? 0)
 }
 
 /**
- * Names of `count` blendshapes, each of which has an index for a name where it has none.
+ * Returns the names of `count` blendshapes. A blendshape without a name gets its index.
  *
- * @param names `extras.targetNames` of their mesh, whatever it is; ignored where it has too few or too many.
+ * @param names `extras.targetNames` of the mesh, unchecked; ignored unless an array of length `count`.
  */
 export function namesOfTargets(names: unknown, count: number): string[] {
   const given = Array.isArray(names) && names.length === count ? names : []
   return Array.from({ length: count }, (_, i) => String(typeof given[i] === 'object' ? i : (given[i] ?? i)))
 }
 
-/** Names of all nodes: drivers may name any of them as a joint. */
+/** Returns the names of all nodes, because a driver can use any node as a joint. */
 export function jointNamesOf({ nodes = [] }: GltfJson): string[] {
   return nodes.flatMap(({ name }) => (name === undefined ? [] : [name]))
 }

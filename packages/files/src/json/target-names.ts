@@ -1,8 +1,8 @@
 import type { WrinkleDriver } from 'furrow'
-import { drivenFaces, LONGEST_NAME } from 'furrow/internal'
+import { drivenFaces, MAX_NAME_LENGTH } from 'furrow/internal'
 import { type GltfJson, type GltfMesh, targetNamesOf } from './gltf-json.ts'
 
-/** The mesh or material that commands choose when none is named and several exist. */
+/** Default name of the mesh and the material, when several exist and the user names none. */
 export const DEFAULT_NAME = 'skin'
 
 /** Indices of the mesh and the material that get wrinkles. */
@@ -11,16 +11,16 @@ export interface Target {
   material: number
 }
 
-/** Names of a mesh and of one of its materials, or their indices where they have no name. */
+/** Names of a mesh and one of its materials, or their indices if they have no names. */
 export interface TargetNames {
   mesh?: string | undefined
   material?: string | undefined
 }
 
 /**
- * Indices of a material with wrinkles and of the mesh that its drivers move most; see `drivenFaces`.
+ * Finds the mesh that the drivers of a material with wrinkles move most; see `drivenFaces`.
  *
- * @returns undefined where no mesh has the material.
+ * @returns undefined if no mesh has the material.
  */
 export function targetOfMaterial(
   json: GltfJson,
@@ -32,7 +32,7 @@ export function targetOfMaterial(
   return mesh === undefined ? undefined : { mesh, material }
 }
 
-/** Indices of the meshes that wrinkle with a material; see `drivenFaces`. */
+/** Returns the indices of the meshes that show a material's wrinkles; see `drivenFaces`. */
 export function facesOfMaterial(
   json: GltfJson,
   material: number,
@@ -51,7 +51,7 @@ export function facesOfMaterial(
   return drivenFaces(meshes, measure, drivers).map(([index]) => index)
 }
 
-/** Names by which `findTarget` finds a mesh and its material; an index where no name does. */
+/** Returns names that `findTarget` resolves to this mesh and material: an index if no name is unique. */
 export function namesOfTarget(json: GltfJson, { mesh: index, material }: Target): TargetNames {
   const mesh = meshesOf(json).find((one) => one.index === index)
   if (!mesh) return {}
@@ -64,20 +64,20 @@ export function namesOfTarget(json: GltfJson, { mesh: index, material }: Target)
   }
 }
 
-/** A mesh or a material, with the names by which it may be named. */
+/** A mesh or material with all names that users can give for it. */
 export interface Candidate {
   index: number
   names: string[]
 }
 
-/** The meshes with texture coordinates. */
+/** Lists meshes with texture coordinates. */
 export function meshesOf(json: GltfJson): Candidate[] {
   return (json.meshes ?? []).flatMap(({ primitives }, index) => {
     return primitives.some(hasTextureCoordinates) ? [{ index, names: namesOfMesh(json, index) }] : []
   })
 }
 
-/** The materials of a mesh where it has texture coordinates. */
+/** Lists the materials of a mesh's primitives with texture coordinates. */
 export function materialsOf(json: GltfJson, mesh: number): (Candidate & { target: Target })[] {
   const primitives = json.meshes![mesh].primitives.filter(hasTextureCoordinates)
   return [...new Set(primitives.map(({ material }) => material))].flatMap((index) => {
@@ -91,7 +91,7 @@ function hasTextureCoordinates({ attributes }: GltfMesh['primitives'][number]): 
   return attributes?.TEXCOORD_0 !== undefined
 }
 
-/** Names of a mesh: its own and those of its nodes, and its index where nothing else has that as its name. */
+/** Returns the names of a mesh and its nodes. Adds the mesh index unless another mesh or node has it as a name. */
 export function namesOfMesh({ meshes = [], nodes = [] }: GltfJson, index: number): string[] {
   const placed = nodes.filter(({ mesh }) => mesh !== undefined)
   const own = [...meshes.slice(index, index + 1), ...placed.filter(({ mesh }) => mesh === index)]
@@ -112,7 +112,7 @@ export function chosen<T extends Candidate>(
 
 function uniqueName(candidates: readonly Candidate[], own: Candidate): string {
   const unique = own.names.find((name) => {
-    return name !== '' && name.length <= LONGEST_NAME && chosen(candidates, name).length === 1
+    return name !== '' && name.length <= MAX_NAME_LENGTH && chosen(candidates, name).length === 1
   })
   return unique ?? String(own.index)
 }

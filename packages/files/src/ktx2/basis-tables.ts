@@ -1,6 +1,6 @@
 import type { KTX2Container } from 'ktx-parse'
 
-/** Position of the offset of the global data in a KTX 2 file (KTX 2.0, 3.1). */
+/** Header position of `sgdByteOffset`, the offset of the global data (KTX 2.0, 3.1). */
 const GLOBAL_DATA_OFFSET = 64
 /** Bytes of the header of the ETC1S tables, and of one image description in them (KTX 2.0, 3.12.2). */
 const HEADER_BYTES = 20
@@ -8,9 +8,9 @@ const IMAGE_BYTES = 20
 
 /**
  * Rereads the ETC1S tables of a texture array. ktx-parse (1.1 and 2.0) expects one image description per level. It reads the descriptions
- * of the other layers as codebooks, and the file that it writes cannot be decoded.
+ * of the other layers as codebooks, and then writes a file that cannot be decoded.
  *
- * @param container as read from `bytes`; its tables are replaced.
+ * @param container result of reading `bytes`; its tables are replaced.
  */
 export function fixBasisTables(container: KTX2Container, bytes: Uint8Array): void {
   const tables = container.globalData

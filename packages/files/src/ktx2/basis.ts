@@ -1,7 +1,7 @@
 import { FurrowError } from 'furrow'
 import type { NamedArray } from './image-array.ts'
 
-/** The parts used here of the Basis Universal encoder's bindings (basis_wrappers.cpp, version 2.5). */
+/** Part of the Basis Universal encoder's JavaScript bindings (basis_wrappers.cpp, version 2.5). */
 interface Encoder {
   setUASTC(on: boolean): void
   setPackUASTCFlags(effort: number): void
@@ -22,7 +22,7 @@ interface Encoder {
   delete(): void
 }
 
-/** The parts used here of its transcoder's bindings. */
+/** Part of the transcoder's JavaScript bindings. */
 interface Transcoder {
   isValid(): boolean
   isUASTC(): boolean
@@ -56,7 +56,7 @@ const TEXTURE_2D_ARRAY = 1
 const RAW_RGBA = 0
 const TRANSCODE_TO_RGBA32 = 13
 
-/** Texels of all layers that fit into the encoder's memory (32-bit WebAssembly). */
+/** Maximum texels of all layers, limited by the encoder's memory (32-bit WebAssembly). */
 const MAX_TEXELS = 12 * 1024 * 1024
 
 /** 0 to 4. */
@@ -68,10 +68,10 @@ const ETC1S_EFFORT = 2
 
 let loading: Promise<BasisModule> | undefined
 
-/** Loads the WebAssembly of the package at the first call. */
+/** Loads the WebAssembly module on the first call. */
 function basis(): Promise<BasisModule> {
   loading ??= import('ktx2-encoder').then((library: unknown) => {
-    // Under one name the package has one thing for Node, and another for browsers.
+    // The package exports a different class in Node and in browsers.
     const { NodeBasisEncoder, BrowserBasisEncoder } = library as Record<string, BasisLoader | undefined>
     return new (NodeBasisEncoder ?? BrowserBasisEncoder)!().init()
   })
@@ -79,9 +79,9 @@ function basis(): Promise<BasisModule> {
 }
 
 /**
- * Encodes an array as a KTX 2 file in UASTC (with Zstandard) or ETC1S. Gray becomes red, green and blue.
+ * Encodes an array as a KTX 2 file in UASTC (with Zstandard) or ETC1S. Gray is copied to red, green and blue.
  *
- * @throws FurrowError when it is too large for the encoder, or its sides are not multiples of four.
+ * @throws FurrowError if the array is too large for the encoder, or its sides are not multiples of four.
  */
 export async function encodeBasis(
   array: NamedArray,
@@ -110,7 +110,7 @@ export async function encodeBasis(
       const rgba = array.channels === 4 ? layer : grayToRgba(layer)
       if (encoder.setSliceSourceImage(i, rgba, width, height, RAW_RGBA) === false) throw encoderError(array)
     }
-    // At most the pixels with their mipmaps (4/3), and some tables.
+    // Upper bound: RGBA8 pixels with mipmaps (4/3), plus 1 MB for tables.
     const out = new Uint8Array(Math.ceil((width * height * layers.length * 16) / 3) + 2 ** 20)
     const length = encoder.encode(out)
     if (length === 0) throw encoderError(array)
@@ -120,7 +120,11 @@ export async function encodeBasis(
   }
 }
 
-/** Decodes every layer to RGBA and returns the largest level. Throws Error with a short reason when any level is damaged. */
+/**
+ * Decodes all levels and layers to RGBA and returns the largest level.
+ *
+ * @throws Error with a short reason if any level is damaged.
+ */
 export async function decodeBasis(
   bytes: Uint8Array,
   count: number,
@@ -152,11 +156,11 @@ function grayToRgba(gray: Uint8Array): Uint8Array {
 }
 
 /**
- * Checks that an array can be encoded: its number of texels, and sides in whole blocks of 4 x 4 texels, as WebGPU
- * requires of textures in block formats.
+ * Checks the size of an array to encode. WebGPU requires the sides of block-compressed textures to be multiples of the block, 4 texels.
  *
- * @param who, remedy for the error.
- * @throws FurrowError when it cannot.
+ * @param who module name for errors.
+ * @param remedy for errors.
+ * @throws FurrowError if the array has too many texels or its sides are not multiples of 4.
  */
 export function checkBasisSize({ width, height, layers }: NamedArray, who: string, remedy: string): void {
   if (width * height * layers.length > MAX_TEXELS) {

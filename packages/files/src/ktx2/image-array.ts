@@ -1,12 +1,12 @@
-/** Images of one size as the layers of one texture array. */
+/** Texture array: named images of the same size, one per layer. */
 export interface NamedArray {
   width: number
   height: number
   /** 1 = gray, 4 = RGBA. */
   channels: 1 | 4
-  /** Whether the values are sRGB colours; otherwise they are linear, as in normal maps and areas. */
+  /** True for sRGB colours; false for linear values, as in normal maps and areas. */
   srgb: boolean
-  /** A unique name per layer, valid as the name of a file. */
+  /** One unique name per layer, valid as a file name. */
   names: string[]
   /** width x height x channels bytes per layer, row 0 at the top. */
   layers: Uint8Array[]

@@ -26,14 +26,14 @@ import type { Compression, NamedArray } from './image-array.ts'
 import { readHeader } from './ktx2-header.ts'
 import { zstd } from './zstd.ts'
 
-/** Key of the names of the layers, a JSON array, in the KTX 2 metadata. Khronos reserves keys that begin with KTX. */
+/** KTX 2 metadata key of the layer names, stored as a JSON array. Khronos reserves keys that begin with KTX. */
 export const NAMES_KEY = 'furrowLayers'
 
 /**
- * Writes a 2D array as a KTX 2 file (Khronos, KTX File Format Specification 2.0) in R8 or RGBA8, optionally with
- * Zstandard, or in a Basis Universal format. An array of one layer is still an array (layerCount 1).
+ * Writes a 2D array as a KTX 2 file (Khronos, KTX File Format Specification 2.0). The format is R8 or RGBA8, optionally with
+ * Zstandard, or Basis Universal. An array with one layer remains an array (layerCount 1).
  *
- * @param mipmaps for the Basis Universal formats only: of the others the GPU generates them.
+ * @param mipmaps whether to store mipmaps in a Basis Universal format. For other formats the GPU generates mipmaps.
  */
 export async function writeArray(
   array: NamedArray,
@@ -54,23 +54,23 @@ export async function writeArray(
   return write(container, { keepWriter: true })
 }
 
-/** A KTX 2 file as it was decoded. */
+/** Decoded KTX 2 file. */
 export interface DecodedArray extends Omit<NamedArray, 'names'> {
   compression: Compression
 }
 
 /**
- * Reads the largest level of a 2D array or 2D texture in R8, RGBA8 or a Basis Universal format, and the names of its layers. Those
- * without names are called layer-0, layer-1 and so on.
+ * Reads the largest level and the layer names of a 2D array or 2D texture in R8, RGBA8 or a Basis Universal format. Default names are
+ * layer-0, layer-1 and so on.
  *
- * @throws Error with a short reason when the bytes are anything else.
+ * @throws Error with a short reason if the file is damaged or has another format.
  */
 export async function readArray(bytes: Uint8Array): Promise<DecodedArray & NamedArray> {
   const array = await decodeArray(bytes)
   return { ...array, names: layerNames(readContainer(bytes), array.layers.length) }
 }
 
-/** As `readArray`, without the names. */
+/** Like `readArray`, without layer names. */
 export async function decodeArray(bytes: Uint8Array): Promise<DecodedArray> {
   const { format, width, height, slices } = readHeader(bytes)
   const count = Math.max(slices, 1)
@@ -97,7 +97,7 @@ export async function decodeArray(bytes: Uint8Array): Promise<DecodedArray> {
   return { width, height, channels, srgb, layers, compression: isCompressed ? 'zstd' : 'none' }
 }
 
-/** Throws Error with a short reason where ktx-parse reads beyond the bytes. */
+/** Replaces the errors of ktx-parse, which come from reads past the end of the file. */
 function readContainer(bytes: Uint8Array): KTX2Container {
   try {
     return read(bytes)
@@ -175,13 +175,13 @@ async function plainContainer(array: NamedArray, compression: 'none' | 'zstd'): 
   }
 }
 
-/** The names in the metadata. Throws Error when they are not unique, or not valid as names of files. */
+/** Reads layer names from the metadata. Throws Error if they are not unique or not valid file names. */
 function layerNames({ keyValue }: KTX2Container, count: number): string[] {
   const text = keyValue[NAMES_KEY]
   if (text === undefined) return Array.from({ length: count }, (_, i) => `layer-${i}`)
   let names: unknown
   try {
-    // KTX 2 ends texts with NUL.
+    // KTX 2 strings end with NUL.
     names = JSON.parse((typeof text === 'string' ? text : new TextDecoder().decode(text)).replace(/\0$/, ''))
   } catch {
     // Reported below.
@@ -192,7 +192,7 @@ function layerNames({ keyValue }: KTX2Container, count: number): string[] {
     !names.every((name) => typeof name === 'string' && isFileName(name)) ||
     new Set(names).size !== count
   ) {
-    throw new Error(`its ${NAMES_KEY} are not ${count} different names`)
+    throw new Error(`its metadata ${NAMES_KEY} does not have ${count} different names`)
   }
   return names
 }

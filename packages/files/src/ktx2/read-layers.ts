@@ -16,10 +16,10 @@ const WHO = 'furrow array'
 const MISSING = Object.assign(new Error('no such file'), { code: 'ENOENT' })
 
 /**
- * Reads images as the layers of an array, named after their files. Values are kept as they are: colour profiles are not
- * applied. The array is gray if every texel of every image is gray and opaque, unless it is sRGB.
+ * Reads images as layers of a texture array, named after their files. Colour profiles are not applied. A linear array becomes gray if
+ * every texel of all images is gray and opaque.
  *
- * @throws FurrowError when an image cannot be read, has more than 8 bits, or differs in size from the first.
+ * @throws FurrowError if an image cannot be read, has more than 8 bits per channel, or differs in size from the first.
  */
 export async function readLayers(
   paths: readonly string[],
@@ -27,7 +27,7 @@ export async function readLayers(
   progress?: (done: number, total: number) => void,
 ): Promise<NamedArray> {
   const names = paths.map((path) => parse(path).name)
-  // A pattern that no shell has replaced by names is not an odd name.
+  // Check existence before names: an unexpanded shell pattern should be reported as missing, not as an invalid name.
   for (const path of paths) if (!(await statOf(path))) throw cannotRead(WHO, `the image ${path}`, MISSING)
   checkNames(names, paths)
   const images: RgbaImage[] = []
@@ -35,8 +35,13 @@ export async function readLayers(
     const image = await readImage(path)
     const first = images.at(0) ?? image
     if (image.width !== first.width || image.height !== first.height) {
-      const limit = `${first.width} x ${first.height} as ${paths[0]} has`
-      fail(`${path} has another size`, `${image.width} x ${image.height}`, limit, 'scale all to one size')
+      const limit = `${first.width} x ${first.height}, the size of ${paths[0]}`
+      fail(
+        `${path} has a different size`,
+        `${image.width} x ${image.height}`,
+        limit,
+        'scale all images to one size',
+      )
     }
     if (i === 0) checkDecodedBytes(image.data.length * paths.length, 'the array', WHO)
     images.push(image)
@@ -65,12 +70,12 @@ function checkNames(names: readonly string[], paths: readonly string[]): void {
       fail(
         'two layers with the same name',
         name,
-        `another name than that of ${paths[other]} for ${paths[i]}`,
+        `different names for ${paths[other]} and ${paths[i]}`,
         'rename one file',
       )
     }
     if (!isFileName(name)) {
-      fail('invalid name of a layer', name, `e.g. ${fileNamesOf([name])}`, 'rename the file')
+      fail('invalid layer name', name, `e.g. ${fileNamesOf([name])}`, 'rename the file')
     }
   }
 }

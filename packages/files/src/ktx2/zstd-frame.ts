@@ -1,11 +1,11 @@
 /** Zstandard (RFC 8878). */
 export interface Zstd {
   compress(data: Uint8Array): Uint8Array<ArrayBuffer>
-  /** Throws Error where the data is not as long as `size`, as far as possible before anything is allocated. */
+  /** Throws Error unless the decompressed length is `size`. Checks the length in the frame header before allocating. */
   decompress(data: Uint8Array, size: number): Uint8Array
 }
 
-/** Checks the size that the header of the first frame gives (RFC 8878, 3.1.1.1), where it gives one. */
+/** Compares `size` with the optional content size in the first frame's header (RFC 8878, 3.1.1.1). */
 export function checkContentSize(data: Uint8Array, size: number): void {
   const view = new DataView(data.buffer, data.byteOffset, data.length)
   if (data.length < 18 || view.getUint32(0, true) !== 0xfd2fb528)

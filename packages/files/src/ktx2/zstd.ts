@@ -6,9 +6,9 @@ const LEVEL = 12
 
 let loading: Promise<Zstd> | undefined
 
-/** Node's own Zstandard (22.15 and later), or WebAssembly on older versions and in browsers. */
+/** Returns Node's Zstandard functions (22.15 and later), or a WebAssembly module on older versions and in browsers. */
 export function zstd(): Promise<Zstd> {
-  // Only once: a second initialisation of the WebAssembly breaks the first.
+  // Initialising the WebAssembly module twice breaks the first instance.
   loading ??= Promise.resolve(nativeZstd(LEVEL) ?? wasmZstd())
   return loading
 }

@@ -8,7 +8,7 @@ import { trianglesOf } from './mesh-nodes.ts'
 const FLOAT = 5126
 
 /**
- * Adds smooth normals to the primitives of a mesh that have none: without, renderers shade each triangle flat and show no wrinkles.
+ * Adds smooth normals to primitives without normals, which renderers would shade flat and without wrinkles.
  *
  * @param glb changed in place; existing objects keep their indices.
  * @param document the decoded `glb`.
@@ -35,7 +35,7 @@ export function addNormals(glb: Glb, document: Document, mesh: number): number {
   return missing.length
 }
 
-/** Unit normals of a primitive: means over the triangles around each point, weighted by area. Vertices at one position share theirs. */
+/** Computes unit vertex normals: area-weighted means of the adjacent triangles' normals. Vertices at the same position share a normal. */
 function smoothNormals(primitive: Primitive): Float32Array<ArrayBuffer> {
   const position = primitive.getAttribute('POSITION')!
   const count = position.getCount()
@@ -51,7 +51,7 @@ function smoothNormals(primitive: Primitive): Float32Array<ArrayBuffer> {
   const normals = new Float32Array(3 * count)
   for (let i = 0; i < count; i++) {
     const normal = sums[pointOf[i]].clone().normalize()
-    // A vertex without triangles has any unit normal.
+    // Vertices without triangles get an arbitrary unit normal.
     if (!(normal.lengthSq() > 0)) normal.set(0, 0, 1)
     normal.toArray(normals, 3 * i)
   }

@@ -3,52 +3,53 @@ import { MAX_SKIN_TRIANGLES } from 'furrow/internal'
 import type { Glb } from '../gltf/glb.ts'
 import type { GltfMesh } from '../json/gltf-json.ts'
 
-/** Modes of a primitive: a list of triangles, and the last one of strips and fans. */
+/** Primitive modes. Triangle modes are TRIANGLES, TRIANGLE_STRIP (5) and TRIANGLE_FAN. */
 const TRIANGLES = 4
 const TRIANGLE_FAN = 6
 /**
- * Triangles times blendshapes in any file, and per byte in a larger one: each is measured. Faces have far less than one per byte, and up to
- * three when they are compressed; accessors that many blendshapes have in common make thousands.
+ * Limit of triangles times blendshapes: the larger of a fixed number and a number per byte of the file. `furrow auto` takes time
+ * proportional to this product. Faces have less than one per byte, compressed faces up to three. A small hostile file can have thousands
+ * per byte, because blendshapes can share accessors.
  */
-const MOVED = 6_000_000
-const MOVED_PER_BYTE = 3
+const MAX_MORPHED_TRIANGLES = 6_000_000
+const MAX_MORPHED_TRIANGLES_PER_BYTE = 3
 
 /**
- * Checks by the counts in the file that its meshes are not too large, before any of them is decoded.
+ * Checks the size of meshes by the counts in the JSON, before decoding.
  *
- * @param meshName only this mesh, or the mesh of a node of this name; all by default.
+ * @param meshName name of a mesh or its node, to check only this mesh. Default: all meshes.
  * @throws FurrowError naming the mesh.
  */
 export function checkTriangles({ json, fileBytes }: Glb, who: string, meshName?: string): void {
   const { meshes = [], nodes = [], accessors = [] } = json
-  const mostMoved = Math.max(MOVED, MOVED_PER_BYTE * fileBytes)
+  const maxMorphed = Math.max(MAX_MORPHED_TRIANGLES, MAX_MORPHED_TRIANGLES_PER_BYTE * fileBytes)
   const countOf = (accessor = -1) => (accessors[accessor] as { count?: number } | undefined)?.count ?? 0
   for (const [index, mesh] of meshes.entries()) {
     const names = [mesh.name, ...nodes.filter((node) => node.mesh === index).map(({ name }) => name)]
     if (meshName !== undefined && !names.includes(meshName)) continue
     const largest = Math.max(0, ...trianglesByMaterial(mesh, countOf).values())
     const targets = Math.max(0, ...mesh.primitives.map(({ targets = [] }) => targets.length))
-    const fault = (what: string, value: number, limit: string) =>
+    const tooMany = (items: string, value: number, limit: string) =>
       new FurrowError({
         code: 'out-of-range',
         who,
-        problem: `the mesh "${mesh.name ?? index}" has too many ${what}`,
+        problem: `the mesh "${mesh.name ?? index}" has too many ${items}`,
         value,
         limit,
         remedy: 'decimate it (the maps keep the detail), or name another mesh with --mesh',
       })
     if (largest > MAX_SKIN_TRIANGLES) {
       const limit = `${MAX_SKIN_TRIANGLES.toLocaleString('en')} triangles of one material`
-      throw fault('triangles', largest, limit)
+      throw tooMany('triangles', largest, limit)
     }
-    if (largest * targets > mostMoved) {
-      const limit = `${mostMoved.toLocaleString('en')} in a file of ${fileBytes.toLocaleString('en')} bytes`
-      throw fault('triangles times blendshapes', largest * targets, limit)
+    if (largest * targets > maxMorphed) {
+      const limit = `${maxMorphed.toLocaleString('en')} in a file of ${fileBytes.toLocaleString('en')} bytes`
+      throw tooMany('triangles times blendshapes', largest * targets, limit)
     }
   }
 }
 
-/** Triangles with blendshapes, by index of their material. */
+/** Counts the triangles of primitives with blendshapes, by material index. */
 function trianglesByMaterial(
   { primitives }: GltfMesh,
   countOf: (accessor?: number) => number,

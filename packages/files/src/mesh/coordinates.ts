@@ -3,12 +3,12 @@ import { KHRTextureTransform, type Transform } from '@gltf-transform/extensions'
 import { Matrix3, Vector2 } from 'three'
 
 /**
- * Reads the texture coordinates that renderers use for wrinkles: those of the material's normal map, with its
- * KHR_texture_transform; TEXCOORD_0 where it has no normal map. Without one, quantised coordinates are read as the base colour's are, if that has
- * a transform: packing adds a normal map with the same.
+ * Reads the texture coordinates that renderers use for wrinkles: those of the material's normal map with its KHR_texture_transform, or
+ * TEXCOORD_0 without a normal map. Exception: if only the base colour's transform decodes quantised coordinates, it is used, because
+ * packing adds a normal map with this transform.
  *
  * @param vertices indices of the vertices to read.
- * @param out u and v of each of them.
+ * @param out u and v of each vertex.
  */
 export function readCoordinates(
   primitive: Primitive,
@@ -30,7 +30,7 @@ export function readCoordinates(
   }
 }
 
-/** As `quantisedCoordinates` finds it in the JSON. */
+/** Same rule as `quantisedCoordinates`, on a decoded document. */
 function quantisedInfo(primitive: Primitive, material: Material): TextureInfo | null {
   const info = material.getBaseColorTextureInfo()
   const transform = info?.getExtension<Transform>(KHRTextureTransform.EXTENSION_NAME)
@@ -40,7 +40,7 @@ function quantisedInfo(primitive: Primitive, material: Material): TextureInfo | 
   return array && !(array instanceof Float32Array) ? info : null
 }
 
-/** Scaled, rotated clockwise, then translated (KHR_texture_transform); `Matrix3.setUvTransform` scales last. */
+/** Scales, rotates clockwise, then translates (KHR_texture_transform). `Matrix3.setUvTransform` cannot be used: it scales last. */
 function matrixOf(transform: Transform): Matrix3 {
   const matrix = new Matrix3().makeTranslation(...transform.getOffset())
   matrix.multiply(new Matrix3().makeRotation(-transform.getRotation()))

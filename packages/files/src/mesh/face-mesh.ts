@@ -9,23 +9,23 @@ import { DEFAULT_NAME } from '../json/target-names.ts'
 import { mostMovedSkin } from './find-skin.ts'
 import { nameOf, placementOf, trianglesOf } from './mesh-nodes.ts'
 
-/** Parts of a character that strokes need: one mesh, its texture coordinates, and the normal map of its skin. */
+/** Parts of a character that strokes need: one mesh with texture coordinates and its normal map. */
 export interface FaceMesh {
   /** Name of the mesh. */
   name: string
   /** Positions in metres in world space, in the rest pose without blendshapes. */
   mesh: MetricMesh
-  /** The encoded normal map of the material, where it has one. */
+  /** Encoded normal map of the material. */
   normalMap?: Uint8Array
-  /** Whether the mesh has tangents; without, three.js derives them on the GPU. */
+  /** Whether the mesh has tangents. Otherwise three.js derives tangents on the GPU. */
   hasTangents: boolean
 }
 
 /**
  * Reads one mesh of a file.
  *
- * @param options.mesh its name; see `pickMesh`.
- * @throws FurrowError when the file cannot be read or has no such mesh.
+ * @param options.mesh name of the mesh; see `pickMesh`.
+ * @throws FurrowError if the file cannot be read or has no such mesh.
  */
 export async function readFaceMesh(
   path: string,
@@ -38,10 +38,10 @@ export async function readFaceMesh(
 }
 
 /**
- * Finds the node of one mesh with texture coordinates: the one named `meshName`, by default the one named `skin`, the only one, or
- * the one that blendshapes move most.
+ * Finds the node of a mesh with texture coordinates. Without `meshName`, chooses the mesh named `skin`, else the only mesh, else the
+ * mesh that blendshapes move most.
  *
- * @throws FurrowError when there is none, or several and none stands out.
+ * @throws FurrowError if no mesh matches, or several do and blendshapes move none of them most.
  */
 export function pickMesh(document: Document, path: string, who: string, meshName?: string): Node {
   const nodes = document
@@ -52,8 +52,8 @@ export function pickMesh(document: Document, path: string, who: string, meshName
   const names = [...new Set(usable.map(nameOf))]
   const wanted = meshName ?? (names.includes(DEFAULT_NAME) ? DEFAULT_NAME : undefined)
   const matches = wanted === undefined ? usable : usable.filter((node) => nameOf(node) === wanted)
-  const isOpen = wanted === undefined && names.length > 1
-  const node = isOpen ? mostMovedNode(document, usable) : matches.at(0)
+  const isAmbiguous = wanted === undefined && names.length > 1
+  const node = isAmbiguous ? mostMovedNode(document, usable) : matches.at(0)
   if (node === undefined) {
     throw new FurrowError({
       code: 'unknown-name',

@@ -8,29 +8,32 @@ import { namesOfMesh, type Target } from '../json/target-names.ts'
 import { trianglesOf } from './mesh-nodes.ts'
 import { readSkin } from './read-skin.ts'
 
-/** The skin that was chosen: the primitives of one mesh with one material. */
+/** Chosen skin: the primitives of one mesh with one material. */
 export interface FoundSkin {
   skin: Skin
-  /** Indices of the mesh and its material in the file. */
+  /** Index of the mesh in the file. */
   mesh: number
+  /** Index of the material in the file. */
   material: number
-  /** Their names, or their indices where they have none. */
+  /** Name of the mesh, or its index if it has none. */
   meshName: string
+  /** Name of the material, or its index if it has none. */
   materialName: string
   /** Share of the blendshape motion that moves this mesh, 0..1; NaN if blendshapes move nothing. */
   fraction: number
-  /** Why it was chosen, for the user. */
+  /** Reason for the choice, for the user. */
   reason: string
   /** Whether all primitives have tangents. */
   hasTangents: boolean
 }
 
 /**
- * Chooses the skin of a file among all meshes and materials; see `chooseSkin`.
+ * Chooses the skin among all meshes and materials of a file; see `chooseSkin`.
  *
- * @param meshName only this mesh, or the mesh of a node of this name; all by default.
- * @param isLit tells whether a material, by its index, can show wrinkles: such a one is preferred where it moves at least half as much.
- * @throws FurrowError when no mesh can wrinkle.
+ * @param meshName name of a mesh or its node, to consider only this mesh. Default: all meshes.
+ * @param isLit returns whether the material with this index can show wrinkles. A lit material wins over an unlit one if blendshapes move it
+ *   at least half as much.
+ * @throws FurrowError if no mesh can have wrinkles.
  */
 export function findSkin(
   document: Document,
@@ -56,13 +59,13 @@ export function findSkin(
   })
 }
 
-/** The skin that the blendshapes move more than all others together; undefined where there is none. */
+/** Returns the skin with more than half of all blendshape motion, or undefined. */
 export function mostMovedSkin(document: Document, meshName?: string): FoundSkin | undefined {
   const skin = bestSkin(document, meshName)
   return skin && skin.fraction > 0.5 ? skin : undefined
 }
 
-/** As `findSkin`, but undefined where no mesh can wrinkle. */
+/** Like `findSkin`, but returns undefined if no mesh can have wrinkles. */
 export function bestSkin(
   document: Document,
   meshName?: string,
@@ -83,7 +86,7 @@ export function bestSkin(
   return { ...candidates[index], fraction, reason: reasonOf(choice, candidates.length) }
 }
 
-/** The skin of a mesh with one of its materials, by their indices; undefined where it has no triangles with texture coordinates. */
+/** Returns the skin of a mesh and material, or undefined if these have no triangles with texture coordinates. */
 export function skinOfTarget(document: Document, { mesh: index, material }: Target): Skin | undefined {
   const mesh = document.getRoot().listMeshes()[index]
   return candidatesOf(document, mesh, index).find((candidate) => candidate.material === material)?.skin
@@ -95,7 +98,7 @@ function reasonOf({ fraction, movers }: SkinChoice, count: number): string {
   return `${Math.round(100 * fraction)}% of what ${movers} move`
 }
 
-/** The possible skins of a mesh: the primitives of each of its materials. */
+/** Lists the possible skins of a mesh, one per material. */
 function candidatesOf(
   document: Document,
   mesh: Mesh,
@@ -124,13 +127,13 @@ function candidatesOf(
   })
 }
 
-/** Whether the mesh, or a node of it, has that name; true for no name. */
+/** Returns whether the mesh or one of its nodes has this name; true if no name is given. */
 function isNamed(mesh: Mesh, name: string | undefined): boolean {
   if (name === undefined || mesh.getName() === name) return true
   return mesh.listParents().some((parent) => parent.propertyType === 'Node' && parent.getName() === name)
 }
 
-/** Its name, or its index where it has none. */
+/** Returns the name, or the index if there is none. */
 function labelOf(named: Mesh | Material, index: number): string {
   return named.getName() || String(index)
 }

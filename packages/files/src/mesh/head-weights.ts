@@ -1,13 +1,13 @@
 import type { Mesh, Node, Primitive } from '@gltf-transform/core'
 import { nodeOf } from './mesh-nodes.ts'
 
-/** Writes how much some vertices of a primitive follow the joint of the head, 0..1. */
+/** Writes the skinning weight of the head joint for some vertices of a primitive, 0..1. */
 export type HeadReader = (primitive: Primitive, vertices: Uint32Array, out: Float32Array) => void
 
 /**
- * How a mesh follows the head of its character: by its skeleton, or by hanging on it.
+ * Returns a reader of head weights. A mesh without a skeleton has weight 1 if its node is below the head joint.
  *
- * @returns undefined where the mesh has no skeleton and hangs on no head.
+ * @returns undefined if the mesh does not follow a head joint.
  */
 export function headReader(mesh: Mesh): HeadReader | undefined {
   const node = nodeOf(mesh)
@@ -28,10 +28,10 @@ export function headReader(mesh: Mesh): HeadReader | undefined {
   }
 }
 
-/** Whether a node is the head or hangs on it. */
+/** Returns whether a node is the head joint or below it. */
 function isOfHead(node: Node): boolean {
   for (let above: Node | null = node; above; above = above.getParentNode()) {
-    // A mesh may be called so without being a joint.
+    // A mesh named "head" is not a joint.
     if (!above.getMesh() && /head|頭/i.test(above.getName())) return true
   }
   return false

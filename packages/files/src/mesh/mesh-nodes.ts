@@ -1,17 +1,17 @@
 import { type Mesh, type mat4, type Node, Primitive } from '@gltf-transform/core'
 import { Matrix4 } from 'three'
 
-/** The name of a node's mesh, or of the node where the mesh has none. */
+/** Returns the name of a node's mesh, or of the node if the mesh has none. */
 export function nameOf(node: Node): string {
   return node.getMesh()!.getName() || node.getName()
 }
 
-/** The first node of a mesh. */
+/** Returns the first node of a mesh. */
 export function nodeOf(mesh: Mesh): Node | undefined {
   return mesh.listParents().find((parent) => parent.propertyType === 'Node') as Node | undefined
 }
 
-/** The primitives of a mesh that are triangles with texture coordinates. */
+/** Returns the primitives of a mesh with triangles and texture coordinates. */
 export function trianglesOf(mesh: Mesh): Primitive[] {
   return mesh.listPrimitives().filter((primitive) => {
     const textured = primitive.getAttribute('POSITION') && primitive.getAttribute('TEXCOORD_0')

@@ -6,7 +6,7 @@ import { documentOf } from '../gltf/document.ts'
 import type { Glb } from '../gltf/glb.ts'
 import type { GltfJson } from '../json/gltf-json.ts'
 
-/** Delta of a normal, per axis, that is not worth its bytes: half a step of a byte. */
+/** Normal deltas up to this size per axis are dropped: half a step of an 8-bit normal. */
 const NEGLIGIBLE = 1 / 510
 /** Fraction of changed vertices above which a sparse accessor is no smaller than a full one. */
 const MAX_SPARSE_FRACTION = 0.7
@@ -16,12 +16,12 @@ const UNSIGNED_INT = 5125
 const FLOAT = 5126
 
 /**
- * Adds normals to the morph targets of one mesh that have none, so that the shading follows the shape.
+ * Adds normals to morph targets without normals, so that shading follows the shape.
  *
  * @param glb changed in place; existing objects keep their indices.
  * @param path of the file that `glb` was read from, for errors.
- * @returns how many targets got normals.
- * @throws FurrowError if its geometry cannot be decoded.
+ * @returns number of targets that got normals.
+ * @throws FurrowError if the geometry cannot be decoded.
  */
 export async function addMorphNormals(
   glb: Glb,
@@ -49,7 +49,7 @@ export async function addMorphNormals(
   return added
 }
 
-/** From the position deltas of a primitive's target to its normal deltas; undefined if the primitive has no normals. */
+/** Returns a function from position deltas to normal deltas of a primitive's targets; undefined if the primitive has no normals. */
 function normalDeltasOf(primitive: Primitive): ReturnType<typeof morphNormalDeltas> | undefined {
   const [position, normal] = [primitive.getAttribute('POSITION'), primitive.getAttribute('NORMAL')]
   if (!position || !normal) return undefined
@@ -58,7 +58,7 @@ function normalDeltasOf(primitive: Primitive): ReturnType<typeof morphNormalDelt
   return morphNormalDeltas({ positions: readVectors(position), normals: readVectors(normal), triangles })
 }
 
-/** Dequantised. */
+/** Reads and dequantises vectors. */
 function readVectors(accessor: Accessor): Float32Array {
   const out = new Float32Array(3 * accessor.getCount())
   const element: number[] = []

@@ -8,9 +8,9 @@ import { type HeadReader, headReader } from './head-weights.ts'
 import { nodeOf, placementOf } from './mesh-nodes.ts'
 
 /**
- * Reads some primitives of a mesh as one skin in metres, in world space as its first node or skeleton places it.
+ * Reads primitives of a mesh as one skin in metres, in the world space of the mesh's first node or skeleton.
  *
- * @param expressions names of a VRM's expressions that move one target alone, by its index.
+ * @param expressions names of VRM expressions that move only one target, by target index.
  */
 export function readSkin(
   mesh: Mesh,
@@ -43,7 +43,7 @@ function partOf(primitive: Primitive, material: Material, head: HeadReader | und
   }
 }
 
-/** Undefined where it is the identity. */
+/** Returns the matrix from mesh to world space, or undefined for the identity. */
 function placementOfMesh(mesh: Mesh): number[] | undefined {
   const node = nodeOf(mesh)
   const placement = new Matrix4()
@@ -58,10 +58,10 @@ function indicesOf(index: Accessor | null, count: number): Uint32Array {
   return Uint32Array.from({ length: count }, (_, k) => k)
 }
 
-/** Copies vectors of some vertices, whatever the accessor's type. */
+/** Copies vectors of some vertices from an accessor of any type. */
 function copyInto(out: Float32Array, accessor: Accessor, vertices: Uint32Array): void {
   const array = accessor.getArray()
-  // Without the call for each vertex, which takes six times as long; other types may be normalised.
+  // Fast path: `getElement` takes six times as long, but is needed to dequantise other types.
   if (array instanceof Float32Array) {
     for (let i = 0; i < vertices.length; i++)
       for (let k = 0; k < 3; k++) out[3 * i + k] = array[3 * vertices[i] + k]

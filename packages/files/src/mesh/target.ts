@@ -13,19 +13,19 @@ import {
 import { mostMovedSkin } from './find-skin.ts'
 
 /**
- * Finds the mesh that gets wrinkles, and its material. Given names win. Otherwise the function takes the ones named `skin`, the only ones,
- * or, as `furrow auto` does, the ones that blendshapes move most.
+ * Finds the mesh and the material that get wrinkles. Without names, chooses those named `skin`, else the only ones, else those that
+ * blendshapes move most, as `furrow auto` does.
  *
  * @param path of the file, for errors.
- * @param names the mesh may also be named by its node.
- * @throws FurrowError when there is none, or several and none stands out.
+ * @param names names of mesh and material; the name of the mesh's node also matches.
+ * @throws FurrowError if none matches, or several do and blendshapes move none of them most.
  */
 export async function findTarget(glb: Glb, path: string, who: string, names: TargetNames): Promise<Target> {
   const { json } = glb
   const meshes = chosen(meshesOf(json), names.mesh)
   if (meshes.length === 0) throw notFound(meshesOf(json), names.mesh, who, 'mesh', '--mesh')
   const materials = meshes.flatMap(({ index }) => materialsOf(json, index))
-  // One of several meshes is not chosen because its material has the default name.
+  // With several meshes, a default material name must not decide between meshes.
   const left =
     meshes.length > 1 && names.material === undefined ? materials : chosen(materials, names.material)
   if (left.length === 0) {
@@ -45,7 +45,7 @@ function notFound(
   candidates: readonly Candidate[],
   wanted: string | undefined,
   who: string,
-  what: string,
+  kind: string,
   option: string,
 ): FurrowError {
   const all = candidates.map(({ names, index }) => names[0] ?? String(index))
@@ -53,7 +53,7 @@ function notFound(
     code: 'unknown-name',
     who,
     problem:
-      wanted !== undefined || all.length === 0 ? `no such ${what}` : `several candidates for the ${what}`,
+      wanted !== undefined || all.length === 0 ? `no such ${kind}` : `several candidates for the ${kind}`,
     value: wanted,
     limit: all.length === 0 ? 'the file has none with texture coordinates' : all.join(', '),
     remedy: didYouMean(wanted, all, `name one with ${option}`),

@@ -8,11 +8,11 @@ import { joinChannels } from '../wrinkles/shared-image.ts'
 import type { CheckedImage } from './checked-image.ts'
 
 /**
- * Puts blood into the blue channel of a layer's occlusion, at its size. Red is white where there is none, and green where roughness is elsewhere.
+ * Writes a layer's blood map into the blue channel of its occlusion image, scaled to that size. Roughness stays in green if it shares
+ * the image with occlusion. Channels without a map are white.
  *
- * @param layer its maps; where the roughness is in the image of the occlusion, it stays there.
- * @returns the maps with the images that hold blood.
- * @throws FurrowError when the two differ in size and the occlusion is not square.
+ * @returns the layer with its maps in the new image.
+ * @throws FurrowError if blood and occlusion differ in size and the occlusion is not square.
  */
 export async function withBlood<L extends { name: string } & Partial<Record<MapName, CheckedImage>>>(
   layer: L,
@@ -27,8 +27,8 @@ export async function withBlood<L extends { name: string } & Partial<Record<MapN
       who,
       problem: `the blood map of layer "${name}" differs in size from its occlusion`,
       value: `${blood.width} x ${blood.height}`,
-      limit: `${width} x ${height}: they share an image`,
-      remedy: 'scale them to one size',
+      limit: `${width} x ${height}, because both share an image`,
+      remedy: 'scale both to one size',
     })
   }
   const read = async (image: CheckedImage | undefined, channel: number) => {

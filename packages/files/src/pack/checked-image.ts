@@ -6,14 +6,14 @@ import { encodePortablePng } from '../images/png.ts'
 import { scaleImage } from '../images/scale.ts'
 import type { FileImage } from './embed.ts'
 
-/** An image that was decoded as a whole and can go into a glTF file. */
+/** An image that decodes without errors and is allowed in a glTF file. */
 export interface CheckedImage extends FileImage {
   width: number
   height: number
 }
 
 /**
- * Checks that a map can go into a glTF file as it is: PNG or JPEG, whole, opaque.
+ * Checks that a map is allowed in a glTF file: a PNG or JPEG image that is opaque and decodes without errors.
  *
  * @throws FurrowError naming the file.
  */
@@ -29,10 +29,10 @@ export async function checkMap(
 }
 
 /**
- * Scales a map to a square. Normals are filtered as vectors and normalised again.
+ * Scales a map to a square. Normals are renormalised.
  *
- * @param who for errors.
- * @returns the image itself when it already has that size, otherwise a new one (PNG).
+ * @param size side in texels.
+ * @returns a new PNG image, or `image` itself if it has this size.
  */
 export async function scaleMap(
   image: CheckedImage,
@@ -47,7 +47,7 @@ export async function scaleMap(
   return { ...image, mimeType: 'image/png', bytes, width: size, height: size }
 }
 
-/** Throws FurrowError where maps of one kind differ in size, which they must not within one array. */
+/** Throws FurrowError if maps of one kind differ in size, because they become layers of one texture array. */
 export function checkOneSize(images: readonly CheckedImage[], kind: string, who: string): void {
   const sizes = images.map(({ width, height }) => `${width} x ${height}`)
   if (new Set(sizes).size <= 1) return
@@ -56,14 +56,14 @@ export function checkOneSize(images: readonly CheckedImage[], kind: string, who:
     problem: `the ${kind} maps of the layers differ in size`,
     value: sizes.join(', '),
     limit: 'one size for all layers',
-    remedy: 'scale them to one size',
+    remedy: 'scale the maps to one size',
   })
 }
 
 function normalise(data: Uint8Array, channels: number): void {
   for (let i = 0; i < data.length; i += channels) {
     const [x, y, z] = [0, 1, 2].map((k) => (data[i + k] / 255) * 2 - 1)
-    // Browsers round `Math.hypot` differently.
+    // Not `Math.hypot`: its rounding differs between browsers.
     const length = length3(x, y, z) || 1
     for (const [k, value] of [x, y, z].entries()) data[i + k] = Math.round((value / length / 2 + 0.5) * 255)
   }

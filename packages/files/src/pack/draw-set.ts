@@ -26,7 +26,7 @@ import type { ReadFile } from './set-to-pack.ts'
 
 type LayerEntry = WrinkleSetDocument['layers'][number]
 
-/** The maps that strokes give a layer. */
+/** Maps that strokes draw for a layer. */
 const DRAWN_MAPS = ['normal', 'occlusion', 'blood', 'height'] as const
 type DrawnMap = (typeof DRAWN_MAPS)[number]
 
@@ -34,15 +34,15 @@ type DrawnMap = (typeof DRAWN_MAPS)[number]
 export interface DrawnOn {
   /** Canvas of the same size as the normal map; its sides are even. */
   canvas: SkinCanvas
-  /** The frame in which renderers read normals. */
+  /** Tangent frame in which renderers read normals. */
   frame: TangentFrame
 }
 
 /**
- * The layers of a wrinkle set that a document draws.
+ * Returns the names of layers that a strokes document draws.
  *
- * @param layer the only one to draw; by default all that have strokes or furrows.
- * @throws FurrowError for strokes on a layer that the set does not have, or on none where it has several.
+ * @param layer draws only this layer. Default: all layers with strokes or furrows.
+ * @throws FurrowError if strokes name a layer that the set lacks, or name none and the set has several.
  */
 export function layersToDraw(
   { layers }: WrinkleSetDocument,
@@ -70,7 +70,7 @@ function noLayer(
   return new FurrowError({ code: 'unknown-name', who, problem, value, limit: names.join(', '), remedy })
 }
 
-/** Paths of the maps of a layer that strokes draw, relative to the folder of its set. */
+/** Returns the paths of a layer's drawn maps, relative to the folder of its set. */
 export function drawnPaths({ layers }: WrinkleSetDocument, layer: string): Record<DrawnMap, string> {
   const names = layers.map(({ name }) => name)
   const folder = fileNamesOf(names)[names.indexOf(layer)]
@@ -84,11 +84,11 @@ export function drawnPaths({ layers }: WrinkleSetDocument, layer: string): Recor
 }
 
 /**
- * Draws layers of a wrinkle set as `furrow auto` does: normals, occlusion, heights and blood. Its areas, drivers and other maps stay, as does
- * blood that is not the tone of valleys.
+ * Draws normals, occlusion, heights and blood of layers, like `furrow auto`. Keeps the set's areas, drivers and other maps, and the part
+ * of the blood maps that was not computed from valleys.
  *
  * @param read reads a file of the set.
- * @returns all layers as `wrinkles.json` has them, and the images that were drawn, with paths relative to its folder.
+ * @returns all layers as entries of `wrinkles.json`, and the drawn images with paths relative to the folder.
  */
 export async function drawSet(
   set: WrinkleSetDocument,
@@ -137,7 +137,7 @@ async function drawLayer(
   const blood = await bloodOf(entry, heights, read, who)
   return encodeLayer({ name, normal: normalOf(), heights, occlusion, blood }, own.length > 0, false)
 
-  /** Fine furrows are too shallow for heights: normals alone show them. */
+  /** Fine furrows are too shallow for heights and appear only in normals. */
   function normalOf() {
     if (!furrows || (furrows.layer ?? name) !== name) return layer.normal
     const withFurrows = { ...heights, data: heights.data.slice() }
@@ -146,7 +146,10 @@ async function drawLayer(
   }
 }
 
-/** The blood of a layer with new lines, of half the side of its heights. Its valleys are those of its stored heights, so that they can be told apart later. */
+/**
+ * Computes the blood of a layer with new lines, at half the side of its heights. Valleys come from the quantised heights that are stored,
+ * so that a later run can separate them from painted blood.
+ */
 async function bloodOf(
   entry: LayerEntry,
   heights: HeightMap,
@@ -164,7 +167,7 @@ async function bloodOf(
     [oldHeights, height],
   ] as const) {
     if (image && (image.width !== lines.width || image.height !== lines.height))
-      throw otherSize(image, path!, lines, who)
+      throw sizeMismatch(image, path!, lines, who)
   }
   if (!oldHeights) return changedBlood(old, undefined, lines)
   return changedBlood(old, valleyBlood(millimetresOf(oldHeights, heightAmplitude)), lines)
@@ -174,12 +177,17 @@ function millimetresOf({ width, height, data }: GrayImage, amplitude: number): H
   return { width, height, data: Float32Array.from(data, (level) => 1000 * amplitude * (level / 255 - 0.5)) }
 }
 
-function otherSize(image: GrayImage, path: string, { width, height }: GrayImage, who: string): FurrowError {
+function sizeMismatch(
+  image: GrayImage,
+  path: string,
+  { width, height }: GrayImage,
+  who: string,
+): FurrowError {
   return new FurrowError({
     who,
-    problem: `${path} has another size than what is drawn, and its flushes would be lost`,
+    problem: `${path} differs in size from the drawn maps, so its painted blood cannot be kept`,
     value: `${image.width} x ${image.height}`,
     limit: `${width} x ${height}, half the side of the normals`,
-    remedy: 'choose another --size, or scale it',
+    remedy: 'choose another --size, or scale the image',
   })
 }

@@ -12,11 +12,11 @@ export interface FileImage {
   mimeType: string
   /** Images with the same bytes are stored once. */
   bytes: Uint8Array
-  /** Index of the slice, where it is an array. */
+  /** Index of the slice if the image is a texture array. */
   slice?: number
 }
 
-/** A layer with its images; numbers as in the extension. */
+/** A layer with its images. Numbers have the units of the extension. */
 export interface LayerImages {
   name: string
   kind: WrinkleSetDocument['layers'][number]['kind']
@@ -28,12 +28,12 @@ export interface LayerImages {
   occlusionStrength?: number
   height?: FileImage
   heightAmplitude?: number
-  /** In B; the same image as the occlusion's, where there is one. */
+  /** Blood in the blue channel. Same image as `occlusion` if there is one. */
   blood?: FileImage
   bloodAmplitude?: number
 }
 
-/** An area and the channel of the image that holds it; other areas may use the other channels. */
+/** An area with its image and channel. Several areas can share an image. */
 export interface PackedArea {
   name: string
   image: FileImage
@@ -58,20 +58,19 @@ export interface PackedWrinkles {
 
 const CLAMP_TO_EDGE = 33071
 
-/** The extension of textures with KTX 2 images. */
+/** glTF extension for textures with KTX 2 images. */
 export const KTX2_EXTENSION = 'KHR_texture_basisu'
 
-/** Whether any texture has a KTX 2 image. */
+/** Returns whether any texture has a KTX 2 image. */
 export function usesKtx2({ textures = [] }: GltfJson): boolean {
   return textures.some(({ extensions }) => extensions?.[KTX2_EXTENSION] !== undefined)
 }
 
 /**
- * Adds wrinkles to a material: images at the end of the binary chunk and textures at the end of their list, so that all
- * existing indices stay valid.
+ * Adds wrinkles to a material. Appends images to the binary chunk and textures to their list, so that existing indices stay valid.
  *
  * @param glb changed in place; its binary chunk is replaced.
- * @throws FurrowError when the result is not valid.
+ * @throws FurrowError if the result is not valid.
  */
 export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedWrinkles, who: string): void {
   const { json } = glb
@@ -84,7 +83,7 @@ export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedW
     material.normalTexture = { ...quantised, ...textures.add(image, sampler) }
   }
   const normal = material.normalTexture
-  // Wrinkles use the texture coordinates of the skin's normal map. It is written down for tools that prune unused ones.
+  // Wrinkles use the texCoord of the skin's normal map. Write it explicitly for tools that prune unused attributes.
   const texCoord = normal?.texCoord ? { texCoord: normal.texCoord } : {}
   const skinSampler = json.textures?.[normal?.index ?? -1]?.sampler
   const textureInfo = (image: FileImage | undefined, more: object = {}) =>
@@ -109,7 +108,7 @@ export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedW
     ...omitDefault('activation', area.activation, 0),
   }))
   const { drivers, strokes, shapes = [] } = wrinkles
-  // JSON drops the fields without a value.
+  // The round trip through JSON drops undefined fields.
   const extension = JSON.parse(
     JSON.stringify({
       layers,
@@ -130,7 +129,7 @@ function omitDefault(field: string, value: unknown, byDefault: unknown): object 
   return value === undefined || value === byDefault ? {} : { [field]: value }
 }
 
-/** Adds textures to a file; an image that is added twice is stored once. */
+/** Adds textures to a file and stores each image once. */
 class TextureWriter {
   readonly #json: GltfJson
   readonly #views: BufferViewWriter
@@ -143,7 +142,7 @@ class TextureWriter {
     glb.json.textures ??= []
   }
 
-  /** @returns the fields of a texture info that refer to it. */
+  /** @returns the fields of a texture info that refer to the texture. */
   add(image: FileImage, sampler: number | undefined): { index: number; slice?: number } {
     const index = this.#added.get(image.bytes) ?? this.#add(image, sampler)
     return { index, ...(image.slice !== undefined && { slice: image.slice }) }
@@ -158,7 +157,7 @@ class TextureWriter {
     return index
   }
 
-  /** Areas do not repeat. Returns the index of a sampler that clamps. */
+  /** Returns the index of a sampler that clamps to the edge, because areas must not repeat. */
   clampedSampler(): number {
     this.#json.samplers ??= []
     const clamped = { wrapS: CLAMP_TO_EDGE, wrapT: CLAMP_TO_EDGE }

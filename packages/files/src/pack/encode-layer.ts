@@ -8,7 +8,7 @@ import { joinChannels } from '../wrinkles/shared-image.ts'
 import type { CheckedImage } from './checked-image.ts'
 import type { LayerImages } from './embed.ts'
 
-/** The maps of a layer of lines, as pixels. */
+/** Maps of a layer of lines, as pixels. */
 export interface LayerToEncode {
   name: string
   /** Normal map of kind `detail`. */
@@ -16,7 +16,7 @@ export interface LayerToEncode {
   /** Heights in millimetres. Same size as the normals and the occlusion. */
   heights: HeightMap
   occlusion: GrayImage
-  /** With half the side of the normals. */
+  /** Half the side of the normals. */
   blood: GrayImage
 }
 
@@ -29,10 +29,10 @@ export interface LayerMaps extends Omit<LayerImages, MapName> {
 }
 
 /**
- * Encodes the maps of a layer. All but the normals have half their side: only normals show how steep a crease is.
+ * Encodes the maps of a layer. Normals keep full resolution, because they show how steep a crease is. Other maps have half the side.
  *
- * @param hasHeight whether its lines are deep enough to move the surface.
- * @param isShared whether occlusion and blood are one image, as in files; otherwise each is an image of its own.
+ * @param hasHeight whether the lines are deep enough to move the surface.
+ * @param isShared whether occlusion and blood share one image, as in glTF files.
  */
 export async function encodeLayer(
   { name, normal, heights, occlusion, blood }: LayerToEncode,

@@ -3,7 +3,7 @@ import type { GltfJson, TextureInfo } from '../json/gltf-json.ts'
 const TRANSFORM = 'KHR_texture_transform'
 const FLOAT = 5126
 
-/** One texel that points straight out of the surface (128, 128, 255), as PNG. */
+/** PNG with one flat normal: (128, 128, 255). */
 export const FLAT_NORMAL = Uint8Array.from(
   atob(
     'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAACXBIWXMAAAPoAAAD6AG1e1JrAAAADElEQVQI12NoaPgPAAODAgDRhuTWAAAAAElFTkSuQmCC',
@@ -12,8 +12,9 @@ export const FLAT_NORMAL = Uint8Array.from(
 )
 
 /**
- * The texture info of the base colour, for a material without a normal map whose quantised texture coordinates only the base colour's
- * transform decodes (KHR_mesh_quantization). Wrinkles use the coordinates of the normal map, so it needs one with this transform.
+ * Returns the base colour's texture info if the material has no normal map and only the base colour's transform decodes its quantised
+ * texture coordinates (KHR_mesh_quantization). Wrinkles use the normal map's coordinates, so such a material needs a normal map with
+ * this transform.
  */
 export function quantisedCoordinates(json: GltfJson, material: number): TextureInfo | undefined {
   const { normalTexture, pbrMetallicRoughness } = json.materials?.[material] ?? {}

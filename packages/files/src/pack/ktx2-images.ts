@@ -8,21 +8,20 @@ import { interleave } from './area-images.ts'
 import { type CheckedImage, checkOneSize } from './checked-image.ts'
 import type { FileImage, LayerImages } from './embed.ts'
 
-/** Areas per slice of an array: one per channel. */
+/** Areas per slice of an array, one per channel. */
 export const AREAS_PER_SLICE = 4
 
 const MIME_TYPE = 'image/ktx2'
 
 /**
- * The maps that become one array, those of a layer being one image. Heights remain as they are: meshes are split by them in memory, where
- * compressed blocks tell nothing.
+ * Kinds of maps, one array each. Maps listed together share an image. Heights stay uncompressed, because relief reads them on the CPU.
  */
 const KINDS = [['normal'], ['baseColor'], ['roughness'], ['occlusion', 'blood']] as const
 
 /**
- * Encodes the maps of each kind but heights as one KTX 2 array in UASTC, with mipmaps.
+ * Encodes the maps of each kind except heights as one KTX 2 array in UASTC, with mipmaps.
  *
- * @throws FurrowError where maps of one kind differ in size, or their sides are not multiples of 4 texels.
+ * @throws FurrowError if maps of one kind differ in size, or their sides are not multiples of 4 texels.
  */
 export async function encodeMapArrays(
   layers: readonly (LayerImages & { normal: CheckedImage })[],
@@ -52,8 +51,8 @@ export async function encodeMapArrays(
 }
 
 /**
- * Encodes areas of one size as one KTX 2 array in UASTC, four to a slice. It has no mipmaps, which would bleed across
- * UV islands.
+ * Encodes areas of one size as one KTX 2 array in UASTC, four per slice. The array has no mipmaps, because they would bleed across UV
+ * islands.
  */
 export async function encodeAreaArray(weights: readonly GrayImage[], who: string): Promise<FileImage[]> {
   const { width, height } = weights[0]

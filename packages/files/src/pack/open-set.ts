@@ -9,29 +9,30 @@ import { addressOf, STROKES_FILE, WRINKLES_FILE } from '../wrinkles/folder-docum
 import { layersOf } from '../wrinkles/strokes.ts'
 import { drawnPaths, layersToDraw } from './draw-set.ts'
 
-/** A wrinkle set in a folder, whose layers strokes are drawn into. */
+/** A wrinkle set in a folder, opened to draw strokes. */
 export interface OpenSet {
   folder: string
   set: WrinkleSetDocument
-  /** Its document as it is written. */
+  /** Content of `wrinkles.json`, unparsed. */
   json: object
-  /** Whether the folder had none. */
+  /** Whether the folder had no `wrinkles.json`. */
   isNew: boolean
   /** Names of the layers to draw. */
   layers: string[]
-  /** Paths of the files that are written: `wrinkles.json`, and images. */
+  /** Path of `wrinkles.json`. */
   document: string
+  /** Paths of the images to write. */
   images: string[]
 }
 
-/** Name of the layer of strokes that name none. */
-const ONLY_LAYER = 'expression'
+/** Layer name of strokes that name no layer. */
+const DEFAULT_LAYER = 'expression'
 
 /**
- * Reads the wrinkle set of a folder, or plans one with the layers and areas of a document of strokes.
+ * Reads the wrinkle set of a folder, or plans one with the layers and areas of a strokes document.
  *
- * @param layer the only one to draw.
- * @throws FurrowError when the set is malformed, or has not all layers of the strokes.
+ * @param layer draws only this layer. Default: all layers with strokes or furrows.
+ * @throws FurrowError if the set is malformed, or lacks a layer of the strokes.
  */
 export async function openSet(
   folder: string,
@@ -49,11 +50,11 @@ export async function openSet(
   return { folder, set, json, isNew, layers, document, images: paths.map((path) => join(folder, path)) }
 }
 
-/** A set of the layers of a document and its areas, each on the layer of the strokes that it is painted round. */
+/** Plans a set with the layers and areas of a strokes document. Each area is on the layer of the strokes it surrounds. */
 function setOf(document: StrokesDocument): WrinkleSetDocument {
   const { strokes, areas } = document
   const named = layersOf(document)
-  const layers = named.length > 0 ? named : [ONLY_LAYER]
+  const layers = named.length > 0 ? named : [DEFAULT_LAYER]
   return {
     version: 1,
     layers: layers.map((name) => ({ name, kind: 'detail', normal: '' })),

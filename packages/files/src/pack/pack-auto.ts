@@ -6,13 +6,13 @@ import type { PackedArea, PackedWrinkles } from './embed.ts'
 import { encodeLayer, type LayerMaps } from './encode-layer.ts'
 import { AREAS_PER_SLICE, encodeAreaArray, encodeMapArrays } from './ktx2-images.ts'
 
-/** Without alpha, since image tools drop colours where it is 0. */
+/** No area in alpha, because image tools drop colours where alpha is 0. */
 const AREAS_PER_IMAGE = 3
 
 /**
- * Encodes the maps and areas of automatic wrinkles for a file, with the strokes that their lines are.
+ * Encodes maps, areas and strokes of automatic wrinkles for a file.
  *
- * @param ktx2 whether maps and areas become KTX 2 arrays. Heights remain PNG.
+ * @param ktx2 whether maps and areas become KTX 2 arrays. Heights stay PNG.
  */
 export async function packAuto(wrinkles: AutoWrinkles, ktx2: boolean, who: string): Promise<PackedWrinkles> {
   const { layers, areas, blood, furrows } = wrinkles

@@ -5,27 +5,27 @@ import { missingIn } from '../json/corrections.ts'
 import { jointNamesOf, targetNamesOf } from '../json/gltf-json.ts'
 import type { Target, TargetNames } from '../json/target-names.ts'
 import { findTarget } from '../mesh/target.ts'
-import { findDriverFaults } from '../wrinkles/driver-faults.ts'
+import { findDriverProblems } from '../wrinkles/driver-problems.ts'
 import { embedWrinkles } from './embed.ts'
 import { type PackedSet, type PackOptions, packSet } from './pack.ts'
 import type { SetToPack } from './set-to-pack.ts'
 import { stripWrinkles } from './strip.ts'
 
-/** A face that got wrinkles. */
+/** Result of adding wrinkles to a face. */
 export interface PackedFace {
   target: Target
   wrinkles: PackedSet
-  /** For the user. */
+  /** Warnings for the user. */
   warnings: string[]
 }
 
 /**
- * Adds a wrinkle set to a face, in place of the one that the material has.
+ * Adds a wrinkle set to a face. Replaces wrinkles that the material already has.
  *
  * @param glb changed in place.
  * @param face path of the face, for errors.
- * @param options the mesh and the material by default those of the set, or as `findTarget` finds them.
- * @throws FurrowError when the wrinkles cannot be used, or there is no such mesh or material.
+ * @param options mesh and material default to those of the set, then to the choice of `findTarget`.
+ * @throws FurrowError if the wrinkles are invalid, or the mesh or the material does not exist.
  */
 export async function packFace(
   glb: Glb,
@@ -44,10 +44,10 @@ export async function packFace(
   if (isWrinkled) stripWrinkles(glb, target.material, who)
   embedWrinkles(glb, target.material, wrinkles, who)
   const targets = targetNamesOf(glb.json.meshes![target.mesh])
-  const { missing } = findDriverFaults(wrinkles.drivers, targets, jointNamesOf(glb.json))
+  const { missing } = findDriverProblems(wrinkles.drivers, targets, jointNamesOf(glb.json))
   const { shapes = [] } = wrinkles
   const unknown = [...missing, ...missingIn(glb.json, target.material, shapes)].map(
-    (what) => `${who}: ${what} does not exist; it is kept`,
+    (name) => `${who}: ${name} does not exist; it is kept`,
   )
   return { target, wrinkles, warnings: [...wrinkles.warnings, ...unknown] }
 }

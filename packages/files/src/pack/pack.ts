@@ -11,15 +11,15 @@ import type { LayerImages, PackedArea, PackedWrinkles } from './embed.ts'
 import { AREAS_PER_SLICE, encodeAreaArray, encodeMapArrays } from './ktx2-images.ts'
 import type { MapToPack, SetToPack } from './set-to-pack.ts'
 
-/** How the images go into the file. */
+/** Encoding and size of the packed images. */
 export interface PackOptions {
-  /** Areas in the channels of one PNG image; a slice of a KTX 2 array always holds four. */
+  /** Areas per PNG image, one per channel. A slice of a KTX 2 array always holds four. */
   areasPerImage: AreasPerImage
   /** Whether maps and areas become KTX 2 arrays. */
   ktx2: boolean
-  /** Side of the areas in texels; by default the document's, or 128. */
+  /** Side of the areas in texels. Default: `areaSize` of the set, or 128. */
   areaSize?: number
-  /** Side in texels that the layers' maps are scaled to; by default they keep their size. */
+  /** Side of the scaled maps in texels. Default: maps keep their size. */
   size?: number
 }
 
@@ -35,7 +35,7 @@ export interface PackedSet extends PackedWrinkles {
 /**
  * Encodes the images of a wrinkle set for a file.
  *
- * @throws FurrowError at the first image or stroke that cannot be used, or layer that does not exist.
+ * @throws FurrowError for the first invalid image or stroke, or a layer that does not exist.
  */
 export async function packSet(
   set: SetToPack,
@@ -55,7 +55,7 @@ export async function packSet(
   for (const area of set.areas) {
     const resampled = resampleGray(await area.weights(), side)
     if (resampled.data.every((value) => value === 0)) {
-      warnings.push(`${who}: area "${area.name}" is visible nowhere${area.hint ?? ''}`)
+      warnings.push(`${who}: area "${area.name}" is empty${area.hint ?? ''}`)
     }
     weights.push(resampled)
     step()

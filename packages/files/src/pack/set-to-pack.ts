@@ -9,7 +9,7 @@ import { readStrokes, type StoredStrokes } from '../wrinkles/strokes.ts'
 type LayerEntry = WrinkleSetDocument['layers'][number]
 type AreaEntry = WrinkleSetDocument['areas'][number]
 
-/** A wrinkle set and its images. Images are asked for in turn, so that not all need to be in memory. */
+/** A wrinkle set with functions that load its images, so that they need not be in memory at once. */
 export interface SetToPack extends Pick<WrinkleSetDocument, 'mesh' | 'material' | 'areaSize' | 'drivers'> {
   layers: readonly LayerToPack[]
   areas: readonly AreaToPack[]
@@ -18,25 +18,25 @@ export interface SetToPack extends Pick<WrinkleSetDocument, 'mesh' | 'material' 
   shapes?: readonly ShapeCorrection[]
 }
 
-/** A layer as in `wrinkles.json`, with its maps. */
+/** A layer of `wrinkles.json` with functions that load its maps. */
 export interface LayerToPack extends Omit<LayerEntry, MapName> {
   maps: { [Name in MapName]?: () => Promise<MapToPack> } & { normal(): Promise<MapToPack> }
 }
 
-/** A map: a PNG or JPEG file and its path for errors, or pixels that become a PNG file. */
+/** A map: a PNG or JPEG file with its path for errors, or pixels to encode as PNG. */
 export type MapToPack = { path: string; bytes: Uint8Array } | Pixels
 
-/** An area as in `wrinkles.json`, with its weights. */
+/** An area of `wrinkles.json` with a function that loads its weights. */
 export interface AreaToPack extends Omit<AreaEntry, 'image' | 'convention'> {
   weights(): Promise<GrayImage>
-  /** Continues the warning that the area is visible nowhere. */
+  /** Appended to the warning about an empty area. */
   hint?: string
 }
 
-/** Reads a file by its address in the wrinkle set. */
+/** Reads a file by its URI in the wrinkle set. */
 export type ReadFile = (uri: string) => Promise<Uint8Array>
 
-/** The wrinkle set of a folder; its images are read when they are packed. */
+/** Returns the wrinkle set of a folder. Images are read during packing. */
 export function setOfFolder(document: WrinkleSetDocument, read: ReadFile, who: string): SetToPack {
   const { mesh, material, areaSize, drivers, strokes } = document
   const names = document.layers.map(({ name }) => name)

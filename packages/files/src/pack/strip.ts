@@ -4,11 +4,11 @@ import { type BufferView, compressedViews, type GltfJson } from '../json/gltf-js
 import { KTX2_EXTENSION, usesKtx2 } from './embed.ts'
 
 /**
- * Removes the wrinkles of a material. Their textures, images and bytes are removed as far as they are at the end of
- * the file, where `furrow pack` puts them, so that all other indices stay valid.
+ * Removes the wrinkles of a material. Removes their textures, images and bytes only from the end of the file, where `furrow pack` puts
+ * them, so that other indices stay valid.
  *
- * @param glb changed in place; its binary chunk is cut, not copied.
- * @returns the number of textures that had to stay because others follow them.
+ * @param glb changed in place; its binary chunk becomes a shorter view of the same memory.
+ * @returns number of textures that stay because other textures follow them.
  */
 export function stripWrinkles(glb: Glb, materialIndex: number, who: string): number {
   const { json } = glb
@@ -51,7 +51,7 @@ function ownTextures(json: GltfJson, extension: unknown, who: string): Set<numbe
   return new Set(all.flatMap((info) => (info ? [info.index] : [])))
 }
 
-/** Indices of the images of a texture, including those of its extensions. */
+/** Returns the image indices of a texture and its extensions. */
 function imagesOf(texture: object): Set<number> {
   return indicesUnder(texture, /^source$/)
 }
@@ -73,7 +73,7 @@ function usesSampler({ textures = [] }: GltfJson, index: number): boolean {
   return textures.some(({ sampler }) => sampler === index)
 }
 
-/** Removes items from the end of a list while `isUnused`, and the list itself when it becomes empty. */
+/** Removes items from the end of a list while `isUnused` returns true. Deletes an empty list. */
 function popWhile<K extends 'textures' | 'images' | 'bufferViews' | 'samplers'>(
   json: GltfJson,
   key: K,
@@ -86,7 +86,7 @@ function popWhile<K extends 'textures' | 'images' | 'bufferViews' | 'samplers'>(
   return removed
 }
 
-/** All numbers anywhere below fields whose name matches: the extensions of others are unknown here. */
+/** Collects all numbers below fields whose name matches. Conservative, because the JSON can have unknown extensions. */
 function indicesUnder(value: unknown, name: RegExp, inside = false, found = new Set<number>()): Set<number> {
   if (inside && typeof value === 'number') found.add(value)
   if (typeof value !== 'object' || value === null) return found
@@ -96,7 +96,7 @@ function indicesUnder(value: unknown, name: RegExp, inside = false, found = new 
   return found
 }
 
-/** Cuts the binary chunk where the removed views begin, or behind the last view that is kept. */
+/** Truncates the binary chunk at the start of the removed views, but not before the end of the last kept view. */
 function cutBinaryChunk(glb: Glb, removed: readonly BufferView[]): void {
   const { bufferViews = [], buffers = [] } = glb.json
   const kept = bufferViews

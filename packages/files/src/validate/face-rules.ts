@@ -6,7 +6,7 @@ import { errorFinding, type Finding, warningFinding } from './finding.ts'
 
 type Primitive = GltfMesh['primitives'][number]
 
-/** The first mode of triangles; points and lines come before it. */
+/** Lowest primitive mode with triangles; lower modes are points and lines. */
 const TRIANGLES = 4
 
 /** Attributes that a mesh with wrinkles needs, and the remedy if one is missing. */
@@ -20,18 +20,18 @@ const ATTRIBUTES = [
 const SHADING_FINDINGS = {
   lit: undefined,
   unlit: errorFinding('UNLIT', 'it is unlit (KHR_materials_unlit); make it a lit one'),
-  toon: warningFinding('MTOON', 'it is MToon: wrinkles are drawn as lines, by pages that register three-vrm'),
+  toon: warningFinding('MTOON', 'it is MToon: wrinkles are drawn as lines, on pages that register three-vrm'),
 } as const
 
-/** Whether a scene has triangles with a material. */
+/** Returns whether any scene has triangles with a material. */
 export function isDrawn(json: GltfJson, material: number): boolean {
   return drawnPrimitives(json, material).length > 0
 }
 
 /**
- * Checks that the faces of a material can wrinkle, as loaders do.
+ * Checks that a material and its faces can show wrinkles, by the rules of the loaders.
  *
- * @param faces indices of their meshes; other meshes may have the material too.
+ * @param faces indices of the meshes to check; other meshes with the material are ignored.
  */
 export function checkFaces(json: GltfJson, material: number, faces: readonly number[]): Finding[] {
   const shading = SHADING_FINDINGS[shadingOf(json, material)]
@@ -39,10 +39,10 @@ export function checkFaces(json: GltfJson, material: number, faces: readonly num
 }
 
 /**
- * The same for one mesh with a material that gets wrinkles.
+ * Checks one mesh and material before they get wrinkles.
  *
- * @returns a sentence for each warning.
- * @throws FurrowError where no loader would show them.
+ * @returns warnings.
+ * @throws FurrowError if loaders would not show wrinkles there.
  */
 export function faceWarnings(
   json: GltfJson,
@@ -51,10 +51,10 @@ export function faceWarnings(
   who: string,
 ): string[] {
   const findings = checkFaces(json, material, [mesh])
-  const fault = findings.find(({ severity }) => severity === 'error')
-  if (fault) {
-    const [what, remedy] = fault.message.split('; ')
-    throw new FurrowError({ who, problem: `the material "${name}" can show no wrinkles: ${what}`, remedy })
+  const error = findings.find(({ severity }) => severity === 'error')
+  if (error) {
+    const [reason, remedy] = error.message.split('; ')
+    throw new FurrowError({ who, problem: `the material "${name}" cannot show wrinkles: ${reason}`, remedy })
   }
   return findings.map(({ message }) => `the material "${name}": ${message}`)
 }
@@ -78,7 +78,7 @@ function drawnPrimitives(json: GltfJson, material: number, faces?: readonly numb
   })
 }
 
-/** Indices of the meshes that some scene has. */
+/** Returns the indices of meshes in any scene. */
 function meshesInScenes({ scenes = [], nodes = [] }: GltfJson): number[] {
   const reached = new Set<number>()
   let level = scenes.flatMap((scene) => scene.nodes ?? [])

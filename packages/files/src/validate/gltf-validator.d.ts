@@ -1,4 +1,4 @@
-/** The part of the Khronos validator that is used here; the package brings no types. */
+/** Types for the used part of the Khronos validator, whose package has none. */
 declare module 'gltf-validator' {
   export interface Issue {
     code: string
@@ -12,7 +12,7 @@ declare module 'gltf-validator' {
     data: Uint8Array,
     options?: {
       maxIssues?: number
-      /** Reads a file beside the glTF file by its address. */
+      /** Reads an external file by its URI. */
       externalResourceFunction?: (uri: string) => Promise<Uint8Array>
     },
   ): Promise<{ issues: { numErrors: number; numWarnings: number; messages: Issue[] } }>

@@ -7,27 +7,27 @@ import { errorFinding, type Finding, warningFinding } from './finding.ts'
 /** Limit of the Khronos validator. */
 const MAX_ISSUES = 1000
 
-/** It takes about a tenth of this. */
+/** Time limit of the validator: about ten times its usual duration. */
 const SECONDS = 10
 const SECONDS_PER_MB = 1
 
-/** Code of the finding that the validator did not come to its end. */
-export const GAVE_UP = 'VALIDATOR'
+/** Code of the finding that the Khronos validator did not finish. */
+export const VALIDATOR_FAILED = 'VALIDATOR'
 
-/** Codes of the Khronos validator for images in a format that it does not know. */
+/** Codes of the Khronos validator for images in an unknown format. */
 const UNKNOWN_FORMAT = ['VALUE_NOT_IN_LIST', 'IMAGE_UNRECOGNIZED_FORMAT']
 
 /**
- * Errors and warnings of the Khronos validator, except those about what it does not know: the extension and KTX 2 images, which
- * `checkWrinkles` checks.
+ * Runs the Khronos validator. Drops its findings about the extension and KTX 2 images, which it does not know; `checkWrinkles` checks
+ * them.
  *
- * @param glb as `openGlb` opens it; the file is validated as it was before its parts were joined.
+ * @param glb result of `openGlb`. The validator gets the original bytes, before external files were embedded.
  */
 export async function runKhronosValidator({ json, bytes, references }: Glb): Promise<Finding[]> {
   const seconds = Math.ceil(SECONDS + (SECONDS_PER_MB * bytes.length) / 1e6)
   const task = { bytes: Uint8Array.from(bytes), files: filesOf(references), maxIssues: MAX_ISSUES }
   const { issues, failure } = await runValidator(task, seconds)
-  if (!issues) return [errorFinding(GAVE_UP, `the Khronos validator gave up: ${failure}`)]
+  if (!issues) return [errorFinding(VALIDATOR_FAILED, `the Khronos validator failed: ${failure}`)]
   return issues
     .filter(({ severity, message }) => severity < 2 && !message.includes(WRINKLE_MAPS))
     .filter(({ code, pointer = '' }) => {
@@ -39,7 +39,7 @@ export async function runKhronosValidator({ json, bytes, references }: Glb): Pro
     })
 }
 
-/** The files that a file refers to by their paths: the validator asks for them by URIs that it has normalised. */
+/** Maps external files by normalised path, because the validator requests them by normalised URI. */
 function filesOf(references: Glb['references']): Map<string, Uint8Array> {
   const files = [...references].filter(([, { path }]) => path !== undefined)
   return new Map(files.map(([uri, { bytes }]) => [normalised(unescaped(uri).replaceAll('\\', '/')), bytes]))

@@ -7,7 +7,7 @@ import { pixelsOf } from '../gltf/texture-pixels.ts'
 import { correctionsIn, missingIn } from '../json/corrections.ts'
 import { jointNamesOf, targetNamesOf } from '../json/gltf-json.ts'
 import { facesOfMaterial } from '../json/target-names.ts'
-import { findDriverFaults } from '../wrinkles/driver-faults.ts'
+import { findDriverProblems } from '../wrinkles/driver-problems.ts'
 import { type Inspection, inspectWrinkles } from '../wrinkles/inspect.ts'
 import { strokesIn } from '../wrinkles/strokes.ts'
 import { readShapes } from '../wrinkles/texture-shapes.ts'
@@ -16,8 +16,8 @@ import { checkFaces, isDrawn } from './face-rules.ts'
 import { errorFinding, type Finding, warningFinding } from './finding.ts'
 
 /**
- * Checks the rules of the extension on every material with wrinkles: there are errors exactly where a loader would leave the face
- * plain. Never throws FurrowError.
+ * Checks every material with wrinkles by the rules of the extension. Reports errors exactly if a loader would show the face without
+ * wrinkles. Never throws FurrowError.
  */
 export async function checkWrinkles(glb: Glb): Promise<Finding[]> {
   const materials = wrinkledMaterials(glb)
@@ -35,7 +35,8 @@ function checkLists({ json }: Glb): Finding[] {
     findings.push(errorFinding('NOT_DECLARED', firstLine(error), '/extensionsUsed'))
   }
   if (json.extensionsRequired?.includes(WRINKLE_MAPS)) {
-    const message = 'extensionsRequired lists it: viewers without it will not open the file at all'
+    const message =
+      'extensionsRequired lists the extension: viewers that do not support it cannot open the file'
     findings.push(warningFinding('REQUIRED', message, '/extensionsRequired'))
   }
   return findings
@@ -44,10 +45,11 @@ function checkLists({ json }: Glb): Finding[] {
 async function checkMaterial(glb: Glb, material: number): Promise<Finding[]> {
   const pointer = `/materials/${material}/extensions/${WRINKLE_MAPS}`
   const findings = await findingsOf(glb, material)
-  // Loaders read only what they draw.
-  const drawn = isDrawn(glb.json, material)
-  const used = drawn ? findings : [warningFinding('NOT_DRAWN', 'no mesh of a scene has this material')]
-  return used.map((finding) => ({ ...finding, pointer }))
+  // Loaders skip materials that no scene uses.
+  const reported = isDrawn(glb.json, material)
+    ? findings
+    : [warningFinding('NOT_DRAWN', 'no mesh in a scene has this material')]
+  return reported.map((finding) => ({ ...finding, pointer }))
 }
 
 async function findingsOf(glb: Glb, material: number): Promise<Finding[]> {
@@ -86,16 +88,16 @@ async function findingsOf(glb: Glb, material: number): Promise<Finding[]> {
   }
 }
 
-/** Heights are for tools; what is drawn does not need them. */
+/** Removes height maps that cannot be decoded: only relief needs heights, so loaders show the other maps. */
 async function withoutDamagedHeights({ glb, material, maps }: WrinkledFile): Promise<WrinkledFile> {
   const layers = maps.layers.map(async (layer) => {
     const { heightTexture, ...rest } = layer
     if (!heightTexture) return layer
-    const isWhole = await pixelsOf(glb, heightTexture, WRINKLE_MAPS).then(
+    const isDecodable = await pixelsOf(glb, heightTexture, WRINKLE_MAPS).then(
       () => true,
       () => false,
     )
-    return isWhole ? layer : rest
+    return isDecodable ? layer : rest
   })
   return { glb, material, maps: { ...maps, layers: await Promise.all(layers) } }
 }
@@ -103,7 +105,7 @@ async function withoutDamagedHeights({ glb, material, maps }: WrinkledFile): Pro
 function heightFindings(before: WrinkledFile['maps'], after: WrinkledFile['maps']): Finding[] {
   const lost = before.layers.filter((layer, i) => layer.heightTexture && !after.layers[i].heightTexture)
   return lost.map(({ name }) =>
-    warningFinding('HEIGHT', `layer "${name}": the height map cannot be read; it is not drawn`),
+    warningFinding('HEIGHT', `layer "${name}": the height map cannot be read, so the layer has no relief`),
   )
 }
 
@@ -118,7 +120,7 @@ function checkSizes({ layers }: Inspection): Finding[] {
   )
 }
 
-/** Maps of values may be smaller: the same in both directions, by a whole factor. */
+/** Returns whether a map is as large as the normal map or smaller by the same integer factor in both directions. */
 function isFractionOf(map: MapSize, normal: MapSize): boolean {
   const factor = normal.width / map.width
   return Number.isInteger(factor) && factor === normal.height / map.height
@@ -135,7 +137,7 @@ function checkImages({ layers }: Inspection): Finding[] {
   })
 }
 
-/** The blocks of ETC1S, 4 x 4 texels between two colours, show in normals. */
+/** ETC1S stores 4 x 4 texels as points between two colours. These blocks are visible in shaded normals. */
 function checkEncodings({ glb, maps }: WrinkledFile): Finding[] {
   return maps.layers.flatMap(({ name, normalTexture }) => {
     const header = ktx2HeaderOf(glb, normalTexture.index, WRINKLE_MAPS)
@@ -145,22 +147,22 @@ function checkEncodings({ glb, maps }: WrinkledFile): Finding[] {
 }
 
 function checkAreas({ areas }: Inspection): Finding[] {
-  // Image tools do not open arrays, so that only images are at risk.
+  // Image tools cannot open arrays, so only areas in images are at risk.
   const inImages = areas.filter(({ channel, slice }) => channel === 'A' && slice === undefined)
   const withAlpha = new Set(inImages.map(({ texture }) => texture))
   return areas.flatMap((area) => {
     const findings: Finding[] = []
     if (area.largest === 0)
-      findings.push(warningFinding('AREA_INVISIBLE', `area "${area.name}" is visible nowhere`))
+      findings.push(warningFinding('AREA_INVISIBLE', `area "${area.name}" is empty: all weights are 0`))
     if (area.channel !== 'A' && withAlpha.has(area.texture)) {
-      const message = `area "${area.name}" shares texture ${area.texture} with an area in alpha: tools that resize or compress it lose the colours where alpha is 0`
+      const message = `area "${area.name}" shares texture ${area.texture} with an area in alpha: tools that resize or compress the texture lose the colours where alpha is 0`
       findings.push(warningFinding('AREA_UNDER_ALPHA', message))
     }
     return findings
   })
 }
 
-/** Readers use the texture coordinates of the skin's normal map for all maps; a file that says otherwise misleads. */
+/** Warns about textures whose `texCoord` differs from the material's normal map: loaders use the normal map's for all maps. */
 function checkCoordinates({ glb, material, maps }: WrinkledFile): Finding[] {
   const expected = glb.json.materials![material].normalTexture?.texCoord ?? 0
   const infos = [
@@ -169,7 +171,7 @@ function checkCoordinates({ glb, material, maps }: WrinkledFile): Finding[] {
   ]
   const other = infos.find((info) => ((info as { texCoord?: number }).texCoord ?? 0) !== expected)
   if (!other) return []
-  const message = `texture ${other.index} has another texCoord than the normalTexture (${expected}), which is used instead`
+  const message = `texCoord of texture ${other.index} is ignored: loaders use the one of normalTexture (${expected})`
   return [warningFinding('TEXCOORD', message)]
 }
 
@@ -177,14 +179,14 @@ function checkDrivers({ glb, material, maps: { drivers } }: WrinkledFile): Findi
   const meshes = (glb.json.meshes ?? []).filter(({ primitives }) => {
     return primitives.some((primitive) => primitive.material === material)
   })
-  const { unknownTypes, missing, cyclicAreas } = findDriverFaults(
+  const { unknownTypes, missing, cyclicAreas } = findDriverProblems(
     drivers,
     meshes.flatMap(targetNamesOf),
     jointNamesOf(glb.json),
   )
   return [
     ...unknownTypes.map((type) => warningFinding('DRIVER_TYPE', `drivers of type "${type}" are ignored`)),
-    ...missing.map((what) => warningFinding('DRIVER_NAME', `${what} does not exist`)),
+    ...missing.map((input) => warningFinding('DRIVER_NAME', `${input} does not exist`)),
     ...cyclicAreas.map((area) =>
       warningFinding('DRIVER_CYCLE', `area "${area}" drives itself; its drivers that read areas are ignored`),
     ),
@@ -198,9 +200,12 @@ function checkStrokes(file: WrinkledFile): Finding[] {
 
 function checkShapes({ glb, material }: WrinkledFile): Finding[] {
   const { corrections, problem } = correctionsIn(glb.json, material, WRINKLE_MAPS)
-  const faults = problem === undefined ? [] : [warningFinding('SHAPES', problem)]
+  const malformed = problem === undefined ? [] : [warningFinding('SHAPES', problem)]
   const missing = missingIn(glb.json, material, corrections)
-  return [...faults, ...missing.map((what) => warningFinding('SHAPE_NAME', `${what} does not exist`))]
+  return [
+    ...malformed,
+    ...missing.map((blendshape) => warningFinding('SHAPE_NAME', `${blendshape} does not exist`)),
+  ]
 }
 
 const sizeText = ({ width, height }: { width: number; height: number }) => `${width} x ${height}`

@@ -1,11 +1,11 @@
 import type { ValidatorOutcome, ValidatorTask } from './validator-task.ts'
 
-/** When it has thrown, it reports within this time or never. */
+/** Time that the validator gets to report after an uncaught error. */
 const SECONDS_AFTER_ERROR = 2
 
 /**
- * Runs the Khronos validator in a worker of its own, for so many seconds at most. Damaged images and misaligned accessors make
- * it throw outside of its promise, and then it goes on to report, or says no more.
+ * Runs the Khronos validator in a separate worker, for at most `seconds`. On damaged images and misaligned accessors it throws outside its
+ * promise, and then either still reports or never responds.
  */
 export function runValidator(task: ValidatorTask, seconds: number): Promise<ValidatorOutcome> {
   const worker = new Worker(new URL('./validator-worker.ts', import.meta.url), { type: 'module' })

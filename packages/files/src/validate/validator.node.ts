@@ -3,8 +3,8 @@ import { Worker } from 'node:worker_threads'
 import type { ValidatorOutcome, ValidatorTask } from './validator-task.ts'
 
 /**
- * The thread that the validator runs in. Damaged images and misaligned accessors make it throw outside of its promise, and then it
- * goes on to report, or ends without a word: either is seen from outside.
+ * Code of the validator's thread. On damaged images and misaligned accessors the validator throws outside its promise, and then either
+ * still reports or exits without a report. `runValidator` handles both.
  */
 const THREAD = `
   const { posix } = require('node:path')
@@ -16,7 +16,7 @@ const THREAD = `
     .validateBytes(bytes, { maxIssues, externalResourceFunction })
     .then(({ issues }) => parentPort.postMessage({ issues: issues.messages }))`
 
-/** Runs the Khronos validator in a thread of its own, for so many seconds at most. */
+/** Runs the Khronos validator in a separate thread, for at most `seconds`. */
 export function runValidator(task: ValidatorTask, seconds: number): Promise<ValidatorOutcome> {
   const module = createRequire(import.meta.url).resolve('gltf-validator')
   const thread = new Worker(THREAD, {

@@ -4,28 +4,28 @@ import { MAP_SLOTS } from './map-slots.ts'
 
 type Json = Record<string, unknown>
 
-/** The wrinkle set's document in a folder. */
+/** File name of the wrinkle set's document. */
 export const WRINKLES_FILE = 'wrinkles.json'
 
-/** The document of strokes in a folder. */
+/** File name of the strokes document. */
 export const STROKES_FILE = 'strokes.json'
 
 const OPTIONAL_MAPS = MAP_SLOTS.filter(([map]) => map !== 'normal')
 
-/** The maps that mean nothing without an amplitude: what that may be, and a usual one. */
+/** Maps that require an amplitude, with its limit and a typical value for errors. */
 const AMPLITUDES = [
-  { map: 'height', limit: 'metres from black to white', usual: 0.002 },
-  { map: 'blood', limit: `0 to ${MAX_BLOOD_AMPLITUDE}`, usual: 0.3 },
+  { map: 'height', limit: 'metres from black to white', typical: 0.002 },
+  { map: 'blood', limit: `0 to ${MAX_BLOOD_AMPLITUDE}`, typical: 0.3 },
 ] as const
 
 /**
- * The wrinkle set of a folder: its `wrinkles.json`, completed by `strokes.json` and the files in `layers/` and `areas/`.
+ * Returns the wrinkle set of a folder: its `wrinkles.json`, completed with `strokes.json` and the files in `layers/` and `areas/`.
  *
- * @param json of that document; undefined where there is none.
+ * @param json content of `wrinkles.json`; undefined if the folder has none.
  * @param files paths of all files in the folder, relative to it, with `/`.
- * @param folder its name, for errors.
- * @param convention of areas that name none.
- * @throws FurrowError when the document is malformed or there are no layers or areas.
+ * @param folder path of the folder, for errors.
+ * @param convention default convention of areas.
+ * @throws FurrowError if the document is malformed, or the folder has no layers or no areas.
  */
 export function folderDocument(
   json: unknown,
@@ -55,7 +55,7 @@ export function folderDocument(
   )
 }
 
-/** The address of a file, relative to `wrinkles.json`: in one, `#`, `?` and `%` would have a meaning. */
+/** Returns the URI of a file relative to `wrinkles.json`, with `#`, `?` and `%` escaped. */
 export function addressOf(path: string): string {
   return path.split('/').map(encodeURIComponent).join('/')
 }
@@ -68,7 +68,7 @@ function foundAreas(files: readonly string[]): Json[] {
   return matches(files, /^areas\/([^/]+)\.png$/).map((name) => ({ name }))
 }
 
-/** Adds the optional maps in a layer's folder that the document does not name: a reader of it alone has no default for them. */
+/** Adds optional maps that the layer's folder has and the document does not name, because readers of the document cannot see the folder. */
 function completeLayers(layers: unknown[], files: readonly string[], who: string): void {
   for (const layer of layers) {
     if (!isObject(layer) || typeof layer.name !== 'string') continue
@@ -80,18 +80,18 @@ function completeLayers(layers: unknown[], files: readonly string[], who: string
   }
 }
 
-/** Whoever has only put a file there has not read of an amplitude. */
+/** Explains a missing amplitude to users who added a map to the folder without editing `wrinkles.json`. */
 function checkAmplitudes(layer: Json, files: readonly string[], who: string): void {
-  for (const { map, limit, usual } of AMPLITUDES) {
+  for (const { map, limit, typical } of AMPLITUDES) {
     const file = `layers/${layer.name}/${map}.png`
     const amplitude = `${map}Amplitude`
     if (!files.includes(file) || layer[map] !== addressOf(file) || layer[amplitude] !== undefined) continue
-    const entry = JSON.stringify({ name: layer.name, [amplitude]: usual })
+    const entry = JSON.stringify({ name: layer.name, [amplitude]: typical })
     throw new FurrowError({
       who,
-      problem: `${file} needs the ${amplitude} of its layer, which is not in ${WRINKLES_FILE}`,
+      problem: `${file} requires ${amplitude} of its layer, missing in ${WRINKLES_FILE}`,
       limit,
-      remedy: `write it into "layers" there, such as ${entry}, or move the file elsewhere`,
+      remedy: `add it to "layers" in ${WRINKLES_FILE}, e.g. ${entry}, or move the map out of the folder`,
     })
   }
 }

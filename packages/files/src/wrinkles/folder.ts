@@ -8,11 +8,11 @@ import { readJson } from '../disk/read-bytes.ts'
 import { folderDocument, WRINKLES_FILE } from './folder-document.ts'
 
 /**
- * Reads the wrinkle set of a folder: its `wrinkles.json`, completed by `strokes.json` and the files in `layers/` and
- * `areas/`. Without that document, all layers and areas found there are used, in alphabetical order.
+ * Reads the wrinkle set of a folder: its `wrinkles.json`, completed with `strokes.json` and the files in `layers/` and
+ * `areas/`. Without `wrinkles.json`, uses all layers and areas in the folder in alphabetical order.
  *
- * @param whiteIsVisible the convention of areas that name none.
- * @throws FurrowError when the document is malformed or there are no layers or areas.
+ * @param whiteIsVisible default convention of areas: true for white = visible, false for the paper's black = visible.
+ * @throws FurrowError if the document is malformed, or the folder has no layers or no areas.
  */
 export async function readFolder(
   folder: string,
@@ -28,7 +28,7 @@ export async function readFolder(
 /**
  * Reads a file that `wrinkles.json` refers to.
  *
- * @throws FurrowError when it cannot be read, or is outside the folder and `options` do not allow that.
+ * @throws FurrowError if the file cannot be read, or is outside the folder and `options` do not allow that.
  */
 export async function readReferenced(
   folder: string,
@@ -40,7 +40,7 @@ export async function readReferenced(
   return (await read(uri)).bytes
 }
 
-/** Paths of all files below a folder, relative to it, with `/`, sorted. */
+/** Lists all files in a folder and its subfolders: relative paths with `/`, sorted. */
 async function listFiles(folder: string, who: string): Promise<string[]> {
   if ((await statOf(folder).catch(() => undefined))?.isFile()) throw isFile(folder, who)
   try {
@@ -60,6 +60,6 @@ function isFile(path: string, who: string): FurrowError {
     limit: 'a folder with layers/NAME/normal.png, areas/NAME.png and optionally wrinkles.json',
     remedy: isDocument
       ? `name its folder, ${dirname(path)}`
-      : 'make wrinkles for an avatar with furrow auto, or take them out of a file with furrow unpack',
+      : 'generate wrinkles with furrow auto, or extract the wrinkles of a file with furrow unpack',
   })
 }

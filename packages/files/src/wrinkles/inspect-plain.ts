@@ -6,14 +6,14 @@ import { inspectShapes, type ShapeReport } from './inspect-shapes.ts'
 
 export interface MeshReport {
   mesh: string
-  /** Names of its materials. */
+  /** Names of the mesh's materials. */
   materials: string[]
   vertices: number
   triangles: number
   blendshapes: string[]
 }
 
-/** Report on a face without wrinkles, with the wrinkles that it could get. */
+/** Report on a face without wrinkles, with the next command to add them. */
 export interface PlainInspection {
   fileBytes: number
   meshes: MeshReport[]
@@ -21,17 +21,17 @@ export interface PlainInspection {
   skin?: { mesh: string; material: string; reason: string }
   /** Blendshapes of the skin; empty without a skin. */
   shapes: ShapeReport[]
-  /** Whether `furrow auto` has blendshapes to make wrinkles from. */
+  /** Whether `furrow auto` can generate wrinkles: the skin has blendshapes that move it. */
   auto: boolean
   /** Suggested next command. */
   next: string
 }
 
 /**
- * Lists the meshes of a face without wrinkles.
+ * Inspects a face without wrinkles.
  *
  * @param document the decoded `glb`.
- * @returns also the skin, where one can wrinkle.
+ * @returns the report, and the skin if a mesh can show wrinkles.
  */
 export function inspectPlain(
   glb: Glb,
@@ -54,12 +54,12 @@ export function inspectPlain(
 }
 
 function nextStep(path: string, skin: FoundSkin | undefined, auto: boolean): string {
-  if (auto) return `make them from its blendshapes: furrow auto ${quoted(path)} -o wrinkled.glb`
+  if (auto) return `generate wrinkles from its blendshapes: furrow auto ${quoted(path)} -o wrinkled.glb`
   if (!skin) return 'no mesh has triangles with texture coordinates and a material: unwrap the face first'
   return 'no blendshape moves the skin: draw wrinkles (furrow strokes) or paint them over its UV layout (furrow uv)'
 }
 
-/** As a shell takes it for one word. */
+/** Quotes a path for a shell if needed. */
 function quoted(path: string): string {
   return /^[\p{L}\p{N}_./\\:-]+$/u.test(path) ? path : `"${path}"`
 }

@@ -1,18 +1,18 @@
 import type { Skin } from 'furrow/author'
 import { type RecognisedShape, recogniseShapes } from 'furrow/internal'
 
-/** A blendshape of the skin, recognised by its motion and its name, or corrected. */
+/** A blendshape of the skin, recognised by motion and name, or corrected by the file. */
 export interface ShapeReport extends Pick<RecognisedShape, 'by'> {
   blendshape: string
-  /** ARKit's name; null where it is unknown, or no single one of ARKit's shapes. */
+  /** Name of the ARKit shape; null if unknown, or if it matches no single ARKit shape. */
   shape: string | null
-  /** Kind by its name where it is no single shape, such as `viseme`. */
+  /** Kind guessed from the name if `shape` is null, such as `viseme`. */
   kind?: string
   /** 0..1 */
   confidence: number
 }
 
-/** Tells what the blendshapes of a skin are. */
+/** Recognises the blendshapes of a skin. */
 export function inspectShapes(skin: Skin): ShapeReport[] {
   return recogniseShapes(skin).shapes.map(({ name, shape, confidence, by, hint }) => ({
     blendshape: name,

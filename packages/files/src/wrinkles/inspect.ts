@@ -20,7 +20,7 @@ import type { WrinkledFile } from './wrinkled-file.ts'
 export interface MapReport {
   map: MapName
   texture: number
-  /** Index in a KTX 2 array; `bytes` are those of the whole array. */
+  /** Index in a KTX 2 array. `bytes` counts the whole array. */
   slice?: number
   mimeType: string
   width: number
@@ -49,7 +49,7 @@ export interface AreaReport {
   height: number
   /** Fraction of the texels with a weight above 0, 0..1. */
   coverage: number
-  /** Its largest weight, 0..1. */
+  /** Largest weight, 0..1. */
   largest: number
 }
 
@@ -57,20 +57,20 @@ export interface AreaReport {
 export interface Inspection {
   material?: string
   fileBytes: number
-  /** Bytes of the wrinkles' images in the file, each image once. */
+  /** Bytes of the wrinkles' images in the file; shared images count once. */
   imageBytes: number
-  /** Maps and areas, used by all faces of the file. */
+  /** Maps and areas, shared by all faces of the file. */
   gpu: GpuSizes
-  /** In addition, for each face. */
+  /** Additional GPU memory per face. */
   influenceMapBytes: number
   layers: LayerReport[]
   areas: AreaReport[]
   drivers: WrinkleDriver[]
-  /** The lines of the layers, and their bytes in the file. */
+  /** Number of strokes, and their bytes in the file. */
   strokes: { count: number; bytes: number }
 }
 
-/** Measures the wrinkles of a file. Throws FurrowError when an image is missing or cannot be decoded. */
+/** Measures the wrinkles of a file. Throws FurrowError if an image is missing or cannot be decoded. */
 export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<Inspection> {
   const { glb, maps } = file
   const layers = await Promise.all(
@@ -117,7 +117,7 @@ export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<
   }
 }
 
-/** The weights of one area, at the size of its image. */
+/** Decodes the weights of one area at the size of its image. */
 export async function weightsOf({ glb, maps }: WrinkledFile, area: number, who: string): Promise<GrayImage> {
   const { texture, channel } = maps.areas[area]
   return channelOf(await pixelsOf(glb, texture, who), channel)
@@ -140,12 +140,12 @@ async function measureMap(
     width,
     height,
     bytes: bytes.length,
-    // Heights are uploaded for relief alone, which is off by default.
+    // Only relief uploads heights, and relief is off by default.
     gpu: map === 'height' ? NO_SIZES : mapSizes(width, height),
   }
 }
 
-/** On the GPU an image becomes a slice per area; an array keeps its slices of several areas. */
+/** On the GPU, each area of an image gets its own slice. A KTX 2 array keeps its slices of up to four areas. */
 function areaGpuSizes(areas: readonly AreaReport[]): GpuSizes[] {
   const slices = new Map(areas.map((area) => [`${area.texture} ${area.slice}`, area]))
   if (areas[0].slice !== undefined) {

@@ -1,4 +1,4 @@
-/** The maps of a layer: their names in a folder, and in the extension. */
+/** Maps of a layer: name in a folder, and property in the extension. */
 export const MAP_SLOTS = [
   ['normal', 'normalTexture'],
   ['baseColor', 'baseColorTexture'],
@@ -8,5 +8,5 @@ export const MAP_SLOTS = [
   ['blood', 'bloodTexture'],
 ] as const
 
-/** The name of a map of a layer in a folder. */
+/** Name of a layer's map in a folder. */
 export type MapName = (typeof MAP_SLOTS)[number][0]

@@ -5,8 +5,8 @@ import { type WrinkledFile, wrinkledFile } from './wrinkled-file.ts'
 /**
  * Reads a file and the wrinkles of one of its materials; see `readGlbFile` and `wrinkledFile`.
  *
- * @param options.material name of the material; by default the only one with wrinkles.
- * @throws FurrowError as these do.
+ * @param options.material name of the material. Default: the only one with wrinkles.
+ * @throws FurrowError if either fails.
  */
 export async function readWrinkledFile(
   path: string,

@@ -5,10 +5,10 @@ import { pixelsOf } from '../gltf/texture-pixels.ts'
 import { channelOf, type Pixels } from '../images/pixels.ts'
 import type { MapName } from './map-slots.ts'
 
-/** Channels of the maps that share an image, as glTF has them; roughness is the second. */
+/** Channels of maps that share an image. glTF uses 1 for roughness. */
 const CHANNELS: Partial<Record<MapName, number>> = { occlusion: 0, blood: 2 }
 
-/** Maps of one size as red, green and blue; white where there is none. */
+/** Combines up to three maps of one size as red, green and blue. Missing maps are white. */
 export function joinChannels(
   maps: readonly (GrayImage | undefined)[],
   width: number,
@@ -22,9 +22,9 @@ export function joinChannels(
 }
 
 /**
- * A map that shares its image with blood, on its own.
+ * Extracts a map that shares its image with blood.
  *
- * @returns undefined for maps that do not.
+ * @returns undefined if the map has its own image.
  */
 export async function partOfImage(
   glb: Glb,
@@ -34,7 +34,7 @@ export async function partOfImage(
 ): Promise<GrayImage | undefined> {
   const channel = CHANNELS[map]
   const { bloodTexture } = layer
-  const isThere = map === 'blood' || layer.occlusionTexture !== undefined
-  if (channel === undefined || !bloodTexture || !isThere) return undefined
+  const isPresent = map === 'blood' || layer.occlusionTexture !== undefined
+  if (channel === undefined || !bloodTexture || !isPresent) return undefined
   return channelOf(await pixelsOf(glb, bloodTexture, who), channel)
 }

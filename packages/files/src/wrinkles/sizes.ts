@@ -32,10 +32,10 @@ export function areaSliceSizes(width: number, height: number): GpuSizes {
   return { uncompressed: 4 * width * height, bits8: compressed, bits4: compressed }
 }
 
-/** Bytes of a texel of an influence map, by number of layers less 1: one or two floats, or four halves of such. */
+/** Bytes per texel of an influence map, indexed by number of layers minus 1: one float, two floats, or four half floats. */
 const INFLUENCE_TEXEL = [4, 8, 8, 8]
 
-/** Bytes of the influence map of a face: as large as an area, one channel per layer. */
+/** Bytes of a face's influence map, which has the size of an area and one channel per layer. */
 export function influenceMapBytes(width: number, height: number, layers: number): number {
   return INFLUENCE_TEXEL[layers - 1] * width * height
 }
@@ -45,7 +45,7 @@ export function sumSizes(sizes: readonly GpuSizes[]): GpuSizes {
   return { uncompressed: sum('uncompressed'), bits8: sum('bits8'), bits4: sum('bits4') }
 }
 
-/** As text, of 1024 bytes each. */
+/** Formats a size in units of 1024 bytes. */
 export function kilobytes(bytes: number): string {
   return `${(bytes / 1024).toFixed(bytes < 100 * 1024 ? 1 : 0)} kB`
 }

@@ -7,10 +7,10 @@ import { checkFileBytes } from '../base/file-size.ts'
 import { parseJson } from '../base/json-file.ts'
 import type { WrinkledFile } from './wrinkled-file.ts'
 
-/** Most bytes of the strokes of a set: with the line breaks of a `.gltf`, ten times as many must be within `MAX_JSON_BYTES`. */
+/** Maximum bytes of a set's strokes. Indented in a `.gltf` they can take ten times as many, which must stay below `MAX_JSON_BYTES`. */
 const MAX_STROKES_BYTES = 2 ** 22
 
-/** A checked document of strokes as it is stored: an artist's numbers stay as they are, and defaults are left out. */
+/** Checked strokes document as stored, with the artist's original numbers and without defaults. */
 export interface StoredStrokes {
   strokes: readonly object[]
 }
@@ -18,8 +18,8 @@ export interface StoredStrokes {
 /**
  * Reads the strokes of a wrinkle set.
  *
- * @param layers names of the layers that strokes may be on.
- * @throws FurrowError when they are malformed, too large, or on a layer that does not exist.
+ * @param layers names of the set's layers.
+ * @throws FurrowError if the strokes are malformed, too large, or on a layer that does not exist.
  */
 export function readStrokes(
   bytes: Uint8Array,
@@ -32,7 +32,7 @@ export function readStrokes(
   return checkedStrokes(json, layers, `${who}: ${path}`)
 }
 
-/** Checks strokes in memory as `readStrokes` does those in a file. */
+/** Checks strokes in memory; the rules are those of `readStrokes`. */
 export function checkStrokes(
   strokes: StrokesDocument,
   layers: readonly string[],
@@ -42,7 +42,7 @@ export function checkStrokes(
   return checkedStrokes(strokes, layers, who)
 }
 
-/** The strokes in a file, or what is wrong with them: no renderer needs them, so that nothing else suffers. */
+/** Returns the strokes in a file. Malformed strokes are reported in `problem`, because renderers do not need them. */
 export function strokesIn(
   { glb, material, maps }: WrinkledFile,
   who: string,
@@ -58,12 +58,12 @@ export function strokesIn(
   }
 }
 
-/** The bytes of strokes in a file. */
+/** Returns the bytes that strokes take in a file. */
 export function strokesBytes(strokes: object | undefined): number {
   return strokes === undefined ? 0 : utf8(JSON.stringify(strokes)).length
 }
 
-/** Names of the layers that strokes and furrows of a document are on. */
+/** Returns the names of layers with strokes or furrows. */
 export function layersOf({ strokes, furrows }: StrokesDocument): string[] {
   return [...new Set([...strokes, furrows].flatMap((drawn) => drawn?.layer ?? []))]
 }

@@ -5,9 +5,9 @@ import { imageOf, isKtx2, ktx2HeaderOf } from '../gltf/texture-image.ts'
 import { arrayOf, pixelsOf } from '../gltf/texture-pixels.ts'
 
 /**
- * Decodes all textures that are drawn, as a loader does: headers alone do not tell whether an image is damaged.
+ * Decodes all textures that a loader would decode, because a header does not show whether the image is damaged.
  *
- * @throws FurrowError at the first that cannot be decoded.
+ * @throws FurrowError for the first texture that cannot be decoded.
  */
 export async function readShapes(glb: Glb, maps: WrinkleMaps): Promise<Map<number, TextureShape>> {
   const shapes = new Map<number, TextureShape>()

@@ -20,18 +20,18 @@ import type { WrinkledFile } from './wrinkled-file.ts'
 
 type LayerEntry = WrinkleSetDocument['layers'][number]
 
-/** The files of a folder, with paths relative to it, and warnings for the user. */
+/** Files to write, with paths relative to the folder, and warnings for the user. */
 export interface UnpackedWrinkles {
   files: OutputFile[]
   warnings: string[]
 }
 
 /**
- * Makes the files of a folder from the wrinkles of a file: `wrinkles.json`, `layers/NAME/*.png`, `areas/NAME.png` and `strokes.json`.
- * Names that are invalid as file names are changed in paths only; `wrinkles.json` keeps them.
+ * Converts the wrinkles of a file to a folder: `wrinkles.json`, `layers/NAME/*.png`, `areas/NAME.png` and `strokes.json`. Names that
+ * are invalid as file names are changed in paths only; `wrinkles.json` keeps the original names.
  *
- * @param whiteIsVisible the convention to write areas in.
- * @throws FurrowError when an image cannot be decoded.
+ * @param whiteIsVisible convention of the written areas: true for white = visible, false for the paper's black = visible.
+ * @throws FurrowError if an image cannot be decoded.
  */
 export async function unpackWrinkles(
   file: WrinkledFile,
@@ -103,7 +103,7 @@ export async function unpackWrinkles(
   return { files: [{ path: WRINKLES_FILE, bytes: utf8(text) }, ...outputs], warnings }
 }
 
-/** A map as a PNG file; one that is PNG already is decoded to check it, and not encoded again. */
+/** Returns a map as a PNG file. A PNG image is checked by decoding, and its bytes are returned unchanged. */
 async function pngOf({ glb }: WrinkledFile, info: TextureReference, who: string): Promise<Uint8Array> {
   const image = imageOf(glb, info.index, who)
   if (image.mimeType === 'image/png') {
@@ -116,7 +116,7 @@ async function pngOf({ glb }: WrinkledFile, info: TextureReference, who: string)
   return encodeMap(isOpaque(pixels) ? withoutAlpha(pixels) : pixels)
 }
 
-/** The weights of an area as an 8-bit gray PNG file; in the paper's convention white = no wrinkles. */
+/** Encodes an area as an 8-bit gray PNG file. In the paper's convention white = no wrinkles. */
 function encodeWeights(area: GrayImage, whiteIsVisible: boolean): Promise<Uint8Array> {
   return encodeMap(whiteIsVisible ? { ...area, channels: 1 } : paintedArea(area))
 }

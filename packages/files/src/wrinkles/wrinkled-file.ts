@@ -2,7 +2,7 @@ import { FurrowError } from 'furrow'
 import { didYouMean, parseWrinkleMaps, WRINKLE_MAPS, type WrinkleMaps } from 'furrow/internal'
 import type { Glb } from '../gltf/glb.ts'
 
-/** A file and the wrinkles of one of its materials. */
+/** A file with the wrinkles of one material. */
 export interface WrinkledFile {
   glb: Glb
   /** Index of the material. */
@@ -10,7 +10,7 @@ export interface WrinkledFile {
   maps: WrinkleMaps
 }
 
-/** Indices of the materials with wrinkles. */
+/** Returns the indices of materials with wrinkles. */
 export function wrinkledMaterials({ json }: Glb): number[] {
   return (json.materials ?? []).flatMap(({ extensions }, index) => {
     return extensions?.[WRINKLE_MAPS] === undefined ? [] : [index]
@@ -21,15 +21,15 @@ export function wrinkledMaterials({ json }: Glb): number[] {
  * Finds the wrinkles of a file.
  *
  * @param path of the file, for errors.
- * @param materialName name of the material; by default the only one with wrinkles.
- * @throws FurrowError when none has wrinkles, several have and none is named, or the wrinkles are malformed.
+ * @param materialName name of the material. Default: the only one with wrinkles.
+ * @throws FurrowError if no material has wrinkles, several have and none is named, or the wrinkles are malformed.
  */
 export function wrinkledFile(glb: Glb, path: string, who: string, materialName?: string): WrinkledFile {
   const materials = glb.json.materials ?? []
   const all = wrinkledMaterials(glb)
   if (all.length === 0) {
     const limit = `a material with ${WRINKLE_MAPS}`
-    const remedy = 'make them with furrow auto, or add painted ones with furrow pack'
+    const remedy = 'generate wrinkles with furrow auto, or add painted ones with furrow pack'
     throw new FurrowError({ who, problem: `${path} has no wrinkles`, limit, remedy })
   }
   const found =
@@ -48,7 +48,7 @@ export function wrinkledFile(glb: Glb, path: string, who: string, materialName?:
   return parseWrinkledFile(glb, found[0], `${who}: ${path}`)
 }
 
-/** The wrinkles of a material that has some, by its index. */
+/** Parses the wrinkles of a material, given by index. */
 export function parseWrinkledFile(glb: Glb, material: number, who: string): WrinkledFile {
   const json = glb.json.materials![material].extensions![WRINKLE_MAPS]
   return { glb, material, maps: parseWrinkleMaps(json, glb.json.textures?.length ?? 0, who) }

@@ -1,4 +1,4 @@
-import { sentence } from '../core/error.ts'
+import { formatProblem } from '../core/error.ts'
 
 /** Whether `registerWrinkleMaps` was called. Babylon.js does not keep a file's JSON, which would tell whether the file has wrinkles. */
 let isRegistered = false
@@ -13,7 +13,7 @@ export function warnIfUnregistered(): void {
   if (isRegistered || hasWarned) return
   hasWarned = true
   console.warn(
-    sentence({
+    formatProblem({
       who: 'wrinklesOf',
       problem: 'files have no wrinkles before registerWrinkleMaps is called',
       remedy: 'call registerWrinkleMaps before loading',

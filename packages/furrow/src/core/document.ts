@@ -1,7 +1,14 @@
 import type { AreaConvention } from './area.ts'
 import { MAX_BLOOD_AMPLITUDE } from './blood.ts'
 import { type JsonReader, orDefault } from './json.ts'
-import { LARGEST, LONGEST_NAME, MAX_AREAS, MAX_IMAGE_SIDE, MAX_LAYERS, MIN_AREA_SIZE } from './limits.ts'
+import {
+  MAX_AREAS,
+  MAX_IMAGE_SIDE,
+  MAX_LAYERS,
+  MAX_NAME_LENGTH,
+  MAX_NUMBER,
+  MIN_AREA_SIZE,
+} from './limits.ts'
 import type { Combine, LayerKind } from './types.ts'
 
 /** The layers and areas of `wrinkles.json`; image URLs are relative to it. */
@@ -86,7 +93,7 @@ export function readSetDocument(
   const names = (['mesh', 'material'] as const).filter((field) => root[field] !== undefined)
   return {
     version: 1,
-    ...Object.fromEntries(names.map((field) => [field, reader.text(root[field], field, LONGEST_NAME)])),
+    ...Object.fromEntries(names.map((field) => [field, reader.text(root[field], field, MAX_NAME_LENGTH)])),
     layers,
     areas,
     drivers: root.drivers,
@@ -111,13 +118,19 @@ function readLayer(reader: JsonReader, item: unknown, at: string): SetDocument['
     if (json[map] !== undefined) layer[map] = reader.text(json[map], `${at}.${map}`, MAX_URL_LENGTH)
   }
   if (json.normalScale !== undefined) {
-    layer.normalScale = reader.number(json.normalScale, `${at}.normalScale`, -LARGEST, LARGEST, '')
+    layer.normalScale = reader.number(json.normalScale, `${at}.normalScale`, -MAX_NUMBER, MAX_NUMBER, '')
   }
   if (json.occlusionStrength !== undefined) {
     layer.occlusionStrength = reader.number(json.occlusionStrength, `${at}.occlusionStrength`, 0, 1, '')
   }
   if (layer.height !== undefined || json.heightAmplitude !== undefined) {
-    layer.heightAmplitude = reader.number(json.heightAmplitude, `${at}.heightAmplitude`, 0, LARGEST, 'metres')
+    layer.heightAmplitude = reader.number(
+      json.heightAmplitude,
+      `${at}.heightAmplitude`,
+      0,
+      MAX_NUMBER,
+      'metres',
+    )
   }
   if (layer.blood !== undefined || json.bloodAmplitude !== undefined) {
     layer.bloodAmplitude = reader.number(

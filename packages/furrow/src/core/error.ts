@@ -45,7 +45,7 @@ export class FurrowError extends Error implements ErrorParts {
   declare readonly remedy: string
 
   constructor(parts: ErrorParts, options?: ErrorOptions) {
-    super(sentence(parts), options)
+    super(formatProblem(parts), options)
     Object.assign(this, parts, { code: parts.code ?? 'invalid' })
   }
 
@@ -56,7 +56,7 @@ export class FurrowError extends Error implements ErrorParts {
 }
 
 /** Formats one problem as one line, for errors and warnings. */
-export function sentence({ who, problem, value, limit, remedy }: ErrorParts): string {
+export function formatProblem({ who, problem, value, limit, remedy }: ErrorParts): string {
   const given = value === undefined ? '' : `, got ${printable(value)}`
   const allowed = limit === undefined ? '' : `, allowed: ${limit}`
   return `${who}: ${problem}${given}${allowed}; ${remedy}`

@@ -35,7 +35,7 @@ export const MAX_LINKS = 1024
 export const MAX_CURVE_POINTS = 64
 
 /** Maximum length of a name in a file, in characters. */
-export const LONGEST_NAME = 256
+export const MAX_NAME_LENGTH = 256
 
 /** Maximum absolute value of weights, scales, amplitudes and coordinates in files. */
-export const LARGEST = 1000
+export const MAX_NUMBER = 1000

@@ -1,4 +1,4 @@
-import { sentence } from '../core/error.ts'
+import { formatProblem } from '../core/error.ts'
 import type { AreaActivation } from './activation.ts'
 import { type CurvePoints, outputOf } from './curve.ts'
 
@@ -134,7 +134,7 @@ export class ActivationSum {
     if (this.#warned.has(name)) return
     this.#warned.add(name)
     console.warn(
-      sentence({
+      formatProblem({
         who: 'Wrinkles',
         problem: `driver input "${name}" is not a number`,
         value: Number.NaN,

@@ -1,5 +1,5 @@
 import { type JsonReader, orDefault } from '../core/json.ts'
-import { LARGEST, LONGEST_NAME, MAX_CURVE_POINTS, MAX_LINKS } from '../core/limits.ts'
+import { MAX_CURVE_POINTS, MAX_LINKS, MAX_NAME_LENGTH, MAX_NUMBER } from '../core/limits.ts'
 import type { Rule } from './activation.ts'
 import type { Curve, CurvePoint } from './curve.ts'
 import type { Link } from './link.ts'
@@ -36,12 +36,12 @@ export class Fields {
 
   /** Reads `weight`, -1000..1000, default 1. */
   weight(): number {
-    return this.number('weight', -LARGEST, LARGEST, 1)
+    return this.number('weight', -MAX_NUMBER, MAX_NUMBER, 1)
   }
 
   /** Reads a name of 1 to 256 characters. */
   name(field: string): string {
-    return this.#reader.text(this.#json[field], `${this.#at}.${field}`, LONGEST_NAME)
+    return this.#reader.text(this.#json[field], `${this.#at}.${field}`, MAX_NAME_LENGTH)
   }
 
   /** Reads a number from `low` to `high`; returns `fallback` if the field is missing. */
@@ -59,8 +59,8 @@ export class Fields {
     const path = `${this.#at}.${field}`
     const [a, b] = this.#reader.array(this.#json[field], path, 2, 2)
     return [
-      this.#reader.text(a, `${path}[0]`, LONGEST_NAME),
-      this.#reader.text(b, `${path}[1]`, LONGEST_NAME),
+      this.#reader.text(a, `${path}[0]`, MAX_NAME_LENGTH),
+      this.#reader.text(b, `${path}[1]`, MAX_NAME_LENGTH),
     ]
   }
 
@@ -73,7 +73,7 @@ export class Fields {
     const read = (item: Fields) => ({
       name: known ? item.choice('name', known) : item.name('name'),
       weight: item.weight(),
-      ...(item.has('curve') && { curve: item.#curve(-LARGEST, LARGEST) }),
+      ...(item.has('curve') && { curve: item.#curve(-MAX_NUMBER, MAX_NUMBER) }),
     })
     return this.list(field, read, 1)
   }
@@ -147,7 +147,7 @@ export class Fields {
     const path = `${this.#at}.${field}`
     return this.#reader
       .array(this.#json[field], path, size, size)
-      .map((value, i) => this.#reader.number(value, `${path}[${i}]`, -LARGEST, LARGEST, ''))
+      .map((value, i) => this.#reader.number(value, `${path}[${i}]`, -MAX_NUMBER, MAX_NUMBER, ''))
   }
 
   #curve(low: number, high: number, fallback?: readonly CurvePoint[]): Curve {
@@ -157,7 +157,7 @@ export class Fields {
     const curve = points.map((item, i): CurvePoint => {
       const [input, output] = reader.array(item, `${at}[${i}]`, 2, 2)
       return [
-        reader.number(input, `${at}[${i}][0]`, -LARGEST, LARGEST, ''),
+        reader.number(input, `${at}[${i}][0]`, -MAX_NUMBER, MAX_NUMBER, ''),
         reader.number(output, `${at}[${i}][1]`, low, high, ''),
       ]
     })

@@ -1,6 +1,6 @@
 import { wrongArgument } from '../core/argument.ts'
 import { unknownArea } from '../core/check-areas.ts'
-import { sentence } from '../core/error.ts'
+import { formatProblem } from '../core/error.ts'
 import { MAX_AREAS } from '../core/limits.ts'
 
 /** Scratch for one activation: V8 may box numbers that are passed to functions. */
@@ -109,7 +109,7 @@ export class Activations {
     if (this.#warned) return
     this.#warned = true
     console.warn(
-      sentence({
+      formatProblem({
         who: this.#who,
         problem: `activation of "${name}" out of range`,
         value,

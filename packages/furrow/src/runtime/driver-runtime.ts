@@ -1,4 +1,4 @@
-import { sentence } from '../core/error.ts'
+import { formatProblem } from '../core/error.ts'
 import type { ExternalInputKind } from '../drivers/activation.ts'
 import { type DriverPart, partsByArea } from '../drivers/explain.ts'
 import type { DriverPlan } from '../drivers/plan.ts'
@@ -207,7 +207,7 @@ export class DriverRuntime<Engine> {
   #warn(missing: readonly string[]): void {
     if (missing.length === 0) return
     console.warn(
-      sentence({
+      formatProblem({
         who: 'Wrinkles',
         problem: `drivers of mesh "${this.#label}" reference missing inputs, areas or types`,
         value: missing.join(', '),

@@ -1,4 +1,4 @@
-import { sentence } from '../core/error.ts'
+import { formatProblem } from '../core/error.ts'
 import { type Expression, expressionsOf } from '../drivers/expression/expression.ts'
 import { faceExpressions, uniqueByName } from '../drivers/expression/face-expressions.ts'
 import { EXPRESSIONS } from '../drivers/expression/presets.ts'
@@ -116,7 +116,7 @@ function expressionsOfFace(
 function warnOfMissing(names: string[]): void {
   if (names.length === 0) return
   console.warn(
-    sentence({
+    formatProblem({
       who: 'ExpressionPlayer',
       problem: 'the face lacks blendshapes or areas of the expressions',
       value: names.join(', '),

@@ -1,5 +1,5 @@
 import { wrongArgument } from '../core/argument.ts'
-import { sentence } from '../core/error.ts'
+import { formatProblem } from '../core/error.ts'
 import type { BindTargets, TargetBinding } from './target-binding.ts'
 
 /** Blendshape and score, as in the results of MediaPipe's face landmarker. */
@@ -57,7 +57,7 @@ export class FaceScoresBase {
     const missing = wanted.filter((name, i) => name !== '' && !bound.has(i))
     if (missing.length === 0) return
     console.warn(
-      sentence({
+      formatProblem({
         who: 'FaceScores',
         problem: 'the face lacks blendshapes of the scores',
         value: missing.join(', '),

@@ -1,5 +1,5 @@
 import { wrongArgument } from '../core/argument.ts'
-import { FurrowError, sentence } from '../core/error.ts'
+import { FurrowError, formatProblem } from '../core/error.ts'
 import { didYouMean } from '../core/nearest-name.ts'
 
 /** Custom inputs: numbers set by the application for `age` and `input` drivers, such as stress or cold. Each instance has its own values. */
@@ -87,7 +87,7 @@ export class NamedInputs {
     this.#warned.add(name)
     const names = [...this.#read]
     console.warn(
-      sentence({
+      formatProblem({
         who: 'Wrinkles.inputs',
         problem: 'no driver of this face reads the input',
         value: name,

@@ -1,5 +1,5 @@
 import type { Mesh } from 'three'
-import { sentence } from '../core/error.ts'
+import { formatProblem } from '../core/error.ts'
 import type { FaceGroup } from '../runtime/face-group.ts'
 
 /** Property of a mesh that animation mixers write to: `wrinkles[AREA].activation`. */
@@ -26,7 +26,7 @@ function animatedArea(group: FaceGroup<never>, name: string): { activation: numb
       else if (!hasWarned) {
         hasWarned = true
         console.warn(
-          sentence({
+          formatProblem({
             who: 'Wrinkles',
             problem: 'an animation moves an area that was removed',
             value: name,

@@ -1,6 +1,6 @@
 import type { Mesh } from 'three'
 import { isObject, wrongArgument } from '../core/argument.ts'
-import { sentence } from '../core/error.ts'
+import { formatProblem } from '../core/error.ts'
 import { WRINKLE_MAPS } from '../core/maps/declared.ts'
 import { adoptedBy } from './loader/adoption.ts'
 import { wrinklesOfMesh } from './mesh-wrinkles.ts'
@@ -70,7 +70,7 @@ function warnUnregistered({ parser }: LoadedFile): void {
   if (!Array.isArray(extensionsUsed) || !extensionsUsed.includes(WRINKLE_MAPS)) return
   warned.add(json)
   console.warn(
-    sentence({
+    formatProblem({
       who: 'wrinklesOf',
       problem: `the file has ${WRINKLE_MAPS}, but was loaded without WrinkleLoaderPlugin: its faces have no wrinkles`,
       remedy: 'call extendLoader(loader) before loading the file',

@@ -84,9 +84,10 @@ function checkNumber(
   [low, high]: readonly [number, number],
   who: string,
 ): void {
-  const isWhole = Number.isInteger(value) || FRACTIONS.includes(name)
-  if (typeof value === 'number' && isWhole && value >= low && value <= high) return
-  const kind = FRACTIONS.includes(name) ? 'a number' : 'a whole number'
+  const isFraction = FRACTIONS.includes(name)
+  const isNumber = isFraction ? typeof value === 'number' : Number.isInteger(value)
+  if (isNumber && (value as number) >= low && (value as number) <= high) return
+  const kind = isFraction ? 'a number' : 'a whole number'
   throw new FurrowError({
     code: 'out-of-range',
     who,

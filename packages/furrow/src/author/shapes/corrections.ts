@@ -1,6 +1,6 @@
 import type { FurrowError } from '../../core/error.ts'
 import { JsonReader, tryRead } from '../../core/json.ts'
-import { LONGEST_NAME, MAX_LINKS } from '../../core/limits.ts'
+import { MAX_LINKS, MAX_NAME_LENGTH } from '../../core/limits.ts'
 import { didYouMean } from '../../core/nearest-name.ts'
 import { canonicalTargetName, targetFinder } from '../../drivers/morph/target-names.ts'
 import type { Skin, SkinTarget } from '../skin/surface.ts'
@@ -23,32 +23,32 @@ export interface ShapeCorrection {
  *
  * @param json `shapes` of the glTF extension or of `wrinkles.json`, of any type; undefined if missing.
  * @param who file name for errors.
- * @param onFault called with the error of each malformed correction, which is skipped. Default: throw the first one.
+ * @param onError called with the error of each malformed correction, which is skipped. Default: throw the first one.
  */
 export function parseCorrections(
   json: unknown,
   who: string,
-  onFault: (fault: FurrowError) => void = (fault) => {
-    throw fault
+  onError: (error: FurrowError) => void = (error) => {
+    throw error
   },
 ): ShapeCorrection[] {
   if (json === undefined) return []
   const reader = new JsonReader(who)
-  const list = tryRead(() => reader.array(json, 'shapes', 0, MAX_LINKS), onFault) ?? []
-  return list.flatMap((item, i) => tryRead(() => readCorrection(reader, item, `shapes[${i}]`), onFault) ?? [])
+  const list = tryRead(() => reader.array(json, 'shapes', 0, MAX_LINKS), onError) ?? []
+  return list.flatMap((item, i) => tryRead(() => readCorrection(reader, item, `shapes[${i}]`), onError) ?? [])
 }
 
 function readCorrection(reader: JsonReader, item: unknown, at: string): ShapeCorrection {
   const { mesh, target, shape } = reader.object(item, at)
   return {
-    ...(mesh !== undefined && { mesh: reader.text(mesh, `${at}.mesh`, LONGEST_NAME) }),
-    target: reader.text(target, `${at}.target`, LONGEST_NAME),
+    ...(mesh !== undefined && { mesh: reader.text(mesh, `${at}.mesh`, MAX_NAME_LENGTH) }),
+    target: reader.text(target, `${at}.target`, MAX_NAME_LENGTH),
     ...(shape !== undefined && { shape: readShape(reader, shape, `${at}.shape`) }),
   }
 }
 
 function readShape(reader: JsonReader, value: unknown, at: string): string {
-  const shape = reader.text(value, at, LONGEST_NAME)
+  const shape = reader.text(value, at, MAX_NAME_LENGTH)
   if (labelOf(shape)) return shape
   const remedy = didYouMean(shape, SHAPE_NAMES, 'omit it where the blendshape is none of these')
   return reader.fail(

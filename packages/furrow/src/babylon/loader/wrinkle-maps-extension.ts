@@ -5,7 +5,7 @@ import type { INode, IScene } from '@babylonjs/loaders/glTF/2.0/glTFLoaderInterf
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import { drivenFaces, type FaceMeasure } from '../../runtime/file/driven-faces.ts'
 import type { GltfSource } from '../../runtime/file/gltf-source.ts'
-import { notFetched } from '../../runtime/file/image-faults.ts'
+import { notFetched } from '../../runtime/file/image-errors.ts'
 import { extensionOf, type FileWrinkles, wrinkleReader } from '../../runtime/file/read-wrinkles.ts'
 import { Warnings } from '../../runtime/file/warnings.ts'
 import type { LoaderOptions, WrinklesOptions } from '../options.ts'

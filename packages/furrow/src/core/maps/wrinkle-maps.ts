@@ -1,6 +1,6 @@
 import { MAX_BLOOD_AMPLITUDE } from '../blood.ts'
 import { type JsonReader, orDefault } from '../json.ts'
-import { LARGEST, MAX_AREAS, MAX_LAYERS, MAX_SLICES } from '../limits.ts'
+import { MAX_AREAS, MAX_LAYERS, MAX_NUMBER, MAX_SLICES } from '../limits.ts'
 import type { Combine, LayerKind } from '../types.ts'
 
 /** A glTF texture info; other fields of glTF may be present. */
@@ -99,12 +99,15 @@ function textureReader(reader: JsonReader, count: number): ReadTexture {
 function readLayer(reader: JsonReader, texture: ReadTexture, item: unknown, at: string): WrinkleMapsLayer {
   const json = reader.object(item, at)
   const number = (value: unknown, path: string, low: number) =>
-    reader.number(value, `${at}.${path}`, low, LARGEST, '')
+    reader.number(value, `${at}.${path}`, low, MAX_NUMBER, '')
   const normal = texture(json.normalTexture, `${at}.normalTexture`)
   const layer: WrinkleMapsLayer = {
     name: reader.name(json.name, `${at}.name`),
     kind: reader.choice(orDefault(json.kind, 'replace'), `${at}.kind`, ['replace', 'detail']),
-    normalTexture: { ...normal, scale: number(orDefault(normal.scale, 1), 'normalTexture.scale', -LARGEST) },
+    normalTexture: {
+      ...normal,
+      scale: number(orDefault(normal.scale, 1), 'normalTexture.scale', -MAX_NUMBER),
+    },
   }
   for (const slot of ['baseColorTexture', 'roughnessTexture'] as const) {
     if (json[slot] !== undefined) layer[slot] = texture(json[slot], `${at}.${slot}`)

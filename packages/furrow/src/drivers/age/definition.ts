@@ -1,4 +1,4 @@
-import { LARGEST } from '../../core/limits.ts'
+import { MAX_NUMBER } from '../../core/limits.ts'
 import type { Curve } from '../curve.ts'
 import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
@@ -22,7 +22,9 @@ export const age: DriverDefinition<AgeDriver> = {
   read: (fields) => ({
     area: fields.area(),
     curve: fields.curve(),
-    ...(fields.has('initial') && { initial: fields.number('initial', -LARGEST, LARGEST, AGES.youngest) }),
+    ...(fields.has('initial') && {
+      initial: fields.number('initial', -MAX_NUMBER, MAX_NUMBER, AGES.youngest),
+    }),
   }),
   activate: ({ area, curve, initial = AGES.youngest }) => ({
     area,

@@ -1,4 +1,4 @@
-import { LARGEST } from '../../core/limits.ts'
+import { MAX_NUMBER } from '../../core/limits.ts'
 import { IDENTITY } from '../curve.ts'
 import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
@@ -39,7 +39,7 @@ export const muscle: DriverDefinition<MuscleDriver> = {
     kind: fields.choice('kind', ['linear', 'sheet', 'sphincter'], 'linear'),
     ...fields.muscleAxis(),
     angle: fields.number('angle', 0.001, 1.57, 0.5),
-    width: fields.number('width', 0.0001, LARGEST, 0.01),
+    width: fields.number('width', 0.0001, MAX_NUMBER, 0.01),
     ...fields.zone(),
     strength: fields.number('strength', -1, 1, 0.3),
   }),

@@ -4,7 +4,7 @@ import { imageDamage, pngDamage } from '../../core/maps/image-file.ts'
 import { imageTypeOf } from '../../core/maps/image-type.ts'
 import { type PngChunk, type PngHeader, pngChunks, pngHeader } from '../../core/maps/png.ts'
 import type { GrayImage, RgbaImage } from '../../core/types.ts'
-import { tooLarge, transparent, unreadable } from './image-faults.ts'
+import { tooLarge, transparent, unreadable } from './image-errors.ts'
 import { inflatePng } from './inflate-png.ts'
 import { readImage, readOpaque } from './read-image.ts'
 

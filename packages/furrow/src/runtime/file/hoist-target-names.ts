@@ -1,4 +1,4 @@
-import { LONGEST_NAME } from '../../core/limits.ts'
+import { MAX_NAME_LENGTH } from '../../core/limits.ts'
 
 const isObject = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null && !Array.isArray(value)
@@ -25,7 +25,7 @@ export function hoistTargetNames(json: unknown): void {
 function usableNames(names: readonly unknown[]): unknown[] {
   const last = new Map(names.map((name, i) => [name, i]))
   const isUsable = (name: unknown, i: number) =>
-    typeof name !== 'string' || (name !== '' && name.length <= LONGEST_NAME && last.get(name) === i)
+    typeof name !== 'string' || (name !== '' && name.length <= MAX_NAME_LENGTH && last.get(name) === i)
   const indexName = (i: number) => (last.has(String(i)) ? `blendshape ${i}` : String(i))
   return names.map((name, i) => (isUsable(name, i) ? name : indexName(i)))
 }

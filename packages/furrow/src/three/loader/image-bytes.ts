@@ -1,6 +1,6 @@
 import { LoaderUtils } from 'three'
 import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
-import { notFetched } from '../../runtime/file/image-faults.ts'
+import { notFetched } from '../../runtime/file/image-errors.ts'
 
 /**
  * Reads the bytes of a glTF image, embedded or external.

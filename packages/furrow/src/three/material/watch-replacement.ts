@@ -1,5 +1,5 @@
 import type { Mesh } from 'three'
-import { sentence } from '../../core/error.ts'
+import { formatProblem } from '../../core/error.ts'
 import type { PatchedMaterial } from './patched-material.ts'
 
 /** Consecutive draws with another material before a warning. Passes such as selective bloom swap materials briefly, and stay below. */
@@ -21,7 +21,7 @@ export function watchReplacement(mesh: Mesh, patched: PatchedMaterial): () => vo
 
 function warn({ name, material }: Mesh): void {
   console.warn(
-    sentence({
+    formatProblem({
       who: 'Wrinkles',
       problem: `the wrinkled material of mesh "${name}" was replaced`,
       value: [material].flat()[0]?.name,

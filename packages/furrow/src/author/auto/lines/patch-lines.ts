@@ -1,4 +1,4 @@
-import { LONGEST_NAME } from '../../../core/limits.ts'
+import { MAX_NAME_LENGTH } from '../../../core/limits.ts'
 import { Rng } from '../../../math/rng.ts'
 import { MAX_TOTAL_LENGTH } from '../../strokes/lay-out.ts'
 import type { LineStyle, SkinRegion } from '../anatomy/region.ts'
@@ -57,7 +57,7 @@ function areaNameOf(target: string): string {
     target
       .replace(/[\p{Cc}\u2028\u2029]/gu, ' ')
       .trim()
-      .slice(0, LONGEST_NAME - 4) || 'unnamed'
+      .slice(0, MAX_NAME_LENGTH - 4) || 'unnamed'
   )
 }
 

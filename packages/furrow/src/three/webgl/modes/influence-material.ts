@@ -28,18 +28,19 @@ export const showInfluence: ShowInfluence = (
   material.customProgramCacheKey = () => `furrow influence ${variant}`
 }
 
-const LARGEST = 'diffuseColor.rgb *= vec3(max(max(influence.x, influence.y), max(influence.z, influence.w)));'
+const SHOW_LARGEST =
+  'diffuseColor.rgb *= vec3(max(max(influence.x, influence.y), max(influence.z, influence.w)));'
 
 /** Patches an unlit fragment shader to show the largest influence of any layer, from the influence map. */
 function mapFragment(fragment: string, layers: number, isInstanced: boolean): string {
   const declarations = influenceFromMap(layers, isInstanced ? 'instances' : 'mesh', true)
   const started = replace(fragment, MAIN, `${declarations}\n${MAIN}\n\tfurrowSampleInfluence(vMapUv);`)
-  return replaceChunk(started, 'map_fragment', () => `vec4 influence = furrowInfluence;\n\t${LARGEST}`)
+  return replaceChunk(started, 'map_fragment', () => `vec4 influence = furrowInfluence;\n\t${SHOW_LARGEST}`)
 }
 
 /** Patches an unlit fragment shader to show the largest influence of any layer, from the areas. */
 function areasFragment(fragment: string, channels: 1 | 4): string {
   const declared = replace(fragment, MAIN, `${influenceFromAreas(channels)}\n${MAIN}`)
   const influence = 'vec4 influence = furrowInfluenceFromAreas(vMapUv);'
-  return replaceChunk(declared, 'map_fragment', () => `${influence}\n\t${LARGEST}`)
+  return replaceChunk(declared, 'map_fragment', () => `${influence}\n\t${SHOW_LARGEST}`)
 }

@@ -1,7 +1,7 @@
 import type { Mesh } from 'three'
 import { Fn, If, Loop, max, vec2 } from 'three/tsl'
 import type { ComputeNode, Node, StorageBufferNode, WebGPURenderer } from 'three/webgpu'
-import { sentence } from '../../../core/error.ts'
+import { formatProblem } from '../../../core/error.ts'
 import { restMatrix } from '../../../math/stretch.ts'
 import type { TensionSurface } from '../../sources/tension.ts'
 import { localId, workgroupBarrier, workgroupId } from '../newer-nodes.ts'
@@ -92,7 +92,7 @@ export class AreaTension {
     this.isReady = false
     this.#hasFailed = true
     console.warn(
-      sentence({
+      formatProblem({
         who: 'Wrinkles',
         problem: 'tension could not be read back from the GPU',
         value: String(error),

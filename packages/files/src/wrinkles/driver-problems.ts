@@ -9,7 +9,7 @@ import {
 } from 'furrow/internal'
 
 /** Problems with drivers that cause only warnings: a loader skips these drivers and runs the others. */
-export interface DriverFaults {
+export interface DriverProblems {
   /** Types that are neither built in nor registered, without duplicates. */
   unknownTypes: readonly string[]
   /** Inputs that the face lacks, e.g. `target "jawOpen" of a driver of area "chin"`. */
@@ -19,13 +19,13 @@ export interface DriverFaults {
 }
 
 /** Checks drivers against the names that a face has. */
-export function findDriverFaults(
+export function findDriverProblems(
   drivers: readonly WrinkleDriver[],
   targetNames: readonly string[],
   jointNames: readonly string[],
-): DriverFaults {
+): DriverProblems {
   const plan = planDrivers(drivers)
-  // Players make the targets of muscles.
+  // Expression players compute a target for each muscle.
   const muscles = driversOf('muscle', drivers).map(({ name }) => name)
   const { missing } = new DriverProgram(plan, {
     target: targetSource(plan.inputs.target, [...targetNames, ...muscles]),
