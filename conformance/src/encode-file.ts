@@ -5,13 +5,13 @@ import type { SampleFile, SampleLayer, SampleTarget } from './sample.ts'
 const FLOAT = 5126
 const UNSIGNED_SHORT = 5123
 
-/** glTF's numbers for samplers: no mipmaps, edges as they are. */
+/** Linear filter without mipmaps, clamped to the edge. */
 const SAMPLER = { magFilter: 9729, minFilter: 9729, wrapS: 33071, wrapT: 33071 }
 
-/** Vertices along a side: deformations need more than the corners. */
+/** Vertices per side of the square. Deformations need more than the corners. */
 const ROWS = 5
 
-/** Encodes a sample file as it is specified, without a library that would check or correct it. */
+/** Encodes a sample file as .glb. Uses no library, because a library would reject or correct samples that break rules. */
 export function encodeFile(file: SampleFile): Uint8Array<ArrayBuffer> {
   const buffer = new BufferWriter()
   const images = new ImageWriter(buffer)
@@ -24,7 +24,7 @@ export function encodeFile(file: SampleFile): Uint8Array<ArrayBuffer> {
       normalTexture: { ...normalTexture, scale: file.baseScale, ...transformOf(file) },
     }),
     extensions: {
-      // No highlights: pictures show the normals' shading, and nothing else.
+      // No highlights, so that pictures show only diffuse shading.
       KHR_materials_specular: { specularFactor: 0 },
       FURROW_wrinkle_maps: {
         layers: file.layers.map((layer) => layerJson(layer, images, file)),
@@ -97,7 +97,7 @@ function transformOf({ uvs = {} }: SampleFile): object {
   return transform ? { extensions: { KHR_texture_transform: { ...transform, texCoord: set } } } : {}
 }
 
-/** A part of the square from -1 to 1 in x and y, which looks along z; `left` and `right` of 0..1. */
+/** Writes a part of the square, which faces +z and spans -1..1 in x and y. `left` and `right` are 0..1. */
 function sheet(
   buffer: BufferWriter,
   left: number,
@@ -121,7 +121,7 @@ function sheet(
       'VEC3',
       corners.flatMap(() => [0, 0, 1]),
     ),
-    // Another set before it, which a reader would notice; of the same directions, from which engines find tangents.
+    // A loader that reads set 0 by mistake gets different coordinates. Their directions agree, because engines derive tangents from set 0.
     ...(set === 1 && {
       TEXCOORD_0: buffer.floats(
         'VEC2',
@@ -145,7 +145,7 @@ function sheet(
   }
 }
 
-/** Images of a file, each once. */
+/** Writes the images of a file, each once. */
 class ImageWriter {
   readonly json: { name: string; mimeType: string; bufferView: number }[] = []
   readonly #indices = new Map<MapImage, number>()
@@ -166,7 +166,7 @@ class ImageWriter {
   }
 }
 
-/** The binary part of a file. */
+/** Writes the binary chunk of a file. */
 class BufferWriter {
   readonly views: object[] = []
   readonly accessors: object[] = []
@@ -182,7 +182,7 @@ class BufferWriter {
     return this.views.length - 1
   }
 
-  /** @param hasBounds whether the accessor must have its extent, as positions must. */
+  /** @param hasBounds whether to write `min` and `max`, which glTF requires for positions. */
   floats(type: 'VEC2' | 'VEC3', values: readonly number[], hasBounds = false): number {
     const data = Float32Array.from(values)
     const size = type === 'VEC2' ? 2 : 3
@@ -222,7 +222,7 @@ class BufferWriter {
   }
 }
 
-/** glTF 2.0, section 4.4: a header of 12 bytes, and two chunks. */
+/** Joins JSON and binary chunk to a .glb (glTF 2.0, section 4.4). */
 function glb(json: object, buffer: BufferWriter): Uint8Array<ArrayBuffer> {
   const text = new TextEncoder().encode(JSON.stringify(json))
   const jsonLength = Math.ceil(text.length / 4) * 4

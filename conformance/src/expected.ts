@@ -3,10 +3,10 @@ import { packAreas, reference } from 'furrow/internal'
 import type { MapImage } from './map-image.ts'
 import type { Pose, Sample, SampleFile, SampleLayer } from './sample.ts'
 
-/** Pixels along a side of the pictures. */
+/** Side of the pictures, pixels. */
 export const PIXELS = 32
 
-/** Pixels whose values a sample's JSON lists: column and row from the top left. */
+/** Pixels listed in a sample's JSON: column and row from the top left. */
 const LISTED = [
   [3, 3],
   [11, 5],
@@ -32,7 +32,7 @@ export interface Expected {
   occlusion: number
 }
 
-/** Computes the expected values at the centre of a pixel of the square, with the float64 reference. */
+/** Computes the expected values at a pixel's centre with the float64 reference. */
 export function expectedAt(file: SampleFile, pose: Pose, column: number, row: number): Expected {
   const [u, v] = uvAt(file, (column + 0.5) / PIXELS, (row + 0.5) / PIXELS)
   const weights = file.areas.map(({ weights, channel = 0 }) => channelOf(weights, channel))
@@ -73,7 +73,7 @@ export function expectedAt(file: SampleFile, pose: Pose, column: number, row: nu
   }
 }
 
-/** The JSON beside a sample file. */
+/** Returns the JSON that accompanies a sample file. */
 export function describe(sample: Sample): object {
   const { rule, section, file, poses, isMoved } = sample
   if (poses.length === 0) return { rule, section, refused: true }
@@ -93,7 +93,7 @@ export function describe(sample: Sample): object {
   }
 }
 
-/** Normals over the square as a picture: R, G and B are (x, y, z) / 2 + 1 / 2. */
+/** Renders the normals of the square: RGB = (x, y, z) / 2 + 1 / 2. */
 export function normalPicture(file: SampleFile, pose: Pose): MapImage {
   const data = new Uint8Array(3 * PIXELS * PIXELS)
   for (let i = 0; i < PIXELS * PIXELS; i++) {
@@ -106,7 +106,7 @@ export function normalPicture(file: SampleFile, pose: Pose): MapImage {
   return { width: PIXELS, height: PIXELS, data }
 }
 
-/** Rounds to six decimals, which keeps files readable and is far below the tolerance of the comparison. */
+/** Rounds to six decimals, far below the tolerance of comparisons, to keep files readable. */
 function rounded(expected: Expected): Expected {
   const round = (value: number) => Math.round(value * 1e6) / 1e6
   return {
@@ -118,7 +118,7 @@ function rounded(expected: Expected): Expected {
   }
 }
 
-/** @param x from the left of the square. @param y from its top. */
+/** @param x from the left of the square, 0..1. @param y from the top, 0..1. */
 function uvAt({ uvs = {} }: SampleFile, x: number, y: number): [number, number] {
   const { scale = 1, offset = [0, 0], transform = { scale: [1, 1], offset: [0, 0] } } = uvs
   const at = (value: number, axis: 0 | 1) =>
@@ -139,7 +139,7 @@ function scaled([x, y, z]: readonly number[], scale: number): number[] {
   return [(x * scale) / length, (y * scale) / length, z / length]
 }
 
-/** Graphics cards decode sRGB before they interpolate. */
+/** Decodes sRGB before interpolation, as GPUs do. */
 function colourAt({ width, height, data }: MapImage, u: number, v: number): number[] {
   return [0, 1, 2].map((channel) =>
     reference.interpolate({ width, height }, u, v, (i, j) =>
@@ -148,7 +148,7 @@ function colourAt({ width, height, data }: MapImage, u: number, v: number): numb
   )
 }
 
-/** IEC 61966-2-1. */
+/** Decodes an sRGB value (IEC 61966-2-1). */
 function linear(encoded: number): number {
   return encoded <= 0.04045 ? encoded / 12.92 : ((encoded + 0.055) / 1.055) ** 2.4
 }

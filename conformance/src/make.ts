@@ -3,7 +3,7 @@ import { describe, normalPicture } from './expected.ts'
 import type { Sample } from './sample.ts'
 import { storeFile } from './store.ts'
 
-/** The files of a sample: the model, what must follow, and a picture of the normals for each pose. */
+/** Returns the files of a sample by name: the model, the expected values as JSON, and a picture of the normals per pose. */
 export async function filesOf(sample: Sample): Promise<Map<string, Uint8Array>> {
   const { name, file, poses, isMoved } = sample
   const files = new Map<string, Uint8Array>([

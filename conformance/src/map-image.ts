@@ -1,21 +1,21 @@
 import { seeded } from '../../test/random.ts'
 
-/** An image of a sample file: 3 channels of 8 bits. */
+/** Image of a sample file: 3 channels of 8 bits. */
 export interface MapImage {
   width: number
   height: number
   data: Uint8Array
 }
 
-/** Texels along a side, if a case does not say otherwise: pictures have two pixels for each. */
+/** Default side of images in texels: half the side of the pictures, so that engines must interpolate. */
 export const SIDE = 16
 
-/** Independent texels: the hardest case of sampling. */
+/** Returns random independent texels, the hardest case for interpolation. */
 export function noise(seed: number, side = SIDE): MapImage {
   return { width: side, height: side, data: Uint8Array.from({ length: 3 * side * side }, seededBytes(seed)) }
 }
 
-/** Normals within 45 degrees of the surface. */
+/** Returns random unit normals within 45 degrees of the surface normal. */
 export function normals(seed: number, side = SIDE): MapImage {
   const random = seeded(seed)
   const data = Array.from({ length: side * side }, () => {
@@ -25,15 +25,15 @@ export function normals(seed: number, side = SIDE): MapImage {
   return { width: side, height: side, data: Uint8Array.from(data.flat()) }
 }
 
-/** One colour everywhere. */
+/** Returns an image of one colour. */
 export function uniform(red: number, green: number, blue: number, side = SIDE): MapImage {
   return image(side, () => [red, green, blue])
 }
 
-/** The normal of a flat surface, to the nearest byte. */
+/** Returns a flat normal map. */
 export const flat = (): MapImage => uniform(128, 128, 255)
 
-/** @param texel the three bytes in a column and row. */
+/** @param texel returns the three bytes at a column and row. */
 export function image(side: number, texel: (column: number, row: number) => readonly number[]): MapImage {
   const data = Array.from({ length: side * side }, (_, i) => texel(i % side, Math.floor(i / side)))
   return { width: side, height: side, data: Uint8Array.from(data.flat()) }

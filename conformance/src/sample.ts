@@ -7,12 +7,12 @@ export interface SampleLayer {
   normal: MapImage
   normalScale?: number
   baseColor?: MapImage
-  /** In G. */
+  /** Roughness in G. */
   roughness?: MapImage
-  /** In R. */
+  /** Occlusion in R. */
   occlusion?: MapImage
   occlusionStrength?: number
-  /** In B; the image of the occlusion, where there is one. */
+  /** Blood in B. Must be the same image as `occlusion` if there is one. */
   blood?: MapImage
   bloodAmplitude?: number
 }
@@ -27,15 +27,15 @@ export interface SampleArea {
   activation?: number
 }
 
-/** A blendshape, and how it moves a vertex; at full weight by nothing if it does not say. */
+/** A blendshape. `move` returns a vertex's offset at full weight; without it, vertices do not move. */
 export interface SampleTarget {
   name: string
   move?: (x: number, y: number) => readonly [number, number, number]
 }
 
-/** Texture coordinates: (x, 1 - y) of the square times `scale` plus `offset`. */
+/** Texture coordinates: `scale` times the position in the square, from 0 at the top left to 1, plus `offset`. */
 export interface SampleUvs {
-  /** The set that they are in; set 0 then holds others. */
+  /** Attribute set, TEXCOORD_0 or TEXCOORD_1. With set 1, set 0 holds different coordinates. */
   set?: 0 | 1
   scale?: number
   offset?: readonly [number, number]
@@ -43,7 +43,7 @@ export interface SampleUvs {
   transform?: { scale: readonly [number, number]; offset: readonly [number, number] }
 }
 
-/** How a file is stored after it was put together. */
+/** Compression applied after encoding. */
 export type Storage = 'quantized' | 'meshopt' | 'draco' | 'ktx2'
 
 /** Contents of a sample file: a square with one material. */
@@ -51,17 +51,17 @@ export interface SampleFile {
   layers: readonly SampleLayer[]
   areas: readonly SampleArea[]
   drivers?: readonly object[]
-  /** The material's own normal map; a flat surface without. */
+  /** Normal map of the material. Default: none. */
   base?: MapImage
-  /** The scale of that. */
+  /** Scale of the material's normal map. */
   baseScale?: number
   targets?: readonly SampleTarget[]
-  /** Other nodes of the scene. */
+  /** Additional nodes of the scene. */
   nodes?: readonly { name: string; translation?: readonly number[] }[]
   uvs?: SampleUvs
-  /** Whether the square is two meshes, left and right, that share the material. */
+  /** Whether the square consists of two meshes, left and right, that share the material. */
   isHalved?: boolean
-  /** Spoils or changes the JSON of the file. */
+  /** Edits the JSON before it is written, usually to break a rule. */
   // biome-ignore lint/suspicious/noExplicitAny: cases break the JSON in ways that no type allows
   edit?: (json: any) => void
   storage?: Storage
@@ -69,30 +69,30 @@ export interface SampleFile {
 
 /** Inputs to set on a loaded file, and the expected activations. */
 export interface Pose {
-  /** Weights of blendshapes; others are 0. */
+  /** Blendshape weights. Default: 0. */
   weights?: Readonly<Record<string, number>>
-  /** Numbers that the application sets. */
+  /** Inputs that the application sets. */
   inputs?: Readonly<Record<string, number>>
   /** Rotations of nodes as quaternions x, y, z, w. */
   rotations?: Readonly<Record<string, readonly number[]>>
   /** Positions of nodes. */
   translations?: Readonly<Record<string, readonly number[]>>
-  /** Seconds since the pose before, in one frame; 0 for the first one. */
+  /** Duration of the single frame since the previous pose, seconds; 0 for the first pose. */
   seconds?: number
-  /** The activation of each area. */
+  /** Expected activation of each area. */
   activations: Readonly<Record<string, number>>
 }
 
-/** One rule of the specification, and a file that shows whether an engine follows it. */
+/** One rule of the specification with a file that tests it. */
 export interface Sample {
   /** File name without extension. */
   name: string
-  /** The rule in one sentence. */
+  /** Rule in one sentence. */
   rule: string
-  /** The heading in docs/FURROW_wrinkle_maps.md under which it stands. */
+  /** Heading of the rule in docs/FURROW_wrinkle_maps.md. */
   section: string
   file: SampleFile
-  /** In this order; none where the file must be refused. */
+  /** Poses in test order. Empty if engines must reject the file. */
   poses: readonly Pose[]
   /** Whether the poses move the square, so that only activations can be compared. */
   isMoved?: boolean

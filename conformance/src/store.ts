@@ -18,7 +18,7 @@ const TRANSFORMS = {
   meshopt: () => meshopt({ encoder: MeshoptEncoder }),
 }
 
-/** The bytes of a sample file. Those that are stored in another way are so by the programs that users have. */
+/** Encodes a sample file, and compresses it with the tools that users have: glTF-Transform and `furrow pack`. */
 export async function storeFile(file: SampleFile): Promise<Uint8Array> {
   const bytes = encodeFile(file)
   if (!file.storage) return bytes

@@ -6,7 +6,7 @@ const UP_AND_DOWN = [link('up', 0.5), link('down', 2)]
 export const BLENDSHAPE_SAMPLES: readonly Sample[] = [
   {
     name: 'morph-sum',
-    rule: 'Links of a driver are added by default, each times its weight, and the result is 0 to 1.',
+    rule: 'By default, a driver adds its links times their weights and clamps the sum to 0..1.',
     section: 'driver of type morph',
     file: driven([
       morph('a', UP_AND_DOWN),
@@ -51,7 +51,7 @@ export const BLENDSHAPE_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'link-curve',
-    rule: 'A link may have a curve of its own, before its weight.',
+    rule: 'A link can have its own curve, applied before its weight.',
     section: 'link',
     file: driven([
       morph('a', [
@@ -69,14 +69,14 @@ export const BLENDSHAPE_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'missing-target',
-    rule: 'A blendshape that the model does not have counts as weight 0.',
+    rule: 'A blendshape that the model lacks has weight 0.',
     section: 'driver',
     file: driven([morph('a', [link('up'), link('sneer')]), morph('b', [link('sneer')])]),
     poses: [at(0.5, 0, 0, HALF)],
   },
   {
     name: 'spellings',
-    rule: 'A blendshape is recognised in other spellings of its name.',
+    rule: 'Blendshapes are found by alternative spellings of their names.',
     section: 'driver of type morph',
     file: driven([morph('a', [link('browOuterUpLeft')]), morph('b', [link('jawOpen')])], {
       targets: [{ name: 'browOuterUp_L' }, { name: 'blendShape1.jawOpen' }],
@@ -85,7 +85,7 @@ export const BLENDSHAPE_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'split-target',
-    rule: 'A blendshape that the model has in two halves has the mean of their weights.',
+    rule: 'If the model has a blendshape as left and right halves, its weight is their mean.',
     section: 'driver of type morph',
     file: driven([morph('a', [link('browInnerUp')])], {
       targets: [{ name: 'browInnerUpLeft' }, { name: 'browInnerUpRight' }],
@@ -94,7 +94,7 @@ export const BLENDSHAPE_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'several-drivers',
-    rule: 'All drivers of an area add to its resting activation, to 1 at most.',
+    rule: 'All drivers of an area add to its resting activation, up to 1.',
     section: 'driver',
     file: driven([morph('a', [link('up')]), morph('a', [link('down')])], {
       areas: AREAS.map((area) => ({ ...area, ...(area.name === 'a' && { activation: 0.125 }) })),
@@ -103,7 +103,7 @@ export const BLENDSHAPE_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'conflict',
-    rule: 'Of two blendshapes in conflict, the smaller weight is subtracted from both.',
+    rule: 'If two blendshapes conflict, the smaller weight is subtracted from both.',
     section: 'driver of type conflict',
     file: driven([
       morph('a', [link('up')]),
@@ -131,7 +131,7 @@ export const BLENDSHAPE_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'shapes',
-    rule: 'Corrections of recognised shapes are for tools: drivers read blendshapes by their names.',
+    rule: 'Corrections of recognised shapes do not change drivers, which read blendshapes by name.',
     section: 'Shapes',
     file: withShapes([
       { mesh: 'square', target: 'up', shape: 'mouthSmile' },
@@ -142,14 +142,14 @@ export const BLENDSHAPE_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'malformed-shapes',
-    rule: 'Malformed corrections of shapes cost nothing.',
+    rule: 'Malformed corrections of shapes are ignored.',
     section: 'Shapes',
     file: withShapes([null, { target: 7 }, { target: 'up', shape: 'joy' }, {}]),
     poses: [at(0.5, 0.25, 0, HALF)],
   },
 ]
 
-/** A square with corrections of shapes. */
+/** Returns a square with corrections of recognised shapes. */
 function withShapes(shapes: readonly unknown[]): SampleFile {
   return driven([morph('a', [link('up')]), morph('b', [link('down')])], {
     edit: (json) => {

@@ -7,7 +7,7 @@ const areas = [{ name: 'a', weights: noise(1), activation: 0.8 }]
 const poses = [{ activations: { a: 0.8 } }]
 const file: SampleFile = { base, layers: [LAYER], areas }
 
-/** An image of blocks of 4 x 4 texels with one colour each, which compression leaves as they are. */
+/** Returns an image of single-coloured blocks of 4 x 4 texels, which UASTC compression preserves. */
 const blocks = (colour: (column: number, row: number) => readonly number[]) =>
   image(SIDE, (column, row) => colour(Math.floor(column / 4), Math.floor(row / 4)))
 
@@ -34,7 +34,7 @@ export const COORDINATE_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'tiles',
-    rule: 'Texture coordinates outside 0..1 repeat, whatever the samplers say.',
+    rule: 'Texture coordinates outside 0..1 repeat, independent of samplers.',
     section: 'Implementation notes',
     file: { layers: [LAYER], areas, uvs: { offset: [-2.5, 3.25] } },
     poses,
@@ -49,9 +49,9 @@ export const COORDINATE_SAMPLES: readonly Sample[] = [
   ...(['quantized', 'meshopt', 'draco'] as const).map((storage) => ({
     name: storage,
     rule: {
-      quantized: 'Meshes may be quantised (KHR_mesh_quantization).',
-      meshopt: 'Meshes may be compressed by EXT_meshopt_compression.',
-      draco: 'Meshes may be compressed by KHR_draco_mesh_compression.',
+      quantized: 'Meshes can be quantised (KHR_mesh_quantization).',
+      meshopt: 'Meshes can be compressed by EXT_meshopt_compression.',
+      draco: 'Meshes can be compressed by KHR_draco_mesh_compression.',
     }[storage],
     section: 'Dependencies',
     file: { ...file, storage },
@@ -59,7 +59,7 @@ export const COORDINATE_SAMPLES: readonly Sample[] = [
   })),
   {
     name: 'ktx2',
-    rule: 'Maps and areas may be slices of KTX 2 texture arrays (UASTC).',
+    rule: 'Maps and areas can be slices of KTX 2 texture arrays (UASTC).',
     section: 'Texture arrays',
     file: { ...blocky, storage: 'ktx2' },
     poses,

@@ -10,22 +10,22 @@ export const AREAS = (['a', 'b', 'c'] as const).map((name, i) => ({
 }))
 const base = normals(3)
 
-/** A square with blendshapes `up`, `down` and `smile` that move nothing, areas a, b and c, and drivers. */
+/** Returns a square with areas a, b and c, the given drivers, and blendshapes `up`, `down` and `smile` without motion. */
 export function driven(drivers: readonly object[], more: Partial<SampleFile> = {}): SampleFile {
   const targets = ['up', 'down', 'smile'].map((name) => ({ name }))
   return { base, layers: LAYERS, areas: AREAS, targets, drivers, ...more }
 }
 
-/** Expected activations of the three areas in a pose. */
+/** Returns a pose with the expected activations of the three areas. */
 export const at = (a: number, b: number, c: number, pose: Omit<Pose, 'activations'> = {}): Pose => ({
   ...pose,
   activations: { a, b, c },
 })
 
-/** A driver input with its weight. */
+/** Returns a link: a driver input with its weight. */
 export const link = (name: string, weight?: number) => ({ name, weight })
 
-/** A driver by blendshapes. */
+/** Returns a driver of type `morph`. */
 export const morph = (area: string, targets: readonly object[], more: object = {}) => ({
   type: 'morph',
   area,
@@ -33,5 +33,5 @@ export const morph = (area: string, targets: readonly object[], more: object = {
   ...more,
 })
 
-/** The pose of most samples. */
+/** Blendshape weights that most samples use. */
 export const HALF = { weights: { up: 0.5, down: 0.25 } }

@@ -8,8 +8,8 @@ const area = (name: string, more: Partial<SampleArea> = {}): SampleArea => ({
   ...more,
 })
 const skin = (more: Partial<SampleLayer> = {}): SampleLayer => ({ name: 'skin', normal: normals(2), ...more })
-/** A layer that shows in its other maps only. */
-const unfolded = (more: Partial<SampleLayer>): SampleLayer => ({
+/** Returns a layer with a flat normal map, so that only its other maps have an effect. */
+const flatLayer = (more: Partial<SampleLayer>): SampleLayer => ({
   name: 'skin',
   normal: flat(),
   kind: 'detail',
@@ -17,34 +17,34 @@ const unfolded = (more: Partial<SampleLayer>): SampleLayer => ({
 })
 const base = normals(3)
 
-/** Weights that grow from left to right, and half everywhere: equal at a texel, so that both ways to combine by `max` agree. */
+/** Red grows from left to right, green is about half. The two ways to combine by `max`, per texel or per sample, agree on these weights. */
 const RAMP = image(SIDE, (column) => [17 * column, 136, 255])
 
 export const LAYER_SAMPLES: readonly Sample[] = [
   {
     name: 'replace',
-    rule: 'Normals of a layer of kind replace are mixed with those of the material by the influence.',
+    rule: "Influence mixes the normals of a replace layer with the material's normals.",
     section: 'Mixing',
     file: { base, layers: [skin({ kind: 'replace' })], areas: [area('a', { activation: 0.7 })] },
     poses: [{ activations: { a: 0.7 } }],
   },
   {
     name: 'detail',
-    rule: 'Slopes of a layer of kind detail are laid over the normals of the material by reoriented normal mapping.',
+    rule: "Reoriented normal mapping adds the slopes of a detail layer to the material's normals.",
     section: 'Mixing',
     file: { base, layers: [skin({ kind: 'detail' })], areas: [area('a', { activation: 0.8 })] },
     poses: [{ activations: { a: 0.8 } }],
   },
   {
     name: 'kind-by-default',
-    rule: 'A layer without a kind replaces.',
+    rule: 'The default kind of a layer is replace.',
     section: 'layer',
     file: { base, layers: [skin()], areas: [area('a', { activation: 1 })] },
     poses: [{ activations: { a: 1 } }],
   },
   {
     name: 'replace-and-detail',
-    rule: 'Details are laid over the normals that the layers of kind replace give.',
+    rule: 'Detail layers apply on top of the result of replace layers.',
     section: 'Mixing',
     file: {
       base,
@@ -55,7 +55,7 @@ export const LAYER_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'two-details',
-    rule: 'The slopes of layers of kind detail are added.',
+    rule: 'The slopes of detail layers are added.',
     section: 'Mixing',
     file: {
       base,
@@ -66,7 +66,7 @@ export const LAYER_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'four-layers',
-    rule: 'Where the influences of layers of kind replace add up to more than 1, they are divided by their sum.',
+    rule: 'If the influences of replace layers sum to more than 1, they are divided by their sum.',
     section: 'Mixing',
     file: {
       base,
@@ -102,14 +102,14 @@ export const LAYER_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'no-normal-map',
-    rule: 'A material without a normal map has the normals of its surface; its layers read TEXCOORD_0.',
+    rule: "Without a normal map, a material has the surface's normals and its layers use TEXCOORD_0.",
     section: 'Implementation notes',
     file: { layers: [skin()], areas: [area('a', { activation: 1 })] },
     poses: [{ activations: { a: 1 } }],
   },
   {
     name: 'channels',
-    rule: 'An area is in the channel of its texture that it names.',
+    rule: 'An area reads the channel of its texture that `channel` names.',
     section: 'area',
     file: {
       base,
@@ -124,7 +124,7 @@ export const LAYER_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'sum',
-    rule: 'Areas of a layer that overlap are added, and their sum is 1 at most.',
+    rule: 'Overlapping areas of a layer are added, and the sum is clamped to 1.',
     section: 'Influence',
     file: {
       base,
@@ -137,7 +137,7 @@ export const LAYER_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'max',
-    rule: 'Of areas that combine by max, the largest counts.',
+    rule: 'Areas that combine by max contribute their maximum.',
     section: 'Influence',
     file: {
       base,
@@ -150,7 +150,7 @@ export const LAYER_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'sum-and-max',
-    rule: 'The larger of the sum and the maximum counts.',
+    rule: 'The influence is the larger of the sum and the maximum.',
     section: 'Influence',
     file: {
       base,
@@ -165,7 +165,7 @@ export const LAYER_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'many-areas',
-    rule: 'A material may have up to 256 areas.',
+    rule: 'A material can have up to 256 areas.',
     section: 'FURROW_wrinkle_maps',
     file: {
       base,
@@ -184,7 +184,7 @@ export const LAYER_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'names',
-    rule: 'Names may have any characters but control characters, and differ by case.',
+    rule: 'Names can have all characters except control characters, and are case-sensitive.',
     section: 'Names',
     file: {
       base,
@@ -201,7 +201,7 @@ export const LAYER_SAMPLES: readonly Sample[] = [
     name: 'base-color',
     rule: "A layer's base colour is mixed with the material's in linear space.",
     section: 'Mixing',
-    file: { base, layers: [unfolded({ baseColor: noise(9) })], areas: [area('a', { activation: 1 })] },
+    file: { base, layers: [flatLayer({ baseColor: noise(9) })], areas: [area('a', { activation: 1 })] },
     poses: [{ activations: { a: 1 } }],
   },
   {
@@ -210,7 +210,7 @@ export const LAYER_SAMPLES: readonly Sample[] = [
     section: 'Mixing',
     file: {
       base,
-      layers: [unfolded({ occlusion: noise(10), occlusionStrength: 0.6 })],
+      layers: [flatLayer({ occlusion: noise(10), occlusionStrength: 0.6 })],
       areas: [area('a', { activation: 1 })],
     },
     poses: [{ activations: { a: 1 } }],
@@ -221,29 +221,29 @@ export const LAYER_SAMPLES: readonly Sample[] = [
     section: 'Mixing',
     // The surface is flat, so highlights depend on roughness alone.
     file: {
-      layers: [unfolded({ roughness: noise(11), normalScale: 0 })],
+      layers: [flatLayer({ roughness: noise(11), normalScale: 0 })],
       areas: [area('a', { activation: 1 })],
     },
     poses: [{ activations: { a: 1 } }],
   },
   {
     name: 'blood',
-    rule: 'Blood multiplies the base colour by what haemoglobin absorbs.',
+    rule: 'Blood multiplies the base colour by the transmittance of haemoglobin.',
     section: 'Blood',
     file: {
       base,
-      layers: [unfolded({ blood: noise(12), bloodAmplitude: 1.2 })],
+      layers: [flatLayer({ blood: noise(12), bloodAmplitude: 1.2 })],
       areas: [area('a', { activation: 1 })],
     },
     poses: [{ activations: { a: 1 } }],
   },
   {
     name: 'blood-at-rest',
-    rule: 'Blood of 128 of 255 leaves the colour as it is.',
+    rule: 'A blood value of 128 does not change the colour.',
     section: 'Blood',
     file: {
       base,
-      layers: [unfolded({ blood: uniform(0, 0, 128), bloodAmplitude: 2 })],
+      layers: [flatLayer({ blood: uniform(0, 0, 128), bloodAmplitude: 2 })],
       areas: [area('a', { activation: 1 })],
     },
     poses: [{ activations: { a: 1 } }],

@@ -1,7 +1,7 @@
 import type { Sample } from '../sample.ts'
 import { at, driven, HALF, link, morph } from './driven-square.ts'
 
-/** A quarter turn about x, y or z. */
+/** Returns the quaternion of a quarter turn about x, y or z. */
 const turn = (axis: 0 | 1 | 2) => [0, 1, 2].map((i) => (i === axis ? Math.SQRT1_2 : 0)).concat(Math.SQRT1_2)
 const JOINTS = [{ name: 'head' }, { name: 'jaw', translation: [0, 0, 0.1] }]
 const QUARTER = [
@@ -9,13 +9,13 @@ const QUARTER = [
   [Math.PI, 1],
 ]
 
-/** Squeezes the square in x by a fifth. */
+/** Blendshape that compresses the square in x by 20 %. */
 const SQUEEZE = { name: 'squeeze', move: (x: number) => [-0.2 * x, 0, 0] as const }
 
 export const OTHER_DRIVER_SAMPLES: readonly Sample[] = [
   {
     name: 'area',
-    rule: 'Areas drive areas, after all drivers with inputs from outside.',
+    rule: 'Drivers that read areas run after all other drivers.',
     section: 'driver of type area',
     file: driven([
       { type: 'area', area: 'c', areas: [link('b', 0.5)] },
@@ -26,7 +26,7 @@ export const OTHER_DRIVER_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'area-in-a-circle',
-    rule: 'An area that drives itself through others is not driven by areas.',
+    rule: 'If an area drives itself through other areas, its drivers of type area are ignored.',
     section: 'driver of type area',
     file: driven([
       { type: 'area', area: 'a', areas: [link('b')] },
@@ -37,7 +37,7 @@ export const OTHER_DRIVER_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'age',
-    rule: 'Age is what the application sets, and the initial age of the first such driver until then.',
+    rule: 'Until the application sets the age, it is the initial age of the first age driver.',
     section: 'driver of type age',
     file: driven([
       {
@@ -67,7 +67,7 @@ export const OTHER_DRIVER_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'input',
-    rule: 'An input that the application has not set is 0.',
+    rule: 'An unset input is 0.',
     section: 'driver of type input',
     file: driven([
       {
@@ -84,7 +84,7 @@ export const OTHER_DRIVER_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'bone-angle',
-    rule: 'An angle is the whole rotation from rest, relative to the other joint.',
+    rule: 'Without an axis, the angle is the total rotation from rest, relative to the other joint.',
     section: 'driver of type bone',
     file: driven([{ type: 'bone', area: 'a', joints: ['head', 'jaw'], measure: 'angle', curve: QUARTER }], {
       nodes: JOINTS,
@@ -97,7 +97,7 @@ export const OTHER_DRIVER_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'bone-axis',
-    rule: 'With an axis, the angle about it is signed.',
+    rule: 'With an axis, the angle about this axis is signed.',
     section: 'driver of type bone',
     file: driven(
       [
@@ -124,7 +124,7 @@ export const OTHER_DRIVER_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'bone-distance',
-    rule: 'A distance is that between two nodes, in metres.',
+    rule: 'A distance is measured between two nodes, in metres.',
     section: 'driver of type bone',
     file: driven(
       [
@@ -163,7 +163,7 @@ export const OTHER_DRIVER_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'malformed-drivers',
-    rule: 'A driver that breaks a rule is left out, and the others act.',
+    rule: 'Malformed drivers are ignored, and other drivers work.',
     section: 'Schema',
     file: driven([
       morph('d', [link('up')]),
@@ -234,7 +234,7 @@ export const OTHER_DRIVER_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'tension-direction',
-    rule: 'With a direction, the stretch along it in the texture counts.',
+    rule: 'With a direction, the stretch along this direction in UV space is measured.',
     section: 'driver of type tension',
     file: driven(
       [
@@ -264,7 +264,7 @@ export const OTHER_DRIVER_SAMPLES: readonly Sample[] = [
   },
   {
     name: 'muscle',
-    rule: 'The contraction of a muscle is the weight of the blendshape that has its name.',
+    rule: 'The contraction of a muscle is the weight of the blendshape with its name.',
     section: 'driver of type muscle',
     file: driven([
       { type: 'muscle', name: 'corrugator', area: 'a', origin: [0, 0, -0.2], insertion: [0, 0.5, 0] },

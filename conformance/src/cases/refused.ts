@@ -13,16 +13,16 @@ interface WrinkleJson {
   [key: string]: unknown
 }
 
-/** A file whose extension breaks a rule. */
+/** Returns a sample whose extension breaks one rule. */
 function refused(
   name: string,
   rule: string,
   section: string,
-  spoil: (json: WrinkleJson) => void,
-  whole: SampleFile = file,
+  breakRule: (json: WrinkleJson) => void,
+  base: SampleFile = file,
 ): Sample {
-  const edit: SampleFile['edit'] = (json) => spoil(json.materials[0].extensions.FURROW_wrinkle_maps)
-  return { name: `refused-${name}`, rule, section, file: { ...whole, edit }, poses: [] }
+  const edit: SampleFile['edit'] = (json) => breakRule(json.materials[0].extensions.FURROW_wrinkle_maps)
+  return { name: `refused-${name}`, rule, section, file: { ...base, edit }, poses: [] }
 }
 
 export const REFUSED_SAMPLES: readonly Sample[] = [
@@ -44,7 +44,7 @@ export const REFUSED_SAMPLES: readonly Sample[] = [
   refused('layer', 'The layer of an area exists.', 'area', (json) => {
     json.areas[0].layer = 1
   }),
-  refused('channel', 'A channel is 0 to 3.', 'area', (json) => {
+  refused('channel', 'The channel of an area is 0 to 3.', 'area', (json) => {
     json.areas[0].channel = 4
   }),
   refused('combine', 'Areas combine by sum or max.', 'area', (json) => {
@@ -53,17 +53,17 @@ export const REFUSED_SAMPLES: readonly Sample[] = [
   refused('activation', 'A resting activation is 0 to 1.', 'area', (json) => {
     json.areas[0].activation = 1.5
   }),
-  refused('kind', 'A layer replaces or is a detail.', 'layer', (json) => {
+  refused('kind', 'The kind of a layer is replace or detail.', 'layer', (json) => {
     json.layers[0].kind = 'overlay'
   }),
-  refused('texture', 'The texture of a layer exists.', 'textureInfo', (json) => {
+  refused('texture', 'Textures of layers exist.', 'textureInfo', (json) => {
     json.layers[0].normalTexture.index = 99
   }),
-  refused('sizes', 'All textures of one kind have one size.', 'layer', () => {}, {
+  refused('sizes', 'All textures of one kind have the same size.', 'layer', () => {}, {
     ...file,
     layers: [...file.layers, { name: 'age', normal: normals(4, SIDE / 2) }],
   }),
-  refused('blood', "A layer's blood is in the texture of its occlusion.", 'Blood', () => {}, {
+  refused('blood', 'Blood and occlusion of a layer share a texture.', 'Blood', () => {}, {
     ...file,
     layers: [{ ...file.layers[0], occlusion: noise(5), blood: noise(6), bloodAmplitude: 1 }],
   }),

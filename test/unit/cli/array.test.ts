@@ -239,7 +239,7 @@ describe('furrow array fails and writes nothing for', () => {
 
   it.each([
     ['no image', ['text.png'], [], 'cannot read the image'],
-    ['other sizes', ['skin.png', 'wide.png'], [], `got "30 x 16", allowed: 24 x 16 as `],
+    ['other sizes', ['skin.png', 'wide.png'], [], `got "30 x 16", allowed: 24 x 16, the size of `],
     ['16 bits', ['deep.png'], [], 'got "ushort", allowed: 8 bits per channel'],
     ['one name twice', ['skin.png', 'skin.png'], [], 'two layers with the same name, got "skin"'],
     ['257 images', Array<string>(257).fill('skin.png'), [], 'got 257, allowed: 1 to 256'],
