@@ -13,11 +13,11 @@ import { type BakeMesh, sharedNormals } from './mesh.ts'
 import { type AnyHit, ambientVisibility } from './occlusion.ts'
 import { interpolateUnit, type TangentSpace, tangentSpaceOf } from './tangent-frame.ts'
 
-/** Detailed surface for ray casts. Directions are unit vectors; lengths are in metres. */
+/** Detailed surface, queried by ray casts from (x, y, z) in the unit direction (dx, dy, dz). Lengths are in metres. */
 export interface BakeSource {
   /**
-   * Finds the nearest hit within `far` on the front of the surface. Writes distance and shading normal (four numbers) into `hit`. Returns
-   * false if nothing is hit.
+   * Finds the nearest hit within `far` metres on a triangle that faces the ray. Writes four numbers into `hit`: the distance and the shading
+   * normal. Returns false if nothing is hit.
    */
   closestHit(
     x: number,
@@ -35,13 +35,13 @@ export interface BakeSource {
 
 /** Options of {@link bakeMaps}; defaults are {@link BAKE_DEFAULTS}. */
 export interface BakeOptions {
-  /** Side of the maps in texels. */
+  /** Width and height of the maps in texels. */
   size?: number
-  /** Maximum distance between the detailed surface and the low mesh, outwards or inwards, in metres. */
+  /** Maximum distance of the detailed surface from the low-polygon mesh, outwards or inwards, in metres. */
   cage: number
   /** Rays per texel: 1, 4, 9 or 16. */
   samples?: number
-  /** Occlusion rays per sample; 0 = no occlusion. */
+  /** Occlusion rays per sample; 0 = no occlusion map. */
   occlusionRays?: number
   /** Maximum distance of occluders in metres. */
   occlusionReach?: number
@@ -63,31 +63,35 @@ export const BAKE_DEFAULTS = {
 
 /** Maps baked by {@link bakeMaps}, with statistics of its rays. */
 export interface BakedMaps {
-  /** Green towards smaller v. */
+  /** Tangent-space normal map. Green points towards smaller v. */
   normal: NormalMap
   height: HeightMap
-  /** 255 = open. */
+  /** 255 = unoccluded. */
   occlusion?: GrayImage
-  /** Number of samples on the mesh, and of rays that hit nothing. */
+  /** Number of samples, each with one ray. */
   samples: number
+  /** Number of rays that hit nothing. */
   misses: number
-  /** Number of texels in UV islands without any hit: filled from their neighbours, or flat. */
+  /** Number of texels in UV islands without any hit. They are filled from their neighbours, or stay flat. */
   emptyTexels: number
 }
 
-/** Offset of occlusion ray origins, as a fraction of the mesh's diagonal: float32 hits are inexact. */
+/**
+ * Distance from the surface to the origins of occlusion rays, as a fraction of the mesh's diagonal. Hit positions are rounded to float32, so
+ * rays from the surface itself could hit it.
+ */
 const BIAS = 1e-4
 
-/** Barycentric tolerance: samples on an edge count for both triangles, and none is lost to rounding. */
+/** Barycentric tolerance. It counts samples on an edge for both triangles, so that rounding loses no sample. */
 const TOLERANCE = 1e-9
 
 /**
- * Bakes a detailed surface into maps of a low mesh. A ray per sample starts `cage` outside the mesh and goes inwards along its smooth
- * normals. The first hit within twice the cage gives the height and the normal, in the frame in which renderers read the map. Samples are
- * averaged per texel, also across overlapping islands.
+ * Bakes a detailed surface into normal, height and occlusion maps of a low-polygon mesh. Each sample casts one ray inwards along the mesh's
+ * smooth normal, from a point at distance `cage` outside the mesh. The nearest hit within `2 * cage` defines the height and the normal of the
+ * sample. Normals are in the tangent frame in which renderers read the map. The samples of a texel are averaged, even if islands overlap.
  *
- * @param progress called periodically with the approximate number of samples done.
- * @throws FurrowError if mesh or options are invalid, or no ray hits anything.
+ * @param progress called periodically with the approximate number of finished samples and their total number.
+ * @throws FurrowError if the mesh or the options are invalid, or no ray hits anything.
  */
 export function bakeMaps(
   mesh: BakeMesh,
@@ -187,7 +191,7 @@ export function bakeMaps(
 
 type VisitSample = (first: number, a: number, b: number, c: number, texel: number, seed: number) => void
 
-/** Visits the samples of each triangle, selected in `tangentSpace`. UVs wrap. */
+/** Visits the samples of each triangle, after selecting the triangle in `tangentSpace`. UVs outside 0..1 wrap. */
 function visitSamples(
   { uvs }: BakeMesh,
   tangentSpace: TangentSpace,
@@ -209,7 +213,7 @@ function visitSamples(
 
 const wrap = (i: number, side: number) => ((i % side) + side) % side
 
-/** Estimates the number of samples on the mesh by its UV area. */
+/** Estimates the number of samples from the mesh's area in UV space. */
 function countSamples({ uvs }: BakeMesh, side: number): number {
   let sum = 0
   for (let i = 0; 2 * i < uvs.length; i += 3) sum += uvArea(uvs, i, i + 1, i + 2)
@@ -221,7 +225,7 @@ export function meshDiagonal({ positions }: Pick<BakeMesh, 'positions'>): number
   return length(boundingBoxSize(positions))
 }
 
-/** Normalises, and maps -1..1 to the full range of the bit depth. */
+/** Normalises the normals, and maps their components from -1..1 to the full range of the bit depth. */
 function encode(normals: Float32Array, bits: 8 | 16): Uint8Array | Uint16Array {
   const out = new (bits === 8 ? Uint8Array : Uint16Array)(normals.length)
   const half = (2 ** bits - 1) / 2
@@ -245,7 +249,7 @@ function check(mesh: BakeMesh, { size, cage, samples }: Required<BakeOptions>): 
   if (!fits || (mesh.tangents && mesh.tangents.length !== 4 * corners)) {
     fail('arrays of the mesh differ in length', mesh.uvs.length, `${corners} corners`, 'check the mesh')
   }
-  // A larger triangle would repeat the texture within itself, which is never intended.
+  // A triangle larger than the texture would cover the same texels several times, so its UVs must be wrong.
   for (let i = 0; i < mesh.uvs.length; i++) {
     const extent = mesh.uvs[i] - mesh.uvs[i - (i % 6) + (i % 2)]
     if (!(Math.abs(extent) <= 1)) {

@@ -1,6 +1,6 @@
 import { length } from '../../math/vector.ts'
 
-/** Unindexed mesh to bake maps for: three corners per triangle. */
+/** Unindexed mesh whose maps are baked. Each triangle has three corners of its own. */
 export interface BakeMesh {
   /** Packed xyz per corner, in metres. */
   positions: Float32Array
@@ -8,13 +8,13 @@ export interface BakeMesh {
   normals: Float32Array
   /** Packed uv per corner, v = 0 at the top. UVs outside 0..1 wrap. */
   uvs: Float32Array
-  /** Tangent of each corner, w = 1 or -1 as in glTF. Without tangents, the derivative frame is used (see TangentFrame). */
+  /** Tangent of each corner, four numbers with w = 1 or -1 as in glTF. Without tangents, normals are baked in the `derivative` frame. */
   tangents?: Float32Array
 }
 
 /**
- * Returns one direction per corner, shared by all corners at the same position: the mean of their normals. Rays along it leave no gaps at
- * hard edges or UV seams.
+ * Returns a unit vector per corner: the mean normal of all corners at the same position. Rays along these vectors leave no gaps at hard edges
+ * or UV seams.
  */
 export function sharedNormals({ positions, normals }: Pick<BakeMesh, 'positions' | 'normals'>): Float32Array {
   const sums = new Map<string, Float64Array>()
@@ -33,7 +33,7 @@ export function sharedNormals({ positions, normals }: Pick<BakeMesh, 'positions'
   const shared = new Float32Array(positions.length)
   for (let i = 0; i < corners; i++) {
     const scale = length(sumOf[i])
-    // Opposite normals cancel out on a knife edge: each corner keeps its own.
+    // Opposite normals cancel out. In this case, each corner keeps its normal.
     for (let k = 0; k < 3; k++) shared[3 * i + k] = scale > 1e-3 ? sumOf[i][k] / scale : normals[3 * i + k]
   }
   return shared

@@ -1,7 +1,7 @@
 import { cos, sin } from '../../math/elementary.ts'
 import { hash32 } from '../../math/hash.ts'
 
-/** Returns whether a ray hits either side of a surface within `far` metres. The direction is a unit vector. */
+/** Returns whether a ray from (x, y, z) in the unit direction (dx, dy, dz) hits the front or back of a surface within `far` metres. */
 export type AnyHit = (
   x: number,
   y: number,
@@ -13,9 +13,9 @@ export type AnyHit = (
 ) => boolean
 
 /**
- * Returns the ambient visibility of a point: the cosine-weighted fraction of open directions in the hemisphere around its normal, 0..1.
- * Rays follow Malley's method (Pharr, Jakob and Humphreys, Physically Based Rendering, 13.6.3) over a Hammersley set, randomly rotated by
- * `seed`. Deterministic.
+ * Returns the ambient visibility of a point, 0..1: the cosine-weighted fraction of unoccluded directions in the hemisphere around its normal.
+ * Directions are a Hammersley set mapped by Malley's method (Pharr, Jakob and Humphreys, Physically Based Rendering, 13.6.3). `seed` shifts
+ * the set randomly; the same seed gives the same result.
  *
  * @param point x, y and z.
  * @param n unit normal.
@@ -51,7 +51,7 @@ export function ambientVisibility(
   return open / rays
 }
 
-/** Mirrors the bits of i about the binary point (van der Corput). */
+/** Returns the fraction, 0..1, whose binary digits are those of `i` in reverse order (van der Corput sequence). */
 function radicalInverse(i: number): number {
   let value = 0
   for (let half = 0.5, k = i; k > 0; half /= 2, k >>>= 1) if (k & 1) value += half

@@ -8,20 +8,20 @@ export interface TangentSpace {
   /** Selects a triangle by its first corner. */
   select(corner: number): void
   /**
-   * Writes to `out` the tangent-space vector that a renderer shades as `direction`. The vector is not normalised. Returns false, leaving
-   * `out` unchanged, if the frame is degenerate. `a`, `b` and `c` are barycentric coordinates.
+   * Writes to `out` the tangent-space vector that a renderer turns into `direction` at the barycentric coordinates `a`, `b`, `c` of the
+   * selected triangle. The vector is not normalised. Returns false and leaves `out` unchanged if the frame is degenerate.
    */
   encode(a: number, b: number, c: number, direction: ArrayLike<number>, out: Float64Array): boolean
 }
 
-/** Determinant below which a frame is degenerate. */
+/** A frame is degenerate if its determinant is at most this. */
 const DEGENERATE = 1e-6
 
 /**
- * Returns the frame in which renderers read this mesh's normal map. With tangents, this is glTF's frame: bitangents are
- * `w * cross(normal, tangent)` at the vertices, and all three vectors are interpolated and normalised, as in three.js and the Khronos
- * sample renderer. Without tangents, it is three.js's derivative frame. Interpolated frames are not orthogonal, so they are inverted
- * exactly (Cramer's rule).
+ * Returns the tangent space in which renderers read a mesh's normal map. If the mesh has tangents, this is glTF's frame: bitangents are
+ * `w * cross(normal, tangent)` at the vertices. Tangent, bitangent and normal are interpolated and then normalised, as in three.js and the
+ * Khronos sample renderer. If the mesh has no tangents, this is three.js's derivative frame. Interpolated frames are not orthogonal, so
+ * `encode` inverts their matrix (Cramer's rule).
  */
 export function tangentSpaceOf(mesh: BakeMesh): TangentSpace {
   const readFrame = mesh.tangents ? vertexFrame(mesh, mesh.tangents) : derivativeFrame(mesh)
@@ -69,13 +69,13 @@ export function interpolateUnit(
   for (let k = 0; k < 3; k++) out[k] /= length
 }
 
-/** Reads the tangent t and the bitangent b at a point of the selected triangle, given the normal n there. */
+/** Computes the tangent t and the bitangent b at a point of the selected triangle from the normal n at the point. */
 interface FrameReader {
   select(corner: number): void
   read(wa: number, wb: number, wc: number, n: Float64Array, t: Float64Array, b: Float64Array): void
 }
 
-/** Frame of a mesh with tangents. */
+/** Returns the frame of a mesh with tangents. */
 function vertexFrame({ normals }: BakeMesh, tangents: Float32Array): FrameReader {
   const bitangents = bitangentsOf(normals, tangents)
   let first = 0
@@ -103,9 +103,9 @@ function bitangentsOf(normals: Float32Array, tangents: Float32Array): Float32Arr
 }
 
 /**
- * Frame of a mesh without tangents: three.js's getTangentFrame (Schueler, Normal Mapping Without Precomputed Tangents, ShaderX 5, 2006).
- * Triangle edges replace the screen axes. Green points towards smaller v, because GLTFLoader flips normalScale.y for meshes without
- * tangents.
+ * Returns the frame of a mesh without tangents, as `getTangentFrame` in three.js's shaders computes it (Schueler, Normal Mapping Without
+ * Precomputed Tangents, ShaderX 5, 2006). The shader uses derivatives along the screen axes; here, derivatives along two triangle edges
+ * replace them. Green points towards smaller v, because `GLTFLoader` flips `normalScale.y` for meshes without tangents.
  */
 function derivativeFrame(mesh: BakeMesh): FrameReader {
   const [u, v] = [new Float64Array(6), new Float64Array(6)]
@@ -128,7 +128,7 @@ function derivativeFrame(mesh: BakeMesh): FrameReader {
   }
 }
 
-/** Computes both edges of a triangle, each scaled by the change of u (or v) along the other: the terms of the gradients. */
+/** Computes the terms of the gradients of u and v: two edges of a triangle, each scaled by the change of u (or v) along the other edge. */
 function scaleEdges(
   { positions, uvs, normals }: BakeMesh,
   corner: number,
@@ -139,7 +139,7 @@ function scaleEdges(
   const uv = (i: number, k: number) => uvs[2 * (corner + i) + k] - uvs[2 * corner + k]
   const faceNormal = new Float64Array(3)
   triangleNormal(faceNormal, positions, corner, corner + 1, corner + 2)
-  // Screen axes are counterclockwise as seen from the front, whatever the winding of the triangle.
+  // The edges must be counterclockwise as seen from the front, like the screen axes that they replace.
   const side = dot(faceNormal, normals.subarray(3 * corner, 3 * corner + 3)) < 0 ? -1 : 1
   for (let k = 0; k < 3; k++) {
     const [edge1, edge2] = [position(1, k), position(2, k)]

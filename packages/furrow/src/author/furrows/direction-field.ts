@@ -3,12 +3,13 @@ import { length } from '../../math/vector.ts'
 import type { SkinSurface } from '../skin/surface.ts'
 import type { SkinLine } from '../strokes/curve.ts'
 
-/** Fade distance of a line's direction, and spacing of its samples, in millimetres. */
+/** Distance in millimetres at which the weight of a line's direction has fallen to 1 / e. */
 const FADE = 12
+/** Distance between two samples along a line, in millimetres. */
 const SAMPLE_SPACING = 3
-/** Cutoff in fade distances: beyond it weights are below 1/1000. */
+/** Samples farther than this are ignored: their weights are below 1/1000. As a multiple of `FADE`. */
 const CUTOFF = 2.7
-/** Weight of having no direction, in weights of a line sample: far from lines furrows run any way. */
+/** Constant added to the sum of weights. Far from all lines it dominates, so that the result has no direction. */
 const NO_DIRECTION = 0.05
 /** Count of numbers in a symmetric matrix: xx, yy, zz, xy, xz, yz. */
 export const TENSOR = 6
@@ -16,8 +17,11 @@ export const TENSOR = 6
 const SAMPLE = 6
 
 /**
- * Computes the direction along lines at each point of a skin: distance-weighted means of the matrices t t^T of the lines' tangents t,
- * which have no sign. The trace is 1 on a line and falls to 0 far from all lines.
+ * Computes the direction of nearby lines at each point of a skin. The result is a symmetric matrix per point: the mean of `t * transpose(t)`
+ * over the unit tangents t of the lines, weighted by distance. The matrix is the same for t and -t, because a line has no forward direction.
+ * Its trace is nearly 1 on a line and falls to 0 far from all lines.
+ *
+ * @returns `TENSOR` numbers per point.
  */
 export function directionsAlong({ points }: SkinSurface, lines: readonly SkinLine[]): Float64Array {
   const samples = Float64Array.from(lines.flatMap(samplesOf))
@@ -51,7 +55,7 @@ export function directionsAlong({ points }: SkinSurface, lines: readonly SkinLin
   return field
 }
 
-/** Samples positions and unit tangents every few millimetres, `SAMPLE` numbers each. */
+/** Returns positions and unit tangents along a line: `SAMPLE` numbers every `SAMPLE_SPACING` millimetres. */
 function samplesOf({ points }: SkinLine): number[] {
   const samples: number[] = []
   let since = SAMPLE_SPACING

@@ -13,31 +13,37 @@ import type { Furrows } from './read-furrows.ts'
 import { FURROW_WIDTH, type Seeds, scatterSeeds, squareBy } from './scatter.ts'
 import { SeedGrid } from './seed-grid.ts'
 
-/** Levels of the net, coarse to fine: size and depth as fractions. Fine furrows divide the cells of coarse ones. */
+/**
+ * Levels of the furrow pattern, from coarse to fine. `size` and `depth` are factors on the pattern's cell size and depth. Fine furrows divide
+ * the cells between coarse furrows.
+ */
 const LEVELS = [
   { size: 1, depth: 1 },
   { size: 0.45, depth: 0.45 },
 ] as const
 const SOFTNESS = 0.5
-/** Width of a furrow in texels at which it starts to be drawn, and at which it reaches full depth. */
+/** Narrower furrows are not drawn. In texels. */
 export const MIN_TEXELS = 1.7
+/** Furrows of at least this width have their full depth. In texels. */
 const FULL_TEXELS = 2.2
-/** Search radius in cell sizes that contains the seeds of the three nearest cells, including seeds with shortened distances. */
+/** Search radius, in cell sizes, that always contains the three nearest seeds. */
 const REACH = 2.2
 
-/** Maximum reductions of furrow depth, as fractions: random, and for furrows that run across the skin's lines. */
+/** Maximum random reduction of a furrow's depth, as a fraction. */
 const UNEVEN = 0.85
+/** Maximum reduction of the depth of furrows that cross the nearby lines of the skin, as a fraction. */
 const ACROSS = 0.9
 
 type FurrowCanvas = Pick<SkinCanvas, 'surface' | 'texels' | 'metric' | 'locator'>
 
 /**
- * Draws a net of fine furrows on a skin (Bando, Kuratate and Nishita 2002, A simple method for modeling wrinkles on human skin).
- * Furrows are the borders of a cellular pattern (Worley 1996, A cellular texture basis function), divided by those of a finer one. Cells
- * are stretched along nearby lines of the skin.
- * The pattern is defined in 3D, so UV seams do not show. Furrows narrower than two texels are skipped.
+ * Draws a pattern of fine, crossing furrows on a skin (Bando, Kuratate and Nishita 2002, A simple method for modeling wrinkles on human
+ * skin). Furrows are the borders between the cells of a cellular texture (Worley 1996, A cellular texture basis function). A second, finer
+ * cellular texture divides the cells. Cells are stretched along nearby wrinkle lines.
  *
- * @param lines of the skin in millimetres; far from lines, cells are as long as wide.
+ * The pattern is defined in 3D, so UV seams do not show. Furrows narrower than about two texels are skipped.
+ *
+ * @param lines wrinkle lines on the skin, in millimetres. Far from lines, cells are not stretched.
  */
 export function furrowHeights(
   canvas: FurrowCanvas,
@@ -66,7 +72,7 @@ export function furrowHeights(
   return { width, height, data }
 }
 
-/** Adds a net of fine furrows, stretched along the strokes, to heights. */
+/** Draws a pattern of fine furrows, stretched along the strokes, into a height map. */
 export function addFurrows(
   heights: HeightMap,
   canvas: SkinCanvas,
@@ -81,12 +87,12 @@ export function addFurrows(
   for (let i = 0; i < data.length; i++) heights.data[i] += data[i]
 }
 
-/** Returns how visible a furrow is at a texel size, 0..1. */
+/** Returns how visible a furrow is, 0..1. Both parameters are in millimetres. */
 function resolved(width: number, texelSize: number): number {
   return smoothstep((width / texelSize - MIN_TEXELS) / (FULL_TEXELS - MIN_TEXELS))
 }
 
-/** Returns the texel size per triangle in millimetres, along the edge with the largest texels. */
+/** Returns the texel size of each triangle in millimetres, measured along the edge with the largest texels. */
 function texelSizesOf({ surface, locator, metric }: FurrowCanvas): Float64Array {
   const sizes = new Float64Array(surface.skinTriangles.length)
   const corners = [0, 1, 2].map((k) => Float64Array.from([0, 1, 2], (n) => (n === k ? 1 : 0)))
@@ -107,7 +113,7 @@ function texelSizesOf({ surface, locator, metric }: FurrowCanvas): Float64Array 
   return sizes
 }
 
-/** Returns the texels between two UV points, at most width + height for triangles that repeat the texture. */
+/** Returns the number of texels between two UV points, clamped to `width + height` in case a triangle repeats the texture. */
 function texelsBetween(from: readonly number[], to: readonly number[], { width, height }: Metric): number {
   return Math.min(length2((to[0] - from[0]) * width, (to[1] - from[1]) * height), width + height)
 }
@@ -117,19 +123,22 @@ function edgeLength(points: Float64Array, corners: Uint32Array, from: number, to
   return length3(points[b] - points[a], points[b + 1] - points[a + 1], points[b + 2] - points[a + 2])
 }
 
-/** Offsets within a seed of a tile: distance from the tile's centre, position, metric, then these. */
+/** Offsets of the numbers that a tile stores per seed. The distance from the tile's centre, the position and the metric come before them. */
 const [SIZE, SCALE, VISIBLE, HASH] = [4 + TENSOR, 5 + TENSOR, 6 + TENSOR, 7 + TENSOR]
+/** Count of numbers per seed. */
 const SEED = 8 + TENSOR
 
-/** Draws one level of a net tile by tile. */
+/** Draws one level of a furrow pattern, tile by tile. Tiles are those of `SkinTexels`. A seed is the centre of a cell. */
 class FurrowPen {
   readonly #seeds: Seeds
   readonly #grid: SeedGrid
-  /** Radius in millimetres that contains the two nearest seeds of any position. */
+  /** Search radius around a tile, in millimetres. */
   readonly #reach: number
-  /** Centre of the current tile, and the `#count` seeds near it, nearest first. */
+  /** Centre of the current tile. */
   readonly #middle = new Float64Array(3)
+  /** Seeds near the current tile, nearest first. */
   #tile = new Float64Array(64 * SEED)
+  /** Number of seeds in `#tile`. */
   #count = 0
 
   constructor(seeds: Seeds, stretch: number) {
@@ -139,7 +148,7 @@ class FurrowPen {
     for (const index of seeds.sizes.keys()) this.#grid.add(index)
   }
 
-  /** Collects the seeds near a box for subsequent positions inside the box. */
+  /** Collects the seeds near a tile's box, for the calls of `depthAt` with positions in this box. */
   readonly isNear = (low: Float64Array, high: Float64Array): boolean => {
     this.#count = 0
     if (low[0] > high[0]) return false
@@ -163,7 +172,7 @@ class FurrowPen {
       if (third < second) [second, third] = [third, second]
       if (second < nearest) [nearest, second] = [second, nearest]
     }
-    // By the triangle inequality, a seed's distance changes by at most half the diagonal between the centre and a position.
+    // Between the centre and another position of the box, distances change by at most half the box's diagonal (triangle inequality).
     const farthest = third + Math.sqrt(square)
     const near = [...distances.keys()].filter((n) => distances[n] <= farthest)
     near.sort((a, b) => distances[a] - distances[b])
@@ -186,8 +195,8 @@ class FurrowPen {
   }
 
   /**
-   * Returns the depth at a position of the tile, 0..1: the deepest furrow between its three nearest seeds. The distance to a border
-   * between two cells is half the difference of the distances to their seeds.
+   * Returns the depth at a position of the tile, as a fraction of the pattern's depth, 0..1. It is the depth of the deepest furrow between
+   * the cells of the three nearest seeds. The distance to the border of two cells is half the difference of the distances to their seeds.
    */
   depthAt(position: Float64Array): number {
     const tile = this.#tile
@@ -205,14 +214,14 @@ class FurrowPen {
       if (third < second) [second, b, third, c] = [third, c, second, b]
       if (second < nearest) [nearest, a, second, b] = [second, b, nearest, a]
     }
-    // Equal width on both sides.
+    // Both cells must yield the same width, so the widths of both seeds are averaged.
     const width = (seed: number) => FURROW_WIDTH * tile[seed + SCALE] * tile[seed + SIZE]
     const halfWidth = (width(a) + width(b)) / 4
     const visible = (tile[a + VISIBLE] + tile[b + VISIBLE]) / 2
     const valley = (square: number) =>
       valleyAt((Math.sqrt(square) - Math.sqrt(nearest)) / 2 / halfWidth, SOFTNESS)
     const own = this.#strength(a, b) * valley(second)
-    // Beside a shallow furrow, include the deeper one that it joins.
+    // At the end of a shallow furrow, the deeper furrow that it meets wins.
     const next = valley(third)
     return (
       visible *
@@ -220,12 +229,12 @@ class FurrowPen {
     )
   }
 
-  /** Returns the depth of the furrow between two seeds, as a fraction: random, and shallower across the lines of the skin. */
+  /** Returns the depth of the furrow between two seeds, 0..1. It is random, and smaller if the furrow crosses the lines of the skin. */
   #strength(a: number, b: number): number {
     const tile = this.#tile
     const [dx, dy, dz] = [tile[b + 1] - tile[a + 1], tile[b + 2] - tile[a + 2], tile[b + 3] - tile[a + 3]]
     const square = dx * dx + dy * dy + dz * dz
-    // Fraction by which distances are shorter in this direction than across the lines.
+    // Squared distance between both seeds by the metric of one seed. It is shorter along the lines of the skin than across them.
     const across = (seed: number) => squareBy(tile, seed + 4, dx, dy, dz) / tile[seed + SCALE] ** 2
     const along = 2 * square - across(a) - across(b)
     const random = hash32(tile[a + HASH] ^ tile[b + HASH]) / 2 ** 32

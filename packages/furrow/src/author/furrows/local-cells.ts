@@ -5,18 +5,20 @@ import type { Furrows } from './read-furrows.ts'
 
 /** Count of numbers per region: centre, squared radius, size and depth. */
 const REGION = 6
-/** Total weight of regions at which the net reaches full depth. */
+/** Sum of the regions' weights from which the furrows have full depth. */
 const FULL = 0.6
 
-/** Size and depth of a net's cells by position. */
+/** Looks up the cell size and the depth of a furrow pattern by position. */
 export class LocalCells {
-  /** Smallest and largest size in millimetres. */
+  /** Smallest cell size of any region, in millimetres. */
   readonly smallest: number
+  /** Largest cell size of any region, in millimetres. */
   readonly largest: number
-  /** Cell size and depth at the last position, in millimetres; depth is 0 outside the net. */
+  /** Cell size at the last position passed to `find`, in millimetres. */
   size: number
+  /** Depth of furrows at this position, in millimetres; 0 outside all regions. */
   depth: number
-  /** Undefined if cells are uniform. */
+  /** Undefined if size and depth are the same everywhere. */
   readonly #regions: Float64Array | undefined
 
   constructor({ size, depth, regions }: Furrows, { surface, locator }: LocatedSkin) {
@@ -36,7 +38,7 @@ export class LocalCells {
     this.largest = Math.max(...sizes)
   }
 
-  /** Computes the cells at a position: means of the regions that contain it, by weights that fall to 0 at their radius. */
+  /** Computes `size` and `depth` at a position as means over the regions that contain it. A region's weight falls to 0 at its radius. */
   find(x: number, y: number, z: number): void {
     const regions = this.#regions
     if (!regions) return
@@ -53,7 +55,7 @@ export class LocalCells {
     this.depth = total > 0 ? (depth / total) * smoothstep(total / FULL) : 0
   }
 
-  /** Returns whether a box may contain a part of the net. */
+  /** Returns whether a box may contain furrows. */
   isIn(low: Float64Array, high: Float64Array): boolean {
     const regions = this.#regions
     if (!regions) return true

@@ -1,33 +1,34 @@
 import { type JsonReader, orDefault, type Uv } from '../../core/json.ts'
 
-/** Net of fine furrows on the skin. */
+/** Pattern of fine furrows that divide the skin into small cells. */
 export interface Furrows {
-  /** Size of a cell in millimetres, 0.2..20. */
+  /** Mean distance between neighbouring cells in millimetres, 0.2..20. */
   size: number
   /** Maximum depth of a furrow in millimetres, 0..2. */
   depth: number
-  /** Ratio of the length of cells along the lines of the skin to their width, 1..2. */
+  /** Length of cells along nearby wrinkle lines, divided by their width, 1..2. */
   stretch: number
-  /** Random seed, 0..2^31 - 1; same seed, same net. */
+  /** Random seed, 0..2^31 - 1. The same seed gives the same pattern. */
   seed: number
-  /** Name of the net's layer, in documents with several layers. */
+  /** Name of the layer that contains the pattern, in documents with several layers. */
   layer?: string
-  /** Parts of the skin with their own sizes and depths; default: all skin. */
+  /** Parts of the skin that have furrows, each with its size and depth. Default: all skin, with `size` and `depth`. */
   regions?: FurrowRegion[]
 }
 
-/** Part of the skin, inside a sphere, with its own cells. Overlapping regions blend. */
+/** Part of the skin with furrows, inside a sphere. Overlapping regions blend. */
 export interface FurrowRegion {
   /** Centre on the skin: [u, v], both 0..1, v = 0 at the top. */
   at: Uv
-  /** Radius in millimetres, 1..1000, where the net has faded out. */
+  /** Radius in millimetres, 1..1000. Furrows fade out towards it. */
   radius: number
-  /** See `Furrows`. */
+  /** Replaces `Furrows.size` in the region. */
   size: number
+  /** Replaces `Furrows.depth` in the region. */
   depth: number
 }
 
-/** Net of adult skin, between those that `furrow auto` makes for a cheek at 30 and at 70 years (sources in docs/auto.md). */
+/** Furrows of adult skin. The values are between those of `furrow auto` for cheeks at 30 and at 70 years (sources in docs/auto.md). */
 export const FINE_FURROW_DEFAULTS = {
   size: 1.5,
   depth: 0.05,
@@ -37,7 +38,11 @@ export const FINE_FURROW_DEFAULTS = {
 
 const MAX_REGIONS = 64
 
-/** Reads the `furrows` of a strokes document. Throws FurrowError through `read`. */
+/**
+ * Reads the `furrows` of a strokes document.
+ *
+ * @throws FurrowError if a field is invalid.
+ */
 export function readFurrows(read: JsonReader, json: unknown): Furrows {
   const field = read.object(json, 'furrows', ['size', 'depth', 'stretch', 'seed', 'layer', 'regions'])
   const furrows: Furrows = {

@@ -7,32 +7,33 @@ import { TENSOR } from './direction-field.ts'
 import type { LocalCells } from './local-cells.ts'
 import { SeedGrid } from './seed-grid.ts'
 
-/** Seeds of cells. */
+/** Seeds of a cellular texture. The cell of a seed consists of the points that are nearer to it than to any other seed. */
 export interface Seeds {
   /** Packed xyz. */
   positions: Float64Array
-  /** Matrix of each seed that measures squared distances from it, `TENSOR` numbers. */
+  /** Symmetric matrix of each seed, `TENSOR` numbers. It measures squared distances from the seed; see `squareBy`. */
   metrics: Float64Array
   /** Size of each cell in millimetres. */
   sizes: Float64Array
-  /** Isotropic factor of each matrix on distances, at most 1. */
+  /** Factor on distances that each matrix includes in all directions, at most 1. */
   scales: Float64Array
-  /** Visibility of the furrows around each seed at the texel size, 0..1. */
+  /** Visibility of the furrows around each seed at the map's resolution, 0..1. */
   visible: Float64Array
   /** Random integer of each seed. */
   hashes: Uint32Array
 }
 
-/** Distribution of cells on a skin. */
+/** Parameters of `scatterSeeds`. */
 export interface CellSource {
   surface: SkinSurface
-  /** `directionsAlong` at the points of the surface. */
+  /** Result of `directionsAlong` for the surface. */
   directions: Float64Array
   cells: LocalCells
-  /** Ratio of length to width of cells on a line. */
+  /** Ratio of a cell's length to its width on a wrinkle line. */
   stretch: number
+  /** Random seed. */
   seed: number
-  /** Size of this level's cells, as a fraction of `cells`. */
+  /** Factor on the cell sizes of `cells`. */
   part: number
   /** Returns how visible a furrow is at the texel size of a triangle, 0..1. */
   visible(triangle: number, width: number): number
@@ -43,23 +44,23 @@ export const FURROW_WIDTH = 0.3
 
 /** Spacing of the candidate lattice as a fraction of the smallest cell size. */
 const LATTICE = 0.5
-/** Maximum distance of candidates from the skin in lattice spacings. On average it selects one candidate per square of the spacing. */
+/** Maximum distance of candidates from the skin, in lattice spacings. It leaves about one candidate per square spacing of skin. */
 const SHELL = 0.5
-/** Minimum distance between seeds as a fraction of the size: random disks this wide leave the size between centres on average. */
+/** Minimum distance between seeds as a fraction of the cell size. The mean distance between neighbours is then about the cell size. */
 const SEED_SPACING = 0.8
 /**
- * Maximum reduction of distances from a seed, as a fraction. With equal seeds borders are straight and look like scales.
- * Unequal seeds give arcs (a multiplicatively weighted Voronoi diagram) and cells of different sizes.
+ * Maximum random reduction of distances from a seed, as a fraction. Without it, all borders are straight and skin looks like scales. With it,
+ * borders are arcs and cells differ in size (a multiplicatively weighted Voronoi diagram).
  */
 const MAX_SHORTENING = 0.35
-/** Maximum edge of a searched triangle in lattice spacings; longer ones are split. */
+/** Triangles with a longer edge are split for the search. In lattice spacings. */
 const MAX_EDGE = 8
-/** Approximate maximum number of candidates; the lattice gets coarser to stay below. */
+/** Approximate maximum number of candidates. The lattice gets coarser if there would be more. */
 const MAX_CANDIDATES = 1_500_000
 
 /**
- * Scatters seeds over a skin as Poisson disks. Candidates are the points of a jittered lattice in space close to the skin, independent of
- * triangles and UVs. Where the skin has a direction, disks are ellipses along it.
+ * Scatters seeds over a skin by Poisson disk sampling. Candidates are the points near the skin of a jittered lattice in space, so they do not
+ * depend on triangles and UVs. Near wrinkle lines, the disks are ellipses along the lines.
  */
 export function scatterSeeds(source: CellSource): Seeds {
   const candidates = candidatesOn(source)
@@ -100,7 +101,7 @@ export function scatterSeeds(source: CellSource): Seeds {
   }
 }
 
-/** Returns a squared distance by the matrix at an offset. */
+/** Returns the squared length of a vector by the symmetric matrix at offset `i` of `m`. */
 export function squareBy(m: Float64Array, i: number, dx: number, dy: number, dz: number): number {
   return (
     m[i] * dx * dx +
@@ -117,7 +118,7 @@ function inRandomOrder(hashes: Uint32Array): Uint32Array {
   return Uint32Array.from(keys, (key) => key % bits)
 }
 
-/** Finds lattice points close to the skin where furrows would be visible. */
+/** Returns the lattice points close to skin on which furrows are visible. */
 function candidatesOn(source: CellSource): Seeds {
   const { surface, cells, part, seed } = source
   const triangles = visibleTriangles(source)
@@ -141,7 +142,7 @@ function candidatesOn(source: CellSource): Seeds {
     if (!(weights[0] >= 0 && weights[1] >= 0 && weights[2] >= 0)) return
     cells.find(point[0], point[1], point[2])
     if (cells.depth === 0) return
-    // Folded skin may reach a cell twice.
+    // Two triangles can reach the same lattice point.
     const key = ((i & 0x1ffff) * 0x20000 + (j & 0x1ffff)) * 0x20000 + (k & 0x1ffff)
     if (seen.has(key)) return
     seen.add(key)
@@ -194,11 +195,11 @@ function candidatesOn(source: CellSource): Seeds {
 interface VisibleTriangle {
   triangle: number
   area: number
-  /** Visibility of its furrows at the texel size, more than 0. */
+  /** Visibility of the triangle's furrows at the map's resolution, above 0 and at most 1. */
   visible: number
 }
 
-/** Finds the triangles with a net visible at the texel size. */
+/** Returns the triangles on which furrows are visible at the map's resolution. */
 function visibleTriangles({ surface, cells, part, visible }: CellSource): VisibleTriangle[] {
   const found: VisibleTriangle[] = []
   const [low, high, normal] = [new Float64Array(3), new Float64Array(3), new Float64Array(3)]
@@ -217,7 +218,7 @@ function visibleTriangles({ surface, cells, part, visible }: CellSource): Visibl
 
 type Position = ArrayLike<number>
 
-/** Returns the longest edge of a triangle: squared length, its two corners and the third. */
+/** Returns the squared length of a triangle's longest edge, and the corners: first the two ends of the edge, then the third corner. */
 function longestEdge(a: Position, b: Position, c: Position) {
   const square = (p: Position, q: Position) => (p[0] - q[0]) ** 2 + (p[1] - q[1]) ** 2 + (p[2] - q[2]) ** 2
   const [ab, bc, ca] = [square(a, b), square(b, c), square(c, a)]
@@ -226,7 +227,7 @@ function longestEdge(a: Position, b: Position, c: Position) {
   return { square: ca, corners: [c, a, b] as const }
 }
 
-/** Computes the metric at a position: identity shortened along the skin's lines, times the squared scale. */
+/** Computes the matrix that measures distances at a position: the identity, shortened along wrinkle lines, times `scale ** 2`. */
 function metricAt(
   out: Float64Array,
   source: CellSource,

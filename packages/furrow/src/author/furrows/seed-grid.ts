@@ -1,17 +1,19 @@
-/** Cubic grid of positions, hashed, so that only occupied cells use memory. */
+/** Spatial hash of positions: a grid of cubes in which only occupied cubes use memory. */
 export class SeedGrid {
   readonly #positions: Float64Array
   readonly #side: number
   readonly #mask: number
-  /** Last position of each bucket, and the previous one of each position; -1 if none. */
+  /** Index of the position last added to each bucket; -1 if none. */
   readonly #last: Int32Array
+  /** For each position, index of the position added to the same bucket before it; -1 if none. */
   readonly #before: Int32Array
+  /** Grid coordinates of each position, packed. */
   readonly #cells: Int32Array
   readonly #found: Int32Array
 
   /**
-   * @param positions packed xyz; entries must not change once added.
-   * @param side cell size.
+   * @param positions packed xyz of all positions that may be added. A position must not change after it is added.
+   * @param side edge length of a cube.
    */
   constructor(positions: Float64Array, side: number) {
     const count = positions.length / 3
@@ -33,10 +35,10 @@ export class SeedGrid {
   }
 
   /**
-   * Finds the positions added in the cells that a box touches.
+   * Returns the added positions in all cubes that a box touches.
    *
    * @param reach distance by which the box is expanded.
-   * @returns indices, valid until the next search.
+   * @returns indices of the positions. The array is valid until the next search.
    */
   search(low: ArrayLike<number>, high: ArrayLike<number>, reach: number): Int32Array {
     const [cells, found] = [this.#cells, this.#found]
@@ -48,7 +50,7 @@ export class SeedGrid {
       for (let j = j0; j <= j1; j++) {
         for (let k = k0; k <= k1; k++) {
           for (let n = this.#last[this.#bucket(i, j, k)]; n >= 0; n = this.#before[n]) {
-            // Several cells may share a bucket.
+            // Several cubes can share a bucket.
             if (cells[3 * n] === i && cells[3 * n + 1] === j && cells[3 * n + 2] === k) found[count++] = n
           }
         }

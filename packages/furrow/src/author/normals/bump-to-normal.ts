@@ -1,11 +1,11 @@
 import { FurrowError } from '../../core/error.ts'
 import { type Edges, slopeAt } from './slope.ts'
 
-/** Bump map (Blinn 1978) of a flat image, painted or photographed; needs no mesh. */
+/** Bump map (Blinn 1978): heights over a flat image. It does not depend on a mesh. */
 export interface BumpMap {
   width: number
   height: number
-  /** Heights in texel widths, width x height values, row 0 at the top. */
+  /** Heights in units of a texel's width: `width * height` values, row 0 at the top. */
   data: ArrayLike<number>
 }
 
@@ -13,7 +13,7 @@ export interface BumpMap {
 export interface NormalMap {
   width: number
   height: number
-  /** Three values per texel: (n + 1) / 2 of the full range, linear. */
+  /** Three values per texel: components n of the normal, -1..1, mapped to the full range as `(n + 1) / 2`. Linear colour space. */
   data: Uint8Array | Uint16Array
 }
 
@@ -31,11 +31,11 @@ export interface BumpOptions {
 export const BUMP_DEFAULTS = { edges: 'clamp', green: 'up', bits: 8 } as const satisfies BumpOptions
 
 /**
- * Converts a bump map with square texels to a normal map. Normals are (-dh/dx, -dh/dy, 1), normalised, with dh by `slopeAt` (the normal of a
- * graph: do Carmo, Differential Geometry of Curves and Surfaces, 2.5). Rounding turns a normal by at most 0.32 degrees with 8 bits, 0.0012
- * degrees with 16.
+ * Converts a bump map with square texels to a normal map. Normals are `normalize(-dh/dx, -dh/dy, 1)` (do Carmo, Differential Geometry of
+ * Curves and Surfaces, 2.5), with the slopes dh/dx and dh/dy from `slopeAt`. Rounding changes the direction of a normal by at most 0.32
+ * degrees with 8 bits, and 0.0012 degrees with 16 bits.
  *
- * @param progress called periodically with the number of rows done.
+ * @param progress called periodically with the number of finished rows and their total number.
  * @throws FurrowError if the data does not match its size.
  */
 export function bumpToNormal(
@@ -56,7 +56,7 @@ export function bumpToNormal(
   }
   const data = new (bits === 8 ? Uint8Array : Uint16Array)(3 * width * height)
   const half = (2 ** bits - 1) / 2
-  // Rows go down and green goes up, so a downward slope is positive green.
+  // Rows are numbered downwards, but green points up. Heights that increase downwards therefore have positive green.
   const greenSign = green === 'up' ? 1 : -1
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {

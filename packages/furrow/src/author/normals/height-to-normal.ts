@@ -10,20 +10,21 @@ import { SLOPE_REACH, slopeAt } from './slope.ts'
 /**
  * Tangent frame in which a renderer reads a normal map.
  *
- * `orthonormal`: MikkTSpace, for meshes with tangents: unit tangent along +u, perpendicular unit bitangent.
- * `derivative`: three.js for meshes without tangents. The gradients of u and v on the surface, both divided by the longer one (Schueler,
- * Normal Mapping Without Precomputed Tangents, ShaderX 5, 2006).
- * This frame follows the deformed surface, so creases survive where an expression shears the skin.
+ * - `orthonormal`: frame of MikkTSpace, for meshes with tangents. It consists of a unit tangent along +u and a perpendicular unit bitangent.
+ * - `derivative`: frame of three.js for meshes without tangents. It consists of the gradients of u and v on the surface, both divided by the
+ *   length of the longer one (Schueler, Normal Mapping Without Precomputed Tangents, ShaderX 5, 2006). The frame follows the deformed
+ *   surface, so creases stay sharp where an expression shears the skin.
  *
- * Both agree where the texture is neither stretched nor sheared.
+ * Both frames are equal where the texture is neither stretched nor sheared.
  */
 export type TangentFrame = 'orthonormal' | 'derivative'
 
 /**
- * Converts heights to a tangent-space normal map: linear bytes, (n + 1) * 127.5 rounded, +Y (green) towards smaller v as in glTF, alpha
- * 255. Slopes are millimetres per millimetre on the skin: the gradient is taken through the first fundamental form (do Carmo, 2.5, exercise
- * 14), then written in `frame`. Derivatives span five texels (`slopeAt`): waves of 8 texels keep 95% of their slope, waves of 16 texels
- * 99.8%.
+ * Converts heights to a tangent-space normal map. Components n of the normal are stored as linear bytes, `round((n + 1) * 127.5)`. Green
+ * points towards smaller v as in glTF; alpha is 255.
+ *
+ * Slopes are heights per distance on the skin: the gradient is computed with the metric (do Carmo, Differential Geometry of Curves and
+ * Surfaces, 2.5, exercise 14). `slopeAt` reads five texels, so waves of 8 texels keep 95% of their slope and waves of 16 texels 99.8%.
  *
  * @throws FurrowError if height map and metric differ in size.
  */
@@ -36,9 +37,9 @@ export function heightToNormal(
 }
 
 /**
- * Converts heights like `heightToNormal`, with a final adjustment of the slopes.
+ * Converts heights like `heightToNormal`, but lets the caller change the slopes.
  *
- * @param turn may change the two slopes of a texel (red, green); skipped where both are 0.
+ * @param turn may change the two slopes of a texel, first red, then green. It is not called if both slopes are 0.
  */
 export function turnedNormals(
   heights: HeightMap,
@@ -61,11 +62,7 @@ export function turnedNormals(
   return normal
 }
 
-/**
- * Draws a rectangle of `turnedNormals`.
- *
- * @param normal receives the normals; same size as height map and metric.
- */
+/** Redraws the texels inside a rectangle of the result of `turnedNormals`, which is changed in place. All maps have the same size. */
 export function drawNormals(
   { data }: RgbaImage,
   { x0, y0, x1, y1 }: Readonly<Bounds>,
@@ -85,7 +82,7 @@ export function drawNormals(
       data[4 * i + 3] = 255
     }
   }
-  // Most skin has no wrinkles.
+  // Texels without heights nearby stay flat. Most texels are flat, because most skin has no wrinkles.
   const sloping = slopingTexels(heights, { x0, y0, x1, y1 })
   for (let y = y0; y < y1; y++) {
     for (let x = sloping[2 * (y - y0)]; x < sloping[2 * (y - y0) + 1]; x++) {
@@ -98,12 +95,12 @@ export function drawNormals(
       const vv = metric.vv[i]
       const det = uu * vv - uv * uv
       if (frame === 'derivative') {
-        // The gradient is hu grad(u) + hv grad(v), with |grad u|^2 = vv / det and |grad v|^2 = uu / det.
+        // The gradient is `hu * grad(u) + hv * grad(v)`, with `|grad(u)|^2 = vv / det` and `|grad(v)|^2 = uu / det`.
         const longer = Math.sqrt(Math.max(uu, vv) / det)
         slope[0] = -longer * hu
         slope[1] = longer * hv
       } else {
-        // Perpendicular to u the surface extends sqrt(det / uu) per unit of v; subtract the part of v along u.
+        // A unit of v moves `sqrt(det / uu)` perpendicular to u, and `uv / sqrt(uu)` along u. The slope along u is subtracted from hv.
         slope[0] = -hu / Math.sqrt(uu)
         slope[1] = (hv - (uv / uu) * hu) * Math.sqrt(uu / det)
       }
@@ -117,7 +114,7 @@ export function drawNormals(
   }
 }
 
-/** Returns the range of texels per row that may have a slope: within reach of nonzero heights, end exclusive. */
+/** Returns, for each row, the range of texels near nonzero heights, as first column and last column plus 1. Other texels have no slope. */
 function slopingTexels({ width, height, data }: HeightMap, { x0, y0, x1, y1 }: Readonly<Bounds>): Int32Array {
   const sloping = new Int32Array(2 * (y1 - y0))
   for (let row = 0; row < y1 - y0; row++) sloping[2 * row] = x1

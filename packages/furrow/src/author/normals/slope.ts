@@ -1,19 +1,19 @@
 /**
- * Extrapolation beyond the border of a map. `wrap`: repeats, for textures that tile. `clamp`: continues the parabola through the last
- * three texels, so slopes do not fade at the border.
+ * Values outside the border of a map. `wrap` repeats the map, for textures that tile. `clamp` continues the parabola through the last three
+ * texels, so that slopes do not fade at the border.
  */
 export type Edges = 'wrap' | 'clamp'
 
-/** Texels to either side that a slope depends on, also at borders. */
+/** Maximum distance in texels from which a height affects a slope. */
 export const SLOPE_REACH = 2
 
 /**
- * Computes the slope per texel at texel `i` of a row or column: fourth-order central difference over five texels (Fornberg 1988,
- * Generation of finite difference formulas).
+ * Computes the slope at texel `i` of a row or column, in height per texel. The formula is the fourth-order central difference over five
+ * texels (Fornberg 1988, Generation of finite difference formulas).
  *
- * @param start index of the line's first texel.
- * @param stride step between texels of the line.
- * @param count number of texels in the line.
+ * @param start index of the first texel of the row or column.
+ * @param stride difference between the indices of two neighbouring texels of the row or column.
+ * @param count number of texels in the row or column.
  */
 export function slopeAt(
   data: ArrayLike<number>,
@@ -32,7 +32,7 @@ export function slopeAt(
   return slopeAtBorder(data, start, i, stride, count, edges)
 }
 
-/** Separate function: its closure would otherwise allocate on every call of `slopeAt`. */
+/** Computes `slopeAt` near the ends of a row or column. A separate function, so that `slopeAt` does not allocate a closure. */
 function slopeAtBorder(
   data: ArrayLike<number>,
   start: number,
@@ -48,7 +48,7 @@ function slopeAtBorder(
   return (8 * (read(i + 1) - read(i - 1)) - (read(i + 2) - read(i - 2))) / 12
 }
 
-/** Returns the value at `k`, extrapolated beyond the ends by a parabola, line or constant. */
+/** Returns the value at `k`. Outside the row or column, extrapolates by a parabola; by a line if it has two texels, a constant if one. */
 function extrapolate(
   data: ArrayLike<number>,
   start: number,
@@ -57,7 +57,7 @@ function extrapolate(
   count: number,
 ): number {
   if (k >= 0 && k < count) return data[start + k * stride]
-  // t texels beyond the border; the border texel is 0 and inner ones are 1 and 2.
+  // `t` is the distance from the border texel. `inner(n)` is the value at distance n from it, in the other direction.
   const t = k < 0 ? -k : k - count + 1
   const inner = (n: number) => data[start + (k < 0 ? n : count - 1 - n) * stride]
   if (count === 1) return inner(0)

@@ -8,22 +8,22 @@ import { labelOf, SHAPE_NAMES } from './families.ts'
 import { hintOf } from './names/hint.ts'
 import type { NameHint } from './names/name-hint.ts'
 
-/** Manual correction of a blendshape's recognised shape, in a file. */
+/** Correction by the user: the ARKit shape that a blendshape has. It overrides the automatic recognition, and is stored in a file. */
 export interface ShapeCorrection {
-  /** Name of the mesh or its node; default: every mesh with the material. */
+  /** Name of the mesh or its node. Default: every mesh that has the material of the wrinkles. */
   mesh?: string
   /** Name of the blendshape, in any spelling that `findTargets` accepts. */
   target: string
-  /** ARKit name, without its side if the blendshape moves both; undefined if it matches no ARKit shape. */
+  /** ARKit name, without `Left` or `Right` if the blendshape moves both sides. Undefined if the blendshape matches no ARKit shape. */
   shape?: string
 }
 
 /**
- * Reads the corrections of a file. Unknown fields are ignored.
+ * Reads the shape corrections of a file. Unknown fields are ignored.
  *
- * @param json `shapes` of the glTF extension or of `wrinkles.json`, of any type; undefined if missing.
+ * @param json value of the field `shapes` of the glTF extension or of `wrinkles.json`; undefined if the field is missing.
  * @param who file name for errors.
- * @param onError called with the error of each malformed correction, which is skipped. Default: throw the first one.
+ * @param onError called with an error for each malformed correction; these corrections are skipped. Default: throw the first error.
  */
 export function parseCorrections(
   json: unknown,
@@ -61,9 +61,9 @@ function readShape(reader: JsonReader, value: unknown, at: string): string {
 }
 
 /**
- * Applies a material's corrections to its skin. If several name a blendshape, the first one wins.
+ * Stores corrections in the targets of a skin. If several corrections name a blendshape, the first one wins.
  *
- * @param meshes names of the mesh and its nodes, or its index if unnamed.
+ * @param meshes names of the skin's mesh and its nodes; the index of the mesh if it has no name.
  */
 export function correctSkin(
   skin: Skin,
@@ -84,15 +84,18 @@ export function correctSkin(
 
 type NamedTarget = Omit<SkinTarget, 'offsets'>
 
-/** Derives a target's kind from its correction, its name, or the name of the expression that moves it. */
+/** Guesses a target's kind from its correction, its name, or the name of the VRM expression that moves it. */
 export function hintOfTarget({ name, expression, correction }: NamedTarget): NameHint | undefined {
   if (typeof correction === 'string') return hintOf(correction)
   const hint = hintOf(name) ?? (expression === undefined ? undefined : hintOf(expression))
-  // A body slider keeps its kind.
+  // A correction of `null` rejects ARKit shapes only: kinds without them, such as `body`, still apply.
   return correction === null && hint && hint.shapes.length > 0 ? undefined : hint
 }
 
-/** Returns the names used to find shapes. Corrections replace names; another target with a corrected name gets a placeholder. */
+/**
+ * Returns the names by which drivers find targets. A corrected target has the name of its correction. If another target already has this
+ * name, that target gets a placeholder name, so that only the corrected target is found.
+ */
 export function correctedNames(targets: readonly NamedTarget[]): string[] {
   const corrected = new Set(targets.map(({ correction }) => correction))
   return targets.map(({ name, correction }, i) => {
@@ -101,7 +104,7 @@ export function correctedNames(targets: readonly NamedTarget[]): string[] {
   })
 }
 
-/** Placeholder name of a target, unlike any shape's. */
+/** Returns a name for a target that no shape has. */
 export function placeholderName(target: number): string {
   return `#${target}`
 }

@@ -1,13 +1,14 @@
-/** Side that a shape moves, from the person's view. */
+/** Side of the face that a shape moves, from the person's view. */
 export type Side = 'left' | 'right' | 'both'
 
-/** ARKit shape without its side. */
+/** ARKit shape, split into family and side. `mouthSmileLeft` has the family `mouthSmile` and the side `left`. */
 export interface ShapeLabel {
+  /** ARKit name without `Left` or `Right`; for `SHIFTED` shapes the complete name. */
   family: string
   side: Side
 }
 
-/** ARKit shapes that exist per side. */
+/** Families that ARKit has as two shapes, one for each side. */
 export const SIDED = [
   'browDown',
   'browOuterUp',
@@ -29,7 +30,7 @@ export const SIDED = [
   'mouthLowerDown',
 ] as const
 
-/** ARKit shapes that move both sides at once; some rigs split them. */
+/** Families that ARKit has as one shape for both sides. */
 export const CENTRAL = [
   'browInnerUp',
   'cheekPuff',
@@ -44,13 +45,13 @@ export const CENTRAL = [
   'mouthShrugUpper',
 ] as const
 
-/** Central shapes that rigs split. */
+/** Families in `CENTRAL` that some rigs split into a left and a right shape. */
 export const SPLIT: readonly string[] = ['browInnerUp', 'cheekPuff', 'mouthPucker', 'mouthFunnel']
 
-/** Shapes that move the mouth sideways; the direction is part of their name. */
+/** Shapes that move jaw or mouth to the left; ARKit also has their mirror images. `Left` is a direction here, not a side of the face. */
 export const SHIFTED = ['jawLeft', 'mouthLeft'] as const
 
-/** All shape names: ARKit's, sided shapes without their side, and halves of central shapes. */
+/** All accepted shape names: ARKit's names, families in `SIDED` without a side, and families in `SPLIT` with a side. */
 export const SHAPE_NAMES: readonly string[] = [
   ...SIDED.flatMap((name) => [name, ...halvesOf(name)]),
   ...CENTRAL.flatMap((name) => (SPLIT.includes(name) ? [name, ...halvesOf(name)] : [name])),
@@ -62,14 +63,13 @@ function halvesOf(name: string): [left: string, right: string] {
   return [`${name}Left`, `${name}Right`]
 }
 
-/** Returns the ARKit name; a shape of both sides is named after its family. */
+/** Returns the name of a label: the family, followed by the side unless it is `both`. */
 export function arkitName({ family, side }: ShapeLabel): string {
   return side === 'both' ? family : family + (side === 'left' ? 'Left' : 'Right')
 }
 
-/** Parses an ARKit name; undefined if it is not one. */
+/** Parses a name in `SHAPE_NAMES`; returns undefined for other names. */
 export function labelOf(name: string): ShapeLabel | undefined {
-  // Tongues are mostly separate meshes, so motion cannot identify them; their name can.
   if (isOneOf(CENTRAL, name) || isOneOf(SIDED, name) || name === 'tongueOut')
     return { family: name, side: 'both' }
   const [, stem, end] = /^(.*?)(Left|Right)$/.exec(name) ?? []
@@ -79,24 +79,24 @@ export function labelOf(name: string): ShapeLabel | undefined {
   return isKnown ? { family: stem, side: end === 'Left' ? 'left' : 'right' } : undefined
 }
 
-/** Returns the label on the other side of the face. */
+/** Returns the label of the mirrored shape. */
 export function mirroredLabel({ family, side }: ShapeLabel): ShapeLabel {
   if (isShifted(family))
     return { family: family.replace(/Left|Right/, (end) => (end === 'Left' ? 'Right' : 'Left')), side }
   return { family, side: side === 'both' ? side : side === 'left' ? 'right' : 'left' }
 }
 
-/** Returns whether the ARKit shape moves both sides at once. */
+/** Returns whether ARKit has one shape of this family for both sides. */
 export function isCentral(family: string): boolean {
   return isOneOf(CENTRAL, family)
 }
 
-/** Returns whether the ARKit shape exists per side. */
+/** Returns whether ARKit has a left and a right shape of this family. */
 export function isSided(family: string): boolean {
   return isOneOf(SIDED, family)
 }
 
-/** Returns whether the shape moves the mouth sideways. */
+/** Returns whether shapes of this family move the jaw or the mouth sideways. */
 export function isShifted(family: string): boolean {
   return /^(jaw|mouth)(Left|Right)$/.test(family)
 }

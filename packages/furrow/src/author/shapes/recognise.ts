@@ -17,47 +17,51 @@ import type { Vector } from './vectors.ts'
 export interface RecognisedShape {
   /** Name of the target. */
   name: string
-  /** ARKit name, without its side if the shape moves both; undefined if unknown or not a single ARKit shape. */
+  /**
+   * ARKit name, without `Left` or `Right` if the blendshape moves both sides. Undefined if the blendshape is unknown, or does not correspond
+   * to a single ARKit shape.
+   */
   shape: string | undefined
   /** Confidence, 0..1. */
   confidence: number
-  /** Deciding evidence: motion, name, both in agreement, or a manual correction (confidence 1). */
+  /** Evidence for `shape`: the motion, the name, both of them, or a correction by the user. A correction has the confidence 1. */
   by: 'geometry' | 'name' | 'both' | 'correction' | 'none'
-  /** Kind by name and motion, used to find shapes by name. */
+  /** Meaning of the blendshape's name, or of the ARKit name in `shape` if the motion decided. */
   hint: NameHint | undefined
   /** Whether the motion contradicts the name. */
   isMisnamed: boolean
 }
 
+/** Label that a blendshape gets by its motion. */
 interface MotionMatch {
   label: ShapeLabel
   confidence: number
   score: number
   /** Returns the score of any label, given by its ARKit name. */
   scoreOf(name: string): number
-  /** Fraction of the motion on the left. */
+  /** Fraction of the motion on the person's left. */
   left: number
 }
 
-/** Score by which another label must exceed the name's label to overrule it. */
+/** Minimum lead of the motion's label over the name's label, in scores, for the motion to overrule the name. */
 const OVERRULE_LEAD = 0.2
-/** Fraction of the motion on one side that overrules a side in the name. */
+/** Minimum fraction of the motion on one side of the face for it to overrule the other side in the name. */
 const ONE_SIDE = 0.85
-/** Confidence of a shape recognised only by name. */
+/** Confidence of a shape that is recognised only by its name. */
 const BY_NAME = 0.6
 
 /** Blendshapes and eye positions of a face. */
 export interface RecognisedFace {
   /** One entry per target. */
   shapes: RecognisedShape[]
-  /** Centres of the left and right eye; undefined if no lids close. */
+  /** Centres of the left and right eye; undefined if no target closes lids. */
   eyes: readonly [left: Vector, right: Vector] | undefined
 }
 
 /**
- * Recognises the blendshapes of a face by their motion, with names as a hint. Corrections overrule both. Deterministic.
+ * Recognises the blendshapes of a face by their motion and their names. Corrections by the user overrule both. The result is deterministic.
  *
- * @param heads templates; default: the built-in heads.
+ * @param heads heads whose shapes the motions are compared with. Default: the built-in heads.
  */
 export function recogniseShapes(
   skin: Skin,
@@ -100,7 +104,7 @@ function matchByMotion(
   return { byMotion, eyes: frame.hasLids ? frame.eyes : undefined }
 }
 
-/** Drops shapes corrected to none of ARKit's, so that they compete for no label. */
+/** Drops the shapes that the user said match no ARKit shape, so that they take no label from other shapes. */
 function withoutRejected({ weights, shapes }: ShapeFields, { targets }: Skin): ShapeFields {
   return { weights, shapes: shapes.filter(({ target }) => targets[target].correction !== null) }
 }
@@ -116,7 +120,7 @@ function decide(hint: NameHint | undefined, byMotion: MotionMatch | undefined): 
   if (!hint)
     return byMotion && byMotion.confidence >= UNSURE ? byGeometry(byMotion, false) : unknown(undefined)
   const named = namedLabel(hint)
-  // Several shapes or none: visemes, emotions, proportions, correctives.
+  // The name means several ARKit shapes or none: it is a viseme, an emotion, a proportion or a corrective.
   if (!named) return { ...unknown(hint), by: 'name' }
   const name = arkitName(named)
   if (!byMotion) return { shape: name, confidence: BY_NAME, by: 'name', hint, isMisnamed: false }
@@ -140,7 +144,7 @@ function unknown(hint: NameHint | undefined): Decision {
   return { shape: undefined, confidence: 0, by: 'none', hint, isMisnamed: false }
 }
 
-/** Returns the single shape that a name means; undefined for none or several. */
+/** Returns the ARKit shape that a name means; undefined if the name means several shapes or none. */
 function namedLabel({ match, shapes, side }: NameHint): ShapeLabel | undefined {
   if (match === 'like') return undefined
   if (match === 'part') {
@@ -164,7 +168,7 @@ function byGeometry({ label, confidence }: MotionMatch, isMisnamed: boolean): De
   }
 }
 
-/** Returns the hint that a name of the label would give. */
+/** Returns the hint that `hintOf` would return for the label's ARKit name. */
 function hintOfLabel(label: ShapeLabel, confidence: number): NameHint {
   const hint = {
     kind: 'expression',

@@ -43,7 +43,7 @@ export function quantile(values: readonly number[], fraction: number): number {
   return sorted[low] + (at - low) * (sorted[high] - sorted[low])
 }
 
-/** Interpolates piecewise linearly, constant beyond the ends. */
+/** Interpolates the values `ys` at the ascending positions `xs` linearly. Outside the positions, returns the first or the last value. */
 export function interpolated(x: number, xs: ArrayLike<number>, ys: ArrayLike<number>): number {
   const last = xs.length - 1
   if (!(x > xs[0])) return ys[0]

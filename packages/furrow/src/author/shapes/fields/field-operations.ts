@@ -1,7 +1,12 @@
 import { clamp } from '../../../math/scalar.ts'
 import { MIRRORED, SAMPLE_U, SAMPLES } from './sample-points.ts'
 
-/** Returns the field of a shape's mirror image. */
+/**
+ * Operations on displacement fields. A field holds the displacement of a blendshape at each sample point (see `sample-points.ts`), packed
+ * xyz in face coordinates, with x to the person's left.
+ */
+
+/** Returns the displacement field of the mirrored shape. */
 export function mirroredField(field: Float64Array): Float64Array {
   const out = new Float64Array(field.length)
   for (let i = 0; i < SAMPLES; i++) {
@@ -13,7 +18,7 @@ export function mirroredField(field: Float64Array): Float64Array {
   return out
 }
 
-/** Returns one half of a field; the other half fades out across the middle. */
+/** Returns the left or right half of a field. The displacements fade to 0 across the middle of the face. */
 export function halfField(field: Float64Array, side: 'left' | 'right'): Float64Array {
   const sign = side === 'left' ? 1 : -1
   return field.map((value, k) => value * clamp(0.5 + (sign * SAMPLE_U[Math.floor(k / 3)]) / 0.5, 0, 1))
@@ -23,9 +28,11 @@ export function sumOf(a: Float64Array, b: Float64Array, scale = 1): Float64Array
   return a.map((value, k) => value + scale * b[k])
 }
 
-/** Weighted samples of a field as unit vectors: plain, and with square roots of the lengths, which gives small motions more weight. */
+/** Two unit vectors that describe the direction of a field, for comparison by dot product. */
 export interface Descriptor {
+  /** Weighted displacements. */
   plain: Float64Array
+  /** Weighted displacements scaled to the square root of their length, so that small motions count more. */
   compressed: Float64Array
 }
 
@@ -46,7 +53,7 @@ export function descriptorOf(field: Float64Array, weights: Float64Array): Descri
   return { plain, compressed }
 }
 
-/** Returns the mean cosine of both forms. */
+/** Returns the similarity of two fields, -1..1: the mean of the dot products of their `plain` and `compressed` vectors. */
 export function likeness(a: Descriptor, b: Descriptor): number {
   return (dotAll(a.plain, b.plain) + dotAll(a.compressed, b.compressed)) / 2
 }
@@ -62,7 +69,7 @@ function normalizeAll(values: Float64Array): void {
   for (let i = 0; i < values.length; i++) values[i] /= length
 }
 
-/** Returns the fraction of a field's energy on the left. */
+/** Returns the fraction of a field's energy (its weighted squared displacements) on the person's left. */
 export function leftFraction(field: Float64Array, weights: Float64Array): number {
   let [left, right] = [0, 0]
   for (let i = 0; i < SAMPLES; i++) {

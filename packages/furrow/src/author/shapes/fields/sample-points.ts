@@ -1,4 +1,7 @@
-/** Sample positions of displacements in the face frame: a grid over the face, rows along the lids of both eyes, rows along both lips. */
+/**
+ * Points at which the displacements of blendshapes are sampled: a grid over the face, rows along the lids of both eyes, and rows along both
+ * lips. Their order is grid, lids, lips. Coordinates are those of `FaceFrame`: the eyes are at u = -1 and u = 1, v grows upwards.
+ */
 
 export interface GridPoint {
   u: number
@@ -13,23 +16,23 @@ export const GRID: readonly GridPoint[] = Array.from({ length: COLUMNS * ROWS },
   v: LOWEST + GRID_STEP * (i % ROWS),
 }))
 
-/** Row along a lid, at a distance above the upper or below the lower one. */
+/** Rows along the lids. `lid` is 1 for rows above the edge of the upper lid, -1 for rows below the edge of the lower lid. */
 export const LID_ROWS = [1, -1].flatMap((side) =>
   [1, -1].flatMap((lid) => [0.05, 0.25, 0.5].map((distance) => ({ side, lid, distance }))),
 )
-/** Samples of a lid row: indices into `ALONG`. */
+/** Samples in a row along a lid, as indices into `ALONG` of `openings.ts`. */
 export const LID_SAMPLES = [0, 2, 4, 6, 8, 10, 12, 14, 16]
-/** Extent of the samples, as a fraction of the opening's half width. */
+/** Distance of the outermost samples from the middle of the eye, as a fraction of half the eye's width. */
 export const LID_REACH = 0.94
 
-/** Row along the upper or lower lip. */
+/** Rows along the lips. `lip` is 1 for rows above the line between the lips, -1 for rows below it. */
 export const LIP_ROWS = [1, -1].flatMap((lip) => [0.1, 0.3].map((distance) => ({ lip, distance })))
 export const LIP_SAMPLES = 17
 
 const LIDS = LID_ROWS.length * LID_SAMPLES.length
 export const SAMPLES = GRID.length + LIDS + LIP_ROWS.length * LIP_SAMPLES
 
-/** u of each sample on a typical face, to tell left from right. */
+/** Coordinate u of each sample on a typical face. It is positive on the person's left. */
 export const SAMPLE_U: readonly number[] = [
   ...GRID.map(({ u }) => u),
   ...LID_ROWS.flatMap(({ side }) => LID_SAMPLES.map((_, k) => side * (1 + 0.45 * LID_REACH * (-1 + k / 4)))),

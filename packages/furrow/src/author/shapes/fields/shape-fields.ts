@@ -7,9 +7,9 @@ import { ALONG, closedEyes, type EyeOpening, eyeOpening, lipLine } from '../land
 import { interpolated } from '../vectors.ts'
 import { GRID, LID_REACH, LID_ROWS, LID_SAMPLES, LIP_ROWS, SAMPLES } from './sample-points.ts'
 
-/** Displacements of all targets, sampled at the same facial features on every face. */
+/** Displacements of all targets at the points of `sample-points.ts`, which are at the same facial features on every face. */
 export interface ShapeFields {
-  /** Weight of each sample; 0 outside the skin. */
+  /** Weight of each sample in comparisons; 0 for samples outside the skin. */
   weights: Float64Array
   shapes: ShapeField[]
 }
@@ -17,27 +17,29 @@ export interface ShapeFields {
 export interface ShapeField {
   /** Index of the target. */
   target: number
-  /** u, v and depth of the displacement at each sample. */
+  /** Displacement at each sample: u, v and depth in coordinates of `FaceFrame`. */
   field: Float64Array
-  /** Maximum displacement, in half eye distances. */
+  /** Maximum displacement, in units of half the distance between the eyes. */
   strength: number
-  /** Whether the lids of the left and right eye meet. */
+  /** Whether the target closes the lids of the left and the right eye. */
   closes: readonly [left: boolean, right: boolean]
-  /** Fraction of the motion outside the face: skull, ears, body. */
+  /** Fraction of the motion outside the face, for example of the skull, the ears or the body. */
   outside: number
 }
 
-/** Weighted blend of points at a sample. */
+/** Points of the surface whose weighted mean is the displacement at a sample. */
 interface Blend {
   indices: number[]
+  /** Weight of each point; the sum is 1. */
   weights: number[]
+  /** Weight of the sample in `ShapeFields`. */
   weight: number
 }
 
-/** Bottom and top of a typical eye opening; lid displacements are scaled to its height. */
+/** Lowest and highest v of a typical eye opening. Lid displacements are scaled to this height. */
 const OPENING = [-0.14, 0.2] as const
 
-/** Samples the displacements of all targets in the face frame. */
+/** Samples the displacements of all targets in face coordinates. */
 export function shapeFields(surface: MovingSurface, frame: FaceFrame): ShapeFields {
   const [at, normals] = [inFrame(frame, surface.points), directionsOf(surface, frame)]
   const visible = visiblePoints(surface, frame, at, normals)
@@ -69,7 +71,7 @@ function directionsOf({ normals }: MovingSurface, frame: FaceFrame): Float64Arra
   return directionsInFrame({ ...frame, scales: [1, 1, 1] }, normals)
 }
 
-/** Selects skin that faces forwards. Eyeballs and lashes are excluded: they are pieces that lie entirely at an eye. */
+/** Selects skin that faces forwards. Connected components that are entirely near one eye are eyeballs and lashes, which are excluded. */
 function visiblePoints(
   { pieces }: MovingSurface,
   { region }: FaceFrame,
@@ -90,7 +92,7 @@ function heightsOf({ upper, lower }: EyeOpening): [bottom: number, top: number] 
   return [Math.min(...lower), Math.max(...upper)]
 }
 
-/** Blends points at the grid over the face, with eye openings warped to those of a typical face. */
+/** Returns the blends of the grid over the face. Positions are warped so that the eyes have the size of a typical face's eyes. */
 function gridBlends(at: Float64Array, visible: readonly number[], opening: EyeOpening): Blend[] {
   const [bottom, top] = heightsOf(opening)
   const from = [-5, -2, bottom, top, top + 4]
@@ -104,7 +106,7 @@ function gridBlends(at: Float64Array, visible: readonly number[], opening: EyeOp
   return blendsOf(warped, visible, queries, 0.1, 1)
 }
 
-/** Blends points at the rows along the lids, each only from skin on its side of the opening. */
+/** Returns the blends of the rows along the lids. Rows of the upper lid use only skin above the eye's middle, others only skin below it. */
 function lidBlends(at: Float64Array, visible: readonly number[], opening: EyeOpening): Blend[] {
   const along = ALONG.map((a) => LID_REACH * a)
   const middles = opening.upper.map((height, k) => (height + opening.lower[k]) / 2)
@@ -123,7 +125,7 @@ function lidBlends(at: Float64Array, visible: readonly number[], opening: EyeOpe
   })
 }
 
-/** Blends points at the rows along the lips, each only from skin on its side of the lip line. */
+/** Returns the blends of the rows along the lips. Rows of the upper lip use only skin above the lip line, others only skin below it. */
 function lipBlends(at: Float64Array, visible: readonly number[], frame: FaceFrame): Blend[] {
   const { halfWidth, heights } = lipLine(frame)
   const us = ALONG.map((a) => halfWidth * a)
@@ -143,10 +145,19 @@ function coordinates(at: Float64Array, chosen: readonly number[]): number[] {
 
 /** Maximum number of points blended per sample. */
 const NEIGHBOURS = 10
-/** Distance to the nearest point beyond which a sample has no weight. */
+/** Samples farther than this from the nearest point have no weight. In face coordinates. */
 const MAX_REACH = 0.35
 
-/** Blends the points nearest to each query, preferring the front layer (Nadaraya-Watson kernel regression). */
+/**
+ * Returns a blend of the nearest points for each queried position (Nadaraya-Watson kernel regression). If points are behind each other, the
+ * foremost ones have the most weight.
+ *
+ * @param at position of each point: u, v and depth.
+ * @param points index of each point in the surface.
+ * @param queries u and v of each position.
+ * @param sigma minimum width of the kernel.
+ * @param weight weight of samples that have a point nearby.
+ */
 function blendsOf(
   at: readonly number[],
   points: readonly number[],
@@ -177,7 +188,7 @@ function blendsOf(
   })
 }
 
-/** Measures the strongest displacement of the head, and the fraction of the motion outside its face. */
+/** Measures the largest displacement near the face, and the fraction of the motion outside the face. */
 function extremes(
   moved: Float64Array,
   at: Float64Array,

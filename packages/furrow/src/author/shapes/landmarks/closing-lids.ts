@@ -3,35 +3,43 @@ import type { MirrorFit } from './mirror-plane.ts'
 import type { MovingRegion } from './moving-region.ts'
 import { distanceBetween, type MovingSurface, pickPoints, treeOf } from './moving-surface.ts'
 
-/** Two points of skin that are apart at rest and that a target brings together. */
+/** Two points of skin that are apart at rest and that a target brings together. Positions and distances are those at rest. */
 export interface ClosingPair {
   first: Vector
   second: Vector
   middle: Vector
-  /** Distance at rest. */
+  /** Distance between the points. */
   gap: number
+  /** Index of the target's motion in `MovingSurface.motions`. */
   motion: number
 }
 
-/** Distances in radii of the moving region. */
+// Distances are in radii of the moving region (see `MovingRegion`).
+/** Maximum distance between two points that a target has brought together. */
 const TOGETHER = 0.04
+/** Minimum distance at rest of such points. */
 const MIN_GAP = 0.1
+/** Targets whose largest displacement is smaller are ignored. */
 const WEAK = 0.03
+/** Minimum distance of eyes from the symmetry plane. */
 const OFF_MIDDLE = 0.2
+/** Minimum distance of eyes from the mouth. */
 const FROM_MOUTH = 0.65
+/** Maximum distance between the mean positions of two targets that close the same eye. */
 const ONE_EYE = 0.3
 /** Minimum ratio of the distance at rest to the distance when closed. */
 const RATIO = 4
-/** Fraction of the largest displacement above which a point counts as moved, and maximum fraction of points that a lid moves. */
+/** A point counts as moved if its displacement exceeds this fraction of the largest displacement. */
 const MOVED = 0.25
+/** Targets that move a larger fraction of the points do not close lids. */
 const MAX_MOVED = 0.5
-/** Targets that shrink their moved points below this fraction of the extent at rest hide a part of the mesh, e.g. a second set of eyes. */
+/** Targets that shrink moved points below this fraction of their extent hide a part of the mesh, for example a second set of eyes. */
 const SHRUNK = 0.5
 const NEIGHBOURS = 8
 /** Minimum number of pairs per eye. */
 const MIN_PAIRS = 8
 
-/** Finds pairs of skin points that targets close. */
+/** Finds pairs of skin points that a target brings together. */
 export function closingPairs(
   { points, pieces, motions }: MovingSurface,
   { radius, near }: MovingRegion,
@@ -66,7 +74,7 @@ export function closingPairs(
   return pairs
 }
 
-/** Selects the points of a list within the expanded bounding box of others. */
+/** Selects the points in `list` that are within `margin` of the bounding box of `others`. */
 function inBox(list: Uint32Array, points: Float64Array, others: Uint32Array, margin: number): Uint32Array {
   const low = [Infinity, Infinity, Infinity]
   const high = [-Infinity, -Infinity, -Infinity]
@@ -99,10 +107,11 @@ function extent(points: Float64Array): number {
 }
 
 /**
- * Finds the eyes: where a target closes lids, away from the middle and the mouth. The right side is mirrored onto the left.
+ * Finds the eyes as the places, away from the symmetry plane and the mouth, at which a target closes lids. Pairs of both eyes are combined by
+ * mirroring one side onto the other.
  *
- * @param isAbove whether a position is far enough above the mouth to be an eye.
- * @returns the centres of both openings, first the one on the side of the plane's normal.
+ * @param isAbove returns whether a position is far enough above the mouth to be an eye.
+ * @returns centres of both eye openings. The first one is on the side to which the plane's normal points.
  */
 export function eyesOf(
   pairs: readonly ClosingPair[],
@@ -119,7 +128,7 @@ export function eyesOf(
     list.push(plus(middle, x, -2 * Math.min(0, offset(middle))))
     byMotion.set(motion, list)
   }
-  // Lids close on one side of the symmetry plane; folds of the chin cross it.
+  // Closing lids stay away from the symmetry plane. Folds of the chin, which also bring points together, cross it.
   const groups = [...byMotion.values()]
     .map((list) => ({ all: list.length, list: list.filter((point) => offset(point) > OFF_MIDDLE * radius) }))
     .filter(({ all, list }) => list.length >= MIN_PAIRS && list.length > 0.9 * all)
@@ -132,7 +141,7 @@ export function eyesOf(
     .filter((list) => list.length > 0.3 * groups[0].length)
     .filter((list) => lengthOf(minus(meanOf(list), first)) < ONE_EYE * radius)
     .flat()
-  // Lids meet along the complete opening: its centre is midway between its corners.
+  // The lids meet from one corner of the eye to the other. The centre is midway between the corners.
   const offsets = lids.map(offset)
   const middle = (quantile(offsets, 0.03) + quantile(offsets, 0.97)) / 2
   const mean = meanOf(lids)

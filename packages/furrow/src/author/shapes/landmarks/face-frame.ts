@@ -16,30 +16,39 @@ import { type MirrorFit, mirrorPlane } from './mirror-plane.ts'
 import { type MovingRegion, movingRegion } from './moving-region.ts'
 import type { MovingSurface } from './moving-surface.ts'
 
-/** Face coordinates: eyes at u = -1 and 1, v = 0; mouth at v = -2. u grows to the person's left. */
+/**
+ * Face coordinates (u, v, depth), which do not depend on a face's size or proportions. The eyes are at u = -1 and u = 1 with v = 0. The
+ * mouth is at u = 0 with v = -2. Positive u is the person's left, positive v is up, and positive depth is forwards.
+ */
 export interface FaceFrame {
   region: MovingRegion
   /** Midpoint of the eyes. */
   origin: Vector
   /** Unit axes: left, up and forwards. */
   axes: readonly [Vector, Vector, Vector]
-  /** Face coordinates per unit along each axis. */
+  /** Length of one mesh unit in face coordinates, along each axis. */
   scales: Vector
   eyes: readonly [left: Vector, right: Vector]
-  /** Whether lids close at the eyes; otherwise the eyes are placed relative to the mouth. */
+  /** Whether the eyes were found by closing lids. If not, they are placed relative to the mouth. */
   hasLids: boolean
   mouth: Vector
   seam: LipSeam | undefined
   closing: readonly ClosingPair[]
 }
 
-/** Half width of the mouth, and height of the eyes above it, in half eye distances: used if no lids close or no lips part. */
+// Typical proportions, in units of half the distance between the eyes. They replace eyes or mouth if no lids close or no lips part.
+/** Half the width of the mouth. */
 const MOUTH_WIDTH = 0.73
+/** Height of the eyes above the mouth. */
 const EYE_HEIGHT = 2.1
-/** Minimum height of the eyes, in half eye distances. */
+/** Minimum height of the eyes above the mouth, in the same unit. */
 const MIN_EYE_HEIGHT = 0.3
 
-/** Finds the face frame from the motion of targets, without names or an up axis; undefined if no lids close and no lips part. */
+/**
+ * Finds the face from the motion of targets alone: neither names nor an up axis are needed.
+ *
+ * @returns undefined if no target closes lids and none parts lips.
+ */
 export function faceFrame(surface: MovingSurface): FaceFrame | undefined {
   const region = movingRegion(surface)
   if (!region || region.near.length < 50) return undefined
@@ -80,7 +89,7 @@ export function faceFrame(surface: MovingSurface): FaceFrame | undefined {
   }
 }
 
-/** Returns the mean normal of moving skin, ignoring inward-facing cavities. */
+/** Returns the sum of the normals of moving skin, weighted by motion. Normals that point to the region's centre are ignored. */
 function facing({ points, normals }: MovingSurface, { centre, heat, near }: MovingRegion): Vector {
   return near.reduce<Vector>(
     (sum, i) => {
@@ -92,16 +101,16 @@ function facing({ points, normals }: MovingSurface, { centre, heat, near }: Movi
   )
 }
 
-/** Places the mouth below the eyes, where most of a face's motion is. */
+/** Places the mouth below the eyes at a typical distance. Below is the side of the eyes on which the region's centre is. */
 function belowEyes({ centre }: MovingRegion, eyes: Vector, up: Vector, half: number): Vector {
   const sign = dotOf(minus(eyes, centre), up) < 0 ? -1 : 1
   return plus(eyes, up, -sign * EYE_HEIGHT * half)
 }
 
-/** Minimum ratio of the lower lip's motion to the upper lip's. */
+/** Minimum ratio between the motions of the lower and the upper lip. */
 const LOWER_LIP = 1.1
 
-/** Finds the direction from the lower to the upper lip, as targets move the lower one more; undefined if both move alike. */
+/** Finds the direction from the lower to the upper lip. The lower lip is the one that targets move more; undefined if both move alike. */
 function upFromLips(
   { points, areas, motions }: MovingSurface,
   { radius, near }: MovingRegion,
@@ -126,7 +135,7 @@ function upFromLips(
   return above > LOWER_LIP * below ? plus([0, 0, 0], up, -1) : undefined
 }
 
-/** Places eyes above the mouth by its width. */
+/** Places eyes above the mouth at a distance derived from the mouth's width. */
 function eyesAbove(
   { radius }: MovingRegion,
   { origin, normal }: MirrorFit,

@@ -3,25 +3,29 @@ import type { MirrorFit } from './mirror-plane.ts'
 import type { MovingRegion } from './moving-region.ts'
 import { distanceBetween, type MovingSurface, treeOf } from './moving-surface.ts'
 
-/** Seam between the lips. */
+/** Line along which the lips touch. */
 export interface LipSeam {
   /** Centre of the mouth. */
   centre: Vector
-  /** Midpoints of skin points that some target pulls apart. */
+  /** Midpoints between points of the upper and the lower lip that a target pulls apart. */
   points: readonly Vector[]
 }
 
-/** Distances in radii of the moving region. */
+// Distances are in radii of the moving region (see `MovingRegion`).
+/** Maximum distance at rest between two points on opposite lips. */
 const PAIR = 0.12
+/** Minimum distance that a target adds between such points. */
 const PARTED = 0.1
+/** Maximum distance of the mouth's centre from the symmetry plane. */
 const MIDDLE = 0.25
+/** Points farther than this behind the region's centre are ignored. */
 const BEHIND = 0.6
-/** Maximum cosine between normals of skin that faces other skin. */
+/** Maximum cosine between the normals of two lips that face each other. */
 const FACING = 0.2
-/** Minimum distance added by a target, in distances at rest, for a pair to count as parted. */
+/** Minimum distance that a target adds between two points, as a multiple of their distance at rest. */
 const STRETCH = 1.5
 
-/** Finds the lip seam: nearby skin of one piece that faces other skin, and that some target pulls apart. */
+/** Finds the lip seam: pairs of nearby points of one connected component that face each other and that a target pulls apart. */
 export function lipSeam(
   { points, normals, pieces, motions }: MovingSurface,
   { centre, radius, near }: MovingRegion,
@@ -29,7 +33,7 @@ export function lipSeam(
   forward: Vector,
 ): LipSeam | undefined {
   const front = near.filter((i) => dotOf(minus(vectorAt(points, i), centre), forward) > -BEHIND * radius)
-  // If two points part, at least one moves half the distance.
+  // When a target pulls two points apart, at least one of them moves half of the added distance.
   const isMoving = Uint8Array.from(front, (i) =>
     motions.some(({ distances }) => distances[i] > (PARTED / 2) * radius) ? 1 : 0,
   )
@@ -52,7 +56,7 @@ export function lipSeam(
   }
   const middle = found.filter((point) => Math.abs(dotOf(minus(point, origin), x)) < MIDDLE * radius)
   if (middle.length < 3) return undefined
-  // Keep the outermost part, without the cavity behind it.
+  // The lips are the foremost points; the others are inside the mouth.
   const depths = middle.map((point) => dotOf(minus(point, centre), forward))
   const cut = quantile(depths, 0.97) - PAIR * radius
   const outer = middle.filter((_, k) => depths[k] > cut)

@@ -4,28 +4,31 @@ import { dotOf, lengthOf, plus, unit, type Vector, vectorAt } from '../vectors.t
 import type { MovingRegion } from './moving-region.ts'
 import { type MovingSurface, treeOf } from './moving-surface.ts'
 
-/** Plane between the halves of a head. */
+/** Symmetry plane of a head. */
 export interface MirrorFit {
   origin: Vector
   normal: Vector
-  /** Mean distance between points and the mirrored surface, in radii of the region. */
+  /** Mean distance between mirrored points and the surface, in radii of the moving region. */
   error: number
 }
 
-/** Maximum numbers of mirrored points and of surface points. */
+/** Maximum number of points that are mirrored to refine a plane. */
 const SAMPLES = 400
+/** Maximum number of points that are mirrored to rank the initial planes. */
 const COARSE_SAMPLES = 120
+/** Maximum number of surface points that mirrored points are compared with. */
 const SURFACE = 16_000
-/** Number of initial directions, and of the best ones to refine. */
+/** Number of initial planes, which all pass through the region's centre. */
 const DIRECTIONS = 150
+/** Number of initial planes that are refined. */
 const REFINED = 3
 const ITERATIONS = 20
-/** Maximum cosine between distinct directions. */
+/** Maximum cosine between the normals of two planes that are refined. */
 const MAX_COSINE = 0.97
-/** Maximum distance counted, in radii: one half may have parts that the other lacks. */
+/** Larger distances are clamped to this one, in radii of the region, because one half of the head may have parts that the other lacks. */
 const MAX_DISTANCE = 0.15
 
-/** Finds the plane in which a head mirrors itself best, by iterated closest points (Besl and McKay 1992). */
+/** Finds the plane across which a head is most symmetric, by iterative closest points (Besl and McKay 1992). */
 export function mirrorPlane({ points }: MovingSurface, { centre, radius, near }: MovingRegion): MirrorFit {
   const surface = everyNth(near, SURFACE)
   const tree = treeOf(points, surface)
@@ -36,7 +39,7 @@ export function mirrorPlane({ points }: MovingSurface, { centre, radius, near }:
   const ranked = directions(DIRECTIONS)
     .map(start)
     .sort((a, b) => a.error - b.error)
-  // Neighbouring directions converge to the same plane.
+  // Planes with similar normals would converge to the same plane.
   const distinct = ranked.filter((plane, i) =>
     ranked.slice(0, i).every((better) => Math.abs(dotOf(plane.normal, better.normal)) < MAX_COSINE),
   )
@@ -103,8 +106,8 @@ function refine(
 }
 
 /**
- * Fits the plane that mirrors the first point of each pair nearest to the second. Its normal n minimises the sum of (n p)(n q), with p
- * and q relative to their means.
+ * Fits a plane to pairs of points so that mirroring the first point of a pair comes close to the second. The plane's normal n minimises the
+ * sum of `dot(n, p) * dot(n, q)` over the pairs (p, q), with p and q relative to their means.
  */
 function bestPlane(pairs: readonly [Vector, Vector][], before: Vector): MirrorFit {
   const mean = (side: 0 | 1) =>
@@ -118,7 +121,7 @@ function bestPlane(pairs: readonly [Vector, Vector][], before: Vector): MirrorFi
       for (let j = 0; j < 3; j++)
         m[3 * i + j] += ((p[i] - p0[i]) * (q[j] - q0[j]) + (p[j] - p0[j]) * (q[i] - q0[i])) / 2
   }
-  // Power iteration on a shifted matrix finds the lowest eigenvector without a linear solver.
+  // The minimum is the eigenvector of the lowest eigenvalue. Power iteration on the shifted, negated matrix finds it.
   const shift = m.reduce((sum, x) => sum + Math.abs(x), 0)
   let normal = before
   for (let n = 0; n < 60; n++) {

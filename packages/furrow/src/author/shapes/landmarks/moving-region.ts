@@ -1,18 +1,18 @@
 import { median, type Vector, vectorAt } from '../vectors.ts'
 import type { MovingSurface } from './moving-surface.ts'
 
-/** Part of a surface that targets move. */
+/** Part of a surface that targets move, as a sphere. */
 export interface MovingRegion {
   centre: Vector
   /** Typical distance of moved points from the centre. */
   radius: number
-  /** Share of each point in the motion, equal for all targets. */
+  /** Share of each point in the motion of all targets. Weak and strong targets count the same. */
   heat: Float64Array
-  /** Points within two radii. */
+  /** Indices of the points within two radii of the centre. */
   near: Uint32Array
 }
 
-/** Finds the region that most targets move: the head, even if the mesh has other parts. */
+/** Finds the region that most targets move. This is the head, even if the mesh includes the body. */
 export function movingRegion({ points, areas, motions }: MovingSurface): MovingRegion | undefined {
   const heat = new Float64Array(areas.length)
   const regions = motions.map(({ distances, largest }) => {
@@ -44,5 +44,5 @@ export function movingRegion({ points, areas, motions }: MovingSurface): MovingR
   return { centre, radius, heat, near: Uint32Array.from(near) }
 }
 
-/** Radii per root mean square distance. */
+/** Radius of the region as a multiple of the root mean square distance of moved points from the centre. */
 const RADIUS = 0.85

@@ -1,19 +1,19 @@
 import { KdTree } from '../../../math/kd-tree.ts'
 import { pointOffsets, type Skin, weldSurface } from '../../skin/surface.ts'
 
-/** Maximum number of points used; denser surfaces are subsampled. */
+/** Maximum number of points. Denser surfaces are subsampled. */
 const MAX_POINTS = 16_000
-/** Maximum offset of a usable target, in sizes of the surface. */
+/** Targets with a larger displacement are broken. As a multiple of the surface's extent. */
 const MAX_OFFSET = 2
 
-/** Surface at rest, with the motions of its targets. */
+/** Points of the skin in the rest pose, and their displacements by targets. */
 export interface MovingSurface {
   /** Packed xyz. */
   points: Float64Array
-  /** Unit normals, outwards. */
+  /** Unit normals that point outwards. */
   normals: Float64Array
   areas: Float64Array
-  /** Connected component of each point. */
+  /** Index of each point's connected component. */
   pieces: Uint32Array
   motions: Motion[]
 }
@@ -22,13 +22,15 @@ export interface MovingSurface {
 export interface Motion {
   /** Index of the target. */
   target: number
-  /** Packed xyz per point. */
+  /** Displacement of each point, packed xyz. */
   offsets: Float64Array
+  /** Length of each point's displacement. */
   distances: Float64Array
+  /** Length of the largest displacement. */
   largest: number
 }
 
-/** Welds a skin, and drops targets that are broken or move nothing. Returns undefined if the skin is empty or not finite. */
+/** Welds a skin, and drops targets that are broken or move nothing. Returns undefined if the skin is empty or a position is not finite. */
 export function movingSurface(skin: Skin): MovingSurface | undefined {
   const welded = weldSurface(skin)
   const size = extentOf(welded.points)
@@ -55,7 +57,7 @@ export function treeOf(points: Float64Array, indices: ArrayLike<number>, most = 
   return new KdTree(pickPoints(points, indices), 3, most)
 }
 
-/** Selects packed xyz by index. */
+/** Returns the packed xyz values at the given indices. */
 export function pickPoints(values: Float64Array, indices: ArrayLike<number>): Float64Array {
   const out = new Float64Array(3 * indices.length)
   for (let i = 0; i < indices.length; i++)
@@ -100,7 +102,7 @@ function lengthsOf(vectors: Float64Array): Float64Array {
   return out
 }
 
-/** Flips normals that point inwards: a file may mirror its mesh, which turns triangles inside out. */
+/** Flips all normals if they point inwards, which happens if a file mirrors its mesh. */
 function orient(points: Float64Array, normals: Float64Array, areas: Float64Array): void {
   const middle = [0, 0, 0]
   let total = 0
@@ -116,7 +118,7 @@ function orient(points: Float64Array, normals: Float64Array, areas: Float64Array
   if (flux < 0) for (let i = 0; i < normals.length; i++) normals[i] = -normals[i]
 }
 
-/** Returns the connected component of each point, numbered by its first point. */
+/** Returns each point's connected component. A component's index is that of its first point. */
 function piecesOf(starts: Uint32Array, neighbours: Uint32Array): Uint32Array {
   const count = starts.length - 1
   const pieces = new Uint32Array(count).fill(count)

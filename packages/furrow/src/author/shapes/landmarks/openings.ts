@@ -1,31 +1,34 @@
 import { interpolated, quantile, type Vector } from '../vectors.ts'
 import { type FaceFrame, positionInFrame } from './face-frame.ts'
 
-/** Sample positions along lids and lips, -1..1. */
+/** Positions of samples along a lid or a lip, from one corner (-1) to the other (1). */
 export const ALONG = Array.from({ length: 17 }, (_, i) => -1 + i / 8)
 
-/** Line between the lips. */
+/** Line between the lips, in coordinates of `FaceFrame`. */
 export interface LipLine {
   halfWidth: number
-  /** Heights at `ALONG` times the half width. */
+  /** Coordinate v of the line at each position in `ALONG`. */
   heights: number[]
 }
 
-/** Opening of the left eye; the right one mirrors it. */
+/** Opening of the left eye in coordinates of `FaceFrame`; the right eye is its mirror image. */
 export interface EyeOpening {
-  /** u of the centre. */
+  /** Coordinate u of the centre. */
   middle: number
   halfWidth: number
-  /** Heights of the lids at `ALONG` times the half width. */
+  /** Coordinate v of the upper lid's edge at each position in `ALONG`. */
   upper: number[]
+  /** Coordinate v of the lower lid's edge at each position in `ALONG`. */
   lower: number[]
 }
+
+/** The mouth is searched from u = 0 to `REACH`, in columns of equal width. Both halves of the face are combined. */
 
 const COLUMNS = 16
 const REACH = 1.6
 const COLUMN = REACH / COLUMNS
 
-/** Traces the lip line from the middle to the corner by the foremost parting points of each column. */
+/** Traces the lip line from the middle to the corner of the mouth. Its height in each column is that of the foremost points of the seam. */
 export function lipLine(frame: FaceFrame): LipLine {
   const standard: LipLine = { halfWidth: 0.8, heights: ALONG.map(() => -2) }
   if (!frame.seam) return standard
@@ -41,7 +44,7 @@ export function lipLine(frame: FaceFrame): LipLine {
       continue
     }
     const front = column.reduce((most, [, , z]) => Math.max(most, z), -Infinity)
-    // Behind the corner of the mouth is its cavity.
+    // Beyond the corner of the mouth, the seam's points are inside the mouth, farther back.
     if (found.length > 0 && front < found[found.length - 1].front - 0.35) break
     const outer = column.filter(([, , z]) => z > front - 0.12).map(([, v]) => v)
     found.push({ middle: start + COLUMN / 2, end, front, height: quantile(outer, 0.5) })
@@ -52,7 +55,7 @@ export function lipLine(frame: FaceFrame): LipLine {
   return { halfWidth, heights: ALONG.map((a) => interpolated(Math.abs(a) * halfWidth, xs, ys)) }
 }
 
-/** Models an eye opening as an ellipse, as wide as the lids meet. */
+/** Models an eye opening as an ellipse around the points at which lids meet. */
 export function eyeOpening(frame: FaceFrame): EyeOpening {
   const lids = frame.closing
     .map(({ first, second }) => [first, second].map((end) => positionInFrame(frame, end)))
@@ -79,11 +82,12 @@ export function eyeOpening(frame: FaceFrame): EyeOpening {
   }
 }
 
-/** Minimum number of pairs that close an eye, absolute and as a fraction of the maximum over targets. */
+/** Minimum number of closing pairs at an eye that a target closes. */
 const CLOSED = 9
+/** The same minimum, as a fraction of the largest number that any target has. */
 const CLOSED_FRACTION = 0.08
 
-/** Returns per motion whether the lids of the left and right eye meet. */
+/** Returns, for each motion, whether it closes the lids of the left and of the right eye. */
 export function closedEyes(frame: FaceFrame, motions: number): readonly (readonly [boolean, boolean])[] {
   const counts = Array.from({ length: motions }, () => [0, 0])
   for (const { first, second, motion } of frame.closing) {

@@ -1,8 +1,9 @@
 /**
- * Assigns each row a distinct column with minimum total cost (Kuhn 1955; shortest augmenting paths: Jonker and Volgenant 1987).
+ * Assigns each row of a cost matrix a distinct column so that the total cost is minimal (Kuhn 1955; shortest augmenting paths: Jonker and
+ * Volgenant 1987).
  *
- * @param cost of each row by column; at least as many columns as rows.
- * @returns the column of each row.
+ * @param cost matrix by row, with at least as many columns as rows.
+ * @returns column of each row.
  */
 export function assign(cost: readonly Float64Array[]): number[] {
   const [rows, columns] = [cost.length, cost[0]?.length ?? 0]

@@ -3,14 +3,18 @@ import type { ShapeFields } from '../fields/shape-fields.ts'
 import type { Match } from './match.ts'
 
 const SWEEPS = 200
-/** Maximum fraction of a composite's energy not explained by its parts. */
+/** Maximum fraction of a composite's energy that remains after subtracting a combination of all other shapes. */
 const EXPLAINED = 0.006
-/** Minimum fraction of a composite's energy not explained by a single family. */
+/** Minimum fraction of a composite's energy that remains after subtracting a combination of shapes of its own family. */
 const MIXED = 0.0003
-/** Minimum ratio of both. */
+/** Minimum ratio of the second remainder to the first. */
 const GAIN = 4
 
-/** Finds sums of shapes of several families, such as visemes and emotions. Returns indices into the shapes. */
+/**
+ * Finds composites: shapes that are sums of other shapes from several ARKit families, such as visemes and emotions.
+ *
+ * @returns indices of the composites in `shapes`.
+ */
 export function compositesOf({ shapes, weights }: ShapeFields, matches: readonly Match[]): Set<number> {
   const units = matches.map(({ shape }) => descriptorOf(shapes[shape].field, weights).plain)
   const gram = units.map((a) => Float64Array.from(units, (b) => dotAll(a, b)))
@@ -26,16 +30,16 @@ export function compositesOf({ shapes, weights }: ShapeFields, matches: readonly
 }
 
 /**
- * Returns the fraction of a unit vector's energy that no nonnegative combination of others explains, by projected Gauss-Seidel (Murty:
- * Linear Complementarity, 9.3).
+ * Returns the squared length that remains of a unit vector after subtracting the best nonnegative combination of other unit vectors. The
+ * method is projected Gauss-Seidel (Murty: Linear Complementarity, 9.3).
  *
- * @param gram dot products between the others.
- * @param right dot products of the others with the vector.
- * @param used indices of the others to combine.
+ * @param gram dot products between the other vectors.
+ * @param right dot products of the other vectors with the vector.
+ * @param used indices of the other vectors that may be combined.
  */
 function residualOf(gram: readonly Float64Array[], right: Float64Array, used: readonly number[]): number {
   const weights = new Float64Array(right.length)
-  /** Dot products of the others with the residual. */
+  /** Dot products of the other vectors with the current remainder. */
   const rest = right.slice()
   for (let sweep = 0; sweep < SWEEPS; sweep++) {
     for (const i of used) {

@@ -4,21 +4,21 @@ import type { ShapeFields } from '../fields/shape-fields.ts'
 import type { FaceFrame } from '../landmarks/face-frame.ts'
 import { FOUND, type Match, SAME, UNLIKE } from './match.ts'
 
-/** Confidence below which a shape is unknown. */
+/** Minimum confidence of a shape that is recognised by its motion alone. */
 export const UNSURE = 0.45
-/** Minimum confidence to overrule a name. */
+/** Minimum confidence of a motion that contradicts the shape's name and overrules it. */
 export const SURE = 0.7
 
 /** Number of labels in a complete ARKit set. */
 const FULL_SET = 51
 
-/** Plausible height of the eyes above the mouth, in half eye distances. Outside this range, lids or lips are probably misidentified. */
+/** Plausible heights of the eyes above the mouth, in units of half the distance between the eyes. Other heights suggest wrong landmarks. */
 const HEIGHTS = [1.5, 3] as const
 
 /**
- * Computes the confidence of each match, 0..1. A logistic function of its score, its margin to other labels, the motion outside the face
- * and doubt about the landmarks. A nearly complete ARKit set raises the confidence, because its shapes determine each other's labels. The
- * weights are fitted to heads of several families, subsets of their shapes, and proportions, compositions and corrections of them.
+ * Computes the confidence of each match, 0..1. It is a logistic function of the match's score, its margin to other labels, the motion
+ * outside the face, and doubt about the landmarks. A nearly complete ARKit set raises the confidence, because few labels remain for each
+ * shape. The coefficients are fitted to heads from several sources, with all and with some of their shapes.
  */
 export function confidencesOf(
   { shapes }: ShapeFields,
@@ -36,7 +36,7 @@ export function confidencesOf(
   })
 }
 
-/** Returns the doubt about landmarks: eyes and mouth are guessed if no lids close or no lips part. */
+/** Returns the doubt about the landmarks: mouth or eyes are guessed if no target parts lips or closes lids. */
 function doubtOf({ hasLids, seam, scales }: FaceFrame): number {
   if (!seam) return 5
   if (!hasLids) return 3

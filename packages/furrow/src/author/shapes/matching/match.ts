@@ -15,58 +15,59 @@ import { type TemplateHead, templatesOf } from '../templates/templates.ts'
 import { assign } from './assign.ts'
 import { physicalScore } from './physical-tests.ts'
 
-/** Best label of a shape. */
+/** ARKit label that fits a shape best. A shape is a blendshape of the user's face. */
 export interface Match {
-  /** Index into the shapes. */
+  /** Index in `ShapeFields.shapes`. */
   shape: number
   label: ShapeLabel
-  /** Likeness to the templates, at most 1 plus the bonus for lids that meet. */
+  /** Similarity of the shape to the label's templates, at most about 1. Closed lids add to the score of a blink. */
   score: number
-  /**
-   * Lead over the second-best labels, for this shape and the one it would swap labels with. Reduced for unclaimed labels with similar
-   * templates.
-   */
+  /** Lead of the label's score over other labels. It is smaller if another shape would fit the label almost as well. */
   margin: number
-  /** Cosine between its motion and the motion that other shapes imply for its label; 1 if they imply none. */
+  /**
+   * Cosine between the shape's motion and the motion that other shapes predict for the label; 1 if nothing is predicted. For example, the
+   * left and the right smile predict the smile on both sides.
+   */
   kinship: number
 }
 
-/** Motion and score of the shape that holds a label. */
+/** Motion and score of the shape to which a label is assigned. */
 interface LabelOwner {
   field: Float64Array
   score: number
 }
 
-/** Displacement below which a shape is not an expression. */
+/** Shapes with a smaller displacement get no label. In units of half the distance between the eyes. */
 const WEAK = 0.01
-/** Minimum cosine between shapes that differ only in strength. */
+/** Minimum cosine between the motions of two shapes that differ only in strength. */
 export const SAME = 0.975
-/** Maximum cosine between shapes with different motions. */
+/** Maximum cosine between two motions that count as different. */
 export const UNLIKE = 0.9
-/** Maximum score difference between rivals for a label. */
+/** Maximum difference between the scores of two rivals for a label. */
 const RIVAL = 0.11
-/** Minimum score for a label of its own. */
+/** Minimum score for the assignment of one shape to each label. */
 const MIN_SCORE = 0.3
 /** Minimum score of a label that counts as found. */
 export const FOUND = 0.45
-/** Penalty for a different strength, per factor of e. */
+/** Penalty if shape and template differ in strength, multiplied by the logarithm of the ratio. */
 const STRENGTH = 0.04
-/** Likeness of two labels' templates up to which their score difference counts fully. */
+/** Two labels whose templates are at most this similar are distinct: the difference of their scores counts fully. */
 const DISTINCT = 0.5
 
-/** Scores of each shape by label. */
+/** Scores of all shapes for all labels. */
 export interface Scores {
   labels: readonly ShapeLabel[]
+  /** For each shape, its score for each label. */
   scores: readonly Float64Array[]
   /** Descriptors of the templates of each label. */
   templates: readonly (readonly Descriptor[])[]
 }
 
-/** Compares shapes with the templates of several heads. */
+/** Scores shapes by their similarity to the templates of several heads. */
 export function scoresOf(fields: ShapeFields, heads: readonly TemplateHead[]): Scores {
   const labels: ShapeLabel[] = []
   const indexOf = new Map<string, number>()
-  /** Likeness to each head, by label, then by shape. */
+  /** Similarity of each shape to each head's template. Indices: label, shape, head. */
   const found: number[][][] = []
   const templates: Descriptor[][] = []
   for (const head of heads) {
@@ -100,7 +101,7 @@ export function scoresOf(fields: ShapeFields, heads: readonly TemplateHead[]): S
   return { labels, scores, templates }
 }
 
-/** Gives manually corrected shapes their labels before all others. */
+/** Replaces the scores of shapes that the user corrected, so that they get their labels before all other shapes. */
 export function correctScores(
   { labels, scores, templates }: Scores,
   { shapes }: ShapeFields,
@@ -119,7 +120,7 @@ function bestTwo(values: readonly number[]): number {
   return 0.6 * first + 0.4 * second
 }
 
-/** Penalises motion on the wrong side. */
+/** Returns a penalty, at most 0, for motion on the wrong side of the face. `left` is the fraction of the motion on the left. */
 function sideScore({ family, side }: ShapeLabel, left: number): number {
   if (side === 'left') return -0.5 * Math.max(0.7 - left, 0)
   if (side === 'right') return -0.5 * Math.max(left - 0.3, 0)
@@ -127,7 +128,8 @@ function sideScore({ family, side }: ShapeLabel, left: number): number {
 }
 
 /**
- * Labels shapes: first one shape per label, then remaining shapes that fit a label well.
+ * Assigns labels to shapes: at first one shape to each label, so that the total score is highest. Remaining shapes get the label that fits
+ * them best, even if another shape has it.
  *
  * @param composites indices of shapes that get no label.
  */
@@ -151,7 +153,7 @@ export function matchShapes(
   const columns = assign(cost)
   /** Shape assigned to each label. */
   const owners = new Map(live.map((shape, n) => [columns[n], shape]))
-  /** Weight of the score difference between two labels if no shape holds the second. */
+  /** Weight of the score difference between two labels if no shape has the second one. Small if their templates are similar. */
   const unlikeness = (j: number, k: number) =>
     labels[j].family === labels[k].family || isOpposite(labels[j], labels[k])
       ? 1
@@ -188,7 +190,7 @@ export function matchShapes(
     return known ? dotAll(descriptors[shape].plain, descriptorOf(known, weights).plain) : 0
   })
   const spare = live.filter((shape) => kinships[shape] < UNLIKE)
-  /** Minimum cosine between the motions of a shape and its rivals: shapes that fit its label best and have no label of their own. */
+  /** Returns the minimum cosine between a shape and its rivals: shapes without a label of their own that fit the same label best. */
   const agreement = (shape: number, label: number) => {
     const least = Math.max(FOUND, scores[shape][label] - RIVAL)
     const rivals = spare.filter((other) => bestOf(scores[other]) === label && scores[other][label] > least)
@@ -212,7 +214,10 @@ export function matchShapes(
   })
 }
 
-/** Returns the motion that other shapes imply for a label: the sum of left and right, or half of a better matching shape for both sides. */
+/**
+ * Predicts the motion of a label from other shapes. A label for both sides is the sum of the left and the right shape. A label for one side
+ * is half of the shape for both sides, if that shape has the better score.
+ */
 function otherSides(
   { family, side }: ShapeLabel,
   owned: ReadonlyMap<string, LabelOwner>,
@@ -234,7 +239,7 @@ function isOpposite({ side }: ShapeLabel, other: ShapeLabel): boolean {
   return side !== other.side && side !== 'both' && other.side !== 'both'
 }
 
-/** Returns the maximum likeness between templates of two labels. */
+/** Returns the maximum similarity between templates of two labels. */
 function mostAlike(a: readonly Descriptor[], b: readonly Descriptor[]): number {
   return Math.max(...a.flatMap((one) => b.map((other) => likeness(one, other))))
 }
@@ -243,7 +248,7 @@ function bestOf(scores: Float64Array): number {
   return scores.reduce((best, score, j) => (score > scores[best] ? j : best), 0)
 }
 
-/** Returns per shape the strongest shape with the same motion. */
+/** Returns, for each shape, the index of the strongest shape with the same motion, which may be the shape itself. */
 function leadersOf(
   { shapes }: ShapeFields,
   descriptors: readonly Descriptor[],

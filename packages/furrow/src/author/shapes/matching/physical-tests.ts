@@ -3,20 +3,22 @@ import type { ShapeLabel } from '../families.ts'
 import { GRID, LID_ROWS, LID_SAMPLES, LIP_SAMPLES } from '../fields/sample-points.ts'
 import type { ShapeField } from '../fields/shape-fields.ts'
 
-/** Scores that outweigh templates, because they are direct evidence of the motion. */
+/** Added to the score of a blink if the lids meet. */
 const CLOSED_LIDS = 0.5
+/** Maximum change of the score of a smile or a dimple by the motion of the mouth's corner. */
 const RISING_CORNER = 0.12
 
-/** First sample of the upper lip's row, and first sample of a row near the left corner. */
+/** Index of the first sample along the upper lip. */
 const UPPER_LIP = GRID.length + LID_ROWS.length * LID_SAMPLES.length
+/** Position in the row at which the samples near the left corner start. */
 const CORNER = 14
 
-/** Tests a shape's motion for a label and returns the change of its score. */
+/** Tests whether a shape has a motion that is typical for a label, and returns the change of the label's score. */
 export function physicalScore(label: ShapeLabel, shape: ShapeField): number {
   return lidScore(label, shape) + cornerScore(label, shape)
 }
 
-/** Lids that meet are a blink. */
+/** Raises the score of a blink if the lids meet. */
 function lidScore({ family, side }: ShapeLabel, { closes: [left, right] }: ShapeField): number {
   if (family !== 'eyeBlink') return 0
   const isClosed = side === 'both' ? left && right : side === 'left' ? left : right

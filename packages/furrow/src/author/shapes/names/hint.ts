@@ -3,17 +3,17 @@ import { knownShape } from './known-shapes.ts'
 import type { NameHint, ShapeKind } from './name-hint.ts'
 import { kindByWords } from './other-kinds.ts'
 
-/** Prefixes that no separator ends. */
+/** Prefixes without a separator after them. */
 const GLUED = /^e?CTRL(?=[A-Z])/
 /** Suffixes that exporters add: Blender's `.001`, Daz' `_div2`, Maya's `Shape`. */
 const ENDS = /([._](\d{3,}|div2|bs|shape|morph|blendshape))+$|(?<=\p{Ll})Shape$/iu
-/** Words that are not prefixes: without them, a name means another shape. */
+/** Words that must not be dropped like prefixes, because the rest of the name would mean another shape. */
 const PARTS_OF_FACES =
   /^(brows?|brw|eyes?|eyelids?|lids?|lash(es)?|cheeks?|nose|mouth|mth|ha|hair|lips?|jaw|chin|tongue|teeth|ears?|neck|no|not|non|un)\d*$/i
 
 /**
- * Guesses a blendshape's kind from its name, using the names of known rigs with any exporter prefixes and suffixes. Only a hint, because
- * files may name shapes wrongly.
+ * Guesses a blendshape's kind from its name. It knows the names of common rigs and ignores prefixes and suffixes that exporters add. The
+ * result is only a hint, because the names in files can be wrong.
  *
  * @returns undefined if the name is unknown.
  */
@@ -30,8 +30,8 @@ export function hintOf(name: string): NameHint | undefined {
 }
 
 /**
- * Returns the ARKit name of a blendshape if it is an ARKit shape or a part of one; otherwise its own name, spelled by
- * `canonicalTargetName`.
+ * Returns the ARKit name if a blendshape equals an ARKit shape or is a part of one. Otherwise, returns the blendshape's name in the spelling
+ * of `canonicalTargetName`.
  */
 export function shapeNameOf(name: string, hint: NameHint | undefined): string {
   if (!hint || hint.match === 'like' || hint.shapes.length !== 1) return canonicalTargetName(name)

@@ -5,20 +5,20 @@ import { RIGS } from './rigs/index.ts'
 
 type Side = 'Left' | 'Right'
 
-/** Spellings of sides. */
+/** Words for the sides in names of blendshapes. */
 const SPELLINGS: readonly (readonly [Side, readonly string[]])[] = [
   ['Left', ['Left', 'L', '左']],
   ['Right', ['Right', 'R', '右']],
 ]
 
-/** Word boundaries without a separator. A capital L or R at either end is a word, except in all-capital names. */
+/** Boundaries between words without a separator. A capital L or R at either end of a name is a word, unless the name is all capitals. */
 const BOUNDARIES = [
   /(?<=[\p{Ll}\d])(?=\p{Lu})/gu,
   /(?<=\p{Ll}.*\p{Lu})(?=[LR]$)/u,
   /(?<=^[LR])(?=\p{Lu}\p{Ll})/u,
 ]
 
-/** Filled at the first lookup. */
+/** Table of all known names, created at the first lookup. */
 let known: Map<string, NameHint> | undefined
 
 /** Looks up a name in all rigs, ignoring case and separators; undefined if unknown. */
@@ -27,7 +27,7 @@ export function knownShape(name: string): NameHint | undefined {
   return known.get(keyOf(name))
 }
 
-/** Removes case and separators. A one-letter side must be a separate word: `browRaiser` has no side. */
+/** Removes case and separators from a name. The words `l` and `r` are marked, because the last letter of `browRaiser` is not a side. */
 function keyOf(name: string): string {
   const words = BOUNDARIES.reduce((rest, boundary) => rest.replace(boundary, ' '), name)
     .toLowerCase()
@@ -38,7 +38,7 @@ function keyOf(name: string): string {
 function allNames(): Map<string, NameHint> {
   const found = new Map<string, NameHint>()
   const rows = [arkit(), ...RIGS].flatMap(rowsOf)
-  // A rig's own name takes precedence over a name with an added side.
+  // Names that rigs list take precedence over names that are formed by adding a side.
   for (const withSide of [false, true]) {
     for (const [rank, row] of rows.entries()) {
       for (const [name, side] of withSide ? sidedNames(row.name) : [[row.name, undefined] as const]) {
@@ -77,7 +77,7 @@ function rowsOf({ same, parts, like, visemes, emotions, other = [] }: RigNames):
 }
 
 function sidedNames(name: string): [name: string, side: Side][] {
-  // A symbol has no sides.
+  // Names without letters are symbols, which never include a side.
   if (!/\p{L}/u.test(name)) return []
   return SPELLINGS.flatMap(([side, words]) =>
     words
@@ -96,7 +96,7 @@ function hintOfRow({ kind, match, shapes }: Row, side: Side | undefined, rank: n
     const [left, right] = [sides[0], sides[1] ?? sides[0]]
     return [...(side === 'Right' ? [] : [`${left}Left`]), ...(side === 'Left' ? [] : [`${right}Right`])]
   })
-  // One side of a shape that ARKit has only for both sides.
+  // A name with a side for a shape that ARKit has only for both sides.
   const isHalf = match === 'same' && side !== undefined && found.length === 1 && CENTRAL.includes(found[0])
   return { kind, shapes: found, match: isHalf ? 'part' : match, side, rank }
 }

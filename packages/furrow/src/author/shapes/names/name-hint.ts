@@ -10,20 +10,20 @@ export type ShapeKind =
   | 'corrective'
   /** Proportion of the character, such as `male` or `fat`. */
   | 'body'
-  /** Geometry hidden by compressing it. */
+  /** Shape that hides a part of the mesh, mostly by shrinking it. */
   | 'hidden'
-  /** Known shape that wrinkles no skin: tongues, pupils, lashes. */
+  /** Known shape that wrinkles no skin, for example of the tongue, a pupil or lashes. */
   | 'other'
 
-/** Kind, shapes and side of a blendshape, from its name. */
+/** Meaning of a blendshape's name. */
 export interface NameHint {
   kind: ShapeKind
-  /** ARKit names of related shapes, see `match`; empty if none is related. */
+  /** ARKit names of the shapes that `match` relates the blendshape to; empty if it resembles no ARKit shape. */
   shapes: readonly string[]
-  /** `same`: all these shapes at once. `part`: a part of each shape. `like`: moves the same skin. */
+  /** `same`: the blendshape is the sum of these shapes. `part`: it is a part of each shape. `like`: it moves the same skin as they do. */
   match: 'same' | 'part' | 'like'
-  /** Side in the name. */
+  /** Side that the name contains. */
   side: 'Left' | 'Right' | undefined
-  /** Rank among shapes that resemble the same one; 0 is the closest. */
+  /** Rank among blendshapes that match the same shape: 0 is the most similar one. */
   rank: number
 }

@@ -1,6 +1,6 @@
 import type { ShapeKind } from './name-hint.ts'
 
-/** Words in names of shapes that are not expressions, with their kinds. The first match wins. */
+/** Words in the names of blendshapes that are not expressions, and the kind of these blendshapes. The first match wins. */
 const WORDS: readonly (readonly [ShapeKind, RegExp])[] = [
   ['hidden', /(^|[^a-z])(hide|hidden|hides|shrink|shrunk|invisible|vanish)([^a-z]|$)|非表示|消し|隠/i],
   [
@@ -13,7 +13,7 @@ const WORDS: readonly (readonly [ShapeKind, RegExp])[] = [
   ],
 ]
 
-/** Returns the kind of shape by words in its name; undefined if none matches. */
+/** Returns the kind of a blendshape by the words in its name; undefined if no word is known. */
 export function kindByWords(name: string): ShapeKind | undefined {
   const spaced = name.replace(/(\p{Ll})(\p{Lu})/gu, '$1_$2')
   return WORDS.find(([, words]) => words.test(name) || words.test(spaced))?.[0]

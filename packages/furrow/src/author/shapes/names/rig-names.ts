@@ -1,19 +1,24 @@
 /**
- * Names of a rig. Values are ARKit names without a side, separated by spaces. Names without a side mean both sides.
- * A `*` in a name marks the position of the side; otherwise the side is at either end. `a|b` is a on the left and b on the right.
+ * Names of a rig's blendshapes, and the ARKit shapes that they correspond to.
+ *
+ * A key is a name of the rig. Files may add a side, such as `L`, at either end of the name, or in place of a `*`. Without a side, the name
+ * means both sides.
+ *
+ * A value lists ARKit names without a side, separated by spaces. `a|b` means shape `a` on the left side and shape `b` on the right side.
  */
 export interface RigNames {
   /** Page that lists the names. */
   source: string
-  /** Names of the same shapes; several values are moved at once. */
+  /** Blendshapes that equal an ARKit shape, or the sum of several. */
   same?: Readonly<Record<string, string>>
-  /** Names of parts of a shape, such as its upper half, that add up to the shape. */
+  /** Blendshapes that are a part of an ARKit shape, such as its upper half. The parts add up to the shape. */
   parts?: Readonly<Record<string, string>>
-  /** Names of other shapes that move the same skin in the same way, closest first. */
+  /** Blendshapes that move the same skin as an ARKit shape in a similar way. The most similar ones come first. */
   like?: Readonly<Record<string, string>>
-  /** Visemes and emotions, matched like `like`. */
+  /** Mouth shapes of sounds. The values are similar ARKit shapes, as in `like`. */
   visemes?: Readonly<Record<string, string>>
+  /** Movements of the complete face. The values are similar ARKit shapes, as in `like`. */
   emotions?: Readonly<Record<string, string>>
-  /** Names of shapes that wrinkle no skin. */
+  /** Blendshapes that wrinkle no skin. */
   other?: readonly string[]
 }

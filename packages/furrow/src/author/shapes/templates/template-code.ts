@@ -2,18 +2,18 @@ import { CENTRAL, isCentral, SHIFTED, SIDED } from '../families.ts'
 import { MIRRORED, SAMPLES } from '../fields/sample-points.ts'
 import type { TemplateHead, TemplateShape } from './templates.ts'
 
-/** Families by their index in the encoding. */
+/** Families in the order of their codes. */
 const FAMILIES: readonly string[] = [...SIDED, ...CENTRAL, ...SHIFTED]
-/** Steps per unit of a strength or maximum coordinate. */
+/** Quantisation steps per unit of a strength or a maximum coordinate. */
 const STEPS = 10_000
 
-/** Encoded samples: symmetric fields store only one half. */
+// Fields of sided shapes store all samples. Fields of central shapes are symmetric and store only one half of the face.
 const ALL = Array.from({ length: SAMPLES }, (_, i) => i)
 const HALF = ALL.filter((i) => i <= MIRRORED[i])
 
 /**
- * Encodes a head as bytes: its weights, then per shape its family, strength, maximum coordinate and field.
- * Fields use 8 bits on a square-root scale, which is finer near 0. Runs of zeros are a zero and their length.
+ * Encodes a head as bytes: the weights of the samples, then the family, strength, maximum coordinate and field of each shape. Coordinates of
+ * a field have 8 bits on a square-root scale, which has finer steps near 0. A run of zeros is stored as a zero and the length of the run.
  */
 export function encodeHead({ weights, shapes }: TemplateHead): Uint8Array {
   const bytes: number[] = Array.from(weights, (weight) => Math.round(255 * weight))

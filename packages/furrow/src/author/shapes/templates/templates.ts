@@ -13,25 +13,34 @@ import { halfField, mirroredField, sumOf } from '../fields/field-operations.ts'
 import { MIRRORED } from '../fields/sample-points.ts'
 import type { ShapeFields } from '../fields/shape-fields.ts'
 
-/** Shapes of a typical head: sided shapes on the left, central ones symmetric. */
+/**
+ * ARKit shapes of a head with which other heads are compared. Families that have a left and a right shape are stored once, as the left
+ * shape. All other shapes are symmetric, except `jawLeft` and `mouthLeft`.
+ */
 export interface TemplateHead {
+  /** Weight of each sample point; see `ShapeFields`. */
   weights: Float64Array
   shapes: readonly TemplateShape[]
 }
 
+/** Shape of a head. `field` and `strength` are those of `ShapeField`. */
 export interface TemplateShape {
   family: string
   field: Float64Array
   strength: number
 }
 
-/** Template shape to compare with. */
+/** Shape of a head, expanded to one side or to both sides. */
 export interface Template extends ShapeLabel {
   field: Float64Array
   strength: number
 }
 
-/** Creates templates from a head whose shapes have ARKit names. Both halves are averaged. */
+/**
+ * Creates templates from a head whose shapes are named like ARKit's. The left half and the mirrored right half of the head are averaged.
+ *
+ * @param names ARKit name of each target.
+ */
 export function templateHead({ weights, shapes }: ShapeFields, names: readonly string[]): TemplateHead {
   const known = new Map<string, { field: Float64Array; strength: number }[]>()
   const add = (family: string, field: Float64Array, strength: number) =>
@@ -52,7 +61,7 @@ export function templateHead({ weights, shapes }: ShapeFields, names: readonly s
         sumOf(field, mirrored).map((x) => x / 2),
         strength,
       )
-    // The halves of a split shape add up to both sides.
+    // A central shape that the rig splits: this half and its mirror image add up to the shape.
     else add(family, sumOf(field, mirrored), strength)
   }
   const symmetric = weights.map((weight, i) => (weight + weights[MIRRORED[i]]) / 2)
@@ -66,7 +75,7 @@ export function templateHead({ weights, shapes }: ShapeFields, names: readonly s
   )
 }
 
-/** Expands a head's templates to all shapes and sides. */
+/** Returns templates of a head for all shapes on the left side, the right side and both sides. */
 export function templatesOf({ shapes }: TemplateHead): Template[] {
   return shapes.flatMap(({ family, field, strength }): Template[] => {
     const mirrored = mirroredField(field)

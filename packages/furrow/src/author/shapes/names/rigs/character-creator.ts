@@ -1,8 +1,8 @@
 import type { RigNames } from '../rig-names.ts'
 
 /**
- * Reallusion's facial profiles. iClone's ARKit profile numbers the ARKit names (`A01_Brow_Inner_Up`); Character Creator 3 and 4 use their
- * own names.
+ * Blendshape names of Reallusion's Character Creator 3 and 4. The names of iClone's ARKit profile need no table: they are ARKit names with
+ * a number in front (`A01_Brow_Inner_Up`).
  */
 export const CHARACTER_CREATOR: RigNames = {
   source:

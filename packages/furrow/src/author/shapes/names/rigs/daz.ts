@@ -1,8 +1,8 @@
 import type { RigNames } from '../rig-names.ts'
 
 /**
- * Daz: Genesis 8.1 and 9 prefix ARKit names with `facs_bs_`, `facs_ctrl_` or `facs_jnt_`; Genesis 3 and 8 prefix names with `eCTRL`.
- * Names with two directions move in the first.
+ * Blendshape names of Daz figures, without prefixes. Genesis 8.1 and 9 add `facs_bs_`, `facs_ctrl_` or `facs_jnt_`; Genesis 3 and 8 add
+ * `eCTRL`. If a name has two directions, such as `BrowUp-Down`, the blendshape moves in the first one.
  */
 export const DAZ: RigNames = {
   source: 'https://github.com/daz3d/DazBridgeUtils/blob/main/src/DzBridgeMorphSelectionDialog.cpp',

@@ -1,6 +1,6 @@
 import type { RigNames } from '../rig-names.ts'
 
-/** Faceshift's 48 shapes, also used by Hifi (now Overte) avatars. */
+/** Names of Faceshift's 48 blendshapes, which Hifi (now Overte) avatars also use. */
 export const FACESHIFT: RigNames = {
   source:
     'https://github.com/vircadia/vircadia-native-core/blob/97a0edf026513eee77c69e4e1a0ecbabb648aed4/libraries/shared/src/FaceshiftConstants.cpp',

@@ -1,6 +1,6 @@
 import type { RigNames } from '../rig-names.ts'
 
-/** Visemes of Oculus and VRChat, and VRM's emotions, as the loader names them, then other words for emotions. */
+/** Names that several rigs share: the visemes of Oculus and VRChat, VRM's emotions as three-vrm names them, and other words for emotions. */
 export const GENERAL: RigNames = {
   source: 'https://developers.meta.com/horizon/documentation/unity/audio-ovrlipsync-viseme-reference',
   same: { blink: 'eyeBlink' },

@@ -1,6 +1,6 @@
 import type { RigNames } from '../rig-names.ts'
 
-/** Meta's Movement SDK: `BROW_LOWERER_L`, and the mixed-case names of `OVRFaceExpressions`. */
+/** Blendshape names of Meta's Movement SDK, with a side as in `BROW_LOWERER_L`. Case is ignored, so they match `OVRFaceExpressions` too. */
 export const META: RigNames = {
   source: 'https://docs.vrcft.io/docs/tutorial-avatars/tutorial-avatars-extras/compatibility/meta-movement',
   same: {

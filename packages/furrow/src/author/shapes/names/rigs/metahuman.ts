@@ -1,6 +1,6 @@
 import type { RigNames } from '../rig-names.ts'
 
-/** MetaHuman's control curves, with or without the prefix `CTRL_expressions_`. */
+/** Names of MetaHuman's control curves, without their prefix `CTRL_expressions_`. */
 export const METAHUMAN: RigNames = {
   source: 'https://dev.epicgames.com/documentation/en-us/metahuman/mh-standards-docs/mha_index',
   same: {

@@ -1,6 +1,6 @@
 import type { RigNames } from '../rig-names.ts'
 
-/** MikuMikuDance: common names of morphs. A wink without a side closes the left eye. */
+/** Common names of MikuMikuDance morphs. A wink without a side in its name closes the left eye. */
 export const MMD: RigNames = {
   source: 'https://www.deviantart.com/xoriu/art/MMD-Facial-Expressions-Chart-341504917',
   same: {

@@ -1,6 +1,6 @@
 import type { RigNames } from '../rig-names.ts'
 
-/** SRanipal, HTC's face tracking. It has no brows. */
+/** Blendshape names of SRanipal, HTC's face tracking. SRanipal does not track brows. */
 export const SRANIPAL: RigNames = {
   source: 'https://docs.vrcft.io/docs/tutorial-avatars/tutorial-avatars-extras/compatibility/overview',
   same: {

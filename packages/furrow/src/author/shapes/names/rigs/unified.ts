@@ -1,6 +1,6 @@
 import type { RigNames } from '../rig-names.ts'
 
-/** Unified Expressions, the standard of VRCFaceTracking. */
+/** Blendshape names of Unified Expressions, the standard of VRCFaceTracking. */
 export const UNIFIED: RigNames = {
   source: 'https://docs.vrcft.io/docs/tutorial-avatars/tutorial-avatars-extras/unified-blendshapes',
   same: {

@@ -1,6 +1,6 @@
 import type { RigNames } from '../rig-names.ts'
 
-/** VRoid Studio: `Fcl_BRW_...` for brows, `Fcl_EYE_...` and `Fcl_MTH_...`, mostly for both sides at once. */
+/** Blendshape names of VRoid Studio: `Fcl_BRW_...` for brows, `Fcl_EYE_...` for eyes and `Fcl_MTH_...` for the mouth. */
 export const VROID: RigNames = {
   source: 'https://vroid.pixiv.help/hc/en-us/articles/41131955805977',
   like: {
