@@ -1,6 +1,6 @@
 /**
- * `furrow/internal`: engine-independent internals for the rest of the workspace. Never published: it lies outside `src`, the package has no
- * `exports` entry for it, and only `scripts/lib/sources.mjs` and `tsconfig.base.json` resolve it.
+ * `furrow/internal`: engine-independent functions and types that other packages of this repository import, but that users cannot. It is not
+ * published: the package has no `exports` entry for it. `scripts/lib/sources.mjs` and `tsconfig.base.json` resolve the name.
  */
 
 export { AUTO_STEPS, strokesOf } from '../src/author/auto/auto.ts'

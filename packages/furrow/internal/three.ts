@@ -1,4 +1,4 @@
-/** `furrow/internal/three`: internals of `src/three`, otherwise like `furrow/internal`. */
+/** `furrow/internal/three`: functions of the three.js integration that other packages of this repository import, but that users cannot. */
 
 export { movingCopy } from '../src/inspector/moving-copy.ts'
 export { PoseWatch } from '../src/inspector/pose-watch.ts'

@@ -1,4 +1,4 @@
-/** Lists the transferable buffers of all typed arrays in plain data, each once. Shared buffers are skipped. */
+/** Returns the buffers of all typed arrays in an object or array, for transfer to a worker. Shared buffers are skipped. */
 export function buffersOf(data: unknown): ArrayBuffer[] {
   const buffers = new Set<ArrayBuffer>()
   const visit = (value: unknown): void => {

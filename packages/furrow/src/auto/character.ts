@@ -2,13 +2,14 @@ import { joinParts, type SkinPart } from '../author/auto/surface/join-parts.ts'
 import type { TangentFrame } from '../author/normals/height-to-normal.ts'
 import type { Skin } from '../author/skin/surface.ts'
 
-/** Vectors in the memory layout of a GPU, so that the page need not convert them. */
+/** Vectors as a vertex buffer stores them, so that the page need not convert them before it sends them to the worker. */
 export interface VectorData {
   array: ArrayLike<number> & ArrayBufferView
-  /** Array elements from one vector to the next, and before the first. */
+  /** Number of array elements from one vector to the next. */
   stride: number
+  /** Index of the first vector's first element. */
   start: number
-  /** Whether integers are fractions of the largest value of their type. */
+  /** Whether the array's integers represent fractions: the largest value of their type represents 1. */
   isNormalized: boolean
 }
 
@@ -22,40 +23,41 @@ export interface PartData {
   uvs: VectorData
   /** 3 x 3 matrix of the normal map's texture coordinates, column-major; default: identity. */
   uvMatrix?: readonly number[] | undefined
-  /** Positions or offsets of each target. */
+  /** Vertex positions of each blendshape, or offsets if `isRelative`. */
   targets: readonly VectorData[]
-  /** Whether targets are offsets instead of positions. */
   isRelative: boolean
-  /** Skinning to the head, or `whole` for parts fully attached to it; undefined for parts that do not follow the head. */
+  /**
+   * Skinning of the part's vertices. `whole` if the whole part is attached to the head joint, undefined if no vertex follows the head.
+   */
   head?: HeadData | 'whole' | undefined
 }
 
-/** Skinning of vertices, up to four joints each. */
+/** Skinning of vertices with up to four joints each. */
 export interface HeadData {
   joints: VectorData
   weights: VectorData
-  /** Whether each joint of the skeleton belongs to the head. */
+  /** For each joint of the skeleton, whether it belongs to the head. */
   isHead: readonly boolean[]
 }
 
-/** A mesh, or the part of one with one material. */
+/** A mesh. A mesh with several materials is split into one `MeshData` per material. */
 export interface MeshData {
-  /** Names of the mesh and its material. */
+  /** Names of the mesh and its material, for messages. */
   label: string
   parts: readonly PartData[]
-  /** Names of the targets. */
+  /** Names of the blendshapes, in the order of `PartData.targets`. */
   names: readonly string[]
   /** Names of VRM expressions that move a single target, by target index. */
   expressions?: ReadonlyMap<number, string> | undefined
   /** 4 x 4 matrix from mesh to world space, column-major. */
   placement: readonly number[]
-  /** Whether its material can show wrinkles. */
+  /** Whether the mesh's material can show wrinkles. */
   isLit: boolean
   /** Tangent frame in which the renderer reads normal maps. */
   frame: TangentFrame
 }
 
-/** Meshes of a character with blendshapes; one of them is the skin. */
+/** Meshes of a character that have blendshapes. One of them is the skin. */
 export type CharacterData = readonly MeshData[]
 
 export function skinOf({ parts, names, expressions, placement }: MeshData): Skin {
@@ -102,7 +104,7 @@ function read(data: VectorData, size: number, vertices: Uint32Array, out: Float3
   const largest = isNormalized ? largestOf(array) : 1
   for (let i = 0; i < vertices.length; i++) {
     const first = start + stride * vertices[i]
-    // The lowest two integers both mean -1 (glTF 2.0, 3.6.2.2).
+    // For example, -128 and -127 both mean -1 (glTF 2.0, 3.6.2.2).
     for (let k = 0; k < size; k++) {
       const value = array[first + k]
       out[size * i + k] = isNormalized ? Math.max(value / largest, -1) : value

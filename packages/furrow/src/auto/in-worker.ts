@@ -6,18 +6,18 @@ import { runWorker } from './run-worker.ts'
 
 /** Settings of `autoWrinklesInWorker`. */
 export interface AutoInWorkerOptions extends AutoRunOptions {
-  /** Transfers the skin's arrays to the worker instead of copying them; all views of their buffers become empty. */
+  /** Whether to transfer the skin's arrays to the worker instead of copying them. Transferred arrays become empty on the page. */
   transfer?: boolean
 }
 
 /**
- * Makes wrinkles from a character's blendshapes as `autoWrinkles` does, bit for bit, in a separate web worker. The result is transferred
+ * Makes wrinkles from a character's blendshapes: runs `autoWrinkles` in a web worker. The result is identical, and is transferred to the page
  * without copying.
  *
- * A Content-Security-Policy must allow `worker-src blob:`, as it must for three.js's decoders of KTX 2 and Draco.
+ * If the page has a Content-Security-Policy, it must allow `worker-src blob:`. three.js's decoders of KTX 2 and Draco also need this.
  *
  * @returns a promise of the wrinkles. Rejects with the errors of `autoWrinkles`, or with the signal's reason if aborted. Rejects with a
- *   FurrowError if workers are missing (as in Node), or the worker cannot start or ends early.
+ *   FurrowError if there are no web workers (as in Node), or the worker cannot start or ends early.
  */
 export async function autoWrinklesInWorker(
   skin: Skin,

@@ -1,10 +1,10 @@
 /**
- * Automatic wrinkles from blendshapes, made in a web worker.
+ * Makes wrinkles from blendshapes automatically, in a web worker.
  *
  * @module furrow/auto
  */
 
-// Types only: without a bundler, importing a value would fetch all of `furrow/author`.
+// Only types are exported from `furrow/author`: on pages without a bundler, a value would fetch all of its modules.
 export type { AutoRegion } from '../author/auto/anatomy/region-names.ts'
 export type { AutoArea, AutoProgress, AutoWrinkles } from '../author/auto/auto.ts'
 export type { AutoOptions } from '../author/auto/options.ts'

@@ -1,13 +1,15 @@
 /**
- * Caches results in the browser's Cache Storage, compressed, by a hash of their input: at most 32 results of one version of the code.
- * Cache Storage is simpler than IndexedDB (no schema, no transactions) and as well supported. Some pages have neither (plain HTTP, private
- * windows, blocked storage, a full disk); nothing is cached there, without an error.
+ * Caches generated wrinkles in the browser's Cache Storage. A result is compressed and stored under a hash of its input. The cache contains
+ * at most 32 results, all of the same version of the code.
+ *
+ * Cache Storage needs no schema and no transactions, unlike IndexedDB, and as many browsers support it. On some pages it is not available,
+ * for example over HTTP, in private windows, with blocked storage or a full disk. There, nothing is cached, and no error is reported.
  */
 
 const PREFIX = 'furrow-auto-'
 const MAX_ENTRIES = 32
 
-/** Computes the SHA-256 of plain data with typed arrays, in hexadecimal; undefined over plain HTTP, which has no `crypto.subtle`. */
+/** Computes the SHA-256 of JSON data that may contain typed arrays, in hexadecimal. Undefined over HTTP, which has no `crypto.subtle`. */
 export async function keyOf(data: unknown): Promise<string | undefined> {
   if (!globalThis.crypto?.subtle) return undefined
   const hash = await crypto.subtle.digest('SHA-256', await pack(data).arrayBuffer())
@@ -28,7 +30,7 @@ export async function recall<T>(version: string, key: string | undefined): Promi
 /**
  * Caches data under a key.
  *
- * @param copied called after the data is copied, when it may be modified or transferred.
+ * @param copied called once the data is copied. From then on, the caller may change or transfer it.
  */
 export async function keep(
   version: string,
@@ -48,11 +50,11 @@ export async function keep(
     for (const request of oldest) await cache.delete(request)
     await cache.put(addressOf(key), compress(blob))
   } catch {
-    // Without a cache, the data is made again.
+    // Caching is optional: without it, the next visit makes the data again.
   }
 }
 
-/** Returns a URL, which Cache Storage requires as the key; it is never requested. */
+/** Converts a key to a URL, because Cache Storage requires URLs as keys. The URL is never requested. */
 function addressOf(key: string): string {
   return `https://furrow.invalid/${key}`
 }
@@ -68,8 +70,8 @@ function expand({ body }: Response): Promise<ArrayBuffer> {
 const ARRAYS = { Uint8Array, Uint16Array, Uint32Array, Float32Array, Float64Array }
 
 /**
- * Packs data as the length of the JSON, the JSON and the arrays, each aligned to 8 bytes. In the JSON, a typed array is
- * `{ array: TYPE, length }`.
+ * Packs data into bytes: the length of a JSON text, the JSON text, and the typed arrays. Each of them is aligned to 8 bytes. In the JSON
+ * text, `{ array: TYPE, length }` represents a typed array.
  */
 function pack(data: unknown): Blob {
   const parts: BlobPart[] = []
@@ -89,7 +91,7 @@ function unpack(buffer: ArrayBuffer): unknown {
   return JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 8, length)), (_, value) => {
     const Type = ARRAYS[value?.array as keyof typeof ARRAYS]
     if (!Type) return value
-    // A separate buffer, which can be transferred.
+    // Each array gets a buffer of its own, so that it can be transferred.
     const array = new Type(buffer.slice(at, at + value.length * Type.BYTES_PER_ELEMENT))
     at += array.byteLength + (-array.byteLength & 7)
     return array

@@ -16,23 +16,26 @@ import { keep, keyOf, recall } from './kept.ts'
 export interface CharacterWrinkles {
   /** Index of the skin's mesh. */
   mesh: number
-  /** Names of the layers, in the order of the maps. */
+  /** Names of the layers. The maps below are in the same order. */
   layers: string[]
   normals: ImageArray
-  /** Occlusion and blood in two channels. */
+  /** Images with two channels: occlusion and blood. */
   occlusionAndBlood: ImageArray
+  /** Optical depth, in the green channel, of value 255 in the blood maps. */
   bloodAmplitude: number
-  /** Height map of each layer, and its range from black to white in metres. */
+  /** Height map of each layer, and the difference in height between black and white, in metres. */
   heights: Pick<Layer, 'height' | 'heightAmplitude'>[]
   areas: Area[]
   drivers: WrinkleDriver[]
 }
 
 /**
- * Makes wrinkles for the skin of a character, or returns cached ones. Chooses the skin as `furrow auto` does.
+ * Chooses the skin among a character's meshes, as the command `furrow auto` does, and makes wrinkles for it. If the cache has these
+ * wrinkles, they are not made again.
  *
- * @param made receives the wrinkles, and may transfer their buffers.
- * @returns a promise that resolves when the wrinkles are cached, if possible.
+ * @param version version of the code; the cache only returns results of the same version.
+ * @param made receives the wrinkles. It may transfer their buffers.
+ * @returns a promise that resolves when the wrinkles are cached, or when caching has failed.
  */
 export async function makeCharacterWrinkles(
   character: CharacterData,

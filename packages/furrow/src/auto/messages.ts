@@ -6,13 +6,16 @@ import type { ErrorParts } from '../core/error.ts'
 import type { CharacterData } from './character.ts'
 import type { CharacterWrinkles } from './make-wrinkles.ts'
 
-/** Request of a page: wrinkles for a skin, wrinkles for the skin of a character, or the recognised shapes of a skin. */
+/**
+ * Work that a page requests. `skin` makes wrinkles for a skin. `character` finds the skin among several meshes and makes its wrinkles.
+ * `shapes` recognises the blendshapes of a skin.
+ */
 export type AutoJob =
   | { type: 'skin'; skin: Skin }
   | { type: 'character'; character: CharacterData }
   | { type: 'shapes'; skin: Skin }
 
-/** Results of the worker, by type of job. */
+/** Result of each type of job. */
 export interface AutoResults {
   skin: AutoWrinkles
   character: CharacterWrinkles
@@ -21,18 +24,20 @@ export interface AutoResults {
 
 export type AutoRequest = AutoJob & {
   options: AutoOptions
-  /** Version of the code that makes wrinkles. */
+  /** Version of the worker's code. */
   version: string
-  /** Name of a lock that the worker holds while it lives, if the page supports locks. */
+  /**
+   * Name of a Web Lock that the worker holds until it ends, so that the page notices its end. Undefined if the browser has no Web Locks.
+   */
   lock?: string | undefined
 }
 
-/** Replies of the worker: `started`, any number of `progress`, then `made` and `finished`, or `failed`. */
+/** Messages of the worker, in this order: `started`, any number of `progress`, then `made` and `finished`. `failed` ends the sequence. */
 export type AutoReply =
   | { type: 'started'; lock?: string | undefined }
   | { type: 'progress'; done: number; total: number; step: string }
   | { type: 'made'; result: AutoResults[keyof AutoResults] }
-  /** Sent after the result is cached, if requested and possible. */
+  /** Sent when the worker has nothing left to do. A result of the job `character` is then cached, if possible. */
   | { type: 'finished' }
-  /** `parts` of a FurrowError, whose class and fields are lost between threads; `message` of other errors. */
+  /** `parts` are the fields of a FurrowError, from which the page recreates it: messages between threads lose the class of an error. */
   | { type: 'failed'; parts?: ErrorParts; message: string }

@@ -3,9 +3,9 @@ import type { Skin } from '../author/skin/surface.ts'
 import { runWorker } from './run-worker.ts'
 
 /**
- * Runs `recogniseShapes` in a separate web worker.
+ * Recognises the blendshapes of a skin in a web worker.
  *
- * @returns one entry per target; rejects as `autoWrinklesInWorker` does.
+ * @returns one entry per blendshape. Rejects with the signal's reason if aborted, and with a FurrowError if the worker fails.
  */
 export function recogniseShapesInWorker(skin: Skin, signal: AbortSignal): Promise<RecognisedShape[]> {
   return runWorker({ type: 'shapes', skin }, { signal }, [], 'recogniseShapesInWorker')

@@ -2,11 +2,11 @@ import type { AutoProgress } from '../author/auto/auto.ts'
 import { type AutoOptions, checkAutoOptions } from '../author/auto/options.ts'
 import { isObject, wrongArgument } from '../core/argument.ts'
 
-/** Settings of `autoWrinkles`, progress and cancellation. */
+/** Settings of `autoWrinkles`, and of the worker that runs it. */
 export interface AutoRunOptions extends AutoOptions {
-  /** Called before each step and at the end. */
+  /** Called before each step of the work, and at the end. */
   progress?: AutoProgress
-  /** Abort signal that ends the worker. */
+  /** Aborting this signal ends the worker. */
   signal?: AbortSignal
 }
 

@@ -3,12 +3,12 @@ import type { AutoJob, AutoReply, AutoRequest, AutoResults } from './messages.ts
 import { type AutoRunOptions, checkRunOptions } from './run-options.ts'
 
 /**
- * Runs a job in a separate worker.
+ * Starts a web worker, runs one job in it and ends it.
  *
- * @param transfer buffers to transfer to the worker instead of copying.
+ * @param transfer buffers to transfer to the worker instead of copying them.
  * @param who name of the caller in errors.
  * @returns a promise of the result. Rejects with the errors of the job, or with the signal's reason if aborted. Rejects with a FurrowError
- *   for invalid options, if workers are missing, or if the worker cannot start or ends early.
+ *   if an option is invalid, if there are no web workers, or if the worker cannot start or ends early.
  */
 export async function runWorker<Job extends AutoJob>(
   job: Job,
@@ -35,7 +35,7 @@ export async function runWorker<Job extends AutoJob>(
     signal?.addEventListener('abort', () => fail(signal.reason), { signal: ended.signal })
     let isRunning = false
     worker.onerror = (event) => {
-      // The promise reports the error, not the console.
+      // Keep the browser from logging the error: the promise reports it.
       event.preventDefault()
       fail(isRunning ? died(who, event.message) : cannotStart(who, event.message))
     }
@@ -67,11 +67,11 @@ function start(startWorker: () => Worker, who: string): Worker {
 }
 
 /**
- * Calls a function when the worker that holds a lock has ended. Browsers end workers without an event, e.g. if memory runs out, but
- * release their locks.
+ * Calls a function when the worker that holds a lock has ended. Browsers can end a worker without an event, for example if memory runs out,
+ * but they always release its locks.
  */
 function whenFree(lock: string, signal: AbortSignal, call: () => void): void {
-  // Rejects if aborted, and in documents with an opaque origin, which have no locks.
+  // The request rejects if aborted, and in documents with an opaque origin, which cannot use locks.
   navigator.locks.request(lock, { signal }, call).catch(() => {})
 }
 

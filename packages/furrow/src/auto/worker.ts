@@ -1,4 +1,4 @@
-/** Worker of `autoWrinklesInWorker` and of loaders. */
+/** Web worker that makes wrinkles and recognises blendshapes. `runWorker` starts it. */
 
 import { type AutoProgress, autoWrinkles } from '../author/auto/auto.ts'
 import { recogniseShapes } from '../author/shapes/recognise.ts'

@@ -13,7 +13,7 @@ import { WrinkleLayer } from './wrinkle-layer.ts'
 import { writeMaterialWrinkles } from './write.ts'
 
 /**
- * The glTF extension FURROW_wrinkle_maps for glTF-Transform. Registered with an I/O class, it preserves the wrinkles of files.
+ * The glTF extension FURROW_wrinkle_maps for glTF-Transform. An I/O class with which it is registered reads and writes the wrinkles of files.
  *
  * ```ts
  * const io = new NodeIO().registerExtensions([...ALL_EXTENSIONS, FurrowWrinkleMaps])
@@ -21,14 +21,14 @@ import { writeMaterialWrinkles } from './write.ts'
  * const wrinkles = document.getRoot().listMaterials()[0].getExtension<MaterialWrinkles>('FURROW_wrinkle_maps')
  * ```
  *
- * Reading throws a FurrowError if the extension's JSON is invalid. Writing throws if a layer or area lacks a texture, or a value is
- * invalid.
+ * Reading throws a FurrowError if the extension's JSON is invalid. Writing throws a FurrowError if a layer or an area has no texture, or a
+ * value is invalid.
  */
 export class FurrowWrinkleMaps extends Extension {
   static override readonly EXTENSION_NAME = WRINKLE_MAPS
   override readonly extensionName = WRINKLE_MAPS
-  // Textures and materials are complete before meshes are read. Writing comes before other extensions, which modify the texture definitions
-  // (WebP, Basis) and texture infos (transform) created here.
+  // When meshes are read, textures and materials are complete. When meshes are written, other extensions have not yet modified the texture
+  // definitions (WebP, Basis) and the texture infos (transform) that `prewrite` creates.
   override readonly prereadTypes: PropertyType[] = [PropertyType.MESH]
   override readonly prewriteTypes: PropertyType[] = [PropertyType.MESH]
 

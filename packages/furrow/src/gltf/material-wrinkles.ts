@@ -7,17 +7,17 @@ import type { WrinkleLayer } from './wrinkle-layer.ts'
 interface IMaterialWrinkles extends IProperty {
   layers: RefSet<WrinkleLayer>
   areas: RefSet<WrinkleArea>
-  /** One JSON text per driver, so that copies are deep and equal drivers compare as equal. */
+  /** One JSON text per driver. glTF-Transform copies and compares properties shallowly, which is correct for texts but not for objects. */
   drivers: string[]
-  /** JSON of the strokes, `null` for none. */
+  /** JSON text of the strokes document; the text `null` if there is none. */
   strokes: string
-  /** JSON of the corrections, `null` for none. */
+  /** JSON text of the corrections to recognised blendshapes; the text `null` if there are none. */
   shapes: string
   /** JSON of unknown fields. */
   unknownFields: string
 }
 
-/** Wrinkles of a material: layers, areas, drivers, strokes and corrections. See {@link FurrowWrinkleMaps}. */
+/** Wrinkles of a material: layers, areas, drivers, strokes, and corrections to recognised blendshapes. See {@link FurrowWrinkleMaps}. */
 export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
   static override readonly EXTENSION_NAME = WRINKLE_MAPS
   declare readonly extensionName: typeof WRINKLE_MAPS
@@ -48,7 +48,7 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     return this.addRef('layers', layer)
   }
 
-  /** Removes a layer. Writing throws while an area uses the layer. */
+  /** Removes a layer. Areas that use the layer must be changed or removed too, because writing throws otherwise. */
   removeLayer(layer: WrinkleLayer): this {
     return this.removeRef('layers', layer)
   }
@@ -63,7 +63,7 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     return this.addRef('areas', area)
   }
 
-  /** Removes an area. Drivers that name the area remain, and writing throws until they are changed. */
+  /** Removes an area. Drivers that name the area must be changed or removed too, because writing throws otherwise. */
   removeArea(area: WrinkleArea): this {
     return this.removeRef('areas', area)
   }
@@ -73,12 +73,12 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     return this.listRefs('areas')
   }
 
-  /** Returns copies of the drivers, including those of unknown type. */
+  /** Returns copies of the drivers, including drivers of unknown types. */
   getDrivers(): WrinkleDriver[] {
     return this.get('drivers').map((text) => JSON.parse(text))
   }
 
-  /** Replaces all drivers by copies. Drivers must be plain JSON. */
+  /** Replaces all drivers by copies of the given ones. Drivers must be JSON data. */
   setDrivers(drivers: readonly WrinkleDriver[]): this {
     return this.set(
       'drivers',
@@ -86,12 +86,12 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     )
   }
 
-  /** Returns an unchecked copy of the strokes, for `parseStrokes` of `furrow/author`; null if there are none. */
+  /** Returns an unchecked copy of the strokes document; null if there is none. `parseStrokes` of `furrow/author` checks it. */
   getStrokes(): unknown {
     return JSON.parse(this.get('strokes'))
   }
 
-  /** Replaces the strokes by a copy. Strokes must be plain JSON; null removes them. */
+  /** Replaces the strokes document by a copy of the given one, which must be JSON data. Null removes it. */
   setStrokes(strokes: unknown): this {
     return this.set('strokes', JSON.stringify(strokes ?? null))
   }
@@ -101,17 +101,17 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     return JSON.parse(this.get('shapes'))
   }
 
-  /** Replaces the corrections by a copy. Corrections must be plain JSON; null removes them. */
+  /** Replaces the corrections to recognised blendshapes by a copy of the given ones, which must be JSON data. Null removes them. */
   setShapes(shapes: unknown): this {
     return this.set('shapes', JSON.stringify(shapes ?? null))
   }
 
-  /** Returns unknown fields of the JSON, which are written back unchanged. */
+  /** Returns the unknown fields of the extension's JSON. Writing keeps them unchanged. */
   getUnknownFields(): Record<string, unknown> {
     return JSON.parse(this.get('unknownFields'))
   }
 
-  /** Replaces the unknown fields by a copy. Fields must be plain JSON. */
+  /** Replaces the unknown fields by a copy of the given ones, which must be JSON data. */
   setUnknownFields(fields: Record<string, unknown>): this {
     return this.set('unknownFields', JSON.stringify(fields))
   }

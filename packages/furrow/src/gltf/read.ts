@@ -8,14 +8,14 @@ import { LAYER_SLOTS, type LayerSlot, type WrinkleLayer } from './wrinkle-layer.
 
 type Json = Record<string, unknown>
 
-/** Creates properties of a document. */
+/** Part of `FurrowWrinkleMaps` that creates properties of a document. */
 interface PropertyFactory {
   createMaterialWrinkles(): MaterialWrinkles
   createLayer(name: string): WrinkleLayer
   createArea(name: string): WrinkleArea
 }
 
-/** Fields that become properties; others are kept as unknown fields. */
+/** Fields of the extension's JSON that have accessors. All other fields are kept as unknown fields. */
 const KNOWN = {
   root: ['name', 'extras', 'layers', 'areas', 'drivers', 'strokes', 'shapes'],
   layer: ['name', 'extras', 'kind', ...Object.keys(LAYER_SLOTS)],
@@ -23,10 +23,10 @@ const KNOWN = {
 }
 
 /**
- * Reads the extension of one material.
+ * Reads the wrinkles of one material.
  *
  * @param who name of the material in errors.
- * @throws FurrowError naming the first invalid field.
+ * @throws FurrowError that names the first invalid field.
  */
 export function readMaterialWrinkles(
   properties: PropertyFactory,
@@ -82,7 +82,7 @@ export function readMaterialWrinkles(
     .setUnknownFields(without(raw, KNOWN.root))
 }
 
-/** Returns the texture with an index. Throws if no registered extension reads the format of its image. */
+/** Returns the texture with a glTF texture index. Throws if the format of its image needs an extension that is not registered. */
 function textureOf(context: ReaderContext, index: number, who: string): Texture {
   const texture = context.textures[context.jsonDoc.json.textures![index]?.source ?? -1]
   if (texture) return texture

@@ -18,13 +18,13 @@ interface IWrinkleArea extends IProperty {
   channel: number
   combine: Combine
   activation: number
-  /** JSON of unknown fields. */
+  /** JSON text of unknown fields. */
   unknownFields: string
 }
 
 const CHANNELS = [TextureChannel.R, TextureChannel.G, TextureChannel.B, TextureChannel.A]
 
-/** An area of influence of {@link MaterialWrinkles}: the location of one controllable group of wrinkles. */
+/** Area of influence: a gray map that tells where one controllable group of wrinkles is. See {@link MaterialWrinkles}. */
 export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
   static override readonly EXTENSION_NAME = WRINKLE_MAPS
   declare readonly extensionName: typeof WRINKLE_MAPS
@@ -43,7 +43,7 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
     return Object.assign(super.getDefaults() as IProperty, {
       layer: null,
       weightsTexture: null,
-      // Areas end at the edges of the image; repeating would blend in texels of the opposite edge.
+      // With `REPEAT`, filtering at an edge of the image would blend in texels of the opposite edge.
       weightsTextureInfo: new TextureInfo(this.graph, 'weightsTextureInfo')
         .setWrapS(TextureInfo.WrapMode.CLAMP_TO_EDGE)
         .setWrapT(TextureInfo.WrapMode.CLAMP_TO_EDGE),
@@ -55,79 +55,80 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
     })
   }
 
-  /** Returns the layer of the area; null for the first layer. */
+  /** Returns the layer that the area controls; null means the first layer. */
   getLayer(): WrinkleLayer | null {
     return this.getRef('layer')
   }
 
-  /** Sets the layer of the area; null for the first layer. */
+  /** Sets the layer that the area controls; null means the first layer. */
   setLayer(layer: WrinkleLayer | null): this {
     return this.setRef('layer', layer)
   }
 
-  /** Returns the image of the weights, linear, 1 = fully visible. Its slot is `weightsTexture`, which tools do not take for colours. */
+  /** Returns the image of the area's weights, in linear colour space, 1 = fully visible. */
   getTexture(): Texture | null {
     return this.getRef('weightsTexture')
   }
 
   /**
-   * Sets the image of the weights.
+   * Sets the image of the area's weights.
    *
-   * @param texture linear, 1 = fully visible; null removes it.
-   * @param channel channel of the area, 0 = R to 3 = A; default: unchanged. Other areas may use the other channels.
+   * @param texture image in linear colour space, 1 = fully visible; null removes the image.
+   * @param channel channel of the image that contains the weights, from 0 = R to 3 = A. Default: unchanged. Other areas may use the other
+   *   channels of the same image.
    */
   setTexture(texture: Texture | null, channel = this.get('channel')): this {
     this.set('channel', channel)
     return this.setRef('weightsTexture', texture, { channels: CHANNELS[channel] })
   }
 
-  /** Returns the channel of the area, 0 = R to 3 = A. */
+  /** Returns the channel of the image that contains the weights, from 0 = R to 3 = A. */
   getChannel(): number {
     return this.get('channel')
   }
 
-  /** Returns the slice of a KTX 2 array; null for an ordinary image. */
+  /** Returns the slice of a KTX 2 array texture that contains the weights; null if the image is not an array. */
   getSlice(): number | null {
     const slice = this.get('slice')
     return slice === NO_SLICE ? null : slice
   }
 
-  /** Sets the slice of a KTX 2 array; null for an ordinary image. */
+  /** Sets the slice of a KTX 2 array texture that contains the weights; null if the image is not an array. */
   setSlice(slice: number | null): this {
     return this.set('slice', slice ?? NO_SLICE)
   }
 
-  /** Returns texture coordinates and sampler; null without a texture. */
+  /** Returns the texture coordinate set and the sampler; null if the area has no image. */
   getTextureInfo(): TextureInfo | null {
     return this.getRef('weightsTexture') ? this.getRef('weightsTextureInfo') : null
   }
 
-  /** Returns how the area combines with others of its layer: `sum` or `max`. */
+  /** Returns how the area combines with overlapping areas of its layer: `sum` or `max`. */
   getCombine(): Combine {
     return this.get('combine')
   }
 
-  /** Sets how the area combines with others of its layer: `sum` or `max`. */
+  /** Sets how the area combines with overlapping areas of its layer: `sum` or `max`. */
   setCombine(combine: Combine): this {
     return this.set('combine', combine)
   }
 
-  /** Returns the resting activation, 0..1. */
+  /** Returns the activation of the area at rest, 0..1. */
   getActivation(): number {
     return this.get('activation')
   }
 
-  /** Sets the resting activation, 0..1. */
+  /** Sets the activation of the area at rest, 0..1. */
   setActivation(activation: number): this {
     return this.set('activation', activation)
   }
 
-  /** Returns unknown fields of the JSON, which are written back unchanged. */
+  /** Returns the unknown fields of the area's JSON. Writing keeps them unchanged. */
   getUnknownFields(): Record<string, unknown> {
     return JSON.parse(this.get('unknownFields'))
   }
 
-  /** Replaces the unknown fields by a copy. Fields must be plain JSON. */
+  /** Replaces the unknown fields by a copy of the given ones, which must be JSON data. */
   setUnknownFields(fields: Record<string, unknown>): this {
     return this.set('unknownFields', JSON.stringify(fields))
   }

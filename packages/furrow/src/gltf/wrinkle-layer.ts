@@ -37,10 +37,10 @@ interface IWrinkleLayer extends IProperty {
   unknownFields: string
 }
 
-/** Slice of a texture that is an ordinary image. */
+/** Value of a slice if the texture is not an array. */
 export const NO_SLICE = -1
 
-/** A texture slot of a layer, as in the extension's JSON. */
+/** Field of a layer's JSON that refers to a texture. */
 export type LayerSlot =
   | 'normalTexture'
   | 'baseColorTexture'
@@ -49,7 +49,7 @@ export type LayerSlot =
   | 'heightTexture'
   | 'bloodTexture'
 
-/** Channels used by each slot, and whether they are colours. */
+/** Channels that each slot uses, and whether they are colours (sRGB). */
 export const LAYER_SLOTS: Readonly<Record<LayerSlot, { channels: number; isColor?: boolean }>> = {
   normalTexture: { channels: TextureChannel.R | TextureChannel.G | TextureChannel.B },
   baseColorTexture: { channels: TextureChannel.R | TextureChannel.G | TextureChannel.B, isColor: true },
@@ -59,7 +59,7 @@ export const LAYER_SLOTS: Readonly<Record<LayerSlot, { channels: number; isColor
   bloodTexture: { channels: TextureChannel.B },
 }
 
-/** A layer of {@link MaterialWrinkles}: maps of the fully wrinkled skin. */
+/** Layer: the maps of fully wrinkled skin, which areas of influence show or hide. See {@link MaterialWrinkles}. */
 export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
   static override readonly EXTENSION_NAME = WRINKLE_MAPS
   declare readonly extensionName: typeof WRINKLE_MAPS
@@ -104,48 +104,48 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
     })
   }
 
-  /** Returns how the layer's normals combine with the skin's: `replace` or `detail`. */
+  /** Returns how the layer's normal map combines with the material's normal map: `replace` or `detail` (on top of it). */
   getKind(): LayerKind {
     return this.get('kind')
   }
 
-  /** Sets how the layer's normals combine with the skin's: `replace` or `detail`. */
+  /** Sets how the layer's normal map combines with the material's normal map: `replace` or `detail` (on top of it). */
   setKind(kind: LayerKind): this {
     return this.set('kind', kind)
   }
 
-  /** Returns the image of a slot. Writing requires a `normalTexture`. */
+  /** Returns the image of a slot. A layer must have a `normalTexture` to be written. */
   getTexture(slot: LayerSlot): Texture | null {
     return this.getRef(slot)
   }
 
-  /** Sets the image of a slot; null removes it. Blood must share the image of occlusion, if there is one. */
+  /** Sets the image of a slot; null removes it. If a layer has both occlusion and blood, they must be channels of the same image. */
   setTexture(slot: LayerSlot, texture: Texture | null): this {
     return this.setRef(slot, texture, { ...LAYER_SLOTS[slot] })
   }
 
-  /** Returns the slice of a slot's KTX 2 array; null for an ordinary image. */
+  /** Returns the slice that the slot uses of a KTX 2 array texture; null if the image is not an array. */
   getSlice(slot: LayerSlot): number | null {
     const slice = this.get(`${slot}Slice`)
     return slice === NO_SLICE ? null : slice
   }
 
-  /** Sets the slice of a slot's KTX 2 array; null for an ordinary image. */
+  /** Sets the slice that the slot uses of a KTX 2 array texture; null if the image is not an array. */
   setSlice(slot: LayerSlot, slice: number | null): this {
     return this.set(`${slot}Slice`, slice ?? NO_SLICE)
   }
 
-  /** Returns texture coordinates and sampler of a slot; null without a texture. */
+  /** Returns the texture coordinate set and the sampler of a slot; null if the slot has no image. */
   getTextureInfo(slot: LayerSlot): TextureInfo | null {
     return this.getRef(slot) ? this.getRef(`${slot}Info`) : null
   }
 
-  /** Returns the factor for x and y of the normals. */
+  /** Returns the factor on x and y of the layer's normals. */
   getNormalScale(): number {
     return this.get('normalScale')
   }
 
-  /** Sets the factor for x and y of the normals. */
+  /** Sets the factor on x and y of the layer's normals. */
   setNormalScale(scale: number): this {
     return this.set('normalScale', scale)
   }
@@ -160,32 +160,32 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
     return this.set('occlusionStrength', strength)
   }
 
-  /** Returns the range of the height map from black to white, metres. */
+  /** Returns the difference in height between black and white in the height map, in metres. */
   getHeightAmplitude(): number {
     return this.get('heightAmplitude')
   }
 
-  /** Sets the range of the height map from black to white, metres. */
+  /** Sets the difference in height between black and white in the height map, in metres. */
   setHeightAmplitude(metres: number): this {
     return this.set('heightAmplitude', metres)
   }
 
-  /** Returns the optical depth of green at 255 in the blood map. */
+  /** Returns the optical depth, in the green channel, of the value 255 in the blood map. */
   getBloodAmplitude(): number {
     return this.get('bloodAmplitude')
   }
 
-  /** Sets the optical depth of green at 255 in the blood map, 0..2. */
+  /** Sets the optical depth, in the green channel, of the value 255 in the blood map: 0..2. */
   setBloodAmplitude(depth: number): this {
     return this.set('bloodAmplitude', depth)
   }
 
-  /** Returns unknown fields of the JSON, which are written back unchanged. */
+  /** Returns the unknown fields of the layer's JSON. Writing keeps them unchanged. */
   getUnknownFields(): Record<string, unknown> {
     return JSON.parse(this.get('unknownFields'))
   }
 
-  /** Replaces the unknown fields by a copy. Fields must be plain JSON. */
+  /** Replaces the unknown fields by a copy of the given ones, which must be JSON data. */
   setUnknownFields(fields: Record<string, unknown>): this {
     return this.set('unknownFields', JSON.stringify(fields))
   }

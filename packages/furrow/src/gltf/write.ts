@@ -8,7 +8,7 @@ import { LAYER_SLOTS, type LayerSlot, type WrinkleLayer } from './wrinkle-layer.
 type Json = Record<string, unknown>
 
 /**
- * Writes the extension's JSON of one material, without defaults.
+ * Returns the extension's JSON for one material. Values that equal the default are omitted.
  *
  * @param who name of the material in errors.
  * @throws FurrowError if a texture or layer is missing, or a value is invalid.
@@ -76,7 +76,7 @@ function writeArea(
   return json
 }
 
-/** Returns the definition in the context, which other extensions may still modify. */
+/** Creates the JSON reference to a texture. glTF-Transform passes the same object to other extensions, which may modify it later. */
 function textureInfo(context: WriterContext, texture: Texture | null, info: TextureInfo | null) {
   return texture && info && context.createTextureInfoDef(texture, info)
 }

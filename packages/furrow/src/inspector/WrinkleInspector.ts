@@ -8,15 +8,15 @@ import { FaceView, viewsOf } from './face-view.ts'
 /** Milliseconds between updates of the panel's text. */
 const INTERVAL = 100
 
-/** Width of a page, in CSS pixels, below which the panel starts closed: it would cover the face. */
+/** On narrower pages, in CSS pixels, the panel starts closed, because it would cover the face. */
 const NARROW = 640
 
 const MODES: readonly WrinkleMode[] = ['default', 'composed', 'paper', 'off']
 const RELIEF_MODES: readonly ReliefMode[] = ['off', 'near', 'on']
 
 /**
- * A panel that shows the wrinkles of one face: its areas with their activations and what drives them, technical views, mode, relief and
- * cost. Supports both renderers, and uses only the public API.
+ * A panel to inspect the wrinkles of one face. It shows the activation of each area and the inputs that drive it, technical views, mode,
+ * relief and cost. It works with `WebGLRenderer` and `WebGPURenderer`.
  *
  * The panel is a `GUI` of lil-gui in the top right corner of the page. It closes when the wrinkles are disposed of.
  *
@@ -28,19 +28,19 @@ const RELIEF_MODES: readonly ReliefMode[] = ['off', 'near', 'on']
  * ```
  */
 export class WrinkleInspector {
-  /** The panel, e.g. to close it or to add controls of the page. */
+  /** The panel. A page can close it, or add controls to it. */
   readonly gui: GUI
   readonly #wrinkles: WrinklesBase
   readonly #view: FaceView
   readonly #areas: AreaList
-  /** Texts of the panel's last folder. */
+  /** Texts in the panel's folder "Cost". */
   readonly #cost = { areas: '', textures: '', triangles: '' }
   #frame = 0
   #lastUpdate = -Infinity
 
   /**
-   * @param wrinkles the face to inspect, e.g. `wrinklesOf(gltf)[0]`.
-   * @throws FurrowError unless they are wrinkles of `furrow/three` or `furrow/webgpu`.
+   * @param wrinkles wrinkles of the face to inspect, e.g. `wrinklesOf(gltf)[0]`.
+   * @throws FurrowError if `wrinkles` is not an object of `furrow/three` or `furrow/webgpu`.
    */
   constructor(wrinkles: WrinklesBase) {
     if (!(wrinkles instanceof WrinklesBase))
@@ -67,7 +67,7 @@ export class WrinkleInspector {
     this.#loop(0)
   }
 
-  /** Closes the panel and restores the face's own material. */
+  /** Closes the panel and restores the original material of the face. */
   dispose(): void {
     cancelAnimationFrame(this.#frame)
     this.#view.dispose()
@@ -76,7 +76,7 @@ export class WrinkleInspector {
 
   #addDisplay(): void {
     const [wrinkles, { gui }] = [this.#wrinkles, this]
-    // Some materials and sets do not support the paper's mode.
+    // Setting the mode throws if the material or the wrinkle set does not support it, as can happen with `paper`.
     const display = {
       get mode() {
         return wrinkles.mode

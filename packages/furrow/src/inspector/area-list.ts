@@ -2,18 +2,19 @@ import type { Controller, GUI } from 'three/addons/libs/lil-gui.module.min.js'
 import type { DriverPart, Explanation } from '../drivers/explain.ts'
 import type { WrinklesBase } from '../three/wrinkles-base.ts'
 
-/** Inputs listed below an area: the strongest ones. */
+/** Maximum number of inputs listed below an area. The strongest inputs are listed. */
 const MOST_INPUTS = 3
 
-/** One area: its slider, and a line about its drivers. */
+/** Controls of one area. */
 interface Row {
   slider: Pick<Controller, 'destroy'> & { updateDisplay(): unknown }
+  /** Line of text with the inputs that drive the area. */
   drivers: HTMLElement
 }
 
-/** Activations of the areas of one face as sliders, each with the inputs that drive it. */
+/** List of one face's areas. Each area has a slider for its activation and a line with the inputs that drive it. */
 export class AreaList {
-  /** Instance whose activations are listed. */
+  /** Index of the instance whose activations are listed, for instanced meshes. */
   instance = 0
   readonly #wrinkles: WrinklesBase
   readonly #folder: GUI
@@ -26,7 +27,7 @@ export class AreaList {
     this.#build()
   }
 
-  /** Shows the current activations. Areas may have been added or removed. */
+  /** Updates the list to the current areas and activations. */
   update(): void {
     const explanations = this.#wrinkles.explain(this.instance)
     if (explanations.map(({ area }) => area).join() !== [...this.#rows.keys()].join()) this.#build()
@@ -52,7 +53,7 @@ export class AreaList {
     return { slider, drivers }
   }
 
-  /** Activates an area by its slider. Drivers would set it back in the next frame, so they stop. */
+  /** Sets the activation of an area by hand. Stops the drivers, because they would overwrite the activation in the next frame. */
   #set(name: string, value: number): void {
     const wrinkles = this.#wrinkles
     if (wrinkles.isDriven(name)) wrinkles.driven = false
@@ -68,7 +69,7 @@ export class AreaList {
   }
 }
 
-/** The strongest inputs with their contributions, `browInnerUp 0.42, age 0.10`; names alone while none is active. */
+/** Returns the strongest inputs with their contributions, e.g. `browInnerUp 0.42, age 0.10`. If no input is active, returns names only. */
 function driversText(parts: readonly DriverPart[], resting: number): string {
   const inputs = parts.flatMap(({ driver, activation, links }) =>
     links.length > 0

@@ -3,22 +3,23 @@ import type { WrinklesBase } from '../three/wrinkles-base.ts'
 import { movingCopy } from './moving-copy.ts'
 import { StrainView } from './strain-view.ts'
 
-/** The face in its own material, or a technical view of it. */
+/** Ways to draw a face. `shaded` uses the face's material; the other views show technical data. */
 export const VIEWS = ['shaded', 'influence', 'normals', 'strain', 'wireframe'] as const
 export type View = (typeof VIEWS)[number]
 
-/** Views that draw copies of the meshes; not available for instances. */
+/** Views that draw a copy of each mesh. Instanced meshes do not support them. */
 const COPYING: readonly View[] = ['normals', 'strain']
 
-/** Lists the views that wrinkles can be shown in. */
+/** Returns the views that a face supports. */
 export function viewsOf(wrinkles: WrinklesBase): readonly View[] {
   return wrinkles.faceCount === 1 ? VIEWS : VIEWS.filter((view) => !COPYING.includes(view))
 }
 
-/** A view while it is shown. */
+/** Active view. */
 interface ShownView {
-  /** Called in each animation frame. */
+  /** Updates the view to the face's current state. Called in each animation frame. */
   follow?(): void
+  /** Removes the view and restores the face. */
   end(): void
 }
 
@@ -48,7 +49,7 @@ export class FaceView {
     this.#shown?.follow?.()
   }
 
-  /** Restores the face's own materials. */
+  /** Restores the original materials of the face. */
   dispose(): void {
     this.#shown?.end()
     this.#shown = null
@@ -60,7 +61,7 @@ function influence(wrinkles: WrinklesBase): ShownView {
   return { end: replaceMaterials(wrinkles, wrinkles.createInfluenceMaterial()) }
 }
 
-/** Draws the normals that lighting uses, on copies with the same wrinkles. */
+/** Draws copies of the meshes in the colours of their normals. The copies have the same wrinkles and activations. */
 function normals(wrinkles: WrinklesBase): ShownView {
   const plain = [wrinkles.cloneMaterial()].flat()
   const { normalMap, normalScale, side } = plain.find((own) => 'normalMap' in own) as MeshStandardMaterial
@@ -87,7 +88,7 @@ function normals(wrinkles: WrinklesBase): ShownView {
   }
 }
 
-/** Draws how far the skin is compressed (orange) or stretched (blue). */
+/** Draws the strain of the skin in colours: orange where it is compressed, blue where it is stretched. */
 function strain(wrinkles: WrinklesBase): ShownView {
   const reveal = hide(wrinkles)
   const view = new StrainView(wrinkles.meshes)
@@ -101,7 +102,7 @@ function strain(wrinkles: WrinklesBase): ShownView {
   }
 }
 
-/** Draws the edges of all triangles, of relief as well. */
+/** Draws the edges of all triangles, including the triangles of relief. */
 function wireframe({ meshes }: WrinklesBase): ShownView {
   const materials = new Set(meshes.flatMap(({ material }) => material))
   const drawn = [...materials].filter(
@@ -114,14 +115,14 @@ function wireframe({ meshes }: WrinklesBase): ShownView {
   return { end: () => set(false) }
 }
 
-/** Hides the meshes but keeps them drawn: drivers run before each draw. Returns a function that shows them again. */
+/** Makes the meshes invisible by a material that writes nothing. They must still be drawn, because drivers run before each draw. */
 function hide(wrinkles: WrinklesBase): () => void {
   const material = wrinkles.createInfluenceMaterial()
   material.colorWrite = material.depthWrite = false
   return replaceMaterials(wrinkles, material)
 }
 
-/** Draws the meshes with one material. Returns a function that restores theirs and disposes of it. */
+/** Draws the meshes with one material. Returns a function that restores the original materials and disposes of the new one. */
 function replaceMaterials({ meshes }: WrinklesBase, material: Material): () => void {
   const originals = meshes.map((mesh) => ({ mesh, original: mesh.material }))
   for (const mesh of meshes) mesh.material = material

@@ -1,6 +1,6 @@
 import type { Material, Mesh } from 'three'
 
-/** Adds a copy of a mesh that shares its geometry, joints and blendshape weights, and so moves with it. Hidden by default. */
+/** Adds an invisible copy of a mesh. It moves with the mesh, because it shares the geometry, the joints and the blendshape weights. */
 export function movingCopy(mesh: Mesh, material: Material): Mesh {
   const copy = mesh.clone(false)
   copy.material = material

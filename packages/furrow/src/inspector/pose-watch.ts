@@ -9,7 +9,7 @@ export class PoseWatch {
     this.#meshes = meshes
   }
 
-  /** Returns whether the pose has changed since the last call; true at the first call. */
+  /** Returns whether the pose has changed since the last call. The first call returns true. */
   hasChanged(): boolean {
     const pose = this.#read()
     const last = this.#pose
@@ -23,7 +23,7 @@ export class PoseWatch {
     for (const root of new Set(this.#meshes.map(rootOf))) root.updateMatrixWorld()
     for (const mesh of this.#meshes) {
       pose.push(...(mesh.morphTargetInfluences ?? []), ...mesh.matrixWorld.elements)
-      // Editing a muscle changes its offsets.
+      // Editing a muscle changes the offsets of its blendshape.
       for (const offsets of mesh.geometry.morphAttributes.position ?? [])
         pose.push((offsets as BufferAttribute).version ?? 0)
       const bones = (mesh as Partial<SkinnedMesh>).skeleton?.bones ?? []

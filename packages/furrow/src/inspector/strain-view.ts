@@ -10,7 +10,7 @@ export class StrainView {
   readonly #material = new MeshBasicMaterial({ vertexColors: true, toneMapped: false })
   readonly #watch: PoseWatch
 
-  /** Adds the copies beside the meshes, hidden. */
+  /** Adds a copy of each mesh to the mesh's parent. The copies are invisible until `visible` is set. */
   constructor(meshes: readonly Mesh[]) {
     this.#watch = new PoseWatch(meshes)
     this.#parts = meshes.map((mesh) => {
@@ -49,7 +49,7 @@ export class StrainView {
   }
 }
 
-/** Copies the attributes, because disposing of a geometry frees its attributes on the GPU even if another one uses them. */
+/** Copies the attributes of a geometry. They cannot be shared, because disposing of a geometry frees its attributes on the GPU. */
 function geometryOf({
   attributes,
   morphAttributes,

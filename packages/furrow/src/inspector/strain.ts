@@ -1,21 +1,21 @@
 import { principalStretches, restInverse } from '../math/stretch.ts'
 
-/** Strain that is drawn in full colour. */
+/** Strain, positive or negative, from which the colour no longer changes. */
 const FULL = 0.3
 
-/** Colours of compressed skin, of skin at rest and of stretched skin, linear RGB. */
+// Colours of compressed skin, of skin at rest and of stretched skin, in linear RGB.
 const COMPRESSED = [0.9, 0.24, 0.04] as const
 const REST = [0.2, 0.2, 0.21] as const
 const STRETCHED = [0.06, 0.3, 0.85] as const
 
 /**
- * Measures the strain of a deformed surface. Each triangle has the principal strain of the larger magnitude (`principalStretches`); each
- * vertex has the mean of its triangles, weighted by their area at rest.
+ * Computes the strain of a deformed surface. The strain of a triangle is its principal strain of the larger magnitude. The strain of a vertex
+ * is the mean over its triangles, weighted by their area at rest.
  *
  * @param rest xyz of each vertex at rest.
  * @param posed xyz of each vertex in the pose.
  * @param indices three vertices per triangle.
- * @returns strain per vertex: -0.2 where skin is compressed by a fifth, 0 at rest.
+ * @returns strain per vertex. 0 is skin at rest; -0.2 is skin compressed by a fifth.
  */
 export function strainOf(
   rest: ArrayLike<number>,
@@ -32,7 +32,7 @@ export function strainOf(
     principalStretches(stretches, inverse, 0, a, b, c, posed)
     const [least, most] = [stretches[0] - 1, stretches[1] - 1]
     const strain = -least > most ? least : most
-    // 1 / (along * height), twice the area.
+    // Twice the triangle's area at rest, because the diagonal of `inverse` is 1 / base and 1 / height of the triangle.
     const area = 1 / (inverse[0] * inverse[2])
     for (const vertex of [a, b, c]) {
       sums[vertex] += area * strain

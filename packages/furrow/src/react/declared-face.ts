@@ -6,21 +6,21 @@ type Numbers = Readonly<Record<string, number>>
 
 const NONE: Numbers = {}
 
-/** A face with a declared state, and its original state. */
+/** Applies the properties of a React component to one face. Remembers the face's original state, to restore it later. */
 export class DeclaredFace {
   readonly #face: WrinklesBase
   readonly #original: { mode: WrinkleMode; relief: ReliefMode; inputs: Map<string, number> }
   readonly #warn: (error: unknown) => void
   #state: WrinkleState = {}
 
-  /** @param warn called for each property that cannot be applied; the others are applied. */
+  /** @param warn called with the error of each property that cannot be applied. The other properties are still applied. */
   constructor(face: WrinklesBase, warn: (error: unknown) => void) {
     this.#face = face
     this.#warn = warn
     this.#original = { mode: face.mode, relief: face.relief, inputs: new Map() }
   }
 
-  /** Applies the differences from the last state. */
+  /** Applies the properties that differ from the last state. Removed properties get their original values. */
   apply(state: WrinkleState): void {
     const [face, original, last] = [this.#face, this.#original, this.#state]
     if (face.isDisposed || state === last) return
@@ -41,7 +41,7 @@ export class DeclaredFace {
     })
   }
 
-  /** @param set called with undefined for removed names. */
+  /** Calls `set` for each name whose value changed. The value is undefined if the name was removed. */
   #applyNumbers(
     last: Numbers = NONE,
     next: Numbers = NONE,

@@ -5,19 +5,19 @@ import type { WrinklesBase } from '../three/wrinkles-base.ts'
 import { DeclaredFace } from './declared-face.ts'
 import type { WrinkleState } from './wrinkle-state.ts'
 
-/** Applies a declared state to the faces under an object, which may change between frames. */
+/** Applies the properties of a React component to faces. The set of faces may change between frames. */
 export class DeclaredFaces {
   readonly #known = new Map<WrinklesBase, DeclaredFace>()
   readonly #warned = new Set<string>()
   #player: ExpressionPlayer | null = null
-  /** Whether the player must be recreated, because the faces changed. */
+  /** Whether the faces have changed since the player was created. It must be recreated then. */
   #isStale = true
   #playing: ExpressionChoice | undefined
 
   /**
-   * Applies a state to faces, and advances their expression. Call once per frame.
+   * Applies a state to faces and advances their expression by one frame.
    *
-   * @param root root of the meshes that an expression moves.
+   * @param root root of the meshes whose blendshapes the expression moves.
    * @param faces current faces.
    * @param seconds time since the last frame.
    * @returns whether an expression is still playing, so that another frame is needed.
@@ -49,7 +49,7 @@ export class DeclaredFaces {
     this.#playing = undefined
   }
 
-  /** Plays an expression. Does nothing while none is declared, so that the page can move the blendshapes. */
+  /** Plays an expression if it has changed. Without an expression, the page controls the blendshapes. */
   #express(root: Object3D, face: WrinklesBase | undefined, expression: ExpressionChoice | undefined): void {
     const isNew = !isSame(expression, this.#playing)
     if (!isNew && (expression === undefined || !this.#isStale)) return
@@ -74,7 +74,7 @@ export class DeclaredFaces {
   }
 }
 
-/** Whether two expressions have equal names and weights: JSX creates `{{ happy: 0.5 }}` on each render. */
+/** Compares the names and weights of two expressions. Identity is not enough, because JSX creates a new object on each render. */
 function isSame(a: ExpressionChoice | undefined, b: ExpressionChoice | undefined): boolean {
   if (a === b || typeof a !== 'object' || typeof b !== 'object') return a === b
   const names = Object.keys(a)

@@ -15,8 +15,9 @@ export type { WrinkleState } from './wrinkle-state.ts'
 export type { WrinklesProps } from './wrinkles-component.ts'
 
 /**
- * Declares the state of all wrinkled faces among its children, or without children of its parent and all objects below it.
+ * React component that sets the state of wrinkled faces by properties. With children, it applies to all faces among the children. Without
+ * children, it applies to the parent object and all objects below the parent.
  *
- * Properties that a face does not support are skipped with one warning. Faces without wrinkles are left unchanged.
+ * Properties that a face does not support are skipped with one warning. Meshes without wrinkles are left unchanged.
  */
 export const Wrinkles: (props: WrinklesProps) => ReactNode = /* @__PURE__ */ wrinklesComponent(WebGLWrinkles)

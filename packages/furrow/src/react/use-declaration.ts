@@ -5,17 +5,17 @@ import type { WrinklesBase } from '../three/wrinkles-base.ts'
 import { DeclaredFaces } from './declared-faces.ts'
 import type { WrinkleState } from './wrinkle-state.ts'
 
-/** Faces, and the root of their meshes. */
+/** Faces, and an object that contains their meshes. */
 export interface FaceSource {
   root: Object3D
   faces: readonly WrinklesBase[]
 }
 
 /**
- * Applies a state to faces before each frame, and restores the original state on unmount. Runs per frame, because meshes that a page creates
- * with the material of a loaded face get wrinkles from their second frame on.
+ * Applies a state to faces before each frame, and restores their original state on unmount. Faces are searched in each frame, because a mesh
+ * that a page creates with the material of a loaded face gets wrinkles only from its second frame on.
  *
- * @param find called in each frame; returns null if there are no faces yet.
+ * @param find returns the current faces, or null if there are none yet. It is called in each frame.
  */
 export function useDeclaration(find: () => FaceSource | null, state: WrinkleState): void {
   const invalidate = useThree((three) => three.invalidate)
@@ -27,7 +27,7 @@ export function useDeclaration(find: () => FaceSource | null, state: WrinkleStat
       declared.current = null
     }
   }, [])
-  // Required for canvases with `frameloop="demand"`.
+  // A canvas with `frameloop="demand"` draws only when invalidated.
   useLayoutEffect(() => invalidate())
   useFrame((_, seconds) => {
     const source = find()

@@ -2,21 +2,21 @@ import { checkOptionNames } from '../core/nearest-name.ts'
 import type { ExpressionChoice } from '../runtime/expression-mix.ts'
 import type { ReliefMode, WrinkleMode } from '../three/options.ts'
 
-/** Declared state of faces. Removing a property restores its original value. */
+/** State of faces that a React component sets. Removing a property restores its original value. */
 export interface WrinkleState {
   /** Activations by area name, 0..1. Unknown names are ignored. */
   activations?: Readonly<Record<string, number>>
-  /** Custom inputs of drivers by name, e.g. `age` in years. */
+  /** Numbers that drivers read, by name, for example `age` in years. */
   inputs?: Readonly<Record<string, number>>
-  /** Expression name, or weights (0..1) by name. If omitted, the page controls the blendshapes. */
+  /** Name of an expression, or weights (0..1) of several expressions by name. If omitted, the page controls the blendshapes. */
   expression?: ExpressionChoice
   /** Shading mode. */
   mode?: WrinkleMode
-  /** When the layers' heights displace the surface. */
+  /** Whether the layers' height maps displace the surface: never, near the camera, or always. */
   relief?: ReliefMode
 }
 
-/** Property names, checked for completeness by the type. */
+/** Names of all properties. The type makes sure that none is missing. */
 const NAMES: Record<keyof WrinkleState, true> = {
   activations: true,
   inputs: true,

@@ -8,16 +8,16 @@ import type { WrinkleState } from './wrinkle-state.ts'
 
 /** Properties of `<Wrinkles>`. */
 export interface WrinklesProps extends WrinkleState {
-  /** Objects with the faces. Without children the parent is used: `<mesh><Wrinkles set={set} /></mesh>`. */
+  /** Objects that contain the faces. Without children, the parent object is used: `<mesh><Wrinkles set={set} /></mesh>`. */
   children?: ReactNode
-  /** Wrinkle set for the parent mesh, if no loader has added wrinkles. */
+  /** Wrinkle set for the parent mesh. Omit it if a loader has already added wrinkles. */
   set?: WrinkleSet<ArraySlice>
 }
 
-/** `Wrinkles` class for one kind of renderer. */
+/** Class `Wrinkles` of `furrow/three` or of `furrow/webgpu`. */
 export type WrinklesClass = new (mesh: Mesh, set: WrinkleSet<ArraySlice>) => WrinklesBase
 
-/** Creates the component for one kind of renderer. */
+/** Creates the component `<Wrinkles>` for the renderer of the given class. */
 export function wrinklesComponent(Wrinkles: WrinklesClass) {
   return ({ children, set, ...state }: WrinklesProps): ReactNode => {
     const group = useRef<Group>(null)
@@ -30,7 +30,7 @@ export function wrinklesComponent(Wrinkles: WrinklesClass) {
         const wrinkles = new Wrinkles(mesh, set)
         return () => wrinkles.dispose()
       } catch (error) {
-        // Without wrinkles the face stays plain.
+        // An invalid wrinkle set must not break the page: the mesh is drawn without wrinkles.
         console.warn((error as Error).message)
       }
     }, [set])
