@@ -24,62 +24,68 @@ import type { DetectedFace } from './surface/detect-face.ts'
 import type { Landmarks } from './surface/landmarks.ts'
 import { prepareSkin } from './surface/prepare-skin.ts'
 
-/** Area with its driver. */
+/** Area of influence with its driver. */
 export interface AutoArea {
   name: string
-  /** Index of its layer. */
+  /** Index of the area's layer. */
   layer: number
   weights: GrayImage
   driver: MorphDriver
-  /** Age driver that keeps the lines at rest by the input `age`; faces only. */
+  /** Driver that shows the lines at rest, depending on the input `age`. Only faces have it. */
   ageing?: AgeDriver | undefined
-  /** Fraction by which its expression shortens the skin across the lines. */
+  /** Fraction by which the region's expression shortens the skin across the lines. */
   compression: number
-  /** Root mean square error of the driver's activation against the measured one, over single targets and combinations, 0..1. */
+  /**
+   * Root mean square difference, 0..1, between the driver's activation and the activation that follows from the measured compression. The
+   * mean is over poses of single blendshapes and of combinations.
+   */
   error: number
+  /** Number of lines. */
   lines: number
 }
 
 /** Wrinkles made from blendshapes. */
 export interface AutoWrinkles {
-  /** Positions of facial features; undefined if no face was detected and strain alone places the lines. */
+  /** Positions of facial features. Undefined if no face was detected; the lines are then placed by the compression of the skin alone. */
   landmarks: Landmarks | undefined
-  /** Names of the targets used: all except broken ones. */
+  /** Names of the blendshapes that were used: all except broken ones. */
   targets: string[]
-  /** Layers of lines, then the layer of fine furrows, which has no strokes. */
+  /** Layers with lines. If there are fine furrows, their layer comes last; it has no strokes. */
   layers: AutoLayer[]
-  /** Net of fine furrows; undefined if disabled or texels are too large. */
+  /** Pattern of fine furrows. Undefined if furrows are disabled, or texels are too large for them. */
   furrows: AutoFurrows | undefined
   /** Blood maps of the layers, and areas that show only blood. */
   blood: AutoBlood
   areas: AutoArea[]
-  /** Millimetres per unit of the skin's positions; faces are scaled by the distance of their eyes. */
+  /** Millimetres per unit of the skin's positions. On faces, it is derived from the distance between the eyes. */
   scale: number
-  /** Parts of a face without an area, with reasons. */
+  /** Regions of the face that got no area, with reasons. */
   missing: MissingRegion[]
-  /** Presets for the face's blendshapes; the drivers of the areas add the wrinkles. */
+  /** Expression presets in the names of the face's blendshapes. They move blendshapes only; the areas' drivers add the wrinkles. */
   expressions: ExpressionDriver[]
   /** Complete sentences without a full stop. */
   warnings: string[]
-  /** Reason for missing areas, as part of a sentence; undefined if there are areas. */
+  /** Reason why there are no areas, to be used in a sentence. Undefined if there are areas. */
   emptyReason: string | undefined
 }
 
 /**
- * Reports progress: called before each step, during it, and at the end. Errors it throws abort the work and are passed on.
+ * Reports progress. It is called before each step, during the step, and at the end. An error that it throws stops the work.
  *
- * @param done finished steps, plus the fraction of the current one.
+ * @param done number of finished steps, plus the finished fraction of the current step.
+ * @param total number of steps.
+ * @param step name of the current step.
  */
 export type AutoProgress = (done: number, total: number, step: string) => void
 
 export const AUTO_STEPS = ['face', 'lines', 'drivers', 'layers', 'maps'] as const
 
 /**
- * Makes wrinkles from a character's blendshapes: skin creases where they compress it, on faces along anatomical lines. The same input and
- * seed give bit-identical maps.
+ * Makes wrinkles from a character's blendshapes. Skin creases where blendshapes compress it; on faces, creases follow the lines known from
+ * anatomy. The same input and seed produce bit-identical maps.
  *
- * @throws FurrowError if the skin has no targets, no UV area, or NaN or infinite values.
- * @throws FurrowError if regions are chosen without a face, or furrows with only one layer.
+ * @throws FurrowError if the skin has no blendshapes, no area in UV space, or NaN or infinite values.
+ * @throws FurrowError if `regions` is set but no face is detected, or if `furrows` is set with only one layer.
  * @throws FurrowError if an option is unknown or out of range.
  */
 export function autoWrinkles(
@@ -99,7 +105,7 @@ export function autoWrinkles(
 
   if (settings.furrows && settings.layers < 2) throw missingLayerError()
 
-  // One folder per stage, each using the previous ones: surface -> strain -> lines -> fit -> raster -> blood, furrows.
+  // Each stage has a folder and uses the stages before it: surface -> strain -> lines -> fit -> raster -> blood, furrows.
   begin('face')
   const prepared = prepareSkin(skin)
   if (!prepared.face && options.regions) throw missingFaceError(options.regions)
@@ -108,7 +114,7 @@ export function autoWrinkles(
   const regions = settings.regions.filter((region) => !doubtful.has(region))
   const lineSettings = { ...settings, regions, ageFraction: (age - 20) / 60, maxAreas }
   const lineProgress = begin('lines')
-  // Strain is the largest data, so it is not kept in a variable: it can be freed once the lines are laid.
+  // The strain is not stored in a variable, so that its large arrays can be freed once the lines are laid.
   const creased = layLines(prepared, measureStrain(prepared, lineSettings, lineProgress), lineSettings)
   const fitted = fitDrivers(prepared, creased, maxAreas, begin('drivers'))
   begin('layers')
@@ -160,7 +166,7 @@ export function autoWrinkles(
   }
 }
 
-/** Returns the lines of all layers and the net of fine furrows as a document for `parseStrokes`. */
+/** Returns the lines of all layers and the pattern of fine furrows as a strokes document, which `parseStrokes` accepts. */
 export function strokesOf({
   layers,
   scale,
@@ -176,7 +182,7 @@ function emptyReasonOf(isUnknownHead: boolean): string {
     : 'no blendshape compresses the skin enough to crease it'
 }
 
-/** Returns a warning about a head whose landmarks are unreliable. */
+/** Returns a warning if measurements of the head are outside the human range, because its landmarks are then unreliable. */
 function stylisedWarnings(unusual: readonly UnusualMeasure[]): string[] {
   if (unusual.length === 0) return []
   const measures = unusual.map(({ description }) => description).join('; ')
@@ -204,7 +210,7 @@ function missingFaceError(regions: readonly string[]): FurrowError {
   })
 }
 
-/** Returns the presets that a face can show, without activations. */
+/** Returns the expression presets that a face's blendshapes can show. The presets have no activations. */
 function presetsOf({ names, hints, find }: DetectedFace): ExpressionDriver[] {
   const loaderFinds = targetFinder(names)
   const ownNames = (shape: string) => {
@@ -212,7 +218,7 @@ function presetsOf({ names, hints, find }: DetectedFace): ExpressionDriver[] {
     const loaded = loaderFinds(shape)
     const isSame = loaded.length > 0 && loaded.every((target) => found.includes(target))
     if (found.length === 0 || isSame) return found.slice(0, 1).map(() => shape)
-    // The loader knows this rig only by its own names.
+    // Loaders do not find this shape by its ARKit name, so the preset must name the rig's blendshapes.
     const own = found.filter((target) => hints[target]?.match !== 'like')
     return own.length > 0 ? own.map((target) => names[target]) : [shape]
   }

@@ -6,27 +6,30 @@ import { AUTO_REGIONS, type AutoRegion } from './anatomy/region-names.ts'
 
 /** Options of `autoWrinkles`; `AUTO_DEFAULTS` has the defaults. */
 export interface AutoOptions {
-  /** Age in years, 20..80: lines grow in number, length and depth. If given, also ages the neutral face until the input `age` is set. */
+  /**
+   * Age in years, 20..80. With age, lines grow in number, length and depth. If the option is given, the neutral face also shows lines of this
+   * age until the application sets the input `age`.
+   */
   age?: number
-  /** Factor on the depth, 0..2. */
+  /** Factor on the depth of all wrinkles, 0..2. */
   strength?: number
-  /** Side of the maps in texels. */
+  /** Width and height of the layers' maps in texels. */
   size?: number
-  /** Side of the areas in texels. */
+  /** Width and height of the areas' maps in texels. */
   areaSize?: number
-  /** Random seed, an integer: same seed, same wrinkles. */
+  /** Random seed, an integer. The same seed produces the same wrinkles. */
   seed?: number
-  /** Seeds of individual regions, overriding `seed`. The forehead uses `foreheadInner`, because its lines cross both of its regions. */
+  /** Seeds of single regions, which replace `seed`. The seed of `foreheadInner` applies to the whole forehead. */
   seeds?: Readonly<Partial<Record<AutoRegion, number>>>
-  /** Maximum number of layers, 1..4; at least 2 with fine furrows. */
+  /** Maximum number of layers, 1..4. Fine furrows require at least 2. */
   layers?: number
-  /** Maximum number of areas with lines, 1..64; the least compressed ones are dropped. */
+  /** Maximum number of areas with lines, 1..64. The regions with the least compression are dropped. */
   areas?: number
-  /** Parts of a face that may crease; default: all. Requires a face. */
+  /** Regions of the face that get wrinkles; default: all. The option requires that a face is detected. */
   regions?: readonly AutoRegion[]
-  /** Adds a net of fine furrows to a face, on its own layer. Furrows narrower than two texels are skipped. */
+  /** Whether to add a layer with a pattern of fine furrows to a face. Furrows narrower than two texels are skipped. */
   furrows?: boolean
-  /** Tangent frame of the normal maps, see `heightToNormal`. */
+  /** Tangent frame of the normal maps; see `TangentFrame`. */
   frame?: TangentFrame
 }
 
@@ -56,14 +59,14 @@ const RANGES = {
   areas: [1, 64],
 } as const satisfies Partial<Record<keyof AutoOptions, readonly [number, number]>>
 
-/** Options that may be fractional. */
+/** Options that need not be integers. */
 const FRACTIONS: readonly string[] = ['age', 'strength']
 
 /**
  * Checks the options of `autoWrinkles`.
  *
- * @param who caller, for errors.
- * @throws FurrowError at the first option that is unknown or out of range.
+ * @param who name of the caller in errors.
+ * @throws FurrowError for the first option that is unknown or out of range.
  */
 export function checkAutoOptions(options: AutoOptions, who: string): void {
   checkOptionNames(options, Object.keys(AUTO_DEFAULTS), who)

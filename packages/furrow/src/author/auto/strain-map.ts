@@ -7,20 +7,20 @@ import { principalAt } from './strain/principal.ts'
 import { poseOf } from './surface/pose.ts'
 import { prepareSkin } from './surface/prepare-skin.ts'
 
-/** Compression of the skin, in UV space. */
+/** Map of the compression of skin. */
 export interface StrainMap {
   width: number
   height: number
-  /** Maximum fraction of length that skin loses in any direction, 0..1; NaN outside the skin. Row 0 at the top. */
+  /** Fraction of length that the skin loses in the direction of largest loss, 0..1; NaN outside the skin. Row 0 is at v = 0. */
   data: Float32Array
 }
 
 /**
- * Maps the principal compression of poses per texel, as `autoWrinkles` measures it.
+ * Computes maps of the compression of skin in poses, as `autoWrinkles` measures it.
  *
- * @param poses weights by target, in any rig's spelling; unknown targets are ignored.
- * @param size side of the maps in texels.
- * @throws FurrowError like `autoWrinkles`.
+ * @param poses weights of blendshapes by name, in the spelling of any rig. Unknown names are ignored.
+ * @param size width and height of the maps in texels.
+ * @throws FurrowError if `autoWrinkles` could not use the skin.
  */
 export function strainMaps(
   skin: Skin,

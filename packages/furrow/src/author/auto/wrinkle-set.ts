@@ -13,7 +13,8 @@ export type AutoDriver = MorphDriver | AgeDriver | TimeDriver | ExpressionDriver
 type Heights = Required<Pick<Layer, 'height' | 'heightAmplitude'>>
 
 /**
- * Converts automatic wrinkles to a wrinkle set with heights, drivers and expressions, for `new Wrinkles(mesh, autoWrinkleSet(wrinkles))`.
+ * Converts the result of `autoWrinkles` to a wrinkle set with heights, drivers and expressions. A page can show it with
+ * `new Wrinkles(mesh, autoWrinkleSet(wrinkles))`.
  */
 export function autoWrinkleSet({
   layers,
@@ -44,16 +45,16 @@ export function autoWrinkleSet({
   }
 }
 
-/** Halves the heights' side, because only normals show how steep a crease is. */
+/** Converts heights to a map of half the width and height. Heights need less resolution than normals, which show how steep a crease is. */
 function heightOf(heights: HeightMap): Heights {
   const { levels, amplitude } = heightLevels(heights.data)
   return { height: halfSide({ ...heights, data: levels }), heightAmplitude: amplitude }
 }
 
 /**
- * Returns all drivers of automatic wrinkles: blendshapes, age, blood, fine furrows and expressions.
+ * Returns all drivers of automatic wrinkles: drivers by blendshapes, age drivers, drivers of blood and fine furrows, and expressions.
  *
- * @param wrinkles omit `blood` or `furrows` if their areas are not used.
+ * @param wrinkles result of `autoWrinkles`. Omit `blood` or `furrows` if their areas are not used.
  */
 export function autoDrivers({
   areas,

@@ -1,7 +1,7 @@
 import { cos, sin } from '../../../math/elementary.ts'
 import { bezierPath, chartPointOf, type FaceContext, type FaceRegion, type Guide } from './region.ts'
 
-/** Chin dimples, the crease above the chin (mentalis), and neck rings. */
+/** Returns the regions of the chin and the neck: chin dimples, the crease above the chin (mentalis muscle), and neck rings. */
 export function chinAndNeck(context: FaceContext): FaceRegion[] {
   return [chin(context), neck(context)]
 }

@@ -12,20 +12,20 @@ import {
   sampleCurve,
 } from './region.ts'
 
-/** Crow's feet and fine lines below the lower lid (orbicularis oculi). */
+/** Returns the regions around the eyes: crow's feet, and fine lines below the lower lid (orbicularis oculi muscle). */
 export function eyes(context: FaceContext): FaceRegion[] {
   return SIDES.flatMap(([side, name]) => [crowsFeet(context, side, name), underEye(context, side, name)])
 }
 
-/** Fan from the outer corner: long lines, finer ones that start between them farther out, and a fork. */
+/** Creates crow's feet: a fan of long lines from the outer corner of the eye, finer lines between their outer parts, and a fork. */
 function crowsFeet({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: string): FaceRegion {
   const rng = rngOf(`crowsFeet${name}`)
   const [corner, up] = chartPointOf(landmarks.outerCorner)
   const lines = Math.round(byAge(3, 5))
-  /** Line of the fan: t = 0 uppermost, 1 lowest; `start` is its distance from the corner in millimetres. */
+  /** Creates a line of the fan: t = 0 is the uppermost line, t = 1 the lowest one. `start` and `length` are in millimetres. */
   const ray = (t: number, start: number, length: number): ChartPoint[] => {
     const rise = 27 - 75 * t
-    // The outer ends bend up above and down below, like the ring muscle.
+    // Like the ring-shaped muscle, upper lines bend up at their outer ends, and lower lines bend down.
     const bend = 0.35 * rise + rng.jitter(6)
     const [wave, phase] = [rng.jitter(9), rng.uniform(0, 2 * Math.PI)]
     return walk(side, [corner + start * cosOf(rise), up + start * sinOf(rise)], length, (s) => {
@@ -75,7 +75,7 @@ function crowsFeet({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: s
   }
 }
 
-/** Arcs along the lower lid, finer than crow's feet. */
+/** Creates arcs below the lower lid, finer than crow's feet. */
 function underEye({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: string): FaceRegion {
   const rng = rngOf(`underEye${name}`)
   const [inner] = chartPointOf(landmarks.innerCorner)
@@ -114,13 +114,14 @@ function underEye({ landmarks, byAge, rngOf }: FaceContext, side: Side, name: st
   }
 }
 
-/** Style of lines that fork off, or run between two others. */
+/** Style of fine lines: forks, and lines between two long lines. */
 const BRANCH = { width: 1.3, taper: [0.3, 0.6], shoulder: [0.8, 0.8], softness: 0.5 } as const
 
 /**
- * Traces a curve outwards.
+ * Traces a curve outwards, away from the middle of the face.
  *
- * @param rise direction in degrees above the horizontal at t of its length, 0..1.
+ * @param length length of the curve in millimetres.
+ * @param rise returns the direction of the curve in degrees above the horizontal, at a fraction t of its length.
  */
 function walk(side: Side, [x, y]: ChartPoint, length: number, rise: (t: number) => number): ChartPoint[] {
   let [across, up] = [x, y]
@@ -134,7 +135,7 @@ function walk(side: Side, [x, y]: ChartPoint, length: number, rise: (t: number) 
 }
 
 const STEPS = 20
-/** Amplitude in degrees of short-range turns in crow's feet. */
+/** Amplitude, in degrees, of the short waves of crow's feet. */
 const RIPPLE = 5
 
 const degreesOf = (across: number, up: number) => (atan2(up, across) * 180) / Math.PI

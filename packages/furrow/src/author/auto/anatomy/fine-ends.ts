@@ -4,21 +4,26 @@ import { length2 } from '../../../math/vector.ts'
 import type { ChartPoint } from '../surface/head-chart.ts'
 import { type Guide, sampleCurve } from './region.ts'
 
-/** Start of a fine line as a fraction of the other line's length from its end, and angle between both in radians. */
+// A fine line (branch) starts near the end of another line (stem). Pairs are the minimum and maximum of a random value.
+/** Distance from the stem's end to the start of the branch, as a fraction of the stem's length. */
 const BRANCH_START = [0.16, 0.34] as const
+/** Angle between branch and stem in radians. */
 const ANGLE = [0.13, 0.3] as const
-/** Length in millimetres, and maximum length as a fraction of the other line's. */
+/** Length of a branch in millimetres. */
 const LENGTH = [7, 13] as const
+/** Maximum length of a branch as a fraction of the stem's length. */
 const MAX_LENGTH_RATIO = 0.45
-/** Width and depth as fractions of the other line's. */
+/** Width of a branch as a fraction of the stem's width. */
 const WIDTH = 0.7
+/** Depth of a branch as a fraction of the stem's depth. */
 const DEPTH = [0.3, 0.5] as const
+/** Number of points of a branch. */
 const POINTS = 8
 
 /**
- * Adds finer lines that branch off near the ends of lines, to either side: a crease does not stop, but fades into the surrounding furrows.
+ * Adds fine lines that branch off near the ends of lines, because a real crease does not stop but fades into fine furrows.
  *
- * @param fraction of the ends that branch, 0..1.
+ * @param fraction fraction of the ends that get a fine line, 0..1.
  */
 export function withFineEnds(guides: readonly Guide[], fraction: number, rng: Rng): Guide[] {
   return guides.flatMap((guide) => {
@@ -38,7 +43,7 @@ function fineEnd({ path, width, depth, softness }: Guide, rng: Rng): Guide {
   const length = Math.min(rng.uniform(...LENGTH), MAX_LENGTH_RATIO * lengthOf(path))
   return {
     path: sampleCurve(POINTS, (t): ChartPoint => {
-      // Turn gradually, so that the branch starts tangentially.
+      // Turn gradually, so that the branch starts in the direction of the stem.
       const angle = heading + turn * t
       return [start[0] + t * length * cos(angle), start[1] + t * length * sin(angle)]
     }),

@@ -12,13 +12,14 @@ import {
   sampleCurve,
 } from './region.ts'
 
-/** Half widths in millimetres of the transitions between left and right, and between inner and outer half. */
+/** Half the width, in millimetres, of the transition between the left and the right areas. */
 const MIDDLE = 4
+/** Half the width, in millimetres, of the transition between an inner and an outer area. */
 const HALVES = 9
 
 /**
- * Forehead: stacked horizontal lines that dip between the brows and arch over them (frontalis). Four areas share these lines, because the
- * inner and outer brows rise independently.
+ * Returns the regions of the forehead: horizontal lines, one above the other, that dip between the brows and arch over the brows (frontalis
+ * muscle). Four areas show parts of the same lines, because the inner and outer ends of both brows rise independently.
  */
 export function forehead({ landmarks, byAge, rngOf }: FaceContext): FaceRegion[] {
   const rng = rngOf('forehead')
@@ -30,7 +31,7 @@ export function forehead({ landmarks, byAge, rngOf }: FaceContext): FaceRegion[]
   const guides: Guide[] = []
   for (let i = 0; i < lines; i++) {
     const t = (i + rng.jitter(0.12)) / (lines - 1)
-    // The outermost lines are short and shallow.
+    // The uppermost and lowest lines are shorter and shallower than the others.
     const strength = 1 - 0.5 * power(Math.abs(2 * t - 0.8), 1.5)
     const reach = Math.abs(outer[0]) * (0.78 + 0.3 * strength) + rng.jitter(5)
     const level = brow + height * (0.2 + 0.58 * t)
@@ -42,7 +43,7 @@ export function forehead({ landmarks, byAge, rngOf }: FaceContext): FaceRegion[]
       return [across, level - dip - fall + wave]
     }
     const start = -(reach + rng.jitter(4))
-    // Most lines are broken once, and both pieces overlap.
+    // Most lines consist of two pieces that overlap.
     const isBroken = rng.next() < 0.65
     const gap = rng.jitter(0.75 * reach)
     const pieces = isBroken
@@ -92,7 +93,7 @@ export function forehead({ landmarks, byAge, rngOf }: FaceContext): FaceRegion[]
   return SIDES.flatMap(([side, name]) => [region(side, name, 'Inner'), region(side, name, 'Outer')])
 }
 
-/** Creates a short, faint line between the line `pointAt` and the one below. */
+/** Creates a short, faint line halfway between the line `pointAt` and the next lower line. */
 function shortLine(
   pointAt: (across: number) => ChartPoint,
   spacing: number,

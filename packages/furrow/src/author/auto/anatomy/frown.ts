@@ -9,10 +9,13 @@ import {
   type Side,
 } from './region.ts'
 
-/** Half width in millimetres of the transition between left and right. */
+/** Half the width, in millimetres, of the transition between the left and the right area. */
 const MIDDLE = 2
 
-/** Frown lines: vertical ones beside the middle, more with age (corrugator), and horizontal ones on the root of the nose (procerus). */
+/**
+ * Returns the regions of frowning: vertical lines between the brows, whose number grows with age (corrugator muscle), and horizontal lines on
+ * the root of the nose (procerus muscle).
+ */
 export function frown(context: FaceContext): FaceRegion[] {
   return [...SIDES.map(([side, name]) => glabella(context, side, name)), noseRoot(context)]
 }
@@ -26,7 +29,7 @@ function glabella(
   const [inner, brow] = chartPointOf(landmarks.innerBrow)
   const centre = 0.5 * inner + rng.jitter(0.5)
   const line = (across: number, low: number, high: number, width: number, depth: number): Guide => ({
-    // Leans outwards at the top and bends towards the nose at the bottom.
+    // The line leans outwards at the top and bends towards the nose at the bottom.
     path: bezierPath(
       side,
       [across - 0.6, brow + low],

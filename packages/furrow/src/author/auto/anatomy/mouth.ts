@@ -8,7 +8,7 @@ import {
   type Side,
 } from './region.ts'
 
-/** Nasolabial folds, lines beside the corners of the mouth, and vertical lines on the lips. */
+/** Returns the regions around the mouth: nasolabial folds, lines beside the corners of the mouth, and vertical lines on the lips. */
 export function mouth(context: FaceContext): FaceRegion[] {
   return [
     ...SIDES.flatMap(([side, name]) => [nasolabial(context, side, name), mouthCorner(context, side, name)]),
@@ -17,10 +17,10 @@ export function mouth(context: FaceContext): FaceRegion[] {
   ]
 }
 
-/** Width in millimetres of the cheek skin that the nasolabial fold takes up: the cheek slides over the lip, which hardly moves. */
+/** Width in millimetres of the cheek skin whose compression forms the nasolabial fold. The skin of the lip hardly contributes. */
 const CHEEK = 10
 
-/** One deep line from the wing of the nose to beside the corner of the mouth, bulging on the cheek side. */
+/** Creates the nasolabial fold: a deep line from the wing of the nose to a point beside the corner of the mouth, with a bulging cheek. */
 function nasolabial(
   { landmarks, ageFraction, byAge, rngOf }: FaceContext,
   side: Side,
@@ -44,7 +44,7 @@ function nasolabial(
       width: byAge(3.8, 4.6),
       depth: 1,
       taper: [0.2, 0.5],
-      // The cheek hangs over the fold.
+      // The cheek hangs over the fold, so the bank on the cheek's side is higher.
       shoulder: side > 0 ? [1, 0.25] : [0.25, 1],
       lean: side * 0.25,
       gathers: side * CHEEK,
@@ -79,7 +79,7 @@ function nasolabial(
   }
 }
 
-/** Short arc beside the corner, and with age a line running down from it (depressor anguli oris). */
+/** Creates a short arc beside the corner of the mouth. Older faces also get a line from the corner downwards (depressor anguli oris). */
 function mouthCorner(
   { landmarks, ageFraction, byAge, rngOf }: FaceContext,
   side: Side,
@@ -98,7 +98,7 @@ function mouthCorner(
     width,
     depth,
     taper: [0.5, 0.5],
-    // No bank on the lips.
+    // The side of the lips has almost no bank.
     shoulder: side > 0 ? [0.8, 0.1] : [0.1, 0.8],
     softness: 0.5,
   })
@@ -133,9 +133,9 @@ function mouthCorner(
 }
 
 /**
- * Fine lines that run away from the edge of a lip (orbicularis oris).
+ * Creates fine lines that run away from the edge of a lip (orbicularis oris muscle).
  *
- * @param away 1 upwards, -1 downwards.
+ * @param away 1 for lines that run upwards from the upper lip, -1 for lines that run downwards from the lower lip.
  */
 function lip({ landmarks, byAge, rngOf }: FaceContext, name: string, away: 1 | -1): FaceRegion {
   const rng = rngOf(name)

@@ -8,7 +8,7 @@ import {
   type Side,
 } from './region.ts'
 
-/** Sides of the nose: short lines that run outwards from the ridge (nasalis). */
+/** Returns the regions on both sides of the nose: short lines that run outwards from the ridge (nasalis muscle). */
 export function nose(context: FaceContext): FaceRegion[] {
   return SIDES.map(([side, name]) => bunnyLines(context, side, name))
 }

@@ -2,10 +2,11 @@ import { atan2, cos, sin } from '../../../math/elementary.ts'
 import type { DetectedFace } from '../surface/detect-face.ts'
 import type { AutoRegion } from './region-names.ts'
 
-/** Facial measure outside the human range, which makes landmarks unreliable for some regions. */
+/** Facial measurement outside the human range. It makes the landmarks of some regions unreliable. */
 export interface UnusualMeasure {
-  /** Description, as part of a sentence. */
+  /** Text about the measurement, to be used in a sentence. */
   description: string
+  /** Regions whose landmarks are unreliable. */
   regions: readonly AutoRegion[]
 }
 
@@ -14,14 +15,15 @@ type MeasuredFace = Pick<DetectedFace, 'landmarks' | 'surface'>
 interface Measure {
   name: string
   measure: (face: MeasuredFace) => number
-  /** Accepted range in millimetres, for eyes 63 mm apart. */
+  /** Accepted range in millimetres, on heads scaled to eyes 63 mm apart. */
   range: readonly [low: number, high: number]
+  /** Regions that rely on the measurement. */
   regions: readonly AutoRegion[]
 }
 
 /**
- * Measures that regions rely on. An adult's eye is about 31 mm wide, and the nose protrudes by about 20 mm (Farkas 1994, Anthropometry of
- * the Head and Face). The wider ranges exclude only stylised heads.
+ * Facial measurements that regions rely on. An adult's eye is about 31 mm wide, and the nose protrudes by about 20 mm (Farkas 1994,
+ * Anthropometry of the Head and Face). The ranges are wide, so that they exclude stylised heads only.
  */
 const MEASURES: readonly Measure[] = [
   {
@@ -57,18 +59,21 @@ const MEASURES: readonly Measure[] = [
 ]
 
 /**
- * Upper bound of the angle in radians by which skin above the eyes faces up from the line between eyes and mouth: 9 to 23 degrees on
- * human heads.
+ * Reference for the angle, in radians, by which skin above the eyes faces upwards if the line from eyes to mouth is vertical. Human heads
+ * have 9 to 23 degrees; a smaller angle means that the mouth protrudes.
  */
 const LEAN = 0.24
-/** Box of the skin above the eyes, in millimetres. */
+// Box of the skin above the eyes, in millimetres.
+/** Minimum and maximum height above the eyes. */
 const ABOVE = [5, 60] as const
+/** Maximum distance from the middle of the face. */
 const BESIDE = 45
+/** Maximum distance behind the eyes. */
 const BEHIND = 30
 
 /**
- * Returns how far the mouth protrudes beyond a human one, in millimetres: the tilt of the line from eyes to mouth against the skin above
- * the eyes.
+ * Returns how far the mouth protrudes beyond the mouth of a human face, in millimetres. The measure is the angle between the line from eyes
+ * to mouth and the skin above the eyes.
  */
 function muzzleOf({
   landmarks: { eye, mouthCorner },
@@ -82,13 +87,13 @@ function muzzleOf({
     up += areas[i] * normals[3 * i + 1]
     forwards += areas[i] * normals[3 * i + 2]
   }
-  // A mask that ends at the brows cannot be measured.
+  // A mesh that ends at the brows has no skin above the eyes, so it cannot be measured.
   if (!(forwards > 0)) return 0
   const lean = LEAN - atan2(up, forwards)
   return ((eye[1] - mouthCorner[1]) * sin(lean)) / cos(lean)
 }
 
-/** Returns the measures of a face that are outside the human range. */
+/** Returns the measurements of a face that are outside the human range. */
 export function unusualMeasures(face: MeasuredFace): UnusualMeasure[] {
   return MEASURES.flatMap(({ name, measure, range: [low, high], regions }) => {
     const value = measure(face)

@@ -1,4 +1,4 @@
-/** Parts of a face that crease: the names of their areas, without the side. */
+/** Regions of a face that crease. A region's area has the same name, followed by `Left` or `Right` if both sides have an area. */
 export const AUTO_REGIONS = [
   'foreheadInner',
   'foreheadOuter',
@@ -15,5 +15,5 @@ export const AUTO_REGIONS = [
   'neck',
 ] as const
 
-/** Part of the face that {@link autoWrinkles} wrinkles. */
+/** Name of a region of the face for which {@link autoWrinkles} makes wrinkles. */
 export type AutoRegion = (typeof AUTO_REGIONS)[number]

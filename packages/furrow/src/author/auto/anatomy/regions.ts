@@ -7,7 +7,7 @@ import { nose } from './nose.ts'
 import type { FaceContext, FaceRegion } from './region.ts'
 import type { AutoRegion } from './region-names.ts'
 
-/** Returns the requested regions of both sides. */
+/** Returns the requested regions of a face, for both sides. */
 export function faceRegions(context: FaceContext, wanted: readonly AutoRegion[]): FaceRegion[] {
   const names = new Set<string>(wanted)
   return [forehead, frown, nose, eyes, mouth, chinAndNeck]

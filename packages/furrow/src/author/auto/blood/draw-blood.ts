@@ -16,40 +16,48 @@ import { poseOf } from '../surface/pose.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { type Flush, fadeOf, flushesOf } from './flushes.ts'
 
-/** Area that shows only blood, with its delay. */
+/** Area of influence that shows only blood. */
 export interface BloodArea {
   name: string
-  /** Index of its layer. */
+  /** Index of the area's layer. */
   layer: number
   weights: GrayImage
+  /** The morph driver activates the area; the time driver delays the activation. */
   drivers: [MorphDriver, TimeDriver]
 }
 
-/** Blood of automatic wrinkles. */
+/** Blood maps of automatic wrinkles, and areas that show only blood. */
 export interface AutoBlood {
-  /** Amplitude of all layers, see `Layer`. */
+  /** Optical depth, in the green channel, of value 255 in the maps of all layers. */
   amplitude: number
   /** One map per layer. */
   maps: GrayImage[]
   areas: BloodArea[]
 }
 
-/** Distance in millimetres over which a flush fades in from the areas of lines on the same layer, which would show the flush. */
+/**
+ * Distance in millimetres over which a flush fades out towards lines of its layer. It must not overlap the areas of these lines, because they
+ * would show the flush without its delay.
+ */
 const LINE_FADE = 4
 
+/** Layers and areas for which blood is drawn. */
 export interface BloodSource {
-  /** Texels of the layers' maps and of the areas. */
+  /** Texels of the layers' maps. */
   texels: SkinTexels
+  /** Texels of the areas' maps. */
   areaTexels: SkinTexels
   layers: readonly { heights: HeightMap }[]
-  /** Regions with their lines, and the layer of each. */
+  /** Regions with their lines. */
   regions: readonly CreasedRegion[]
+  /** Index of each region's layer. */
   layerOf: readonly number[]
 }
 
 /**
- * Draws the blood of each layer: valleys are slightly darker. Flushes of a face get their own areas, because blood is slower than lines.
- * Each flush is on the layer with the fewest lines at its place, and fades out near those lines.
+ * Draws the blood map of each layer. Valleys of wrinkles get more blood, so they look slightly darker. Flushes (parts of a face that redden
+ * or turn pale) get areas of their own, because blood reacts more slowly than wrinkles. A flush is drawn on the layer that has the fewest
+ * lines near it.
  *
  * @param strength factor on the amplitude.
  */
@@ -60,7 +68,7 @@ export function drawBlood(
 ): AutoBlood {
   const maps = source.layers.map(({ heights }) => valleyBlood(heights))
   const flushes = face ? flushesOf(face.landmarks, isMirrored) : []
-  // A flush without lines looks like a blot.
+  // A flush on skin without wrinkle lines would look like a stain, so it is left out.
   const creased = new Set(source.regions.map(({ region }) => region.name))
   const shown = flushes.filter((flush) => flush.areas.some((area) => creased.has(area)))
   const areas = face ? drawFlushes(face, shown, names, source, maps) : []
@@ -68,12 +76,12 @@ export function drawBlood(
   return { amplitude, maps, areas }
 }
 
-/** Returns a layer map without blood. */
+/** Returns a blood map that changes nothing. */
 export function neutralBlood(size: number): GrayImage {
   return { width: size, height: size, data: new Uint8Array(size * size).fill(BLOOD_AT_REST) }
 }
 
-/** Adds flushes caused by the face's targets to the layers' maps, and draws their areas. */
+/** Adds the flushes that the face's blendshapes can cause to the layers' blood maps, and draws their areas. */
 function drawFlushes(
   face: DetectedFace,
   flushes: readonly Flush[],
@@ -117,10 +125,10 @@ function drawFlushes(
   return areas
 }
 
-/** Lines of a layer, with the distance at which flushes fade out. */
+/** Lines of a layer, and the sizes of the areas around them. */
 interface LineAreas {
   grid: LineGrid
-  /** Distance in millimetres that the area around each line extends. */
+  /** Distance in millimetres from each line to the end of its area. */
   extents: number[]
 }
 
@@ -134,7 +142,7 @@ function linesOf({ regions, layerOf }: BloodSource, layer: number): LineAreas {
   return { grid: new LineGrid([...extentOf.keys()], reaches), extents }
 }
 
-/** Draws the weights of a flush, 255 at its centre, 0 on hidden skin. */
+/** Draws the area of a flush: the weight is 255 at the flush's centre, and 0 on skin that is hidden, such as inside the mouth. */
 function drawArea({ chart }: DetectedFace, texels: SkinTexels, flush: Flush, lines: LineAreas): GrayImage {
   const { width, height } = texels
   const data = new Uint8Array(width * height)
@@ -154,8 +162,9 @@ function addFlush(texels: SkinTexels, flush: Flush, lines: LineAreas, { data }: 
 /**
  * Visits the texels of a flush.
  *
- * @param lines lines of its layer, where the flush fades out: neither shows in the other's area.
- * @param visit receives the square root of the fade, 0..1, because map and weights multiply.
+ * @param lines lines of the flush's layer. The flush fades out towards their areas.
+ * @param visit receives the square root of the flush's strength, 0..1. The square root is used for the blood map and for the area's weight,
+ *   which are multiplied when drawn.
  */
 function visitFlush(
   texels: SkinTexels,
@@ -175,7 +184,7 @@ function visitFlush(
   })
 }
 
-/** Returns a test whether a flush may reach into a box. Chart heights equal space heights. */
+/** Returns a function that tests whether a flush may reach into a box, given by its lowest and highest x, y and z. */
 function isNear({ centre, radii }: Flush): (low: Float64Array, high: Float64Array) => boolean {
   return (low, high) => {
     const isBeside = high[1] < centre[1] - radii[1] || low[1] > centre[1] + radii[1] || high[2] <= -60

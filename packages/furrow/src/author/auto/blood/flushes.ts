@@ -2,31 +2,29 @@ import { SIDES, type SkinRegion } from '../anatomy/region.ts'
 import { type ChartPoint, unroll } from '../surface/head-chart.ts'
 import type { Landmarks } from '../surface/landmarks.ts'
 
-/** Part of a face whose blood an expression changes. */
+/** Part of a face that an expression reddens or turns pale. */
 export interface Flush {
-  /** Name of its area. */
+  /** Name of the flush's area. */
   name: string
-  /** Areas of which at least one must have lines. */
+  /** Names of areas with lines. The flush is drawn only if at least one of them exists. */
   areas: readonly string[]
-  /** Ellipse on the head's chart in millimetres, fading from its centre to its edge. */
+  /** Centre of an ellipse on the head's chart, in millimetres. The flush is strongest at the centre. */
   centre: ChartPoint
+  /** Radii of the ellipse, in millimetres. The flush ends at the edge of the ellipse. */
   radii: ChartPoint
-  /** Increase of redness as a fraction of the amplitude; negative is paler. */
+  /** Increase of blood as a fraction of the blood map's amplitude. Negative values make the skin paler. */
   amount: number
-  /** Weights of the blendshapes that cause it, by ARKit names. */
+  /** Weights of the blendshapes that cause the flush, by ARKit names. */
   cause: SkinRegion['cause']
-  /**
-   * Time constants in seconds, see `TimeDriver`. Skin reddens over seconds and stays red for longer.
-   * Pressed skin turns pale at once and refills within about a second. Upper limits of normal are 1.0 s in men, 1.2 s in women and 4.5 s
-   * in the elderly (Schriger, Baraff 1988).
-   */
+  /** Time constant in seconds with which the flush appears; see `TimeDriver`. */
   attack: number
+  /** Time constant in seconds with which the flush disappears. */
   release: number
 }
 
 const ENDS = SIDES.map(([, name]) => name)
 
-/** Expands weights to one side's blendshapes, or to both sides at half the weight. */
+/** Adds the suffixes in `ends` to the names of blendshapes. Two suffixes share the weight equally. */
 function causeOf(weights: Readonly<Record<string, number>>, ends: readonly string[]): SkinRegion['cause'] {
   return Object.fromEntries(
     Object.entries(weights).flatMap(([shape, weight]) =>
@@ -35,14 +33,19 @@ function causeOf(weights: Readonly<Record<string, number>>, ends: readonly strin
   )
 }
 
-/** Working muscles redden the skin over them within seconds. */
+/** Skin over a working muscle reddens within seconds, and stays red for longer. */
 const REDDENING = { attack: 1.2, release: 4 }
+/**
+ * Pressed skin turns pale at once, and blood refills it within about a second. The upper limits of normal are 1.0 s in men, 1.2 s in women
+ * and 4.5 s in the elderly (Schriger, Baraff 1988).
+ */
 const PRESSING = { attack: 0.08, release: 0.9 }
 
 /**
- * Returns the flushes of a face: between the brows, beside the nose, on the cheeks, and the pale lips of a pressed mouth.
+ * Returns the flushes of a face: red skin between the brows, beside the nose and on the cheeks, and pale lips when the mouth is pressed.
  *
- * @param isMirrored whether left and right share texels: both sides then redden together, each driving half.
+ * @param isMirrored whether the left and the right half of the face share texels. Both sides then have one area, which the blendshapes of
+ *   each side activate by half.
  */
 export function flushesOf(landmarks: Landmarks, isMirrored: boolean): Flush[] {
   const at = ([x, y, z]: Landmarks['eye']) => unroll(x, y, z)
@@ -96,7 +99,7 @@ export function flushesOf(landmarks: Landmarks, isMirrored: boolean): Flush[] {
   ]
 }
 
-/** Returns the fade of a flush at a chart point: 1 at its centre, 0 from its edge. */
+/** Returns the strength of a flush at a chart point: 1 at the flush's centre, 0 at its edge and outside. */
 export function fadeOf({ centre, radii }: Flush, [across, up]: ChartPoint): number {
   const square = ((across - centre[0]) / radii[0]) ** 2 + ((up - centre[1]) / radii[1]) ** 2
   return square >= 1 ? 0 : (1 - square) ** 2

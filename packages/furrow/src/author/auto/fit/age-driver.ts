@@ -2,8 +2,8 @@ import type { AgeDriver } from '../../../drivers/age/definition.ts'
 import type { SkinRegion } from '../anatomy/region.ts'
 
 /**
- * Age in years, and depth at rest as a fraction of that at 70. Lines at the corners of the eyes form by 35 (Corcuff et al. 1987), deepen
- * fast from 40 and little after 60 (Akazaki et al. 2002).
+ * Depth of lines at rest by age, as a fraction of the depth at 70 years. Lines at the corners of the eyes form by 35 (Corcuff et al. 1987).
+ * They deepen fast from 40, and little after 60 (Akazaki et al. 2002).
  */
 const AT_REST: readonly (readonly [years: number, fraction: number])[] = [
   [32, 0],
@@ -14,9 +14,10 @@ const AT_REST: readonly (readonly [years: number, fraction: number])[] = [
 ]
 
 /**
- * Creates the driver that keeps a region's lines at rest by the input `age`: skin folded for long stays creased.
+ * Creates the driver that shows a region's lines at rest, depending on the input `age`, because old skin stays creased where it often folds.
  *
- * @param years initial age until the application sets the input; undefined hides the lines at rest.
+ * @param years age until the application sets the input `age`. Undefined: no lines are shown at rest until then.
+ * @returns undefined if the region's lines vanish at rest at any age.
  */
 export function ageDriver({ name, atRest }: SkinRegion, years: number | undefined): AgeDriver | undefined {
   if (atRest === undefined) return undefined

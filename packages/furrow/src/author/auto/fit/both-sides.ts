@@ -4,10 +4,13 @@ import type { SkinRegion } from '../anatomy/region.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { type FittedRegion, type MissingRegion, roundWeight } from './fit-driver.ts'
 
-/** Distance from the middle in millimetres beyond which each side has its own areas. */
+/** Distance from the middle of the face, in millimetres, from which the weights of a left area no longer fade towards the right side. */
 const MIDDLE = 5
 
-/** Merges sides that share texels: the left areas show on both sides, driven by the targets of both. */
+/**
+ * Merges the areas of a face whose left and right halves share texels. Only the left areas remain, because their texels show on both sides.
+ * The blendshapes of both sides drive them.
+ */
 export function mergeSides(
   fitted: readonly FittedRegion[],
   prepared: Pick<PreparedSkin, 'names' | 'known' | 'hints' | 'find'>,
@@ -24,14 +27,14 @@ export function mergeSides(
     })
 }
 
-/** Merges sides of regions without areas. */
+/** Merges the entries of both sides in a list of missing regions. */
 export function mergeMissingSides(missing: readonly MissingRegion[]): MissingRegion[] {
   return missing
     .filter(({ name }) => !name.endsWith('Right'))
     .map(({ name, reason }) => ({ name: name.replace(/Left$/, ''), reason }))
 }
 
-/** Splits the weight of each target between the target and its counterpart on the other side. */
+/** Splits the weight of each blendshape equally between the blendshape and its counterpart on the other side. */
 function targetsOfBothSides(
   { targets }: MorphDriver,
   { names, known, hints, find }: Pick<PreparedSkin, 'names' | 'known' | 'hints' | 'find'>,

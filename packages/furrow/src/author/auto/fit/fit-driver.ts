@@ -12,41 +12,44 @@ import { type Bounds, boundedLeastSquares } from './least-squares.ts'
 /** Region with its driver. */
 export interface FittedRegion extends CreasedRegion {
   driver: MorphDriver
-  /** Root mean square error of the activation over the fitted poses, 0..1; 0 if nothing is measured. */
+  /** Root mean square error of the driver's activation over the poses that it was fitted to, 0..1; 0 if the driver was not fitted. */
   error: number
 }
 
-/** Region without an area, with the reason. */
+/** Region that gets no area, with the reason. */
 export interface MissingRegion {
-  /** Name that its area would have. */
+  /** Name that the region's area would have. */
   name: string
-  /** Part of a sentence. */
+  /** Reason, to be used in a sentence. */
   reason: string
 }
 
-/** Compression that skin takes up without a line, as a fraction of its cause's compression. */
+/** Compression up to which skin has no line, as a fraction of the compression with full activation. */
 const ONSET = 0.12
-/** Compression below which a region does not crease. */
+/** Regions with less compression do not crease. */
 const MIN_COMPRESSION = 0.012
-/** Fraction of the strongest single target's compression that counts as fully creased. */
+/** Activation is full at least at this fraction of the largest compression by a single target. */
 const SINGLE_TARGET = 0.7
-/** Maximum number of targets per driver, and minimum compression of a target as a fraction of the strongest one's. */
+/** Maximum number of targets per driver. */
 const MAX_TARGETS = 12
+/** Targets with less compression, as a fraction of the strongest target's compression, are ignored. */
 const NEGLIGIBLE = 0.08
-/** Number of poses to fit a driver to, mostly combinations of targets. */
+/** Number of poses that a driver is fitted to. Most poses are combinations of targets. */
 const POSES = 120
-/** Bounds of a target's weight: maximum of a cause as a multiple of its weight, maximum of other targets, minimum of any. */
+/** Maximum weight of a target in the region's cause, as a multiple of its weight in the cause. */
 const MAX_CAUSE = 1.2
+/** Maximum weight of other targets. */
 const MAX_OTHER = 0.5
+/** Minimum weight of targets outside the cause. */
 const MIN_WEIGHT = -1
-/** Shapes that stretch skin or roll it over bone: skin that they push together slides instead of folding. */
+/** Shapes that stretch skin or roll it over bone. Skin that they push together slides instead of folding. */
 const TAUT = /^(jaw|tongue|eyeLook|eyeWide|cheekPuff|mouth(Left|Right|Close|Roll))/
 
 /**
- * Fits a driver to the targets' effect on the skin of a region. A pose's activation is its compression across the lines, relative to the
- * region's cause.
+ * Fits a region's driver to the compression of skin by targets. The driver should activate the area in each pose according to the measured
+ * compression across the lines, relative to the compression with full activation. `cause` is the region's cause as a pose.
  *
- * @returns the reason as a string if no target compresses the skin.
+ * @returns a reason, to be used in a sentence, if the region cannot crease.
  */
 export function fitDriver(
   {
@@ -76,7 +79,7 @@ export function fitDriver(
     vectorsAcross(gauge, offset, probe.vectors)
     return measureCompression(gauge, rest, [probe])
   })
-  /** Vectors of the targets used in poses, computed on demand. */
+  /** Cache of `vectorsAcross` for the targets that poses use. */
   const measured = new Map<number, Float64Array>()
   const vectorsOf = (target: number) => {
     const vectors = measured.get(target) ?? vectorsAcross(gauge, offsets[target])
@@ -87,7 +90,7 @@ export function fitDriver(
     const moved = [...pose].map(([target, weight]) => ({ vectors: vectorsOf(target), weight }))
     return measureCompression(gauge, rest, moved)
   }
-  // Full activation: the compression of the cause, or nearly that of the strongest plausible single target if larger.
+  // Compression with full activation: that of the cause, or most of the strongest single target's compression if this is larger.
   const full = compressions.reduce(
     (largest, value, target) => Math.max(largest, bounds[target][1] > 0 ? SINGLE_TARGET * value : 0),
     measure(cause),
@@ -132,12 +135,12 @@ function driverOf({ name }: SkinRegion, targets: MorphDriver['targets']): MorphD
   }
 }
 
-/** Evaluates the driver's curve. */
+/** Evaluates the curve of drivers that `fitDriver` creates. The compression is relative to the compression with full activation. */
 export function activationOf(relativeCompression: number): number {
   return clamp((relativeCompression - ONSET) / (1 - ONSET), 0, 1)
 }
 
-/** Returns the indices of the targets that change the compression most, by either sign. */
+/** Returns the indices of the targets that change the compression most, whether they increase or reduce it. */
 function strongestTargets(relative: readonly number[]): number[] {
   const largest = relative.reduce((a, b) => Math.max(a, b), 0)
   return relative
@@ -148,7 +151,7 @@ function strongestTargets(relative: readonly number[]): number[] {
     .map(({ target }) => target)
 }
 
-/** Draws poses: the cause, each target alone at full and half weight, and combinations of a few targets as on real faces. */
+/** Chooses poses: the cause, each target alone at full and at half weight, and random combinations of two to four targets. */
 function drawPoses(targets: readonly number[], cause: Pose): Pose[] {
   const rng = new Rng(1, 'poses')
   const poses: Pose[] = [cause]
@@ -161,10 +164,10 @@ function drawPoses(targets: readonly number[], cause: Pose): Pose[] {
   return poses
 }
 
-/** Returns the bounds of a target's weight. Targets of the other side, and targets that pull the skin taut, can only reduce it. */
+/** Returns the bounds of a target's weight. Targets of the other side, and targets that pull skin taut, get no positive weight. */
 function boundsOf(name: string, shape: string, { cause, name: area }: SkinRegion): Bounds {
   const own = Object.keys(cause).find((known) => [known, `${known}Left`, `${known}Right`].includes(shape))
-  // Targets of the cause do not work against it.
+  // Targets of the cause get no negative weight.
   if (own !== undefined || name in cause) return [0, MAX_CAUSE * cause[own ?? name]]
   const isOpposite = /Left$/.test(area) ? /Right$/.test(shape) : /Right$/.test(area) && /Left$/.test(shape)
   return [MIN_WEIGHT, isOpposite || TAUT.test(shape) ? 0 : MAX_OTHER]
@@ -174,7 +177,7 @@ function percent(fraction: number): string {
   return `${(100 * fraction).toFixed(1)}%`
 }
 
-/** Rounds a weight for writing: more decimals only lengthen the file. */
+/** Rounds a weight to three decimals, to keep files short. */
 export function roundWeight(weight: number): number {
   return Math.round(1000 * weight) / 1000
 }

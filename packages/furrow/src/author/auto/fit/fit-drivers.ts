@@ -5,9 +5,11 @@ import { standInsOf } from '../surface/stand-ins.ts'
 import { mergeMissingSides, mergeSides } from './both-sides.ts'
 import { type FittedRegion, fitDriver, type MissingRegion } from './fit-driver.ts'
 
-/** Regions with an area, and regions without. */
+/** Result of `fitDrivers`. */
 export interface FittedSkin {
+  /** Regions that get an area. */
   regions: readonly FittedRegion[]
+  /** Regions that get no area. */
   missing: readonly MissingRegion[]
   /** Complete sentences without a full stop. */
   warnings: readonly string[]
@@ -16,8 +18,8 @@ export interface FittedSkin {
 /**
  * Fits a driver to each region.
  *
- * @param maxAreas maximum number of regions; the least compressed ones are dropped.
- * @param report called with the fraction done.
+ * @param maxAreas maximum number of areas. Regions with the least compression are dropped.
+ * @param report called with the finished fraction of the work.
  */
 export function fitDrivers(
   prepared: PreparedSkin,
@@ -28,7 +30,7 @@ export function fitDrivers(
   const { face, known, hints, find, isMirrored } = prepared
   const fitted: FittedRegion[] = []
   const missing: MissingRegion[] = []
-  /** Causes of regions with skin but without an area. */
+  /** Causes, as texts to compare, of regions that have lines but no driver. */
   const failed = new Map<string, string>()
   const causeOf = ({ region }: CreasedRegion) => poseOf(find, region.cause)
   for (const [i, region] of creased.entries()) {
@@ -41,7 +43,7 @@ export function fitDrivers(
     missing.push({ name: region.region.name, reason: fit })
     if (region.creases.length > 0) failed.set(region.region.name, `${[...causeOf(region)]}`)
   }
-  // If one cause moves both sides, both crease or neither.
+  // If the left and the right region have the same cause and one of them cannot crease, the other one is dropped too.
   for (const [i, region] of [...fitted.entries()].reverse()) {
     const { name } = region.region
     const other = name.replace(/Left$|Right$/, (side) => (side === 'Left' ? 'Right' : 'Left'))

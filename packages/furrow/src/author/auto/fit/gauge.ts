@@ -5,22 +5,26 @@ import { LineGrid } from '../../strokes/line-grid.ts'
 import type { SkinRegion } from '../anatomy/region.ts'
 import { unroll } from '../surface/head-chart.ts'
 
-/** Maximum number of triangles per region: more of them hardly change the mean. */
+/** Maximum number of triangles per region. Further triangles would hardly change the mean. */
 const MAX_TRIANGLES = 10_000
 
-/** Measures how far poses compress a region's skin across its lines. */
+/** Data to measure how far poses compress a region's skin across the region's lines. */
 export interface Gauge {
-  /** Three points per triangle of the region. */
+  /** Three points per triangle near the lines. */
   corners: Uint32Array
-  /** Unit vector across the nearest line per triangle, in multiples of its two edges from the first corner. */
+  /**
+   * Unit vector across the nearest line for each triangle. The two numbers are multiples of the edges from the first corner to the second and
+   * the third.
+   */
   across: Float64Array
+  /** Weight of each triangle in the mean. */
   weights: Float64Array
 }
 
 /**
  * Creates a gauge from the triangles within reach of a region's lines.
  *
- * @returns undefined if there are none.
+ * @returns undefined if there are no such triangles.
  */
 export function makeGauge(
   surface: SkinSurface,
@@ -83,7 +87,7 @@ function centroidOf({ points, corners }: SkinSurface, triangle: number, out: Flo
   for (let k = 0; k < 3; k++) out[k] = (points[a + k] + points[b + k] + points[c + k]) / 3
 }
 
-/** Expresses the unit vector along v, in a triangle's plane, in multiples of its edges from a to b and from a to c. */
+/** Normalises the vector v, which is in a triangle's plane, and returns it in multiples of the edges from a to b and from a to c. */
 function inEdges(points: ArrayLike<number>, a: number, b: number, c: number, v: ArrayLike<number>) {
   let [uu, uw, ww, uv, wv, vv] = [0, 0, 0, 0, 0, 0]
   for (let k = 0; k < 3; k++) {
@@ -103,10 +107,10 @@ function inEdges(points: ArrayLike<number>, a: number, b: number, c: number, v: 
 }
 
 /**
- * Computes the vectors across the lines for positions, or their change for offsets.
+ * Computes the vector across the line in each triangle of a gauge. At rest, it has length 1.
  *
- * @param values packed xyz per point.
- * @param out receives x, y and z per triangle of the gauge.
+ * @param values packed xyz per point: positions, or offsets to compute how they change the vectors.
+ * @param out receives x, y and z for each triangle of the gauge.
  */
 export function vectorsAcross(
   { corners, across }: Gauge,
@@ -126,10 +130,10 @@ export function vectorsAcross(
 }
 
 /**
- * Returns the mean fraction of length that the skin loses across the lines in a pose; negative if stretched.
+ * Returns the mean fraction of length that skin loses across the lines in a pose; negative if the skin is stretched.
  *
- * @param rest `vectorsAcross` at rest.
- * @param moved change of these vectors by each target of the pose, with its weight.
+ * @param rest `vectorsAcross` of the positions at rest.
+ * @param moved for each target of the pose, its weight and `vectorsAcross` of its offsets.
  */
 export function measureCompression(
   { weights }: Gauge,

@@ -4,15 +4,15 @@ import type { SkinLine } from '../../strokes/curve.ts'
 import { LineGrid } from '../../strokes/line-grid.ts'
 import type { CreasedRegion } from '../lines/crease.ts'
 
-/** Maximum cosine between crossing lines of two regions. */
+/** Two lines cross if the angle between them is at least 35 degrees. */
 const CROSSING = cos((35 * Math.PI) / 180)
 
 /**
- * Distributes regions over layers so that regions with crossing lines can crease independently. Left and right, and regions that share
- * lines, stay together.
+ * Assigns regions to layers. Regions whose lines cross get different layers, because skin in a layer creases in one way only. The left and
+ * the right region of a pair, and regions that share lines, get the same layer.
  *
- * @param maxLayers 1..4; if they do not suffice, crossing regions share a layer.
- * @returns the layer of each region, from 0.
+ * @param maxLayers maximum number of layers, 1..4. If more would be needed, the regions with the fewest crossings share a layer.
+ * @returns index of each region's layer.
  */
 export function assignLayers(regions: readonly CreasedRegion[], maxLayers: number): number[] {
   const groups: CreasedRegion[][] = []
@@ -50,7 +50,7 @@ function gridOf({ region, creases }: CreasedRegion): LineGrid {
   )
 }
 
-/** Counts the points of a region's lines that are within reach of another region's lines in a different direction. */
+/** Counts the points of a region's lines at which a line of another region is near and has a different direction. */
 function countCrossings({ creases }: CreasedRegion, other: CreasedRegion, grid: LineGrid): number {
   let count = 0
   for (const crease of creases) {

@@ -1,18 +1,18 @@
 import { clamp } from '../../../math/scalar.ts'
 
 const ITERATIONS = 60
-/** Weight of the prior per row (Tikhonov regularisation). */
+/** Weight of the prior, per row of the matrix (Tikhonov regularisation). */
 const RIDGE = 0.02
 
 export type Bounds = readonly [low: number, high: number]
 
 /**
- * Finds weights w within bounds that minimise |A w - b|^2, pulled to a prior if A does not determine them. Solves the normal equations by
- * projected Gauss-Seidel (Murty: Linear Complementarity, 9.3).
+ * Finds the weights w within bounds that minimise `|A * w - b|^2 + ridge * |w - prior|^2`. The prior decides where A does not determine the
+ * weights. The method is projected Gauss-Seidel on the normal equations (Murty: Linear Complementarity, 9.3).
  *
- * @param rows of A.
- * @param prior one value per weight.
- * @param bounds one pair per weight.
+ * @param rows rows of the matrix A.
+ * @param prior expected weights.
+ * @param bounds minimum and maximum of each weight.
  */
 export function boundedLeastSquares(
   rows: readonly number[][],

@@ -14,26 +14,27 @@ import { netDrivers } from './net-drivers.ts'
 import { netWeights } from './net-weights.ts'
 import { FURROW_LAYER, type PlannedNet } from './plan-net.ts'
 
+/** Area of influence that shows fine furrows. */
 export interface FurrowArea {
   name: string
-  /** Index of its layer. */
+  /** Index of the area's layer. */
   layer: number
   weights: GrayImage
-  /** Deepens the furrows where skin is squeezed, and smooths them where it is stretched. */
+  /** Driver that deepens the furrows where skin is compressed, and smooths them where skin is stretched. */
   driver: MorphDriver
 }
 
-/** Net of fine furrows, on the last layer. */
+/** Pattern of fine furrows of a face. It has the last layer for itself. */
 export interface AutoFurrows {
-  /** Net as in a strokes document: with the strokes of all layers, `addFurrows` draws the layer's `heights`. */
+  /** Parameters of the pattern, as in a strokes document. `addFurrows` draws it, given the strokes of all layers. */
   furrows: Furrows
   areas: FurrowArea[]
 }
 
 /**
- * Draws the net of a face and its areas.
+ * Draws the layer with the fine furrows of a face, and their areas.
  *
- * @param drawn layers of lines that the net follows; its own layer comes last.
+ * @param drawn layers with wrinkle lines. The furrows follow these lines.
  */
 export function drawNet(
   prepared: PreparedSkin & { face: DetectedFace },
@@ -41,7 +42,7 @@ export function drawNet(
   { layers, areaTexels }: Pick<AutoMaps, 'layers' | 'areaTexels'>,
   { size, frame }: MapSettings,
 ): { layer: AutoLayer; net: AutoFurrows } {
-  // Use mesh coordinates, like a document is drawn, because the net depends on them.
+  // The pattern depends on the coordinate system. Mesh coordinates are used, as for drawing a strokes document, so that both are equal.
   const canvas = skinCanvas(prepared.skin, size, size, prepared.scale)
   const { heights, occlusion } = flatSkin(size, size)
   addFurrows(
@@ -61,7 +62,7 @@ export function drawNet(
   return { layer: { name: FURROW_LAYER, strokes: [], normal, heights, occlusion }, net: { furrows, areas } }
 }
 
-/** Draws the weights of the areas, 0 on hidden skin. */
+/** Draws the weights of the areas. They are 0 on hidden skin, such as inside the mouth. */
 function drawWeights(
   { chart }: DetectedFace,
   regions: PlannedNet['regions'],

@@ -7,19 +7,21 @@ import type { DetectedFace } from '../surface/detect-face.ts'
 import { netWeights } from './net-weights.ts'
 import { AT_REST, type PlannedRegion } from './plan-net.ts'
 
-/** Fractions of area that skin loses where its furrows are deepest, and gains where they are smoothest. */
+/** Furrows have full depth if the skin has lost this fraction of its area. */
 const SQUEEZED = 0.12
+/** Furrows are smoothest if the skin has gained this fraction of its area. */
 const PULLED = 0.2
-/** Activation of skin stretched by that fraction. */
+/** Activation of the smoothest furrows. */
 const SMOOTH = 0.1
-/** Minimum effect of a target as a fraction of the area, and maximum number of targets. */
+/** Targets that change the area of the skin by a smaller fraction are ignored. */
 const NEGLIGIBLE = 0.004
+/** Maximum number of targets per driver. */
 const MAX_TARGETS = 24
 
 /**
- * Measures how far each target squeezes the skin of each region. Compressed skin gets rougher, stretched skin smoother (Nagano et al. 2015,
- * Skin microstructure deformation with displacement map convolution). The lost fraction of area is nearly linear in the target weights, so
- * their sum drives the area.
+ * Creates the drivers of fine furrows. Compressed skin gets rougher, and stretched skin smoother (Nagano et al. 2015, Skin microstructure
+ * deformation with displacement map convolution). For each region, the function measures the fraction of area that the skin loses by each
+ * target. This fraction is nearly linear in the targets' weights, so a weighted sum of the targets drives the region's area.
  */
 export function netDrivers(
   { chart, surface, offsets, names }: DetectedFace,
@@ -64,7 +66,7 @@ export function netDrivers(
   }))
 }
 
-/** Returns the relevant links, strongest first. */
+/** Returns the links with the largest weights, sorted from large to small. */
 function strongest(links: readonly { name: string; weight: number }[]): MorphDriver['targets'] {
   return links
     .filter(({ weight }) => Math.abs(weight) >= NEGLIGIBLE)

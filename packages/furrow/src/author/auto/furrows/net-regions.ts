@@ -3,20 +3,21 @@ import type { AutoRegion } from '../anatomy/region-names.ts'
 import { type ChartPoint, unroll } from '../surface/head-chart.ts'
 import type { Landmarks } from '../surface/landmarks.ts'
 
-/** Part of a face whose furrows deepen and smooth out together. */
+/** Part of a face whose fine furrows deepen and smooth out together. */
 export interface NetRegion {
-  /** Name of its area. */
+  /** Name of the area that shows the furrows. */
   name: string
-  /** Regions of which at least one must be requested. */
+  /** The part gets furrows if the user requested at least one of these regions. */
   regions: readonly AutoRegion[]
-  /** Spheres around chart points; radii in millimetres. */
+  /** Spheres that contain the part. Centres are points of the head's chart, radii are in millimetres. */
   spheres: readonly { centre: ChartPoint; radius: number }[]
-  /** Size and depth of its cells at rest, in millimetres. */
+  /** Size of the cells between furrows, in millimetres. */
   size: number
+  /** Depth of the furrows at rest, in millimetres. */
   depth: number
 }
 
-/** Cells of a net at 30 years: size and depth in millimetres. */
+/** Sizes of the cells between furrows, and depths of the furrows, at 30 years, in millimetres. */
 const AT_30 = {
   forehead: { size: 1.3, depth: 0.04 },
   brows: { size: 1.3, depth: 0.04 },
@@ -28,9 +29,9 @@ const AT_30 = {
 } as const
 
 /**
- * Factors on the net at 30 years by age. Depth is constant until 40, grows from 50, and has doubled after 80; meanwhile furrows get fewer
- * (Corcuff et al. 1983, Skin relief and aging).
- * They align increasingly in one direction (Lagarde et al. 2005, Topography and anisotropy of the skin surface with ageing).
+ * Factors on the values at 30 years, by age. The depth is constant until 40, grows from 50, and has doubled after 80, while the number of
+ * furrows falls (Corcuff et al. 1983, Skin relief and aging). The furrows align increasingly in one direction (Lagarde et al. 2005,
+ * Topography and anisotropy of the skin surface with ageing); `stretch` is the ratio of a cell's length to its width.
  */
 const BY_AGE = [
   { years: 20, size: 1, depth: 1, stretch: 1.25 },
@@ -39,7 +40,7 @@ const BY_AGE = [
   { years: 80, size: 1.3, depth: 2.1, stretch: 2 },
 ] as const
 
-/** Interpolates the net's factors and the stretch of its cells at an age. */
+/** Interpolates `BY_AGE` at an age. */
 export function ageOfNet(years: number): { size: number; depth: number; stretch: number } {
   const next = Math.max(
     1,
@@ -54,7 +55,7 @@ export function ageOfNet(years: number): { size: number; depth: number; stretch:
   }
 }
 
-/** Returns the parts of a face with a net. */
+/** Returns the parts of a face that have fine furrows. */
 export function netRegionsOf(landmarks: Landmarks, age: number): NetRegion[] {
   const at = ([x, y, z]: Landmarks['eye']) => unroll(x, y, z)
   const [, brow] = at(landmarks.innerBrow)

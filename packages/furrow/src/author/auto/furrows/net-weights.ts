@@ -1,7 +1,8 @@
 import type { PlannedRegion } from './plan-net.ts'
 
 /**
- * Computes the weights of a net's regions at a position. They sum to 1 wherever there is a net, so the net is continuous across regions.
+ * Computes the weights of furrow regions at a position. Inside any region the weights add up to 1, so that furrows are continuous where
+ * regions overlap.
  *
  * @param out receives one weight per region.
  */

@@ -12,38 +12,39 @@ import { ageOfNet, netRegionsOf } from './net-regions.ts'
 
 export const FURROW_LAYER = 'furrows'
 
-/** Activation at rest, between stretched and squeezed skin. */
+/** Activation of furrows at rest. It is lower on stretched skin and higher on compressed skin. */
 export const AT_REST = 0.5
 
-/** Minimum fraction of the regions that a net must cover, because it costs a layer. */
+/** Furrows are drawn only if at least this fraction of the regions can have them, because they cost a layer. */
 const MIN_COVERAGE = 0.5
 
-/** Part of a net, with the positions of its spheres in face coordinates. */
+/** Region with furrows. Positions of its spheres are in face coordinates. */
 export interface PlannedRegion {
   name: string
   spheres: readonly { position: readonly [number, number, number]; radius: number }[]
 }
 
-/** Net of a face before it is drawn. */
+/** Pattern of fine furrows of a face, before it is drawn. */
 export interface PlannedNet {
   regions: readonly PlannedRegion[]
-  /** Net as in a strokes document. */
+  /** Parameters of the pattern, as in a strokes document. */
   furrows: Furrows
 }
 
 export interface NetSettings {
   age: number
   strength: number
-  /** Side of the maps in texels. */
+  /** Width and height of the maps in texels. */
   size: number
   seed: number
+  /** Regions that the user requested. */
   regions: readonly AutoRegion[]
 }
 
 /**
- * Chooses the regions of a face's net and the size of its cells.
+ * Chooses the regions of a face that get fine furrows, and the size and depth of the furrows.
  *
- * @returns no net if texels are too large in most regions; also the regions left out.
+ * @returns `net` is undefined if texels are too large for furrows in most regions. `missing` lists the regions without furrows.
  */
 export function planNet(
   prepared: PreparedSkin & { face: DetectedFace },
@@ -107,7 +108,7 @@ function texelSize({ skin, surface }: PreparedSkin, triangle: number, size: numb
   return Math.sqrt(crossOf(surface.points, ...cornersOf(surface, triangle), new Float64Array(3)) / texels)
 }
 
-/** @param texel size of a texel in millimetres, in a map of this size. */
+/** Returns the reason for a missing region: `width` is the width of a furrow, `texel` the size of a texel, both in millimetres. */
 function tooFine(width: number, texel: number, size: number): string {
   let enough = size
   while (width * enough < MIN_TEXELS * texel * size) enough *= 2

@@ -2,21 +2,22 @@ import { cross, dot, length } from '../../../math/vector.ts'
 import type { SkinLine } from '../../strokes/curve.ts'
 import { PointGrid } from './point-grid.ts'
 
-/** Step between samples of a line, in points. */
+/** A line is sampled at every fifth point. */
 const SAMPLE_STEP = 5
-/** Range of distances to a neighbouring line, in spacings. Nearer points are pieces of the same line; farther lines share no skin. */
+/** Minimum distance to a neighbouring line, in spacings. Nearer lines are pieces of the same wrinkle. */
 const MIN_DISTANCE = 0.35
+/** Maximum distance to a neighbouring line, in spacings. Between farther lines, the bulges do not meet. */
 const MAX_DISTANCE = 1.6
-/** Minimum fraction of a line along which it must have a neighbour for its bank to end there. */
+/** A bank ends at a neighbouring line only if the neighbour is beside at least this fraction of the line. */
 const MIN_COVERAGE = 0.4
 /** Reach of a bank without a neighbour, in spacings. */
 const DEFAULT_REACH = 0.8
-/** Neighbours shallower than this fraction of the line's depth lie on its bank and do not end it. */
+/** Shallower neighbours, as a fraction of the line's depth, are ignored: they are on the line's bank and do not end it. */
 const MIN_DEPTH = 0.5
 
 /**
- * Computes the reach of banks, left and right of each line in millimetres: up to the neighbouring line, so that both share one bulge of
- * skin.
+ * Computes the reach of the banks on the left and right of each line, in millimetres. A bank reaches to the neighbouring line, so that the
+ * banks of both lines form one bulge.
  *
  * @param depths relative depths of the lines.
  * @param spacing approximate distance between lines in millimetres.
@@ -49,12 +50,13 @@ export function bankReaches(
   })
 }
 
-/** Points of lines, indexed by position: distant lines cost nothing. */
+/** Points of lines in a grid, to find the lines near a position. */
 class LinePoints {
   readonly #lines: readonly SkinLine[]
   readonly #grid: PointGrid
-  /** Line of each grid point, and offset of its coordinates. */
+  /** Line of each point in the grid. */
   readonly #lineOf: number[] = []
+  /** Index of each point's coordinates in its line. */
   readonly #offsetOf: number[] = []
 
   /** @param reach search radius. */
@@ -70,7 +72,7 @@ class LinePoints {
     }
   }
 
-  /** Returns the nearest point of each line within reach; may include more distant lines. */
+  /** Returns the nearest point of each line within reach for which `isSearched` is true. Some lines farther away may be included. */
   nearest(position: Float64Array, isSearched: (line: number) => boolean): Float64Array[] {
     const found = new Map<number, { point: number; square: number }>()
     this.#grid.visitNear(position, (point, square) => {
@@ -92,7 +94,7 @@ class LinePoints {
   }
 }
 
-/** Returns the distances from a point of a line to the nearest of the other points on its left and right. */
+/** Returns the distances from point `i` of a line to the nearest of the other points on the line's left and right. */
 function nearestBeside(
   { points, normals }: SkinLine,
   i: number,
@@ -107,7 +109,7 @@ function nearestBeside(
     const offset = [0, 1, 2].map((k) => other[k] - points[i + k])
     const distance = length(offset)
     if (distance < MIN_DISTANCE * spacing) continue
-    // Only points beside the line, not ahead of it.
+    // Skip points that are ahead of the line or behind it rather than beside it.
     const across = dot(offset, right) / (length(right) * distance)
     if (Math.abs(across) < Math.SQRT1_2) continue
     const side = across < 0 ? 0 : 1

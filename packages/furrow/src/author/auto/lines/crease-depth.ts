@@ -3,14 +3,15 @@ import { addSection, HeightSum } from '../../strokes/height-sum.ts'
 import { type CrossSection, sectionReach } from '../../strokes/lay-out.ts'
 
 const STEPS = 256
-/** Number of bisections of the depth range: resolves a thousandth of a millimetre. */
+/** Number of bisections of the depth range. They resolve a thousandth of a millimetre. */
 const BISECTIONS = 16
 
 /**
- * Computes the depth of valleys that take up the length lost by skin. A length dx at rest shrinks to (1 - e) dx, and the profile over it
- * must still be dx long. So the mean of sqrt((1 - e)^2 + h'^2) over one spacing is 1.
+ * Computes the depth of valleys that take up the length lost by compressed skin. A length dx of skin at rest shrinks to `(1 - e) * dx`, but
+ * the profile of the wrinkled skin must still have the length dx. So the mean of `sqrt((1 - e)^2 + h'^2)` over one spacing must be 1, where
+ * h' is the slope of the profile.
  *
- * @param compression e, 0..1.
+ * @param compression lost fraction e of the length, 0..1.
  * @param spacing distance between lines in millimetres.
  * @param halfWidth half width of a valley in millimetres.
  */
@@ -34,7 +35,7 @@ export function creaseDepth(
   return low
 }
 
-/** Returns the heights between two of many parallel lines of depth 1. */
+/** Returns the profile between two neighbours of many parallel lines with depth 1. */
 function heightsBetween(spacing: number, halfWidth: number, section: CrossSection): number[] {
   const sum = new HeightSum()
   const lines = 1 + Math.ceil((sectionReach(section) * halfWidth) / spacing)

@@ -12,24 +12,25 @@ import { type LaidLine, MIN_POINTS } from './laid-line.ts'
 import { type StrokedSkin, strokeOf, uvAt } from './stroke-of.ts'
 import { STEP } from './trace.ts'
 
-/** Creases of a region. */
+/** Lines of a region, in several forms. */
 export interface RegionCreases {
-  /** Fold lines: all lines except dimples. Strokes follow them within a tolerance. */
+  /** All lines except dimples, before conversion to strokes. */
   folds: readonly SkinLine[]
+  /** All lines as strokes. */
   strokes: readonly Stroke[]
-  /** Strokes laid on the skin. */
+  /** The strokes, laid on the skin. */
   creases: readonly LaidStroke[]
-  /** Fraction by which the expression shortens the skin across the lines, where it does. */
+  /** Fraction by which the region's expression shortens the skin across the lines, measured where it compresses the skin. */
   compression: number
 }
 
-/** Region with its lines laid on the skin. Regions that share lines share one array of creases. */
+/** Region with its lines. Regions that share lines have the same arrays. */
 export interface CreasedRegion extends RegionCreases {
   region: SkinRegion
 }
 
 export interface LineSettings {
-  /** 0 at 20 years, 1 at 80. */
+  /** Age as a number from 0 (20 years) to 1 (80 years). */
   ageFraction: number
   /** Factor on the depth. */
   strength: number
@@ -38,22 +39,25 @@ export interface LineSettings {
 
 /** Fraction of the depth that remains where the expression does not compress the skin. */
 const MIN_DEPTH = 0.3
-/**
- * Maximum random reduction of a line's depth as a fraction, and its approximate wavelength in millimetres.
- * The skin taken up grows with the square of the depth. UNIFORM is the root mean square of the reduced depth along a line.
- */
+/** Maximum random reduction of a line's depth, as a fraction. */
 const VARIATION = 0.4
+/** Approximate wavelength of the random reduction, in millimetres. */
 const WAVELENGTH = 8
+/**
+ * Root mean square of the randomly reduced depth along a line. Depths are divided by it, because the length that a valley takes up grows with
+ * the square of its depth.
+ */
 const UNIFORM = 0.81
-/** Maximum slope of a bank's outer side (10 degrees): steeper ones catch the light as a white rim. */
+/** Maximum slope of a bank's outer side (10 degrees). Steeper banks would look like a white rim in the light. */
 const MAX_BANK_SLOPE = 0.18
-/** Number of points to either side over which a line's compression is averaged. */
+/** Compressions are averaged over this number of points on either side of a point. */
 const AVERAGE_RADIUS = 6
-/** Fraction of all line points that may exceed the region's compression. */
+/** The compression of a region is the value that this fraction of its compressed line points exceeds. */
 const ABOVE = 0.3
 
 /**
- * Converts lines to strokes deep enough to take up the length that the skin loses, and shallower where it loses less.
+ * Converts the lines of a region to strokes. The strokes are deep enough to take up the length that the skin loses, and shallower where it
+ * loses less.
  *
  * @param strength factor on the depth.
  */
@@ -92,7 +96,7 @@ export function creaseLines(
       const fullDepth = creaseDepth(creasedFraction * compression, spacing, style.width / 2, section)
       return strength * style.depth * Math.min(maxDepth, fullDepth / UNIFORM)
     }
-    // Lower banks let the valley take up more.
+    // The depth is computed again with the lower banks, because lower banks take up less length and the valley must take up more.
     const depth = depthOf(gentleBanks(style, deepest * depthOf(style.shoulder), banks[i]))
     const shoulder = gentleBanks(style, deepest * depth, banks[i])
     const gentle = { ...line, style: { ...style, shoulder } }
@@ -102,7 +106,7 @@ export function creaseLines(
   return { folds, strokes, creases, compression }
 }
 
-/** Limits the heights of a line's banks so that none is steeper than MAX_BANK_SLOPE. */
+/** Limits the heights of a line's banks so that their slopes are at most `MAX_BANK_SLOPE`. */
 function gentleBanks(
   { width, shoulder: [left, right] }: LineStyle,
   depth: number,
@@ -113,7 +117,7 @@ function gentleBanks(
   return [Math.min(left, most[0]), Math.min(right, most[1])]
 }
 
-/** Computes factors on a line's depth from the local compression and noise. */
+/** Computes a factor on the depth for each point of a line, from the compression at the point and random noise. */
 function depthFactors({ compressions, variation }: LaidLine & { variation: number }, full: number): number[] {
   return movingAverage(compressions).map((compression, i) => {
     const relative = full > 0 ? Math.min(1, Math.max(0, compression) / full) : 0
@@ -122,7 +126,7 @@ function depthFactors({ compressions, variation }: LaidLine & { variation: numbe
   })
 }
 
-/** Returns a line with the skin's normals. */
+/** Adds the normals of the skin to a line. */
 function foldOf({ points, triangles }: LaidLine, { surface }: StrokedSkin): SkinLine {
   const normals = new Float64Array(points.length)
   const [weights, normal] = [new Float64Array(3), new Float64Array(3)]
@@ -134,7 +138,7 @@ function foldOf({ points, triangles }: LaidLine, { surface }: StrokedSkin): Skin
   return { points, normals }
 }
 
-/** Returns the parts of a line inside the texture and on drawn triangles, without fading at cuts. */
+/** Returns the parts of a line that are inside the texture and on drawn triangles. Parts do not fade where the line is cut. */
 function clipToDrawn(line: LaidLine, skin: StrokedSkin): LaidLine[] {
   const { points, triangles, compressions, style } = line
   const isDrawn = (i: number) =>
@@ -157,7 +161,7 @@ function clipToDrawn(line: LaidLine, skin: StrokedSkin): LaidLine[] {
   return parts
 }
 
-/** Averages over a few millimetres, so that a line's depth does not jump between triangles. */
+/** Averages values over a few millimetres, so that a line's depth does not jump from triangle to triangle. */
 function movingAverage(values: readonly number[]): number[] {
   return values.map((_, i) => {
     const window = values.slice(Math.max(0, i - AVERAGE_RADIUS), i + AVERAGE_RADIUS + 1)

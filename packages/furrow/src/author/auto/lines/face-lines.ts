@@ -4,7 +4,7 @@ import { type CreasedRegion, creaseLines, type LineSettings, type RegionCreases 
 import { layGuides } from './guided-lines.ts'
 import type { StrokedSkin } from './stroke-of.ts'
 
-/** Lays the lines of anatomical regions on a face, skipping missing skin. Regions that share guides share creases. */
+/** Lays the lines of anatomical regions on a face. Lines that start where the mesh has no skin are left out. */
 export function layFaceLines(
   prepared: StrokedSkin,
   { surface, chart }: DetectedFace,

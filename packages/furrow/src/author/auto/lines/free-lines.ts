@@ -7,8 +7,9 @@ import type { LaidLine } from './laid-line.ts'
 import { PointGrid } from './point-grid.ts'
 import { type DirectionField, STEP, type Trace, traceLine } from './trace.ts'
 
-/** Minimum distance to other lines at a line's start and along it, in spacings. */
+/** Minimum distance from the start of a line to other lines, in spacings. */
 const START_DISTANCE = 0.9
+/** A line ends where it comes nearer to another line, in spacings. */
 const MIN_DISTANCE = 0.6
 /** Minimum length of a line in spacings. */
 const MIN_LENGTH = 1.5
@@ -20,14 +21,16 @@ export interface FreeLineSettings {
   spacing: number
   /** Minimum compression of the skin for a line to continue. */
   minCompression: number
-  /** Maximum total length of lines in millimetres; the most compressed skin comes first. */
+  /** Maximum total length of lines in millimetres. The most compressed skin gets lines first. */
   maxTotalLength: number
   style: LineStyle
 }
 
 /**
- * Lays evenly spaced lines on skin without anatomy, across the direction of maximum compression (Jobard and Lefer 1997, Creating
- * evenly-spaced streamlines of arbitrary density). Starts where compression is largest.
+ * Lays evenly spaced lines on skin whose anatomy is not known. The lines are perpendicular to the direction of maximum compression (Jobard
+ * and Lefer 1997, Creating evenly-spaced streamlines of arbitrary density). The first line starts where the compression is largest.
+ *
+ * @param tensors `compressionTensors` of the pose that compresses the skin.
  */
 export function layFreeLines(
   surface: SkinSurface,
@@ -37,7 +40,7 @@ export function layFreeLines(
   const occupied = new PointGrid(spacing)
   const lines: LaidLine[] = []
   let left = maxTotalLength
-  // Seeds are popped from the end, because shifting a long array is slow.
+  // The array is reversed so that seeds can be taken from its end: taking the first element of a long array is slow.
   const seeds = mostCompressed(surface, tensors, minCompression).reverse()
   const isFree = (position: ArrayLike<number>) => occupied.distance(position) > MIN_DISTANCE * spacing
   for (let seed = seeds.pop(); seed; seed = seeds.pop()) {
@@ -49,13 +52,13 @@ export function layFreeLines(
     left -= length
     occupied.add(line.points)
     lines.push({ style, ...line })
-    // The neighbours' seeds, one spacing to either side, come first.
+    // Continue with lines beside this line before starting elsewhere.
     seeds.push(...seedsBeside(surface, tensors, path, spacing).reverse())
   }
   return lines
 }
 
-/** Returns the centroids of triangles above a minimum compression, most compressed first. */
+/** Returns the centroids of triangles with at least the minimum compression, sorted from most to least compressed. */
 function mostCompressed(surface: SkinSurface, tensors: Float64Array, minCompression: number): SurfacePoint[] {
   const { points, corners } = surface
   const centroid = Float64Array.of(1 / 3, 1 / 3, 1 / 3)
@@ -116,7 +119,7 @@ function traceStreamline(
   return { points, triangles, compressions: compressions.slice(0, count), path: path.slice(0, count) }
 }
 
-/** Returns seeds one spacing to either side of a line. */
+/** Returns starting points for further lines, at a distance of one spacing on both sides of a line. */
 function seedsBeside(
   surface: SkinSurface,
   tensors: Float64Array,
@@ -144,8 +147,8 @@ function seedsBeside(
 }
 
 /**
- * Returns a function that orients principal directions, which have no sign: the first by the given sign, later ones so that the line does
- * not turn back.
+ * Returns a function that chooses the signs of principal directions along a line, because a principal direction has no sign. The first
+ * direction is multiplied by `first`. The following ones get the sign with which the line does not turn back.
  *
  * @param first 1 or -1.
  */

@@ -9,21 +9,23 @@ import { type ChartPoint, type HeadChart, rollUp, unroll } from '../surface/head
 import { type LaidLine, MIN_POINTS } from './laid-line.ts'
 import { type DirectionField, traceLine } from './trace.ts'
 
-/** Strength of the pull back to the guide, per millimetre of distance. */
+/** Strength with which a line is pulled back to its guide, per millimetre of distance from the guide. */
 const PULL = 0.35
-/** Fraction of the angle to the strain's direction by which a line turns, and maximum turn in radians. */
+/** A line turns towards the direction of least compression by this fraction of the angle between them. */
 const YIELD = 0.5
+/** Maximum turn towards the direction of least compression, in radians. */
 const MAX_TURN = 0.3
-/** Compression at which the strain's direction is fully trusted. */
+/** The direction of least compression is reliable if the compression across the line is at least this. */
 const TRUSTED = 0.05
-/** Number of steps over the skin that a line gathers beside it. */
+/** Number of steps in which `compressionBeside` samples the skin beside a line. */
 const GATHERED = 5
 
 /**
- * Lays guides on the skin: each line starts at its guide and follows it, turned slightly towards the strain's direction.
+ * Lays lines on the skin along guides. A line starts at the first point of its guide and follows the guide, but turns slightly towards the
+ * direction in which the skin is compressed least.
  *
  * @param tensors `compressionTensors` of the expression.
- * @returns the lines that start on skin.
+ * @returns lines whose guides start on skin.
  */
 export function layGuides(
   surface: SkinSurface,
@@ -75,8 +77,8 @@ function followGuide(
 }
 
 /**
- * Returns the mean compression across a line, from the line to `gathers` millimetres to its left (+) or right (-).
- * On coarse triangles, returns the compression on the line alone: they are too large to resolve it, and for a deep crease.
+ * Returns the compression across a line, averaged over the skin from the line to a distance of `gathers` millimetres on its left (positive)
+ * or right (negative). If triangles are large compared to this distance, returns the compression on the line alone.
  */
 function compressionBeside(
   surface: SkinSurface,
@@ -109,7 +111,7 @@ function isPast(here: ChartPoint, from: ChartPoint, to: ChartPoint): boolean {
   return (here[0] - to[0]) * (to[0] - from[0]) + (here[1] - to[1]) * (to[1] - from[1]) >= 0
 }
 
-/** Returns the direction along a guide's segment, with a pull back to the segment. */
+/** Returns the direction of a guide's segment, turned towards the segment if the position is beside it. */
 function towardsGuide(here: ChartPoint, from: ChartPoint, to: ChartPoint): ChartPoint {
   const [dx, dy] = [to[0] - from[0], to[1] - from[1]]
   const length = length2(dx, dy) || 1
@@ -126,15 +128,15 @@ function lengthOf(path: readonly ChartPoint[]): number {
 
 const perpendicular = new Float64Array(3)
 
-/** Turns a direction in the skin towards the direction of least shortening. */
+/** Turns a direction in the tangent plane of the skin towards the direction of least compression. */
 function turnToStrain(tensor: Float64Array, normal: Float64Array, direction: Float64Array): void {
   cross(perpendicular, normal, direction)
   const [ax, ay, az] = perpendicular
   const along = compressionAlong(tensor, direction[0], direction[1], direction[2])
   const across = compressionAlong(tensor, ax, ay, az)
   const shear = bilinearForm(tensor, direction, perpendicular)
-  // The principal axes are at half the angle of the deviator (Mohr's circle). The strain's direction is not trusted if the skin is
-  // shortened along the line rather than across it, or hardly at all.
+  // In Mohr's circle, the principal axes are at half of this angle. The direction is not reliable if the skin is compressed along the line
+  // rather than across it, or is hardly compressed.
   const doubleAngle = atan2(-2 * shear, across - along)
   const trust = Math.max(0, cos(doubleAngle)) * smoothstep(across / TRUSTED)
   const turn = clamp((YIELD * trust * doubleAngle) / 2, -MAX_TURN, MAX_TURN)

@@ -4,7 +4,7 @@ import type { CreasedRegion, LineSettings } from './crease.ts'
 import { layFaceLines } from './face-lines.ts'
 import { layPatchLines } from './patch-lines.ts'
 
-/** Lays lines where the skin may crease, and computes their depths. */
+/** Lays lines where the skin can crease, and computes their depths. On a face, the lines follow its anatomy. */
 export function layLines(
   prepared: PreparedSkin,
   { regions, patches }: StrainedSkin,

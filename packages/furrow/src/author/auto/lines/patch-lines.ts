@@ -10,11 +10,11 @@ import type { StrokedSkin } from './stroke-of.ts'
 
 /** Distance between lines in millimetres. */
 const SPACING = 6
-/** Maximum total length of lines in millimetres: below the limit of a strokes document, which counts complete segments. */
+/** Maximum total length of lines in millimetres. It is below the limit for strokes, which counts each started segment as a complete one. */
 const MAX_LINES_LENGTH = 0.9 * MAX_TOTAL_LENGTH
 const STYLE: LineStyle = { width: 2, depth: 1, taper: [0.4, 0.4], shoulder: [0.9, 0.9], softness: 0.5 }
 
-/** Lays lines on patches of skin without anatomy, shallower than on a face. */
+/** Lays lines on compressed patches of skin whose anatomy is not known. The lines are shallower than on a face. */
 export function layPatchLines(
   prepared: StrokedSkin & Pick<PreparedSkin, 'names'>,
   patches: readonly CompressedPatch[],
@@ -51,7 +51,7 @@ export function layPatchLines(
   })
 }
 
-/** Derives an area's name from a target: without control characters, and short enough to append a number. */
+/** Derives the name of an area from the name of a target. It has no control characters, and room for a number at its end. */
 function areaNameOf(target: string): string {
   return (
     target
@@ -61,7 +61,7 @@ function areaNameOf(target: string): string {
   )
 }
 
-/** Varies the style, because lines of equal depth and width look like stripes. */
+/** Returns a random variation of the line style, because lines of equal depth and width look like stripes. */
 function variedStyle(rng: Rng): LineStyle {
   const fade = () => rng.uniform(0.3, 0.5)
   return {

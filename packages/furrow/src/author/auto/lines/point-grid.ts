@@ -1,15 +1,15 @@
 import { length3 } from '../../../math/vector.ts'
 
 const NONE: readonly number[] = []
-/** Margin for rounding of a squared distance. */
+/** Factor that allows for rounding of a squared distance. */
 const ROUNDING = 1 + 1e-12
 /** Count of numbers per point in a cell: x, y, z, index. */
 const STRIDE = 4
 
-/** Receives a point's index, in insertion order, and its squared distance. */
+/** Receives the index of a point, in the order of insertion, and its squared distance. */
 export type PointVisitor = (point: number, square: number) => void
 
-/** Points in space, searchable within the cell size. */
+/** Spatial hash of points in space. Searches find all points within the edge length of a cell. */
 export class PointGrid {
   readonly #side: number
   readonly #cells = new Map<number, number[]>()
@@ -17,6 +17,7 @@ export class PointGrid {
   readonly #around: (readonly number[])[] = []
   #count = 0
 
+  /** @param side edge length of a cell. */
   constructor(side: number) {
     this.#side = side
   }
@@ -32,7 +33,7 @@ export class PointGrid {
     }
   }
 
-  /** Returns the distance to the nearest point; beyond the cell size it may be too large or infinite. */
+  /** Returns the distance to the nearest point. If it exceeds the edge length of a cell, the result may be too large or infinite. */
   distance(position: ArrayLike<number>): number {
     let nearest = Infinity
     for (const cell of this.#cellsAround(position)) {
@@ -48,7 +49,7 @@ export class PointGrid {
     return nearest
   }
 
-  /** Visits all points within the cell size, and some farther ones; may visit a point twice. */
+  /** Visits all points within the edge length of a cell, and some points farther away. A point may be visited twice. */
   visitNear(position: ArrayLike<number>, visit: PointVisitor): void {
     for (const cell of this.#cellsAround(position)) {
       for (let n = 0; n < cell.length; n += STRIDE) {
@@ -60,7 +61,7 @@ export class PointGrid {
     }
   }
 
-  /** Returns a position's cell and its 26 neighbours. */
+  /** Returns the cell that contains a position, and its 26 neighbours. */
   #cellsAround(position: ArrayLike<number>): readonly (readonly number[])[] {
     const [x, y, z] = [this.#index(position[0]), this.#index(position[1]), this.#index(position[2])]
     let count = 0
@@ -78,7 +79,7 @@ export class PointGrid {
   }
 }
 
-/** Cells with the same hash are merged: their points are too far apart to matter. */
+/** Returns the key of a cell. Two cells can have the same key, which only adds points that are too far away to matter. */
 function hash(x: number, y: number, z: number): number {
   return Math.imul(x, 73856093) ^ Math.imul(y, 19349663) ^ Math.imul(z, 83492791)
 }

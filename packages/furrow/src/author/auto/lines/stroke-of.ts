@@ -7,22 +7,22 @@ import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import type { LaidLine } from './laid-line.ts'
 import { STEP } from './trace.ts'
 
-/** Skin that strokes are written for. */
+/** Parts of a prepared skin that are needed to convert lines to strokes. */
 export type StrokedSkin = Pick<PreparedSkin, 'skin' | 'surface' | 'locator' | 'isDrawn'>
 
 /** Maximum distance in millimetres between a stroke and its line: a thirtieth of a fine wrinkle's width. */
 const TOLERANCE = 0.08
 /** Spacing of a stroke's depth factors in millimetres. */
 const FACTOR_SPACING = 4
-/** Fraction of a line's taper over which its stroke fades, because its ends are blunt. */
+/** Factor on a line's taper, because strokes have blunter ends than lines. */
 const BLUNT = 0.85
 
 /**
- * Converts a line to a stroke: a spline through few of its points.
+ * Converts a line to a stroke: a spline through few of the line's points.
  *
- * @param depth in millimetres.
- * @param factors on the depth, one per point.
- * @param bank reach of the banks in millimetres; default: by the width.
+ * @param depth depth of the stroke in millimetres.
+ * @param factors factors on the depth, one per point of the line.
+ * @param bank reach of the banks in millimetres. Undefined: derived from the stroke's width.
  */
 export function strokeOf(
   line: LaidLine,
@@ -48,7 +48,7 @@ export function strokeOf(
   }
 }
 
-/** Returns the UV coordinates of a line's point, rounded to 1/2000 of a texel at size 1024. */
+/** Returns the UV coordinates of a point of a line. They are rounded to about 1/2000 of a texel in maps of 1024 texels. */
 export function uvAt({ points, triangles }: LaidLine, i: number, { surface, locator }: StrokedSkin): Uv {
   const weights = new Float64Array(3)
   barycentricsAt(weights, surface, triangles[i], points.subarray(3 * i, 3 * i + 3))

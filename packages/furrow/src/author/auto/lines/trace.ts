@@ -14,11 +14,11 @@ export interface Trace {
 /**
  * Chooses the direction in which a line continues.
  *
- * @param position current position.
- * @param normal of the surface there.
- * @param triangle current triangle.
- * @param barycentrics of the position, to interpolate point values.
- * @param out receives x, y and z.
+ * @param position end of the line so far.
+ * @param normal normal of the surface at the position.
+ * @param triangle triangle that contains the position.
+ * @param barycentrics barycentric coordinates of the position in the triangle.
+ * @param out receives x, y and z of the direction.
  * @returns whether the line continues.
  */
 export type DirectionField = (
@@ -30,9 +30,9 @@ export type DirectionField = (
 ) => boolean
 
 /**
- * Traces a line over a surface until the field or the surface ends.
+ * Traces a line over a surface until `field` returns false, or the line reaches the border of the surface.
  *
- * @param maxLength in millimetres.
+ * @param maxLength maximum length of the line in millimetres.
  */
 export function traceLine(
   surface: SkinSurface,

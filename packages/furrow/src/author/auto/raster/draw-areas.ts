@@ -6,14 +6,15 @@ import type { CreasedRegion } from '../lines/crease.ts'
 import { type HeadChart, unroll } from '../surface/head-chart.ts'
 import { visibility } from './visibility.ts'
 
-/** Width in millimetres of the transition between two areas, as a difference of distances to their lines. */
+/** Width in millimetres of the transition between two areas, measured as the difference between the distances to their lines. */
 const TRANSITION = 4
 
 /**
- * Draws the areas of a layer's regions: each around its own lines, fading out where another region's lines are nearer.
+ * Draws the areas of the regions in one layer. An area surrounds the lines of its region, and fades out where the lines of another region are
+ * nearer.
  *
- * @param chart of a face; hidden skin gets no weight.
- * @returns weights, 255 = fully visible.
+ * @param chart chart of a face. If given, hidden skin (such as inside the mouth) gets no weight.
+ * @returns weights of each region's area, 255 = fully visible.
  */
 export function drawAreas(
   texels: SkinTexels,
@@ -22,7 +23,7 @@ export function drawAreas(
 ): GrayImage[] {
   const { width, height } = texels
   const images = regions.map(() => new Uint8Array(width * height))
-  // The first of several regions that share lines owns them.
+  // Lines that several regions share are assigned to the first of these regions, the owner.
   const owners = regions.map(({ creases }) => regions.findIndex((other) => other.creases === creases))
   const lines = regions.flatMap(({ creases }, i) =>
     owners[i] === i ? creases.map((crease) => ({ crease, owner: i })) : [],
@@ -32,7 +33,7 @@ export function drawAreas(
     lines.map(({ crease }) => crease),
     lines.map(({ owner }) => 2 * extents[owner]),
   )
-  /** Distance to the nearest line of each owner. */
+  /** Distance from the current texel to the nearest line of each owner. */
   const distances = new Float64Array(regions.length)
   texels.visitNear(grid.isNear, (texel, position, normal) => {
     distances.fill(Infinity)

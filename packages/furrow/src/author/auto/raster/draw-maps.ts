@@ -14,39 +14,40 @@ import { FacetFrames } from './facet-frames.ts'
 /** Maps of one layer. */
 export interface AutoLayer {
   name: string
-  /** Lines of the layer, each in the group named after its area: `strokesToHeight` draws them as `heights`. */
+  /** Lines of the layer. Each stroke's `group` is the name of its area. `strokesToHeight` draws the strokes as `heights`. */
   strokes: Stroke[]
-  /** Normal map of kind `detail`: wrinkles on flat skin. */
+  /** Normal map of wrinkles on otherwise flat skin, for a layer of kind `detail`. */
   normal: RgbaImage
   heights: HeightMap
-  /** 255 = open to the light. */
+  /** 255 = unoccluded. */
   occlusion: GrayImage
 }
 
 export interface MapSettings {
-  /** Side of the layers' maps in texels. */
+  /** Width and height of the layers' maps in texels. */
   size: number
-  /** Side of the areas in texels. */
+  /** Width and height of the areas' maps in texels. */
   areaSize: number
   /** Tangent frame of the normal maps. */
   frame: TangentFrame
 }
 
-/** Drawn maps, with the positions of their texels on the skin. */
+/** Maps of all layers and areas, and the positions of their texels on the skin. */
 export interface AutoMaps {
   layers: AutoLayer[]
   /** Weights of each region's area. */
   weights: GrayImage[]
-  /** Texels of the layers' maps and of the areas. */
+  /** Texels of the layers' maps. */
   texels: SkinTexels
+  /** Texels of the areas' maps. */
   areaTexels: SkinTexels
 }
 
 /**
  * Draws the maps of all layers and areas.
  *
- * @param layerOf layer of each region.
- * @param report called with the fraction done.
+ * @param layerOf index of each region's layer.
+ * @param report called with the finished fraction of the work.
  * @returns undefined if there are no regions.
  */
 export function drawMaps(
@@ -56,7 +57,7 @@ export function drawMaps(
   { size, areaSize, frame }: MapSettings,
   report: (fraction: number) => void,
 ): AutoMaps | undefined {
-  // Return early: locating the texels costs more than all previous steps.
+  // Return before locating the texels, which takes longer than all previous steps.
   if (regions.length === 0) return undefined
   const { skin, surface, face, isDrawn } = prepared
   const texels = new SkinTexels(skin, surface, size, size, isDrawn, MIPMAP_MARGIN)
@@ -66,7 +67,7 @@ export function drawMaps(
   const weights: GrayImage[] = []
   const barycentrics = new Float64Array(3)
   const layerCount = Math.max(...layerOf) + 1
-  /** Reports one of a layer's four parts: creases, frames, normals, areas. */
+  /** Reports that one of the four parts of a layer begins: creases, frames, normals or areas. */
   const reportPart = (layer: number, part: number) => report((layer + part / 4) / layerCount)
   for (let layer = 0; layer < layerCount; layer++) {
     reportPart(layer, 0)
@@ -87,7 +88,7 @@ export function drawMaps(
   return { layers, weights, texels, areaTexels }
 }
 
-/** Returns the strokes of a layer's regions. Lines shared by left and right are in a group without a side. */
+/** Returns the strokes of a layer's regions. Lines that the left and the right region share are in a group without a side in its name. */
 function strokesOf(regions: readonly FittedRegion[]): Stroke[] {
   const groups = new Map<readonly Stroke[], string>()
   for (const { region, strokes } of regions) {
@@ -96,7 +97,7 @@ function strokesOf(regions: readonly FittedRegion[]): Stroke[] {
   return [...groups].flatMap(([strokes, group]) => strokes.map((stroke) => ({ group, ...stroke })))
 }
 
-/** Returns the positions of the skin's vertices in the surface's scale, converted to metres. */
+/** Returns the positions of a surface, in metres and by vertex of the skin. */
 function inMetres({ pointOf, points }: SkinSurface): Float64Array {
   const out = new Float64Array(3 * pointOf.length)
   for (const [vertex, point] of pointOf.entries()) {

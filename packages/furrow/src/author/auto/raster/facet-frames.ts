@@ -8,36 +8,38 @@ import { type Pose, poseOf } from '../surface/pose.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { type Patch, patchOf } from './patch.ts'
 
-/** Fraction of a crease's reach within which its slopes are visible. */
+/** Triangles within this fraction of a crease's reach are corrected. Farther away, slopes are not visible. */
 const NEAR = 0.6
-/** Minimum activation of relevant poses. */
+/** Poses with less activation are ignored. */
 const MIN_ACTIVATION = 0.1
-/** Weight of unchanged slopes relative to the poses: keeps slopes finite on facets seen edge-on. */
+/** Weight with which M is pulled to the identity, relative to the poses. Without it, slopes could be infinite on facets seen edge-on. */
 const RIDGE = 0.02
-/** Side in millimetres up to which triangles need no correction: each crease spans many of them. */
+/** Triangles whose bounding box is smaller, in millimetres, need no correction, because a crease spans many of them. */
 const FINE = 0.5
-/** Maximum number of triangles near a region's lines times poses. Only overlapping skin exceeds it, and correction would not help there. */
+/** Maximum number of triangles near a region's lines, times the number of poses. Regions with more are not corrected: their skin overlaps. */
 const MAX_POSED = 500_000
-/** Count of numbers per corner of a triangle: D^T D (00, 01, 11), then D^T S (00, 01, 10, 11). */
+/** Count of numbers per corner of a triangle: elements 00, 01 and 11 of `transpose(D) * D`, then all elements of `transpose(D) * S`. */
 const STRIDE = 7
-/** Count of numbers per triangle: M row by row, for each corner. */
+/** Count of numbers per triangle: for each corner, the elements of the 2 x 2 matrix M. */
 const TURN = 12
 const NONE = -1
 
 type Skin = Pick<PreparedSkin, 'skin' | 'surface' | 'offsets' | 'names' | 'find'>
 
 /**
- * Makes creases continuous on coarse meshes without tangents. Renderers derive the normal map's frame from each deformed facet (Schueler,
- * see `TangentFrame`), so creases break between facets. The slopes are corrected so that these frames D give the result of the smooth
- * surface's frames S in the poses that show the crease. The correction is M = argmin sum w a^2 |D M - S|^2, with the activation a of a pose
- * and its weight w. On meshes finer than the creases M is close to 1 and skipped.
+ * Makes creases continuous on coarse meshes without tangents. On these meshes, renderers compute the tangent frame of the normal map from
+ * each deformed triangle (facet; Schueler, see `TangentFrame`), so creases would break at the edges of facets.
+ *
+ * The class multiplies the slopes in the normal map by a 2 x 2 matrix M. D is the frame of a facet and S the frame of the smooth surface, both
+ * 3 x 2 matrices. M minimises the sum of `w * a^2 * |D * M - S|^2` over the poses that show the crease. Here, `a` is the activation in a pose,
+ * and `w` is the weight of the pose. On fine meshes M is almost the identity, so they are not corrected.
  */
 export class FacetFrames {
-  /** Index of each triangle's M in `#turns`; `NONE` if uncorrected. */
+  /** Index of each triangle's matrices in `#turns`; `NONE` if the triangle is not corrected. */
   readonly #slots: Int32Array
   readonly #turns: Float64Array
 
-  /** @param regions whose creases are drawn into one map. */
+  /** @param regions regions whose creases are drawn into the map. */
   constructor(skin: Skin, regions: readonly FittedRegion[]) {
     this.#slots = new Int32Array(skin.surface.skinTriangles.length).fill(NONE)
     const near = regions.flatMap((region) => {
@@ -56,9 +58,9 @@ export class FacetFrames {
   }
 
   /**
-   * Corrects the x and y of a slope in UV space, in place.
+   * Corrects x and y of a slope in place.
    *
-   * @param barycentrics in the triangle; negative ones, beyond its border, count as 0.
+   * @param barycentrics barycentric coordinates of the texel in the triangle. Negative coordinates count as 0.
    */
   turn(triangle: number, barycentrics: ArrayLike<number>, slope: Float64Array): void {
     const slot = this.#slots[triangle]
@@ -78,7 +80,7 @@ export class FacetFrames {
   }
 }
 
-/** Adds the normal equations of the triangles near a region's lines, `STRIDE` numbers per corner. */
+/** Adds the poses of a region to the normal equations for M at the corners of the triangles near the region's lines. */
 function addPatch(
   sums: Float64Array,
   slots: Int32Array,
@@ -98,7 +100,7 @@ interface WeightedPose {
   weight: number
 }
 
-/** Returns the cause of a region, and each target of its driver alone. The cause weighs as much as all targets together. */
+/** Returns the poses to correct for: the region's cause, and each target of its driver alone. The cause weighs as much as all others. */
 function posesOf({ names, find }: Skin, { region, driver }: FittedRegion): WeightedPose[] {
   const weightOf = new Map(driver.targets.map(({ name, weight = 1 }) => [names.indexOf(name), weight]))
   const poses: Pose[] = [
@@ -128,14 +130,15 @@ function trianglesNear({ surface }: Skin, { creases }: FittedRegion): number[] {
   return near
 }
 
-/** Derivatives dP/du and dP/dv of a deformed surface on facets and at vertices, and its normals. */
+/** Computes dP/du and dP/dv of a deformed surface P(u, v), on facets and at vertices, and the normals of the surface. */
 class DeformedFrames {
   readonly #skin: Skin
   readonly #patch: Patch
   readonly #points: Float64Array
   readonly #normals: Float64Array
-  /** x, y and z of dP/du, then of dP/dv; 0 if a facet has no UV area. */
+  /** For each facet, dP/du and dP/dv; 0 if a facet has no area in UV space. */
   readonly #ofFacet: Float64Array
+  /** For each vertex, dP/du and dP/dv. */
   readonly #ofVertex: Float64Array
 
   constructor(skin: Skin, patch: Patch) {
@@ -168,7 +171,7 @@ class DeformedFrames {
     for (let i = 0; i < this.#normals.length; i += 3) normalize(this.#normals, i)
   }
 
-  /** Adds a facet to the normal equations at each of its corners. */
+  /** Adds the current pose to the normal equations for M at the corners of a facet. */
   add(t: number, weight: number, out: Float64Array, first: number): void {
     if (isZero(this.#ofFacet, 6 * t)) return
     const { corners, cornerVertices } = this.#patch
@@ -219,7 +222,7 @@ class DeformedFrames {
   }
 }
 
-/** Scratch: tangent and bitangent of a facet, and of the smooth surface. */
+/** Scratch: tangent and bitangent of a facet (D), and of the smooth surface (S). */
 const [dt, db, st, sb] = [new Float64Array(3), new Float64Array(3), new Float64Array(3), new Float64Array(3)]
 
 function isZero(derivatives: Float64Array, first: number): boolean {
@@ -228,10 +231,10 @@ function isZero(derivatives: Float64Array, first: number): boolean {
 }
 
 /**
- * Computes the gradients of u and v in the plane perpendicular to a normal, both divided by the longer one.
+ * Computes a tangent frame: the gradients of u and v in the plane perpendicular to a normal, both divided by the length of the longer one.
  *
- * @param first index of the derivatives: x, y and z by u, then by v.
- * @param n index of the normal.
+ * @param first index in `derivatives` of dP/du, which dP/dv follows.
+ * @param n index of the normal in `normals`.
  */
 function frameOf(
   derivatives: Float64Array,
@@ -250,7 +253,7 @@ function frameOf(
   }
 }
 
-/** Solves the normal equations (D^T D + r 1) M = D^T S + r 1 at a corner. */
+/** Solves the normal equations `(transpose(D) * D + r * I) * M = transpose(D) * S + r * I` for M at a corner. */
 function solve(sums: Float64Array, corner: number, out: Float64Array): void {
   const [s00, s01, s11, t00, t01, t10, t11] = sums.subarray(STRIDE * corner, STRIDE * (corner + 1))
   const ridge = RIDGE * (s00 + s11) || 1

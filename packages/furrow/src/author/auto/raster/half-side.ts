@@ -1,6 +1,6 @@
 import type { GrayImage } from '../../../core/types.ts'
 
-/** Halves the side of a map of levels, 0..255. The side must be even; each texel is the rounded mean of four. @internal */
+/** Halves the width and height of a map, which must be even. Each texel is the rounded mean of four texels. @internal */
 export function halfSide({
   width,
   height,
@@ -19,7 +19,12 @@ export function halfSide({
   return { ...half, data: out }
 }
 
-/** Converts millimetres to levels 0..255, 127.5 = 0 mm. `amplitude` is the height of white above black in metres. @internal */
+/**
+ * Converts heights in millimetres to gray levels 0..255, where 127.5 is 0 mm. `amplitude` is the difference in height between levels 255 and
+ * 0, in metres.
+ *
+ * @internal
+ */
 export function heightLevels(millimetres: Float32Array): { levels: Float32Array; amplitude: number } {
   let largest = 0.001
   for (let i = 0; i < millimetres.length; i++) largest = Math.max(largest, Math.abs(millimetres[i]))

@@ -1,23 +1,27 @@
 import { type Skin, type SkinSurface, skinVertices } from '../../skin/surface.ts'
 
-/** Some triangles of a skin and their neighbours, with local indices of points and vertices. */
+/** Requested triangles of a skin and the triangles around them, with indices of their own for points and vertices. */
 export interface Patch {
-  /** Triangles of the surface, requested ones first in their order. */
+  /** Indices of the triangles in the surface. The requested triangles come first. */
   triangles: Uint32Array
   /** Number of requested triangles. */
   wanted: number
-  /** Points of the surface, and vertices of the skin. */
+  /** Points of the surface that the patch uses. */
   points: Uint32Array
+  /** Vertices of the skin that the patch uses. */
   vertices: Uint32Array
-  /** Indices of each triangle corner into `points` and `vertices`. */
+  /** Index into `points` for each corner of each triangle. */
   corners: Uint32Array
+  /** Index into `vertices` for each corner of each triangle. */
   cornerVertices: Uint32Array
 }
 
 /**
- * Extracts triangles and those that share a point with any of them.
+ * Extracts the requested triangles, and all triangles that share a point with them.
  *
- * @returns undefined if the total exceeds `most`.
+ * @param wanted indices of the requested triangles.
+ * @param most maximum number of extracted triangles.
+ * @returns undefined if there would be more triangles.
  */
 export function patchOf(
   skin: Pick<Skin, 'uvs' | 'indices'>,
@@ -60,7 +64,7 @@ export function patchOf(
   }
 }
 
-/** Renumbers used indices from 0 in order of first use. */
+/** Renumbers the indices in a list from 0, in the order in which they first appear. */
 function renumber(list: Uint32Array, count: number): { used: Uint32Array; indices: Uint32Array } {
   const numbers = new Int32Array(count).fill(-1)
   const used = new Uint32Array(Math.min(list.length, count))

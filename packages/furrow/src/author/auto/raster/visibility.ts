@@ -1,16 +1,18 @@
 import { smoothstep } from '../../../math/scalar.ts'
 import type { HeadChart } from '../surface/head-chart.ts'
 
-/** Depth in millimetres below other skin at which a position starts to be hidden, and the range until fully hidden. */
+/** Skin starts to be hidden at this depth below other skin, in millimetres. */
 const HIDDEN_FROM = 0.5
+/** Further depth in millimetres at which skin is completely hidden. */
 const HIDDEN_OVER = 1
-/** Cosines between the normal and the head's outward direction at which skin is invisible, and fully visible. */
+/** Cosines between the normal and the outward direction of the head: at the first one skin is hidden, at the second one visible. */
 const FACING = [-0.1, 0.1] as const
 
 /**
- * Returns how visible a position on the skin is from outside the head, 0..1: 0 in the mouth and on lid rims, where nothing creases.
+ * Returns how visible a position on the skin is from outside the head, 0..1. Skin inside the mouth and on the rims of lids has 0; it does not
+ * crease.
  *
- * @param normal of the skin there.
+ * @param normal normal of the skin at the position.
  */
 export function visibility(
   chart: HeadChart,

@@ -8,31 +8,31 @@ import { poseOf } from '../surface/pose.ts'
 import { poseInRigShapes } from '../surface/stand-ins.ts'
 import { FACE_SIGMA, poseStrain } from './pose-strain.ts'
 
-/** Region of a face with the strain of its expression. */
+/** Region of a face, and the compression of the skin in its expression. */
 export interface StrainedRegion {
-  /** The region, with its cause in the rig's shapes. */
+  /** Region whose `cause` has the names of the rig's blendshapes. */
   region: FaceRegion
-  /** `compressionTensors` of the expression; shared by regions with the same expression. */
+  /** `compressionTensors` of the expression. Regions with the same expression share the array. */
   tensors: Float64Array
 }
 
-/** Requested regions and random seeds, see `AutoOptions`. */
+/** Requested regions and random seeds; see `AutoOptions`. */
 export interface RegionSettings {
   seed: number
   seeds: Readonly<Partial<Record<AutoRegion, number>>>
   regions: readonly AutoRegion[]
 }
 
-/** Returns the region whose seed applies to a name, including names of a side and of shared lines. */
+/** Returns the region whose seed applies to a random number generator with the given name. */
 function regionOf(name: string): AutoRegion {
   const region = name.replace(/(Left|Right)$/, '')
   return region === 'forehead' ? 'foreheadInner' : (region as AutoRegion)
 }
 
 /**
- * Measures the strain of each region's expression on a face.
+ * Measures, for each region of a face, how the region's expression compresses the skin.
  *
- * @param ageFraction 0 at 20 years, 1 at 80.
+ * @param ageFraction age as a number from 0 (20 years) to 1 (80 years).
  */
 export function strainFaceRegions(
   face: DetectedFace,

@@ -2,25 +2,25 @@ import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { type RegionSettings, type StrainedRegion, strainFaceRegions } from './face-strain.ts'
 import { type CompressedPatch, findPatches } from './patches.ts'
 
-/** Skin that may crease. */
+/** Parts of the skin that can crease, and how they are compressed. */
 export interface StrainedSkin {
-  /** Anatomical regions of a face, each with the strain of its expression. */
+  /** Anatomical regions of a face; empty for other skin. */
   regions: readonly StrainedRegion[]
-  /** Patches compressed by targets, on skin that is not a head. */
+  /** Patches that blendshapes compress; empty for heads. */
   patches: readonly CompressedPatch[]
 }
 
 export interface StrainSettings extends RegionSettings {
-  /** 0 at 20 years, 1 at 80. */
+  /** Age as a number from 0 (20 years) to 1 (80 years). */
   ageFraction: number
   /** Maximum number of patches. */
   maxAreas: number
 }
 
 /**
- * Measures how far targets compress the skin, and in which directions.
+ * Measures how far blendshapes compress the skin, and in which directions.
  *
- * @param report called with the fraction done.
+ * @param report called with the finished fraction of the work.
  */
 export function measureStrain(
   prepared: PreparedSkin,
@@ -30,7 +30,7 @@ export function measureStrain(
   const { face, isUnknownHead } = prepared
   return {
     regions: face ? strainFaceRegions(face, ageFraction, settings, report) : [],
-    // Speech compresses cheeks without folding them, so a head without landmarks gets no lines.
+    // Compression alone must not place lines on a head: speech, for example, compresses cheeks without folding them.
     patches: face || isUnknownHead ? [] : findPatches(prepared, maxAreas, report),
   }
 }

@@ -4,27 +4,28 @@ import { poseStrain } from './pose-strain.ts'
 import { pointCompression } from './principal.ts'
 import { hasTensor, TENSOR_SIZE } from './tensors.ts'
 
-/** Standard deviation in millimetres for smoothing strain: without anatomy, noise must not look like a patch. */
+/** Standard deviation in millimetres of the smoothing of compression. It is large, so that noise does not look like a patch. */
 const PATCH_SIGMA = 5
-/** Minimum compression at which skin may crease: higher than with known anatomy. */
+/** Skin with less compression does not crease. The limit is higher than on faces, where anatomy tells which skin creases. */
 export const MIN_PATCH_COMPRESSION = 0.07
 /** Minimum area of a patch in square millimetres. */
 const MIN_PATCH_AREA = 80
-/** Minimum overlap of two patches that count as one, as a fraction of the smaller one. */
+/** Two patches count as one if at least this fraction of the smaller one overlaps the larger one. */
 const SAME = 0.5
 
-/** Connected skin that a target compresses. */
+/** Connected part of the skin that a blendshape compresses. */
 export interface CompressedPatch {
+  /** Indices of the points in the surface. */
   points: ReadonlySet<number>
   /** Area in square millimetres. */
   area: number
-  /** Index of the target that compresses the largest patch here. */
+  /** Index of the blendshape. If several blendshapes compress the same skin, the one with the largest patch. */
   target: number
-  /** `compressionTensors` of its points, in their order. */
+  /** `compressionTensors` of the points, in the order of `points`. */
   tensors: Float64Array
 }
 
-/** Finds connected patches compressed by single targets, largest first. Of overlapping patches only the largest is kept. */
+/** Finds the connected patches that single blendshapes compress, sorted from large to small. If patches overlap, only the largest is kept. */
 export function findPatches(
   { surface, offsets, names }: Pick<PreparedSkin, 'surface' | 'offsets' | 'names'>,
   maxPatches: number,
@@ -43,7 +44,7 @@ export function findPatches(
   return chosen
 }
 
-/** Expands a patch's `compressionTensors` to all points of its surface, 0 outside it. */
+/** Expands the tensors of a patch to all points of the surface. Points outside the patch get 0. */
 export function patchTensors({ points, tensors }: CompressedPatch, pointCount: number): Float64Array {
   const all = new Float64Array(TENSOR_SIZE * pointCount)
   let offset = 0
@@ -54,7 +55,7 @@ export function patchTensors({ points, tensors }: CompressedPatch, pointCount: n
   return all
 }
 
-/** Returns the connected components of sufficiently compressed points. */
+/** Returns the connected components of the points with at least `MIN_PATCH_COMPRESSION`. */
 function patchesOf(surface: SkinSurface, tensors: Float64Array, target: number): CompressedPatch[] {
   const { areas, neighbourStarts, neighbours } = surface
   const open = new Set<number>()

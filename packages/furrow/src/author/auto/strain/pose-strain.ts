@@ -3,15 +3,15 @@ import type { Pose } from '../surface/pose.ts'
 import { smooth } from './smooth.ts'
 import { compressionTensors } from './tensors.ts'
 
-/** Standard deviation in millimetres for smoothing a face's strain, which is noisy per triangle. */
+/** Standard deviation in millimetres of the smoothing of compression on a face. Without smoothing, it differs much between triangles. */
 export const FACE_SIGMA = 3
 
 /**
- * Computes the smoothed `compressionTensors` of a pose.
+ * Computes the `compressionTensors` of a pose, and smooths them over the surface.
  *
- * @param offsets of each target per point, in millimetres.
+ * @param offsets offsets of each target, per point, in millimetres.
  * @param sigma standard deviation of the smoothing, in millimetres.
- * @param poses total number of poses to be measured.
+ * @param poses total number of poses that are measured on this surface. Many poses are smoothed less accurately, to limit the time.
  */
 export function poseStrain(
   surface: SkinSurface,

@@ -4,15 +4,15 @@ import { cross, length2, normalize } from '../../../math/vector.ts'
 import { cornersOf, type SkinSurface } from '../../skin/surface.ts'
 import { bilinearForm, compressionAlong, TENSOR_SIZE, tensorAt } from './tensors.ts'
 
-/** Principal compression in the plane of the skin. */
+/** Largest compression of skin at a point, among all directions in the plane of the skin. */
 export interface PrincipalCompression {
-  /** Unit vector along which skin is shortened least: the direction of a crease. */
+  /** Unit vector perpendicular to the direction of largest compression. A crease has this direction. */
   direction: Float64Array
-  /** Fraction of length that skin loses across the direction. */
+  /** Fraction of length that the skin loses perpendicular to `direction`. */
   compression: number
 }
 
-/** Computes the principal compression at a point of a triangle, in the triangle's plane. */
+/** Computes the principal compression at a position in a triangle, given by barycentric coordinates. */
 export function principalAt(
   surface: SkinSurface,
   tensors: Float64Array,
@@ -35,7 +35,7 @@ export function principalAt(
 
 const [pointX, pointY] = [new Float64Array(3), new Float64Array(3)]
 
-/** Returns the maximum fraction of length that skin loses at a point in any direction. */
+/** Returns the fraction of length that skin loses at a point in the direction of largest loss. */
 export function pointCompression({ normals }: SkinSurface, tensors: Float64Array, point: number): number {
   const normal = normals.subarray(3 * point, 3 * point + 3)
   cross(pointX, normal, Math.abs(normal[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0])
@@ -46,8 +46,7 @@ export function pointCompression({ normals }: SkinSurface, tensors: Float64Array
 }
 
 /**
- * Returns the largest principal value of a tensor in a plane, and the angle of its axis from x towards y (symmetric 2 x 2 matrix, Mohr's
- * circle).
+ * Returns the largest eigenvalue of a tensor restricted to a plane, and the angle from x towards y of its eigenvector (Mohr's circle).
  *
  * @param x, y orthonormal vectors that span the plane.
  */

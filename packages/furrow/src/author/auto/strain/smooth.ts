@@ -1,25 +1,23 @@
 import type { SkinSurface } from '../../skin/surface.ts'
 import { hasTensor, TENSOR_SIZE } from './tensors.ts'
 
-/** Maximum fraction of the way to its neighbours' mean that a point moves per iteration. */
+/** In an iteration, a point's tensor moves at most by this fraction towards the mean of its neighbours. */
 const MAX_STEP = 0.8
-/**
- * Maximum numbers of iterations, and of neighbours times iterations (a few seconds). Meshes much finer than skin creases are smoothed less
- * than requested. The second limit keeps the time linear in the mesh size, which is largest where most iterations are needed.
- */
+/** Maximum number of iterations. Meshes that would need more are smoothed less than requested. */
 const MAX_ITERATIONS = 1000
+/** Maximum number of neighbours that are read in all iterations together, to limit the time to a few seconds. */
 const MAX_READS = 120_000_000
-/** Number of runs that may each use the full limit; more runs share it. */
+/** If there are more runs, they share `FREE_RUNS * MAX_READS`. */
 const FREE_RUNS = 3
-/** Distance in standard deviations beyond which an impulse vanishes. */
+/** Points farther than this from all tensors, in standard deviations, are not affected. */
 const SPREAD = 5
 
 /**
- * Smooths tensors at points by diffusion over the surface. An impulse spreads by the same width for any triangle size.
+ * Smooths tensors by diffusion over the surface. The smoothing has the same width in millimetres for triangles of any size.
  *
  * @param tensors `TENSOR_SIZE` components per point; changed in place.
- * @param sigma standard deviation of the spread impulse, in the surface's unit.
- * @param runs total number of runs on this surface, which share a time limit.
+ * @param sigma standard deviation of the smoothing, in the unit of the surface.
+ * @param runs total number of calls for this surface. Many calls share a time limit.
  */
 export function smooth(surface: SkinSurface, tensors: Float64Array, sigma: number, runs = 1): void {
   const { squares, fine } = finenessOf(surface)
@@ -30,7 +28,7 @@ export function smooth(surface: SkinSurface, tensors: Float64Array, sigma: numbe
   const steps = Float64Array.from(points, (point) =>
     Math.min(MAX_STEP, (2 * sigma * sigma) / (iterations * Math.max(squares[point], 1e-12))),
   )
-  /** Tensors of these points, and of one that represents all others. */
+  /** Tensors of `points`, and one tensor, 0, for all other points. */
   let before = new Float64Array(TENSOR_SIZE * (points.length + 1))
   let after = new Float64Array(before.length)
   for (let i = 0; i < points.length; i++)
@@ -43,7 +41,7 @@ export function smooth(surface: SkinSurface, tensors: Float64Array, sigma: numbe
     for (let k = 0; k < TENSOR_SIZE; k++) tensors[TENSOR_SIZE * points[i] + k] = before[TENSOR_SIZE * i + k]
 }
 
-/** Moves each point's tensor towards the mean of its neighbours. Unrolled components are three times as fast. */
+/** Moves each point's tensor towards the mean of its neighbours. The loop over components is unrolled, which is three times as fast. */
 function diffuse(
   { starts, neighbours }: Pick<SmoothedPoints, 'starts' | 'neighbours'>,
   steps: Float64Array,
@@ -78,10 +76,11 @@ function diffuse(
   }
 }
 
+/** Distances between neighbouring points of a surface. */
 interface Fineness {
-  /** Mean squared distance from each point to its neighbours; 0 without neighbours. */
+  /** Mean squared distance from each point to its neighbours; 0 if a point has no neighbours. */
   squares: Float64Array
-  /** Squared distance at the finest quartile. */
+  /** First quartile of `squares`. */
   fine: number
 }
 
@@ -96,23 +95,24 @@ function finenessOf(surface: SkinSurface): Fineness {
     for (let n = starts[i]; n < starts[i + 1]; n++) squares[i] += squaredDistance(points, i, neighbours[n])
     squares[i] /= Math.max(1, starts[i + 1] - starts[i])
   }
-  // Points without triangles, as in files whose meshes share vertices, do not count.
+  // Points without triangles do not count. They occur in files whose meshes share vertices.
   const sorted = squares.filter((square) => square > 0).sort()
   const fineness = { squares, fine: sorted[Math.floor(sorted.length / 4)] ?? 0 }
   known.set(surface, fineness)
   return fineness
 }
 
-/** Points of a surface that have or may get a tensor. */
+/** Points of a surface that have a tensor or get one by smoothing. */
 interface SmoothedPoints {
   /** Indices of the points in the surface. */
   points: Uint32Array
-  /** Neighbours of each point, as indices into `points`; `points.length` represents any other point. */
+  /** Start of each point's neighbours in `neighbours`. */
   starts: Uint32Array
+  /** Neighbours of each point, as indices into `points`. The index `points.length` represents all other points. */
   neighbours: Uint32Array
 }
 
-/** Returns the points with tensors, and points up to `rings` edges away. */
+/** Returns the points that have tensors, and the points that are at most `rings` edges away from them. */
 function pointsAround(surface: SkinSurface, tensors: Float64Array, rings: number): SmoothedPoints {
   const { neighbourStarts, neighbours } = surface
   const isInside = new Uint8Array(neighbourStarts.length - 1)
@@ -155,11 +155,11 @@ function pointsAround(surface: SkinSurface, tensors: Float64Array, rings: number
 /**
  * Returns the number of smoothing iterations.
  *
- * @param neighbours total number of neighbours of all points, about six each.
- * @param square mean squared distance of neighbours where the mesh is fine.
+ * @param neighbours sum of the numbers of neighbours over all points. A point has about six.
+ * @param square mean squared distance between neighbours where the mesh is fine.
  */
 export function iterationsOf(neighbours: number, square: number, sigma: number, runs = 1): number {
-  // A step of length d in a random direction, taken with probability p, adds p d^2 / 2 to the variance along each axis.
+  // A step of length d in a random direction, taken with probability p, adds `p * d^2 / 2` to the variance along each axis.
   const wanted = Math.ceil((2 * sigma * sigma) / (MAX_STEP * Math.max(square, 1e-12)))
   const reads = MAX_READS * Math.min(1, FREE_RUNS / runs)
   return Math.min(wanted, MAX_ITERATIONS, Math.floor(reads / neighbours))

@@ -5,9 +5,11 @@ import { cornersOf, type SkinSurface } from '../../skin/surface.ts'
 export const TENSOR_SIZE = 6
 
 /**
- * Computes how far skin is shortened at each point, by direction: I - U, with the right stretch tensor U of each triangle in its plane.
- * This is the Biot strain with the sign of compression (Bonet, Wood: Nonlinear Continuum Mechanics, 3.6), averaged over the triangles
- * around a point by area. Along a unit direction c of the skin, c . T c is the lost fraction of length.
+ * Computes a tensor T at each point that tells how far the skin is shortened in each direction. For a unit vector c in the tangent plane,
+ * `dot(c, T * c)` is the lost fraction of length.
+ *
+ * T is the mean over the triangles around a point, weighted by area. The tensor of a triangle is `I - U`, where U is the right stretch tensor
+ * in the triangle's plane. This is the negative Biot strain (Bonet, Wood: Nonlinear Continuum Mechanics, 3.6).
  *
  * @param displacements packed xyz per point.
  * @returns `TENSOR_SIZE` components per point.
@@ -28,7 +30,7 @@ export function compressionTensors(surface: SkinSurface, displacements: ArrayLik
   return out
 }
 
-/** Components below this count as 0. */
+/** Components with a smaller absolute value count as 0. */
 const NO_STRAIN = 1e-7
 
 /** Returns whether the skin is strained at a point. */
@@ -72,7 +74,7 @@ function triangleTensor(
   const yx = (vx - offset * xx) / height
   const yy = (vy - offset * xy) / height
   const yz = (vz - offset * xz) / height
-  // C = F^T F, with F = [deformed u, deformed v] [base offset; 0 height]^-1.
+  // Right Cauchy-Green tensor `C = transpose(F) * F` with `F = [deformed u, deformed v] * inverse([base offset; 0 height])`.
   let c00 = 0
   let c01 = 0
   let c11 = 0
@@ -85,7 +87,7 @@ function triangleTensor(
     c01 += first * second
     c11 += second * second
   }
-  // Square root of a 2 x 2 matrix: (C + sqrt(det) I) / sqrt(trace + 2 sqrt(det)) (Levinger 1980).
+  // Square root U of the 2 x 2 matrix C: `(C + sqrt(det(C)) * I) / sqrt(trace(C) + 2 * sqrt(det(C)))` (Levinger 1980).
   const root = Math.sqrt(Math.max(0, c00 * c11 - c01 * c01))
   const scale = Math.sqrt(c00 + c11 + 2 * root)
   const s00 = scale > 0 ? 1 - (c00 + root) / scale : 1
@@ -102,7 +104,7 @@ function triangleTensor(
 
 const interpolated = new Float64Array(TENSOR_SIZE)
 
-/** Interpolates the tensor at a point of a triangle; overwritten by the next call. */
+/** Interpolates the tensor at barycentric coordinates of a triangle. The next call overwrites the returned array. */
 export function tensorAt(
   surface: SkinSurface,
   tensors: Float64Array,
@@ -117,12 +119,12 @@ export function tensorAt(
   return interpolated
 }
 
-/** Returns c . T c: the fraction by which skin is shortened along a unit direction. */
+/** Returns `dot(c, T * c)` for the unit vector c = (x, y, z): the fraction by which skin is shortened in this direction. */
 export function compressionAlong(t: ArrayLike<number>, x: number, y: number, z: number): number {
   return t[0] * x * x + t[3] * y * y + t[5] * z * z + 2 * (t[1] * x * y + t[2] * x * z + t[4] * y * z)
 }
 
-/** Returns v . T w. */
+/** Returns `dot(v, T * w)`. */
 export function bilinearForm(t: ArrayLike<number>, v: ArrayLike<number>, w: ArrayLike<number>): number {
   return (
     v[0] * (t[0] * w[0] + t[1] * w[1] + t[2] * w[2]) +

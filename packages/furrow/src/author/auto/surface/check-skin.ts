@@ -4,9 +4,9 @@ import { uvArea } from '../../../math/triangle.ts'
 import { labelOf } from '../../shapes/families.ts'
 import { crossOf, type Skin, type SkinTarget } from '../../skin/surface.ts'
 
-/** Maximum offset of a usable target, in sizes of the skin. */
+/** Targets that move a vertex farther are broken. As a multiple of the skin's extent. */
 const MAX_OFFSET = 2
-/** Maximum extent of a usable skin, in sides of a square of the same area. Hair, drawn as thin strips, reaches about 50. */
+/** Maximum extent of a skin, as a multiple of the square root of its area. Hair made of thin strips reaches about 50. */
 const MAX_EXTENT = 1000
 /** Maximum number of triangles for `autoWrinkles`. */
 export const MAX_SKIN_TRIANGLES = 2_000_000
@@ -14,7 +14,7 @@ export const MAX_SKIN_TRIANGLES = 2_000_000
 const CHECK_EXPORT = 'check how the mesh was exported'
 
 /**
- * Checks a skin, and drops broken targets.
+ * Checks a skin and drops broken targets.
  *
  * @throws FurrowError if no wrinkles can be made for the skin.
  */
@@ -101,7 +101,7 @@ function surfaceArea(positions: ArrayLike<number>, indices: ArrayLike<number>): 
   return sum
 }
 
-/** Returns the positions of vertices used by triangles. */
+/** Returns the position of each corner of each triangle. */
 function usedPositions(positions: ArrayLike<number>, indices: ArrayLike<number>): Float64Array {
   const used = new Float64Array(3 * indices.length)
   for (let i = 0; i < indices.length; i++) {

@@ -5,28 +5,29 @@ import { crossOf, type Skin } from '../../skin/surface.ts'
 import { knownTargets } from './known-targets.ts'
 import { faceShapeFinder, hintsOf, type TargetHints } from './stand-ins.ts'
 
-/** Mesh, or its part with one material, that may be the skin. */
+/** Mesh that may be the skin of a character. A mesh with several materials has one candidate for each material. */
 export interface SkinCandidate {
   skin: Skin
-  /** Whether its material can show wrinkles: preferred if it moves at least half as much. */
+  /** Whether the material can show wrinkles. Such a candidate is chosen even if another one moves up to twice as much. */
   isLit: boolean
-  /** Names of its mesh and material, which may indicate that it is not skin. */
+  /** Names of the mesh and its material. They can indicate that the candidate is not skin. */
   label: string
 }
 
+/** Result of `chooseSkin`. */
 export interface SkinChoice {
-  /** Index of the candidate. */
+  /** Index of the chosen candidate. */
   index: number
-  /** Fraction of the surface moved by `movers` that belongs to the candidate, 0..1; NaN if they move nothing. */
+  /** Share of the chosen candidate in the motion of all candidates, 0..1; NaN if nothing moves. */
   fraction: number
-  /** Human-readable reason for the choice. */
+  /** Description of the blendshapes whose motion was compared. */
   movers: string
 }
 
-/** Minimum fraction of the most moved surface for a candidate to be a face. */
+/** Candidates that move less than this fraction of the candidate that moves most are no faces. */
 const NEGLIGIBLE = 0.02
 
-/** Blendshapes of a face that move its skin, not only eyes or teeth. */
+/** Blendshapes that move the skin of a face, and not only eyes or teeth. */
 const SKIN_SHAPES = [
   'browInnerUp',
   'browDownLeft',
@@ -37,19 +38,23 @@ const SKIN_SHAPES = [
   'mouthSmileRight',
 ]
 
-/** Kinds of blendshapes that do not indicate a face. */
+/** Kinds of blendshapes that bodies and other meshes have too, so that they do not indicate a face. */
 const NO_EXPRESSIONS: readonly (ShapeKind | undefined)[] = ['body', 'corrective', 'hidden', 'other']
 
 /** Words in names of meshes and materials that are not skin. */
 const NO_SKIN =
   /cloth|outfit|pants|trousers?|jeans|shorts|skirt|dress|shirt|\btops?\b|bottom|jacket|coat|shoe|boot|sock|glove|hat\b|glasses|hair|brow|lash|eye|iris|pupil|teeth|tooth|tongue|gum/i
-/** Factor for candidates with these words. */
+/** Factor on the motion of candidates with such words in their label. */
 const DOUBT = 0.25
 
 /**
- * Chooses the skin of a character: the candidate whose surface moves most with brows, lids and mouth, by the names of blendshapes or else
- * by their motion. Without these, the blendshapes weighted by the head joint decide, then all expressions. Body sliders and similar
- * blendshapes only count if nothing else moves.
+ * Chooses the skin of a character: the candidate that moves most. The first of these sets of blendshapes that moves any candidate decides:
+ *
+ * 1. Blendshapes that move brows, lids and mouth, recognised by name.
+ * 2. Blendshapes that move brows, lids and mouth, recognised by motion.
+ * 3. Blendshapes that may be expressions, counting only vertices skinned to the head joint.
+ * 4. Blendshapes that may be expressions.
+ * 5. All blendshapes, including body sliders.
  *
  * @returns undefined if there are no candidates.
  */
@@ -93,7 +98,7 @@ function movedByAll(skin: Skin): number {
   return movedSurface(skin, [...skin.targets.keys()])
 }
 
-/** Measures the surface that brows, lids and mouth move, identified by motion. */
+/** Measures the motion of a skin by blendshapes of brows, lids and mouth, which are recognised by their motion. */
 function movedFace(skin: Skin, largest: number): number {
   if (!(movedByAll(skin) > NEGLIGIBLE * largest)) return 0
   const { known, hints } = knownTargets(skin)
@@ -113,9 +118,9 @@ function expressions({ targets }: Skin): number[] {
 }
 
 /**
- * Sums the area of each triangle times its displacement by the chosen targets.
+ * Measures the motion of a skin: sums the area of each triangle times the displacement of its corners by the chosen targets.
  *
- * @param weights factors of the vertices, 0 if missing; default: all 1.
+ * @param weights factors on the displacements of the vertices, 0 where missing. Default: 1 for all vertices.
  */
 function movedSurface(
   { positions, indices, targets }: Skin,

@@ -7,38 +7,43 @@ import { type KnownTargets, knownTargets } from './known-targets.ts'
 import { centroidOf, findLandmarks, type Landmarks } from './landmarks.ts'
 import { faceShapeFinder, hintsOf, partShapeFinder, type TargetHints } from './stand-ins.ts'
 
-/** Skin recognised as a face. */
+/**
+ * Skin that was recognised as a face. Face coordinates have their origin at the midpoint of the eyes. x points to the person's left, y up and
+ * z forwards.
+ */
 export interface DetectedFace {
-  /** Surface in millimetres, in face coordinates. */
+  /** Surface in face coordinates, in millimetres. */
   surface: SkinSurface
-  /** The surface, unrolled. */
+  /** Chart that unrolls the surface. */
   chart: HeadChart
   landmarks: Landmarks
-  /** Millimetres per unit of the skin. */
+  /** Millimetres per unit of the skin's positions. */
   scale: number
-  /** Offsets of each target per point, in millimetres, in the order of the skin's targets. */
+  /** Offsets of each target per point, in face coordinates, in millimetres. */
   offsets: readonly Float64Array[]
+  /** Names of the targets. */
   names: readonly string[]
-  /** Names of the targets, with placeholders for names that the motion contradicts. */
+  /** Names of the targets as far as they are reliable: a name that contradicts the target's motion is replaced by a placeholder. */
   known: readonly string[]
-  /** Kind of each target, by motion and name. */
+  /** Kind of each target, derived from its motion and its name. */
   hints: TargetHints
-  /** Returns the indices of the targets with a name, in any rig's spelling, or of stand-ins. */
+  /** Returns the indices of the targets with an ARKit name, in any rig's spelling. If there are none, returns similar targets. */
   find(name: string): number[]
 }
 
-/** Distance between an adult's eyes in millimetres, to which faces are scaled (mean of women's 61.7 and men's 64.0; Dodgson 2004). */
+/** Faces are scaled to this distance between the eyes, in millimetres: the mean of women's 61.7 and men's 64.0 (Dodgson 2004). */
 const EYE_DISTANCE = 63
 
-/** Distances in millimetres below and above the midpoint of the eyes. */
+/** Skin of the mouth is at least this far below the eyes, in millimetres. */
 const MOUTH_BELOW = 40
+/** Skin of the brows is at least this far above the eyes, in millimetres. */
 const BROWS_ABOVE = 10
 
 /**
- * Recognises a face by the motion of its targets: blinks move the lids, brow shapes the brows, smiles the corners of the mouth. Brows
- * that no target moves are placed above the eyes.
+ * Recognises a face, and finds its features by the motion of targets: blinks move the lids, brow shapes the brows, and smiles the corners of
+ * the mouth. If no target moves the brows, they are placed above the eyes.
  *
- * @returns undefined if the required targets are missing, not recognised or move nothing.
+ * @returns undefined if the required targets are missing, are not recognised, or move nothing.
  */
 export function detectFace(skin: Skin): DetectedFace | undefined {
   const names = skin.targets.map(({ name }) => name)
@@ -71,38 +76,38 @@ export function detectFace(skin: Skin): DetectedFace | undefined {
 }
 
 /**
- * Finds the symmetry plane of a face by the motion of its targets.
+ * Finds the symmetry plane of a face from the positions of its eyes and mouth, which the motion of targets reveals.
  *
- * @returns undefined if they do not reveal the eyes and the mouth.
+ * @returns undefined if the targets do not reveal the eyes and the mouth.
  */
 export function middleOf(skin: Skin): MirrorPlane | undefined {
   return placedFace(skin)?.middle
 }
 
-/** Skin in face coordinates. */
+/** Face in face coordinates. */
 interface PlacedFace extends Pick<DetectedFace, 'surface' | 'offsets' | 'scale'> {
   /** Symmetry plane, in the coordinates of the skin. */
   middle: MirrorPlane
 }
 
 /**
- * Transforms a skin into face coordinates, by the names of its targets, or by their motion if names do not suffice.
+ * Transforms a skin into face coordinates. The targets that reveal eyes and mouth are found by name, or by motion if names do not suffice.
  *
- * @returns undefined if neither reveals eyes and mouth.
+ * @returns undefined if the targets do not reveal the eyes and the mouth.
  */
 export function placedFace(skin: Skin): PlacedFace | undefined {
   const byName = { known: correctedNames(skin.targets), hints: hintsOf(skin.targets) }
   return placeFace(skin, byName) ?? placeFace(skin, knownTargets(skin))
 }
 
-/** Transforms a skin into face coordinates, spanned by the eyes and the mouth. */
+/** Transforms a skin into face coordinates, whose axes are given by the positions of the eyes and the mouth. */
 function placeFace(skin: Skin, { known, hints, eyes }: KnownTargets): PlacedFace | undefined {
   const welded = weldSurface(skin)
   const findPart = partShapeFinder(known, hints)
   const raw = skin.targets.map((target) => pointOffsets(welded, target))
   const centroid = (threshold: number, ...shapes: string[]) =>
     centroidOf(welded, sumDisplacements(raw, shapes.flatMap(findPart), welded.areas.length), threshold)
-  // A target that closes both eyes locates neither.
+  // If one target closes both eyes, its centroid is between the eyes, so the positions found by `knownTargets` are used.
   const isBoth = `${findPart('eyeBlinkLeft')}` === `${findPart('eyeBlinkRight')}`
   const leftEye = isBoth ? eyes?.[0] : centroid(0.3, 'eyeBlinkLeft')
   const rightEye = isBoth ? eyes?.[1] : centroid(0.3, 'eyeBlinkRight')
@@ -119,7 +124,7 @@ function placeFace(skin: Skin, { known, hints, eyes }: KnownTargets): PlacedFace
   return { surface, offsets, scale: frame.scale, middle: frame.middle }
 }
 
-/** Creates the transform into face coordinates: millimetres from the midpoint of the eyes. */
+/** Creates the transform into face coordinates, in millimetres. */
 function faceFrame(leftEye: readonly number[], rightEye: readonly number[], mouth: readonly number[]) {
   const origin = leftEye.map((value, k) => (value + rightEye[k]) / 2)
   const across = leftEye.map((value, k) => value - rightEye[k])
@@ -156,7 +161,8 @@ function faceFrame(leftEye: readonly number[], rightEye: readonly number[], mout
 }
 
 /**
- * Limits an emotion's motion to the part of the face that a shape is named after: brows are above the eyes, the mouth is below the nose.
+ * Sets displacements outside one half of the face to 0: shapes of the mouth keep the lower half, all others the upper half. An emotion can
+ * replace a missing shape, but it moves the whole face.
  */
 function inHalf({ points }: SkinSurface, shape: string, displacements: Float64Array): Float64Array {
   const isInside = shape.startsWith('mouth')

@@ -4,18 +4,21 @@ import { length2, normalize } from '../../../math/vector.ts'
 import { islandsOf } from '../../skin/islands.ts'
 import { cornersOf, type SkinSurface, type SurfacePoint } from '../../skin/surface.ts'
 
-/** Distance in millimetres from the face's surface to the head's axis. */
+/** Distance in millimetres from the eyes to the vertical axis of the head, which is behind them. */
 const RADIUS = 85
 
-/** Point of the head's chart, unrolled from a cylinder: millimetres around the head to the person's left, and up. */
+/**
+ * Point of the head's chart: a cylinder around the vertical axis of the head, unrolled into a plane. `across` is the distance around the head
+ * to the person's left, `up` the height above the eyes, both in millimetres.
+ */
 export type ChartPoint = readonly [across: number, up: number]
 
-/** Projects a position in face coordinates onto the chart, along the ray from the head's axis. */
+/** Projects a position in face coordinates onto the chart, along the horizontal ray from the head's axis. */
 export function unroll(x: number, y: number, z: number): ChartPoint {
   return [RADIUS * atan2(x, z + RADIUS), y]
 }
 
-/** Returns the range of `across` covered by a box in front of the head's axis, given by its lowest and highest x, y and z. */
+/** Returns the minimum and maximum `across` of a box, given by its lowest and highest x, y and z. */
 export function acrossOf(low: ArrayLike<number>, high: ArrayLike<number>): readonly [number, number] {
   if (low[2] <= -RADIUS) return [-Infinity, Infinity]
   const [left] = unroll(low[0], 0, low[0] < 0 ? low[2] : high[2])
@@ -24,12 +27,12 @@ export function acrossOf(low: ArrayLike<number>, high: ArrayLike<number>): reado
 }
 
 /**
- * Lifts a direction on the chart onto the skin.
+ * Converts a direction on the chart to a direction in the tangent plane of the skin. This is the inverse of the projection by `unroll`.
  *
- * @param x position of the skin in face coordinates.
- * @param z position of the skin in face coordinates.
- * @param normal of the skin there.
- * @param out receives the unit direction.
+ * @param x x of the position on the skin, in face coordinates.
+ * @param z z of the position on the skin, in face coordinates.
+ * @param normal normal of the skin at the position.
+ * @param out receives the direction as a unit vector.
  */
 export function rollUp(
   x: number,
@@ -44,7 +47,7 @@ export function rollUp(
   const [vx, vy, vz] = [across * cosine, up, -across * sine]
   const facing = nx * sine + nz * cosine
   const rise = nx * vx + ny * vy + nz * vz
-  // Project along the ray from the axis like the chart, or along the normal where the skin is seen edge-on.
+  // Project along the ray from the axis, like the chart. If the skin is nearly parallel to the ray, project along the normal.
   const isSteep = facing < 0.2
   const [rx, ry, rz, lift] = isSteep ? [nx, ny, nz, rise] : [sine, 0, cosine, rise / facing]
   out[0] = vx - lift * rx
@@ -55,22 +58,26 @@ export function rollUp(
 
 /** Barycentric tolerance for points inside a triangle. */
 const TOLERANCE = 1e-9
-/** Side of a cell in millimetres, and number of cells around the head, and above and below the eyes: there are no lines elsewhere. */
+// The chart is divided into square cells. Each cell lists the triangles that touch it.
+/** Edge length of a cell in millimetres. */
 const CELL = 6
+/** Number of cells around the head. */
 const COLUMNS = 2 * Math.ceil((Math.PI * RADIUS) / CELL)
+/** Number of cells from the lowest to the highest lines: 50 below and 50 above the eyes. */
 const ROWS = 2 * 50
-/** Maximum number of triangles per cell. A face of a million triangles has some hundreds; only overlapping skin exceeds it. */
+/** Maximum number of triangles per cell. A face of a million triangles has some hundreds; only overlapping skin has more. */
 const MAX_TRIANGLES_PER_CELL = 4096
-/** Maximum distance in millimetres of a smaller piece of the mesh that lies on the skin, such as a beard or brows. */
+/** Maximum distance from the skin, in millimetres, of a smaller mesh part that covers it, such as a beard or brows. */
 const COVER = 10
 
-/** Finds the skin at points of the chart: the outermost layer of folds, below pieces that lie on it. */
+/** Finds the skin at points of the head's chart. In folds, this is the outermost skin. Beards and brows on the skin are ignored. */
 export class HeadChart {
   readonly #surface: SkinSurface
   /** Packed chart coordinates per point of the surface. */
   readonly #chartPoints: Float64Array
-  /** Triangles by the chart cells they touch: cell i has those from `#starts[i]` to `#starts[i + 1]`. */
+  /** Start of each cell's list in `#triangles`. The list of cell i ends before index `#starts[i + 1]`. */
   readonly #starts = new Uint32Array(ROWS * COLUMNS + 1)
+  /** Triangles that touch a cell, cell by cell. */
   readonly #triangles: Uint32Array
   /** Area of the connected component of each point of the surface. */
   readonly #pieces: Float64Array
@@ -98,7 +105,7 @@ export class HeadChart {
     })
   }
 
-  /** @returns undefined if there is no skin. */
+  /** Returns the outermost skin at a chart point; undefined if there is no skin. */
   find([across, up]: ChartPoint): SurfacePoint | undefined {
     const [row, column] = [rowOf(up), columnOf(across)]
     if (!(row >= 0 && row < ROWS && column >= 0 && column < COLUMNS)) return undefined
@@ -117,7 +124,7 @@ export class HeadChart {
       interpolate(position, this.#surface.points, 3, a, b, c, weights[0], weights[1], weights[2])
       const distance = length2(position[0], position[2] + RADIUS)
       const larger = this.#pieces[a] - piece
-      // A smaller piece just above a larger one lies on the skin; the larger piece is the skin.
+      // If a smaller connected component is just above a larger one, it is a beard or a brow, and the larger one is the skin.
       if (
         distance <= farthest
           ? !(larger > 0 && farthest - distance < COVER)
@@ -131,7 +138,10 @@ export class HeadChart {
     return found
   }
 
-  /** Returns the cosine between a normal and the head's outward direction, and the depth below the outermost skin in millimetres. */
+  /**
+   * Tells how exposed a position on the skin is. `facing` is the cosine between the normal and the outward direction from the head's axis.
+   * `depth` is the distance in millimetres below the outermost skin.
+   */
   exposure(x: number, y: number, z: number, normal: ArrayLike<number>): { facing: number; depth: number } {
     const rho = length2(x, z + RADIUS)
     const [outerX, , outerZ] = this.find(unroll(x, y, z))?.position ?? [x, y, z]
@@ -147,7 +157,7 @@ export class HeadChart {
     for (let triangle = 0; triangle < this.#surface.skinTriangles.length; triangle++) {
       this.#unrolled(triangle, c)
       const [left, right] = [Math.min(c[0], c[2], c[4]), Math.max(c[0], c[2], c[4])]
-      // The chart is cut at the back of the head.
+      // Skip triangles that cross the cut of the chart at the back of the head.
       if (right - left > RADIUS) continue
       const top = Math.min(ROWS - 1, rowOf(Math.max(c[1], c[3], c[5])))
       for (let row = Math.max(0, rowOf(Math.min(c[1], c[3], c[5]))); row <= top; row++) {
@@ -157,7 +167,7 @@ export class HeadChart {
     }
   }
 
-  /** Writes the chart coordinates of a triangle's corners. */
+  /** Writes the chart coordinates of a triangle's corners to `out`. */
   #unrolled(triangle: number, out: Float64Array): void {
     const { corners } = this.#surface
     for (let k = 0; k < 3; k++) {

@@ -5,31 +5,31 @@ import type { TargetHints } from './stand-ins.ts'
 /** Kinds of blendshapes that only faces have. */
 const FACE_KINDS = new Set(['expression', 'viseme', 'emotion'])
 
-/** Fraction of a target's largest displacement above which a point counts as moved. */
+/** A point counts as moved if its displacement exceeds this fraction of the target's largest displacement. */
 const MOVED = 0.1
-/**
- * Maximum distance between lips at rest, and minimum distance by which a target parts them, as fractions of the moved area's square root.
- */
+// Distances are fractions of the square root of the area that a target moves.
+/** Maximum distance between the lips at rest. */
 const CLOSED = 0.06
+/** Minimum distance that a target adds between the lips. */
 const PARTED = 0.12
-/** Maximum cosine between the normals of skin that faces other skin. */
+/** Maximum cosine between the normals of two lips that face each other. */
 const FACING = 0.2
-/** Minimum number of point pairs on lips. */
+/** Minimum number of pairs of points on opposite lips. */
 const MIN_PAIRS = 4
 
-/** Returns whether a skin is a head, even without landmarks: targets are named like facial shapes, or one opens a mouth. */
+/** Returns whether a skin is a head: a target is named like a facial shape, or opens a mouth. */
 export function isHead(surface: SkinSurface, offsets: readonly Float64Array[], hints: TargetHints): boolean {
   const isNamed = hints.some((hint) => hint !== undefined && FACE_KINDS.has(hint.kind))
   return isNamed || offsets.some((offset) => opensMouth(surface, offset))
 }
 
-/** Returns whether a target parts skin that closely faces other skin. */
+/** Returns whether a target pulls apart pairs of points that are close at rest and face each other, as on lips. */
 function opensMouth({ points, normals, areas }: SkinSurface, offset: Float64Array): boolean {
   const distances = areas.map((_, i) => length3(offset[3 * i], offset[3 * i + 1], offset[3 * i + 2]))
   const largest = distances.reduce((a, b) => Math.max(a, b), 0)
   const area = areas.reduce((sum, area, i) => (distances[i] > MOVED * largest ? sum + area : sum), 0)
   const [closed, parted] = [CLOSED * Math.sqrt(area), PARTED * Math.sqrt(area)]
-  // The faster of two points makes at least half of the gap.
+  // When two points part, at least one of them moves half of the added distance.
   if (!(largest > parted / 2)) return false
   const cellOf = (i: number, k: number, step: number) => Math.floor(points[3 * i + k] / closed) + step
   const cells = new Map<string, number[]>()
@@ -52,7 +52,7 @@ function opensMouth({ points, normals, areas }: SkinSurface, offset: Float64Arra
   return false
 }
 
-/** Offsets from a cell to itself and its neighbours. */
+/** Steps in x, y and z from a cell to itself and its 26 neighbours. */
 const STEPS = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((z) => [x, y, z] as const)))
 
 function dotOf(vectors: Float64Array, i: number, j: number): number {

@@ -1,6 +1,6 @@
 import type { Skin } from '../../skin/surface.ts'
 
-/** Part of a mesh, with its own triangles and vertices, in the layout of an engine or file. */
+/** Part of a mesh with its own triangles and vertices. The functions read vertex data from the buffers of an engine or a file. */
 export interface SkinPart {
   /** Number of vertices. */
   count: number
@@ -10,21 +10,22 @@ export interface SkinPart {
   readPositions(vertices: Uint32Array, out: Float32Array): void
   /** Writes the packed uv of the given vertices, v = 0 at the top. */
   readUvs(vertices: Uint32Array, out: Float32Array): void
-  /** Writes the packed xyz that a target, given by its index, adds to the given vertices; writes nothing if it does not move the part. */
+  /** Writes the packed xyz offsets of the given vertices. `target` is the index of the target. Writes nothing if it does not move the part. */
   readOffsets(target: number, vertices: Uint32Array, out: Float32Array): void
   /** Writes the skinning weights of the given vertices to the head joint, 0..1; undefined if the character has no head joint. */
   readHeadWeights?: ((vertices: Uint32Array, out: Float32Array) => void) | undefined
 }
 
-/** Index of a corner whose vertex does not exist; `checkSkin` rejects such a skin. */
+/** Vertex index of corners whose vertex does not exist. `checkSkin` rejects skins with such corners. */
 const NO_VERTEX = 2 ** 31
 
 /**
- * Joins parts of a mesh into one skin. Unused vertices are dropped, because parts often carry all vertices of a mesh.
+ * Joins the parts of a mesh into one skin. Vertices that a part's triangles do not use are dropped: in many files, each part has all
+ * vertices of the mesh.
  *
  * @param names names of the targets.
  * @param placement 4 x 4 matrix from mesh to world space, column-major; default: identity.
- * @param expressions names of VRM expressions that move a single target, by its index.
+ * @param expressions names of VRM expressions that move a single target, by the index of the target.
  */
 export function joinParts(
   parts: readonly SkinPart[],
@@ -64,7 +65,7 @@ export function joinParts(
   return { positions, uvs, indices, targets, ...(headWeights && { headWeights }) }
 }
 
-/** Returns the used vertices in ascending order, and corners as indices into them. Plain loops: there may be millions. */
+/** Returns the vertices that triangles use, in ascending order, and the corners as indices into this list. */
 function usedVertices({ count, indices }: SkinPart): { vertices: Uint32Array; corners: Uint32Array } {
   const corners = new Uint32Array(indices)
   const isUsed = new Uint8Array(count)
@@ -81,7 +82,7 @@ function usedVertices({ count, indices }: SkinPart): { vertices: Uint32Array; co
   return { vertices, corners }
 }
 
-/** Returns whether a matrix turns triangles inside out, which glTF requires viewers to undo. */
+/** Returns whether a matrix has a negative determinant. It turns triangles inside out, and glTF requires viewers to reverse their winding. */
 function isMirroring(m: ArrayLike<number>): boolean {
   const minor = (i: number, j: number) => m[i + 1] * m[j + 2] - m[i + 2] * m[j + 1]
   return m[0] * minor(4, 8) - m[4] * minor(0, 8) + m[8] * minor(0, 4) < 0
@@ -95,7 +96,7 @@ function reverseWinding(indices: Uint32Array): void {
   }
 }
 
-/** Multiplies vectors by an affine matrix in place; w = 1 for points, 0 for displacements. */
+/** Multiplies vectors by an affine matrix in place. `w` is 1 for points and 0 for displacements. */
 function transform(vectors: Float32Array, m: ArrayLike<number>, w: 0 | 1): void {
   for (let i = 0; i < vectors.length; i += 3) {
     const [x, y, z] = [vectors[i], vectors[i + 1], vectors[i + 2]]

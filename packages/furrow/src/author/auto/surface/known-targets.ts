@@ -5,20 +5,20 @@ import type { TargetHints } from './stand-ins.ts'
 
 /** Recognised targets of a skin. */
 export interface KnownTargets {
-  /** Names or corrections of the targets; placeholders for names that the motion or a correction contradicts. */
+  /** Names or corrections of the targets. A name that contradicts the target's motion or a correction is replaced by a placeholder. */
   known: readonly string[]
-  /** Kind of each target, by motion and name. */
+  /** Kind of each target, derived from its motion and its name. */
   hints: TargetHints
-  /** Centres of the left and right eye, in the coordinates of the skin; undefined if no lids close. */
+  /** Centres of the left and right eye, in the coordinates of the skin; undefined if no target closes lids. */
   eyes?: readonly [left: readonly number[], right: readonly number[]] | undefined
 }
 
-/** Results by a skin's targets, shared between choosing a skin and making its wrinkles. */
+/** Cache of results, because `chooseSkin` and `detectFace` need them for the same skin. */
 const found = new WeakMap<readonly SkinTarget[], { skin: Skin; targets: KnownTargets }>()
 
 /**
- * Recognises a skin's targets by their motion, with their names as a hint. The result is cached by the arrays of the skin, which must not
- * change.
+ * Recognises the targets of a skin by their motion and their names. The result is cached. The arrays of the skin must not change, because
+ * they identify the skin in the cache.
  */
 export function knownTargets(skin: Skin): KnownTargets {
   const cached = found.get(skin.targets)

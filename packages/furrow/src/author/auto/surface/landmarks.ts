@@ -3,52 +3,58 @@ import type { SkinSurface } from '../../skin/surface.ts'
 /** Position in face coordinates: x to the person's left, y up, z forwards, in millimetres from the midpoint of the eyes. */
 export type LandmarkPosition = readonly [x: number, y: number, z: number]
 
-/** Positions of facial features on the person's left; the right ones have the opposite x. */
+/** Positions of facial features on the person's left. The features on the right have the opposite x. */
 export interface Landmarks {
-  /** Centre of the closed lids, and the corners of the eye. */
+  /** Centre of the closed lids. */
   eye: LandmarkPosition
+  /** Corner of the eye beside the nose. */
   innerCorner: LandmarkPosition
   outerCorner: LandmarkPosition
+  /** End of the brow near the nose. */
   innerBrow: LandmarkPosition
   outerBrow: LandmarkPosition
   mouthCorner: LandmarkPosition
-  /** Tip of the nose, and the lower end of its wing. */
+  /** Tip of the nose. */
   tip: LandmarkPosition
+  /** Lower end of the wing of the nose. */
   wing: LandmarkPosition
-  /** Heights of the hairline, the base of the nose and the lower end of the chin. */
+  /** Height of the hairline (y, as for the following heights). */
   hairline: number
+  /** Height of the base of the nose. */
   noseBase: number
+  /** Height of the lower end of the chin. */
   chin: number
 }
 
-/** Fraction of a target's largest displacement above which skin counts as lid. */
+/** Skin belongs to a lid if a blink moves it by at least this fraction of the blink's largest displacement. */
 const LID = 0.15
-/** Fraction of a target's largest displacement above which points count as the end of a feature. */
+/** A point is at the end of a feature if it moves by at least this fraction of the target's largest displacement. */
 const FEATURE_END = 0.85
-/** Half width in millimetres of the strip in which the end of a brow is searched. */
+/** Half the width, in millimetres, of the strip in which the end of a brow is searched. */
 const STRIP = 5
 
 /** Height in millimetres of the brow above the centre of the eye (Farkas 1994), for faces whose brows no target moves. */
 const BROW_HEIGHT = 20
 
-/** Suffixes of targets that move one side. */
+/** Suffixes that ARKit names have for one side of the face. */
 const SIDE_SUFFIXES = ['Left', 'Right'] as const
 
 /**
  * Finds the features of a face by the motion of its targets.
  *
- * @param surface in face coordinates, in millimetres.
+ * @param surface surface in face coordinates, in millimetres.
  * @param browsMoveAsOne whether one target raises the complete brow.
- * @param displacements sums the displacements of each point over several shapes.
+ * @param displacements returns the sum, for each point, of the displacements by the given ARKit shapes.
+ * @returns undefined if the eye or the corner of the mouth is not found.
  */
 export function findLandmarks(
   surface: SkinSurface,
   browsMoveAsOne: boolean,
   displacements: (...shapes: string[]) => Float64Array,
 ): Landmarks | undefined {
-  /** Returns the position of a feature: the mean of both sides, the right one mirrored. */
+  /** Returns the position of a feature: the mean of the left feature and the mirrored right feature. */
   const feature = (threshold: number, ...shapes: string[]) => featureNear(undefined, threshold, ...shapes)
-  /** Returns the position of a feature within a vertical strip. */
+  /** Returns the position of a feature, searched in a vertical strip at the distance `across` from the middle. */
   const featureNear = (across: number | undefined, threshold: number, ...shapes: string[]) =>
     mirroredMean(
       SIDE_SUFFIXES.map((side, i) => {
@@ -58,7 +64,7 @@ export function findLandmarks(
     )
   const lid = extentOf(surface, onSide(surface, displacements('eyeBlinkLeft'), 0), LID)
   const eye = feature(0.3, 'eyeBlink')
-  // If one shape raises the complete brow, its ends are taken above the corners of the eye.
+  // If one shape raises the complete brow, the brow's ends are searched above the corners of the eye.
   const [inner, outer] = browsMoveAsOne ? [lid.low, lid.high] : []
   const mouthCorner = feature(FEATURE_END, 'mouthSmile')
   if (!eye || !mouthCorner) return undefined
@@ -87,12 +93,12 @@ export function findLandmarks(
   }
 }
 
-/** Sets the displacements of the other side to 0; side 0 is the left. */
+/** Sets the displacements on the other side of the face to 0. Side 0 is the person's left, side 1 the right. */
 function onSide({ points }: SkinSurface, displacements: Float64Array, side: number): Float64Array {
   return displacements.map((distance, i) => (points[3 * i] > 0 === (side === 0) ? distance : 0))
 }
 
-/** Sets displacements outside a vertical strip, on either side, to 0. */
+/** Sets displacements to 0 outside two vertical strips, at the distance `across` on both sides of the middle. */
 function inStrip({ points }: SkinSurface, displacements: Float64Array, across: number): Float64Array {
   return displacements.map((distance, i) =>
     Math.abs(Math.abs(points[3 * i]) - across) < STRIP ? distance : 0,
@@ -141,7 +147,7 @@ function largestOf(values: Float64Array): number {
   return values.reduce((a, b) => Math.max(a, b), 0)
 }
 
-/** Returns the foremost point between two heights, near the middle. */
+/** Returns the foremost point near the middle of the face, between two heights. */
 function foremost({ points }: SkinSurface, low: number, high: number): LandmarkPosition {
   let best: LandmarkPosition = [0, (low + high) / 2, 0]
   let z = -Infinity

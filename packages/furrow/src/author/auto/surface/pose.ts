@@ -1,11 +1,11 @@
-/** Weights by target index. */
+/** Weights of targets, by the index of the target. */
 export type Pose = ReadonlyMap<number, number>
 
 /**
- * Converts weights by name to a pose of the skin's targets.
+ * Converts weights by name to a pose.
  *
- * @param find maps a name to target indices, none if missing.
- * @param weights by name.
+ * @param find returns the indices of the targets with a name.
+ * @param weights weights by name. Names without a target are ignored.
  */
 export function poseOf(
   find: (name: string) => readonly number[],

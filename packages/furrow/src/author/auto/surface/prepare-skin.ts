@@ -11,31 +11,33 @@ import { weldInMillimetres } from './skin-surface.ts'
 import { hintsOf, type TargetHints } from './stand-ins.ts'
 import { moveToFirstTile } from './uv-tiles.ts'
 
-/** Skin ready for making wrinkles. */
+/** Skin with the data from which wrinkles are made. */
 export interface PreparedSkin {
-  /** Skin without broken targets, with UVs in 0..1. */
+  /** Skin without broken targets, with UVs moved into 0..1. */
   skin: Skin
+  /** Names of the targets. */
   names: readonly string[]
-  /** Names of its targets, with placeholders for names that the motion contradicts. */
+  /** Names of the targets as far as they are reliable: a name that contradicts the target's motion is replaced by a placeholder. */
   known: readonly string[]
-  /** Kind of each target, by motion and name. */
+  /** Kind of each target, derived from its motion and its name. */
   hints: TargetHints
-  /** Returns the indices of the targets with a name. On faces, names may have any rig's spelling or stand-ins. */
+  /** Returns the indices of the targets with a name. On faces, see `DetectedFace.find`. */
   find(name: string): number[]
-  /** Detected face; undefined if the skin is not recognised as one. */
+  /** Undefined if the skin is not recognised as a face. */
   face: DetectedFace | undefined
-  /** Whether it is a head without a detected face, so that its folds are unknown. */
+  /** Whether the skin is a head on which no face was detected, so that the places of its wrinkles are not known. */
   isUnknownHead: boolean
-  /** Surface in millimetres; of a face, in face coordinates. */
+  /** Surface in millimetres. The surface of a face is in face coordinates. */
   surface: SkinSurface
   /** Offsets of each target per point, in millimetres. */
   offsets: readonly Float64Array[]
   /** Millimetres per unit of the skin's positions. */
   scale: number
-  /** Whether the left and right half of the face share texels. */
+  /** Whether the left and the right half of the face share texels. */
   isMirrored: boolean
-  /** Whether a triangle is drawn into the texture; of halves that share texels, only the left one. */
+  /** Returns whether a triangle is drawn into the texture. If both halves share texels, only the left half is drawn. */
   isDrawn: (triangle: number) => boolean
+  /** Finds UV points on the triangles that are drawn. */
   locator: UvLocator
   /** Complete sentences without a full stop. */
   warnings: readonly string[]
@@ -91,7 +93,7 @@ export function prepareSkin(raw: Skin): PreparedSkin {
   }
 }
 
-/** Returns whether most triangles between hairline, outer corners of the eyes and chin are mirrored. */
+/** Returns whether most triangles on the front of the face share texels with the other half of the face. */
 function isFaceMirrored({ surface, landmarks }: DetectedFace, { isMirrored }: UvOverlap): boolean {
   if (!isMirrored) return false
   const { points, corners } = surface
@@ -108,7 +110,7 @@ function percent(fraction: number): string {
   return `${Math.max(1, Math.round(100 * fraction))}%`
 }
 
-/** Lines and the size of the face are stored in millimetres. */
+/** Checks that the scale is one that strokes documents allow, because the lines are stored in such a document. */
 function checkScale(scale: number): void {
   const [min, max] = SCALE_RANGE
   if (scale >= min && scale <= max) return

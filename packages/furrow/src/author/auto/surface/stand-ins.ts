@@ -5,7 +5,12 @@ import { hintOf } from '../../shapes/names/hint.ts'
 import type { NameHint } from '../../shapes/names/name-hint.ts'
 import type { SkinTarget } from '../../skin/surface.ts'
 
-/** Kind of each target by index; undefined if unknown. */
+/**
+ * Finds the blendshapes of a rig that correspond to ARKit shapes. If a rig has no such blendshape, a stand-in is used: a different blendshape
+ * that moves the same part of the face.
+ */
+
+/** Kind of each target; undefined if unknown. */
 export type TargetHints = readonly (NameHint | undefined)[]
 
 type Find = (name: string) => number[]
@@ -27,17 +32,17 @@ const SHAPES = [
   'mouthStretch',
 ]
 
-/** Derives the kinds of targets from their corrections, their names, or the expressions that move them. */
+/** Guesses the kinds of targets from their corrections, their names, or the names of the VRM expressions that move them. */
 export function hintsOf(targets: readonly Omit<SkinTarget, 'offsets'>[]): TargetHints {
   return targets.map(hintOfTarget)
 }
 
 /**
- * Finds the targets that match an ARKit name in any rig's spelling. If a rig lacks a shape, a stand-in replaces it: another shape that moves
- * the same part of the face, or an emotion, which moves the whole face.
+ * Creates a function that finds the targets for an ARKit name, in the spelling of any rig. If no target has the shape, the function returns
+ * stand-ins, which may be emotions that move the whole face.
  *
  * @param targets names of the skin's targets.
- * @returns a function from a name to indices into `targets`, empty if there is no stand-in.
+ * @returns a function from a name to indices into `targets`. It returns an empty array if there is not even a stand-in.
  */
 export function faceShapeFinder(targets: readonly string[], hints: TargetHints = targets.map(hintOf)): Find {
   const findPart = partShapeFinder(targets, hints)
@@ -45,7 +50,7 @@ export function faceShapeFinder(targets: readonly string[], hints: TargetHints =
   return (name) => firstFound(name, [findPart, emotions])
 }
 
-/** Finds shapes like `faceShapeFinder`, but without emotions, which do not locate a part of the face. */
+/** Creates a function like `faceShapeFinder`, but without emotions, because emotions move more than one part of the face. */
 export function partShapeFinder(targets: readonly string[], hints: TargetHints): Find {
   const find = exactFinder(targets, hints)
   const together = ofSides(matching(hints, ({ match }) => match === 'same'))
@@ -53,7 +58,7 @@ export function partShapeFinder(targets: readonly string[], hints: TargetHints):
   return (name) => firstFound(name, [find, together, like])
 }
 
-/** Finds only targets that are the named shape. Excludes stand-ins, and targets that combine several ARKit shapes. */
+/** Creates a function that finds only targets equal to the named shape or to parts of it. It returns no stand-ins. */
 function exactFinder(targets: readonly string[], hints: TargetHints): Find {
   const find = targetFinder(targets)
   const exact = ofSides((shape) => {
@@ -69,7 +74,7 @@ function exactFinder(targets: readonly string[], hints: TargetHints): Find {
 }
 
 /**
- * Rewrites a pose in the rig's shapes: stand-ins replace missing shapes.
+ * Converts a pose of ARKit shapes to a pose of a rig's blendshapes. Stand-ins replace shapes that the rig does not have.
  *
  * @param pose weights by ARKit names.
  */
@@ -88,7 +93,7 @@ export function poseInRigShapes(
   return rewritten
 }
 
-/** Returns the names of the targets that stand in for shapes missing in the rig. */
+/** Returns the names of the targets that are used as stand-ins for missing ARKit shapes. */
 export function standInsOf(targets: readonly string[], hints: TargetHints): string[] {
   const [find, findOrStandIn] = [exactFinder(targets, hints), faceShapeFinder(targets, hints)]
   const missing = SHAPES.flatMap(sidesOf).filter((shape) => find(shape).length === 0)
@@ -96,12 +101,12 @@ export function standInsOf(targets: readonly string[], hints: TargetHints): stri
   return found.filter((index) => hints[index]?.match === 'like').map((index) => targets[index])
 }
 
-/** Returns the ARKit names of a shape without a side. */
+/** Returns the ARKit names that a name without a side stands for: those of both sides, or the name itself. */
 function sidesOf(shape: string): string[] {
   return BOTH_SIDES.includes(shape) ? [`${shape}Left`, `${shape}Right`] : [shape]
 }
 
-/** Expands names without a side to the shapes of both sides. */
+/** Makes a search for an ARKit shape accept names without a side, which then find the shapes of both sides. */
 function ofSides(find: (shape: string) => number[]): Find {
   return (name) => [...new Set(sidesOf(canonicalTargetName(name)).flatMap(find))]
 }
@@ -114,12 +119,15 @@ function firstFound(name: string, finders: readonly Find[]): number[] {
   return []
 }
 
-/** Returns all targets whose hint passes `isWanted` and that contain the shape. */
+/** Creates a function that returns all targets whose hint names the shape and passes `isWanted`. */
 function matching(hints: TargetHints, isWanted: (hint: NameHint) => boolean): (shape: string) => number[] {
   return (shape) => ranked(hints, shape, isWanted).map(({ index }) => index)
 }
 
-/** Finds the targets closest to a shape among those whose hint passes `isWanted`. One-sided targets take precedence over two-sided ones. */
+/**
+ * Creates a function that returns the targets most similar to a shape, among the targets whose hint passes `isWanted`. Targets that move one
+ * side take precedence over targets that move both sides.
+ */
 function closest(hints: TargetHints, isWanted: (hint: NameHint) => boolean): Find {
   return ofSides((shape) => {
     const all = ranked(hints, shape, isWanted)
