@@ -12,12 +12,13 @@ from .source import ARKIT
 
 # Displacements (metres) and changes of unit normals below the first number are dropped, and fade in up to the second
 # number, so that no edge is visible. A third of a millimetre is less than half a pixel on a full-screen face. Parts
-# without changes of normals are hidden or thin, so their displacements have larger limits.
+# whose targets do not change normals are hidden or thin, so they have larger limits.
 SHIFT_FADE = (3.4e-4, 8e-4)
 SHIFT_FADE_UNLIT = (5e-4, 1.2e-3)
 TURN_FADE = (0.068, 0.138)
 
-# Values are rounded to these invisible steps, because their last bits differ between processors.
+# Values are rounded to multiples of these steps, because their last bits differ between processors. The steps are too
+# small to see.
 MICRON, FINE_UV, FINE_NORMAL, FINE_TURN, FINE_TURNED = 1e-6, 1e-6, 1e-5, 1e-4, 1e-7
 
 FLOAT, USHORT, UBYTE = 5126, 5123, 5121

@@ -1,4 +1,4 @@
-"""Texture layout of the skin: the source's head island, upright in the unit square.
+"""Texture layout of the skin: the head's UV island of MakeHuman's mesh (the source), upright in the unit square.
 
 As an image it shows the person from the front: forehead up, the person's left on the right, symmetric about u = 0.5.
 The source gives eyelids and lips too few texels for wrinkles. Therefore the interior is relaxed until texels are nearly
@@ -20,8 +20,9 @@ FACE_GAIN = 1.0  # added texel density in the middle of the face
 def skin_layout(source: np.ndarray, quads: np.ndarray, positions: np.ndarray) -> np.ndarray:
     """Returns uv (n, 2), v down.
 
-    Source (n, 2): the source's island, forehead left, v up; nan on the neck, which it lacks. Quads index the source.
-    Positions (n, 3) are on the symmetric base figure, so that all recipes share a layout.
+    `source` (n, 2): texture coordinates of the source, forehead left, v up. The neck has none, so they are nan there.
+    `quads`: vertex indices. `positions` (n, 3): vertices of the symmetric base figure, so that all recipes share a
+    layout.
     """
     uv = _upright(source)
     loops = borders(quads)
@@ -71,10 +72,14 @@ def _close_outline(uv: np.ndarray, positions: np.ndarray) -> np.ndarray:
     """Adds the neck to the outline: the nape's seam down both sides of the square, the collar along the bottom."""
     neck = np.isnan(uv[:, 0])
     first = np.flatnonzero(neck & ~np.roll(neck, 1))[0]
-    order = np.roll(np.arange(len(uv)), 1 - first)  # starts with the seam's last known vertex
+    order = np.roll(
+        np.arange(len(uv)), 1 - first
+    )  # starts with the last vertex of the seam that has texture coordinates
     run = order[: neck.sum() + 2]  # ends with the vertex's twin on the other side
     gaps = np.linalg.norm(np.diff(positions[run], axis=0), axis=1)
-    foot = np.flatnonzero(np.abs(positions[run, 0]) < 1e-6)  # on the midline: both seams and the collar's front
+    foot = np.flatnonzero(
+        np.abs(positions[run, 0]) < 1e-6
+    )  # vertices on the midline: the ends of both seams, and the front of the collar
     collar = np.array([i for i in foot if positions[run[i], 2] < 0 and neck[run[i]]])
     start, end = collar[len(collar) // 2 - 1], collar[len(collar) // 2]
     along = np.concatenate([[0], np.cumsum(gaps)])

@@ -18,7 +18,7 @@ class Part:
     colours: np.ndarray | None = None  # (n, 4) linear RGBA, multiplies the material's colour
     # By ARKit name: displacements (n, 3), and changes of normals (n, 3) or None for constant shading
     targets: dict[str, tuple[np.ndarray, np.ndarray | None]] = field(default_factory=dict)
-    complete: bool = False  # whether to list all ARKit names, even without displacements
+    complete: bool = False  # whether the mesh gets a target for every ARKit name, even if nothing moves
     tangents: np.ndarray | None = None  # (n, 4), with a normal map; see tangents.py
     joints: np.ndarray | None = None  # (n, 4) indices into the skeleton's joints; see rig.py
     weights: np.ndarray | None = None  # (n, 4) integers, 65535 = 1

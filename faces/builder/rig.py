@@ -31,8 +31,9 @@ class Rig:
 def read_rig(wheel: Wheel, mesh: Mesh, base: np.ndarray, kept: list[str], inwards) -> Rig:
     """Reads the joints `kept`, given parents first.
 
-    `base` (n, 3): the blended figure, which gives the joints' positions. `inwards(name)`: a joint's bend direction.
-    Weights of other joints go to the nearest kept ancestor, or to the root.
+    `base` (n, 3): vertices of the person's body, from which the positions of the joints follow. `inwards(name)` returns
+    the bend direction of a joint. Weights of joints that are not in `kept` go to the nearest ancestor in `kept`, or to
+    the root.
     """
     bones, source = wheel.rig(), wheel.weights()
 

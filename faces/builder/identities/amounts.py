@@ -1,8 +1,9 @@
-"""Random amounts of the source's identity targets. One seed gives one person."""
+"""Random amounts of MakeHuman's identity targets. One seed gives one person."""
 
 import numpy as np
 
-# Pairs of opposite targets: common name and both endings. Asymmetric ones (moved sideways) are omitted.
+# Pairs of opposite targets, such as smaller and larger: their common name, and the ending of each. Targets that move a
+# feature sideways are omitted.
 PAIRS = {
     "head/head-": ["age:decr:incr", "fat:decr:incr", "angle:in:out", "back-scale-depth:decr:incr"],
     "head/head-scale-": ["depth:decr:incr", "horiz:decr:incr", "vert:decr:incr"],
@@ -131,7 +132,7 @@ def identity(seed: int) -> dict[str, float]:
 
 
 def _people(random: np.random.Generator) -> dict[str, float]:
-    """Mixes ancestry, sex, age, muscle and weight. Amounts are products of shares that sum to 1."""
+    """Mixes ancestry, sex, age, muscle and weight. A target's amount is the product of the person's shares in them."""
     ancestry = dict(zip(["african", "asian", "caucasian"], random.dirichlet([0.7] * 3), strict=True))
     male = random.beta(0.4, 0.4)
     old = random.uniform(0, 1)
@@ -151,7 +152,7 @@ def _people(random: np.random.Generator) -> dict[str, float]:
 
 
 def _three(value: float) -> dict[str, float]:
-    """Splits a value in -1..1 into shares of minimum, average and maximum."""
+    """Splits a value in -1..1 into three shares for the minimum, average and maximum target, which sum to 1."""
     return {"min": max(0, -value), "average": 1 - abs(value), "max": max(0, value)}
 
 

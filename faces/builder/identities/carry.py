@@ -1,4 +1,4 @@
-"""Transfers expressions from the source's figure to a person, and varies them as artists would."""
+"""Transfers expressions from MakeHuman's base figure to a person, and varies them as artists would."""
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -6,10 +6,10 @@ from scipy.spatial import cKDTree
 # These shapes warp the space around the skin, so that lids still meet on larger eyes.
 LIDS = ("eyeBlink", "eyeLook", "eyeSquint", "eyeWide")
 NEIGHBOURS = 24  # vertices per fit of a local deformation
-STIFFNESS = 0.15  # regularisation towards no deformation, as a fraction of the neighbours' spread
+STIFFNESS = 0.15  # regularisation of the fit towards the identity, relative to the spread of the neighbours
 NEAR = 6  # vertices to interpolate a displacement from
 
-# Shapes that some artists mix into others of the same side: maximum amounts.
+# Shapes that some artists mix into other shapes of the same side, with the maximum amount.
 ACCENTS = [
     ("mouthSmile", "cheekSquint", 0.25),
     ("mouthSmile", "mouthDimple", 0.15),
@@ -22,7 +22,7 @@ ACCENTS = [
     ("mouthPucker", "mouthFunnel", 0.2),
     ("cheekSquint", "eyeSquint", 0.2),
 ]
-# Fixed amounts: lids and lips must meet, and eyes turn rigidly.
+# These shapes are not varied: lids and lips must meet, and eyes turn rigidly.
 FIXED = ("eyeBlink", "eyeLook", "jawOpen", "mouthClose", "tongueOut")
 STRENGTH = 0.2  # standard deviation of the logarithm of a shape's strength
 STRENGTHS = (0.65, 1.2)

@@ -17,7 +17,7 @@ MIN_COSINE = 0.3  # minimum cosine between a triangle's normals before and after
 
 
 def decimate(part: Part, count: int) -> Part:
-    """Reduces a part to `count` vertices, or to as few as its shape allows."""
+    """Reduces a part to `count` vertices. Stops earlier if every further collapse would flip a triangle."""
     moves = [np.linalg.norm(shift, axis=1) for shift, _ in part.targets.values()]
     motion = np.clip(np.max(moves, axis=0) / MOTION, 0, 2) if moves else np.zeros(len(part.positions))
     triangles = _collapsed(part.positions, part.uv, part.triangles, 1 + MOTION_COST * motion, count)

@@ -1,7 +1,7 @@
 """Cartoon proportions as a map of space: large eyes, short nose, small mouth, big skull, thin neck.
 
-All points at one place move together, so that lids and lips still meet. The maximum strengths in `style_of` are just
-below those that fold space between the eyes.
+The map depends only on a point's position, so that lids and lips still meet. With slightly larger strengths than the
+maxima in `style_of`, the map would fold the skin between the eyes.
 """
 
 from dataclasses import dataclass
@@ -101,7 +101,7 @@ def stylise(points: np.ndarray, places: Places, style: Style) -> np.ndarray:
 
 
 def _bell(points, centre, size) -> np.ndarray:
-    """Gaussian weight. As the weight of a scale it folds space only at scale 0."""
+    """Computes a Gaussian weight. Scaling around `centre` with this weight folds the skin only if the scale is 0."""
     return np.exp(-((points - centre) ** 2).sum(axis=1, keepdims=True) / (2 * size**2))
 
 

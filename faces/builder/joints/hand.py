@@ -1,4 +1,4 @@
-"""Builds the left hand with part of the forearm: cut out, subdivided once, unwrapped and skinned."""
+"""Builds the left hand with a part of the forearm: cut out of the body, subdivided once, unwrapped and skinned."""
 
 from dataclasses import dataclass
 
@@ -92,7 +92,7 @@ class Inwards:
 
 
 def _hand_island(mesh: Mesh) -> np.ndarray:
-    """Finds the body's quads in the left hand's island of the source's layout, by a finger tip."""
+    """Finds the quads of the body in the left hand's UV island of MakeHuman's layout, starting from a finger tip."""
     body = np.flatnonzero(mesh.groups == "body")
     island = islands(mesh, body)
     tip = mesh.positions[np.unique(mesh.quads[mesh.groups == "joint-l-finger-3-4"])].mean(axis=0)
@@ -113,7 +113,7 @@ def _arm_rings(mesh: Mesh, island: np.ndarray) -> list[np.ndarray]:
 
 
 def _layout(mesh: Mesh, island: np.ndarray, rings: list[np.ndarray], base: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Lays out the source's hand island, enlarged, and the forearm as a strip. Returns uv (v down) and quads."""
+    """Lays out MakeHuman's enlarged UV island of the hand, and the forearm as a strip. Returns uv, v down, and quads."""
     used, hand = np.unique(mesh.uv_quads[island], return_inverse=True)
     source = mesh.uv[used] * [1, -1]
     low, high = source.min(axis=0), source.max(axis=0)

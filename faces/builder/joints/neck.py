@@ -22,8 +22,8 @@ ROWS_BACK = PchipInterpolator([0, 0.40, 0.75, 0.85, 1], [0, 0.31, 0.58, 0.71, 1]
 class Neck:
     rig: Rig
     head: Head
-    skin: Part  # in the face's layout before `spread_out`
-    vertices: np.ndarray  # (n,) the head's fine vertex for each vertex of the skin
+    skin: Part  # uses the face's texture layout until `spread_out` is called
+    vertices: np.ndarray  # (n,) index of the subdivided head's vertex for each vertex of the skin
 
 
 def build_neck(wheel: Wheel, mesh: Mesh, shapes: dict[str, float], rest: dict[str, float]) -> Neck:

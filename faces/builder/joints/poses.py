@@ -48,7 +48,8 @@ def clip(
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Animates from rest to a pose and back. Returns times (t,) in seconds, and rotations (t, 3, 3) by joint.
 
-    `progress(joint, t)`: a joint's progress for the clip's progress t, both 0..1. Eased at both ends.
+    `progress(joint, t)` maps the progress t of the clip to the progress of a joint, both 0..1. The motion is eased at
+    both ends.
     """
     seconds = np.arange(round((2 * closing + held) / STEP) + 1) * STEP
     way = np.clip(np.minimum(seconds, 2 * closing + held - seconds) / closing, 0, 1)

@@ -8,7 +8,7 @@ from ..part import Part
 from ..source import Mesh
 from .head import Head
 
-# From the centre of the source's flattened helper eye to the centre of a sphere that touches the lids.
+# Offset from the centre of MakeHuman's flattened helper eye to the centre of a sphere that touches the lids.
 OFFSET = np.array([0.0, -0.9e-3, 0.6e-3])  # metres
 BITE = 0.35e-3  # metres that the ball overlaps the nearest lid rim, so that no gap remains at the far corner
 IRIS_RADIUS = 5.85e-3  # an adult's iris measures 11.7 mm (Rüfer, Schröder, Erb 2005)

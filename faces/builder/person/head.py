@@ -22,7 +22,7 @@ NAPE = 0.02  # z in metres; neck vertices behind it on the midline are on the te
 class Head:
     """The subdivided head. `region` names the source island of every quad: skin, mouth, socket-left, socket-right."""
 
-    base: np.ndarray  # full base figure, blended, before subdivision
+    base: np.ndarray  # vertices of the full body with this person's shape, before subdivision
     units: dict[str, np.ndarray]  # displacements of the full base figure by ARKit name
     used: np.ndarray  # base vertices that belong to the head
     positions: np.ndarray
@@ -73,7 +73,7 @@ def regions(mesh: Mesh, neck_rings=NECK_RINGS) -> tuple[np.ndarray, np.ndarray]:
 def cut_at_the_back(
     mesh: Mesh, quads: np.ndarray, uv_quads: np.ndarray, island: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Splits vertices on the seam down the back of the head and the nape.
+    """Splits vertices along the texture seam, which runs down the back of the head and the nape.
 
     `island` (f,): mask of the source's head island, whose texture coordinates have the seam. Returns quads over the
     split vertices, and the figure's vertex of each split vertex.

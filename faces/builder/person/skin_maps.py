@@ -125,7 +125,7 @@ def paint_pores(fields: FaceFields, depth: float) -> np.ndarray:
 def relief(height: np.ndarray, depth: float, near: np.ndarray, step=3) -> np.ndarray:
     """Converts heights in texels to a tangent-space normal map (size, size, 3), 0..1; flat where `near` is false.
 
-    x and y are multiples of `step` / 127 around zero (128/255). Steps of 3 reduce the file to 0.4 of its size, while
+    Bytes of x and y are 128 plus a multiple of `step`. With steps of 3 the file compresses to 0.4 of its size, and
     pores still look smooth.
     """
     # x is right, y is up.
@@ -189,7 +189,7 @@ def encode(image: np.ndarray, kind: str, quality=88) -> tuple[str, bytes]:
 def encode_palette(image: np.ndarray) -> tuple[str, bytes]:
     """Encodes a PNG with a palette of the 256 most frequent colours: 0.7 of the size of RGB for normals of skin.
 
-    Other colours, in the steepest creases of the lips, are replaced by the nearest.
+    Each colour that is not in the palette becomes the nearest one that is: in the steepest creases of the lips.
     """
     pixels = np.round(np.clip(image, 0, 1) * 255).astype(np.uint8)
     colours, texels, counts = np.unique(pixels.reshape(-1, 3), axis=0, return_inverse=True, return_counts=True)

@@ -11,7 +11,7 @@ from .fields import Fields
 
 
 def skin_net(fields: Fields, spacing: np.ndarray, width: float) -> tuple[np.ndarray, np.ndarray]:
-    """Returns the depth in furrows and in pores by texel: 0 on a plateau, 1 deepest.
+    """Returns two maps, the depth of furrows and the depth of pores: 0 on a plateau, 1 at the deepest point.
 
     `spacing`: distance between plateaus by texel, metres. `width`: width of furrows as a fraction of the spacing.
     """
