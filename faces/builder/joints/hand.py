@@ -113,7 +113,7 @@ def _arm_rings(mesh: Mesh, island: np.ndarray) -> list[np.ndarray]:
 
 
 def _layout(mesh: Mesh, island: np.ndarray, rings: list[np.ndarray], base: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Lays out MakeHuman's enlarged UV island of the hand, and the forearm as a strip. Returns uv, v down, and quads."""
+    """Lays out MakeHuman's UV island of the hand, larger, and the forearm as a strip. Returns uv, v down, and quads."""
     used, hand = np.unique(mesh.uv_quads[island], return_inverse=True)
     source = mesh.uv[used] * [1, -1]
     low, high = source.min(axis=0), source.max(axis=0)
