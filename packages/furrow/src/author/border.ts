@@ -26,9 +26,9 @@ export interface BorderEdge {
   dy: number
 }
 
-/** Maximum number of edges shorter than a texel that start in the same texel. Further edges are ignored: they start at almost one point. */
+/** Maximum number of edges, shorter than a texel, that start in the same texel. Further ones are ignored, because they add little. */
 const MAX_SHORT_EDGES = 8
-/** Width and height in texels of the blocks that are skipped if another edge is nearer. */
+/** Width and height, in texels, of the blocks into which the map is divided. A block is skipped if all its texels have a nearer edge. */
 const BLOCK = 4
 /** Factor that allows for single-precision rounding of a squared distance. */
 const ROUNDING = 1.000001
@@ -38,7 +38,7 @@ const ROUNDING = 1.000001
  * plane to the texel. Blocks with a nearer edge are skipped, because a mesh can have hundreds of thousands of border edges.
  *
  * @param edges called twice.
- * @param margin in texels.
+ * @param margin maximum distance in texels.
  * @param isFree returns whether a texel may be assigned.
  * @param claim called with the texel and the triangle, and called again for the texel if a later edge is nearer.
  */

@@ -8,7 +8,7 @@ import { FaceView, viewsOf } from './face-view.ts'
 /** Milliseconds between updates of the panel's text. */
 const INTERVAL = 100
 
-/** On narrower pages, in CSS pixels, the panel starts closed, because it would cover the face. */
+/** On pages narrower than this, in CSS pixels, the panel starts closed, because it would cover the face. */
 const NARROW = 640
 
 const MODES: readonly WrinkleMode[] = ['default', 'composed', 'paper', 'off']

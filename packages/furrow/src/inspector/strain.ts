@@ -1,6 +1,6 @@
 import { principalStretches, restInverse } from '../math/stretch.ts'
 
-/** Strain, positive or negative, from which the colour no longer changes. */
+/** Absolute value of the strain from which the colour no longer changes. */
 const FULL = 0.3
 
 // Colours of compressed skin, of skin at rest and of stretched skin, in linear RGB.

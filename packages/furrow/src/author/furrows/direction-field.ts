@@ -7,7 +7,7 @@ import type { SkinLine } from '../strokes/curve.ts'
 const FADE = 12
 /** Distance between two samples along a line, in millimetres. */
 const SAMPLE_SPACING = 3
-/** Samples farther than this are ignored: their weights are below 1/1000. As a multiple of `FADE`. */
+/** Maximum distance of a sample, as a multiple of `FADE`. Samples farther away are ignored, because their weights are below 1/1000. */
 const CUTOFF = 2.7
 /** Constant added to the sum of weights. Far from all lines it dominates, so that the result has no direction. */
 const NO_DIRECTION = 0.05

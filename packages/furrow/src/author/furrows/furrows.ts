@@ -22,9 +22,9 @@ const LEVELS = [
   { size: 0.45, depth: 0.45 },
 ] as const
 const SOFTNESS = 0.5
-/** Narrower furrows are not drawn. In texels. */
+/** Minimum width of a furrow that is drawn, in texels. */
 export const MIN_TEXELS = 1.7
-/** Furrows of at least this width have their full depth. In texels. */
+/** Minimum width of a furrow that has its full depth, in texels. */
 const FULL_TEXELS = 2.2
 /** Search radius, in cell sizes, that always contains the three nearest seeds. */
 const REACH = 2.2

@@ -53,7 +53,7 @@ const SEED_SPACING = 0.8
  * borders are arcs and cells differ in size (a multiplicatively weighted Voronoi diagram).
  */
 const MAX_SHORTENING = 0.35
-/** Triangles with a longer edge are split for the search. In lattice spacings. */
+/** Maximum edge of a searched triangle, in lattice spacings. Triangles with a longer edge are split. */
 const MAX_EDGE = 8
 /** Approximate maximum number of candidates. The lattice gets coarser if there would be more. */
 const MAX_CANDIDATES = 1_500_000

@@ -45,7 +45,7 @@ interface MotionMatch {
 
 /** Minimum lead of the motion's label over the name's label, in scores, for the motion to overrule the name. */
 const OVERRULE_LEAD = 0.2
-/** Minimum fraction of the motion on one side of the face for it to overrule the other side in the name. */
+/** If at least this fraction of the motion is on one side of the face, the motion overrules a name with the other side. */
 const ONE_SIDE = 0.85
 /** Confidence of a shape that is recognised only by its name. */
 const BY_NAME = 0.6

@@ -13,7 +13,7 @@ const TILE = 8
 const NONE = -1
 /** A texel is on the edge of a triangle if its smallest barycentric coordinate is at most this. */
 const EDGE = 1e-3
-/** Triangles whose doubled UV area, in square texels, is smaller are not extended beyond their island. */
+/** Minimum doubled UV area, in square texels, of triangles that are extended beyond their island. */
 const NO_AREA = 1e-9
 
 /**

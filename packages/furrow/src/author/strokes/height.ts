@@ -95,8 +95,8 @@ export class StrokePen {
   /**
    * Draws a texel.
    *
-   * @param position of the texel on the skin.
-   * @param normal of the skin there.
+   * @param position position of the texel on the skin.
+   * @param normal normal of the skin at the position.
    * @returns whether the texel changed.
    */
   draw(texel: number, position: Float64Array, normal: Float64Array): boolean {

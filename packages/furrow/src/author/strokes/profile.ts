@@ -1,23 +1,23 @@
 import { exp } from '../../math/elementary.ts'
 import { smoothstep } from '../../math/scalar.ts'
 
-/** Distance in half widths beyond which the valley is exactly zero. */
+/** Distance from the valley's bottom at which the depth reaches zero, in units of half the valley's width. */
 export const VALLEY_REACH = 5
 
-/** Distance in half widths where the fade to zero begins. */
+/** Distance at which the fade to zero begins, in the same unit. */
 const FADE_START = 3
 
 /** Area under the cross-section of a bank with height 1 and reach 1. */
 const BANK_VOLUME = 9 / 16
 
 /**
- * Computes the cross-section of a valley without banks: `exp(-t)`, with t the distance from the bottom in half widths. Skin bends sharply at
- * the bottom and is convex everywhere else (Harrison, A physics-based model for wrinkling skin, University of British Columbia 2015). The
- * cross-section has the area `halfWidth * depth` on each side of the bottom. `softness` rounds the bottom but keeps the depths at t = 0 and
- * t = 1. The depth fades to exactly 0 at `VALLEY_REACH`.
+ * Computes the cross-section of a valley without banks: `exp(-t)`, where t is the distance from the bottom in units of half the valley's
+ * width. Skin bends sharply at the bottom and is convex everywhere else (Harrison, A physics-based model for wrinkling skin, University of
+ * British Columbia 2015). The cross-section has the area `halfWidth * depth` on each side of the bottom. `softness` rounds the bottom but
+ * keeps the depths at t = 0 and t = 1. The depth fades to exactly 0 at `VALLEY_REACH`.
  *
- * @param distance distance from the bottom in half widths, at least 0.
- * @param softness radius of the rounded bottom in half widths, 0..1; if `widened` is above 1, in half widths of the wider valley.
+ * @param distance distance from the bottom, at least 0, in units of half the valley's width before it is widened.
+ * @param softness radius of the rounded bottom, 0..1, in units of half the width of the drawn valley.
  * @param widened factor, at least 1, that makes the valley wider and divides its depth, so that the volume stays the same.
  * @returns depth as a fraction of the valley's depth; `1 / widened` at the bottom.
  */
@@ -37,8 +37,8 @@ export function valleyAt(distance: number, softness: number, widened = 1): numbe
  * the bank's reach. The bank starts at the bottom, peaks at a third of its reach and ends smoothly. If two valleys are one reach apart, their
  * banks add up to the parabola `x * (1 - x)`: one convex bulge. A bank with `shoulder` 1 has the same volume as its side of the valley.
  *
- * @param distance distance from the valley's bottom in half widths, at least 0.
- * @param reach distance from the valley's bottom to the bank's outer end, in half widths.
+ * @param distance distance from the valley's bottom, at least 0, in units of half the valley's width.
+ * @param reach distance from the valley's bottom to the bank's outer end, in the same unit.
  * @returns height as a fraction of the valley's depth.
  */
 export function bankAt(distance: number, reach: number, shoulder: number): number {

@@ -4,7 +4,7 @@ import type { SkinRegion } from '../anatomy/region.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { type FittedRegion, type MissingRegion, roundWeight } from './fit-driver.ts'
 
-/** Distance from the middle of the face, in millimetres, from which the weights of a left area no longer fade towards the right side. */
+/** Distance from the middle of the face, in millimetres, at which left areas have no more transition to right areas. */
 const MIDDLE = 5
 
 /**

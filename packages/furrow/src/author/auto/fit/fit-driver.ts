@@ -26,13 +26,13 @@ export interface MissingRegion {
 
 /** Compression up to which skin has no line, as a fraction of the compression with full activation. */
 const ONSET = 0.12
-/** Regions with less compression do not crease. */
+/** Minimum compression of a region that creases. */
 const MIN_COMPRESSION = 0.012
 /** Activation is full at least at this fraction of the largest compression by a single target. */
 const SINGLE_TARGET = 0.7
 /** Maximum number of targets per driver. */
 const MAX_TARGETS = 12
-/** Targets with less compression, as a fraction of the strongest target's compression, are ignored. */
+/** Minimum compression by a target that a driver uses, as a fraction of the strongest target's compression. */
 const NEGLIGIBLE = 0.08
 /** Number of poses that a driver is fitted to. Most poses are combinations of targets. */
 const POSES = 120

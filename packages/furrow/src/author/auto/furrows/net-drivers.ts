@@ -13,7 +13,7 @@ const SQUEEZED = 0.12
 const PULLED = 0.2
 /** Activation of the smoothest furrows. */
 const SMOOTH = 0.1
-/** Targets that change the area of the skin by a smaller fraction are ignored. */
+/** Minimum fraction of the skin's area by which a target changes it. Other targets are ignored. */
 const NEGLIGIBLE = 0.004
 /** Maximum number of targets per driver. */
 const MAX_TARGETS = 24

@@ -4,15 +4,15 @@ import { PointGrid } from './point-grid.ts'
 
 /** A line is sampled at every fifth point. */
 const SAMPLE_STEP = 5
-/** Minimum distance to a neighbouring line, in spacings. Nearer lines are pieces of the same wrinkle. */
+/** Minimum distance to a neighbouring line, as a multiple of `spacing`. Lines that are nearer are pieces of the same wrinkle. */
 const MIN_DISTANCE = 0.35
-/** Maximum distance to a neighbouring line, in spacings. Between farther lines, the bulges do not meet. */
+/** Maximum distance to a neighbouring line, as a multiple of `spacing`. The banks of lines farther apart do not meet. */
 const MAX_DISTANCE = 1.6
 /** A bank ends at a neighbouring line only if the neighbour is beside at least this fraction of the line. */
 const MIN_COVERAGE = 0.4
-/** Reach of a bank without a neighbour, in spacings. */
+/** Reach of a bank without a neighbouring line, as a multiple of `spacing`. */
 const DEFAULT_REACH = 0.8
-/** Shallower neighbours, as a fraction of the line's depth, are ignored: they are on the line's bank and do not end it. */
+/** Minimum depth of a neighbouring line, as a fraction of the line's depth. A shallower line does not end the bank that it crosses. */
 const MIN_DEPTH = 0.5
 
 /**

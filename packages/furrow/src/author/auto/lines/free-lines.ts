@@ -7,11 +7,11 @@ import type { LaidLine } from './laid-line.ts'
 import { PointGrid } from './point-grid.ts'
 import { type DirectionField, STEP, type Trace, traceLine } from './trace.ts'
 
-/** Minimum distance from the start of a line to other lines, in spacings. */
+/** Minimum distance from the start of a line to other lines, as a multiple of `spacing`. */
 const START_DISTANCE = 0.9
-/** A line ends where it comes nearer to another line, in spacings. */
+/** Minimum distance between two lines, as a multiple of `spacing`. A line ends where it comes nearer to another line. */
 const MIN_DISTANCE = 0.6
-/** Minimum length of a line in spacings. */
+/** Minimum length of a line, as a multiple of `spacing`. */
 const MIN_LENGTH = 1.5
 /** Maximum length of a line in millimetres. */
 const MAX_LENGTH = 120

@@ -8,13 +8,13 @@ import { type Pose, poseOf } from '../surface/pose.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { type Patch, patchOf } from './patch.ts'
 
-/** Triangles within this fraction of a crease's reach are corrected. Farther away, slopes are not visible. */
+/** Triangles within this fraction of a crease's reach are corrected. Outside it, slopes are too small to see. */
 const NEAR = 0.6
-/** Poses with less activation are ignored. */
+/** Minimum activation in a pose. Other poses are ignored, because they do not show the crease. */
 const MIN_ACTIVATION = 0.1
 /** Weight with which M is pulled to the identity, relative to the poses. Without it, slopes could be infinite on facets seen edge-on. */
 const RIDGE = 0.02
-/** Triangles whose bounding box is smaller, in millimetres, need no correction, because a crease spans many of them. */
+/** Triangles whose bounding box is smaller than this, in millimetres, need no correction, because a crease spans many of them. */
 const FINE = 0.5
 /** Maximum number of triangles near a region's lines, times the number of poses. Regions with more are not corrected: their skin overlaps. */
 const MAX_POSED = 500_000
@@ -30,9 +30,9 @@ type Skin = Pick<PreparedSkin, 'skin' | 'surface' | 'offsets' | 'names' | 'find'
  * Makes creases continuous on coarse meshes without tangents. On these meshes, renderers compute the tangent frame of the normal map from
  * each deformed triangle (facet; Schueler, see `TangentFrame`), so creases would break at the edges of facets.
  *
- * The class multiplies the slopes in the normal map by a 2 x 2 matrix M. D is the frame of a facet and S the frame of the smooth surface, both
- * 3 x 2 matrices. M minimises the sum of `w * a^2 * |D * M - S|^2` over the poses that show the crease. Here, `a` is the activation in a pose,
- * and `w` is the weight of the pose. On fine meshes M is almost the identity, so they are not corrected.
+ * The class multiplies the slopes in the normal map by a 2 x 2 matrix M. D is the frame of a facet and S the frame of the smooth surface,
+ * both 3 x 2 matrices. M minimises the sum of `w * a^2 * |D * M - S|^2` over the poses that show the crease. Here, `a` is the activation in
+ * a pose, and `w` is the weight of the pose. On fine meshes M is almost the identity, so they are not corrected.
  */
 export class FacetFrames {
   /** Index of each triangle's matrices in `#turns`; `NONE` if the triangle is not corrected. */

@@ -6,7 +6,7 @@ import { hasTensor, TENSOR_SIZE } from './tensors.ts'
 
 /** Standard deviation in millimetres of the smoothing of compression. It is large, so that noise does not look like a patch. */
 const PATCH_SIGMA = 5
-/** Skin with less compression does not crease. The limit is higher than on faces, where anatomy tells which skin creases. */
+/** Minimum compression of skin that creases. It is higher than on faces, where anatomy tells which skin creases. */
 export const MIN_PATCH_COMPRESSION = 0.07
 /** Minimum area of a patch in square millimetres. */
 const MIN_PATCH_AREA = 80

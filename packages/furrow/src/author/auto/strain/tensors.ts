@@ -30,7 +30,7 @@ export function compressionTensors(surface: SkinSurface, displacements: ArrayLik
   return out
 }
 
-/** Components with a smaller absolute value count as 0. */
+/** Maximum absolute value of components that count as 0. */
 const NO_STRAIN = 1e-7
 
 /** Returns whether the skin is strained at a point. */

@@ -4,7 +4,7 @@ import { uvArea } from '../../../math/triangle.ts'
 import { labelOf } from '../../shapes/families.ts'
 import { crossOf, type Skin, type SkinTarget } from '../../skin/surface.ts'
 
-/** Targets that move a vertex farther are broken. As a multiple of the skin's extent. */
+/** Maximum displacement of a vertex, as a multiple of the skin's extent. Targets that exceed it are broken and dropped. */
 const MAX_OFFSET = 2
 /** Maximum extent of a skin, as a multiple of the square root of its area. Hair made of thin strips reaches about 50. */
 const MAX_EXTENT = 1000

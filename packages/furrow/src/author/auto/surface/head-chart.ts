@@ -67,7 +67,7 @@ const COLUMNS = 2 * Math.ceil((Math.PI * RADIUS) / CELL)
 const ROWS = 2 * 50
 /** Maximum number of triangles per cell. A face of a million triangles has some hundreds; only overlapping skin has more. */
 const MAX_TRIANGLES_PER_CELL = 4096
-/** Maximum distance from the skin, in millimetres, of a smaller mesh part that covers it, such as a beard or brows. */
+/** Maximum distance, in millimetres, between the skin and a smaller connected component that covers it, such as a beard. */
 const COVER = 10
 
 /** Finds the skin at points of the head's chart. In folds, this is the outermost skin. Beards and brows on the skin are ignored. */

@@ -101,7 +101,7 @@ export function standInsOf(targets: readonly string[], hints: TargetHints): stri
   return found.filter((index) => hints[index]?.match === 'like').map((index) => targets[index])
 }
 
-/** Returns the ARKit names that a name without a side stands for: those of both sides, or the name itself. */
+/** Returns the ARKit names of both sides for a name without a side. If ARKit does not split the shape, returns the name itself. */
 function sidesOf(shape: string): string[] {
   return BOTH_SIDES.includes(shape) ? [`${shape}Left`, `${shape}Right`] : [shape]
 }

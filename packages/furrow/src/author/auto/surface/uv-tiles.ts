@@ -2,7 +2,7 @@ import { uvArea } from '../../../math/triangle.ts'
 import { islandsOf } from '../../skin/islands.ts'
 import type { Skin } from '../../skin/surface.ts'
 
-/** Smaller fractions of the UV area outside 0..1 are ignored: borders of islands often extend slightly beyond the texture. */
+/** Maximum fraction of the UV area outside 0..1 that is ignored: islands often extend slightly beyond the texture. */
 const OVERHANG = 0.01
 
 /**

@@ -145,7 +145,7 @@ function coordinates(at: Float64Array, chosen: readonly number[]): number[] {
 
 /** Maximum number of points blended per sample. */
 const NEIGHBOURS = 10
-/** Samples farther than this from the nearest point have no weight. In face coordinates. */
+/** Maximum distance, in face coordinates, from a sample to the nearest point. Samples farther away have no weight. */
 const MAX_REACH = 0.35
 
 /**

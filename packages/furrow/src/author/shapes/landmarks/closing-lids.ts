@@ -19,7 +19,7 @@ export interface ClosingPair {
 const TOGETHER = 0.04
 /** Minimum distance at rest of such points. */
 const MIN_GAP = 0.1
-/** Targets whose largest displacement is smaller are ignored. */
+/** Minimum of a target's largest displacement. Weaker targets are ignored. */
 const WEAK = 0.03
 /** Minimum distance of eyes from the symmetry plane. */
 const OFF_MIDDLE = 0.2
@@ -31,7 +31,7 @@ const ONE_EYE = 0.3
 const RATIO = 4
 /** A point counts as moved if its displacement exceeds this fraction of the largest displacement. */
 const MOVED = 0.25
-/** Targets that move a larger fraction of the points do not close lids. */
+/** Maximum fraction of the points that a target moves when it closes lids. */
 const MAX_MOVED = 0.5
 /** Targets that shrink moved points below this fraction of their extent hide a part of the mesh, for example a second set of eyes. */
 const SHRUNK = 0.5

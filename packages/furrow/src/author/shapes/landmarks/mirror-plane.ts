@@ -25,7 +25,7 @@ const REFINED = 3
 const ITERATIONS = 20
 /** Maximum cosine between the normals of two planes that are refined. */
 const MAX_COSINE = 0.97
-/** Larger distances are clamped to this one, in radii of the region, because one half of the head may have parts that the other lacks. */
+/** Maximum distance that counts, in radii of the region: one half of the head may have parts, such as hair, that the other half lacks. */
 const MAX_DISTANCE = 0.15
 
 /** Finds the plane across which a head is most symmetric, by iterative closest points (Besl and McKay 1992). */

@@ -3,7 +3,7 @@ import { pointOffsets, type Skin, weldSurface } from '../../skin/surface.ts'
 
 /** Maximum number of points. Denser surfaces are subsampled. */
 const MAX_POINTS = 16_000
-/** Targets with a larger displacement are broken. As a multiple of the surface's extent. */
+/** Maximum displacement, as a multiple of the surface's extent. Targets that exceed it are broken and dropped. */
 const MAX_OFFSET = 2
 
 /** Points of the skin in the rest pose, and their displacements by targets. */

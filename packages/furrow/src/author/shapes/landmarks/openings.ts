@@ -28,7 +28,7 @@ const COLUMNS = 16
 const REACH = 1.6
 const COLUMN = REACH / COLUMNS
 
-/** Traces the lip line from the middle to the corner of the mouth. Its height in each column is that of the foremost points of the seam. */
+/** Traces the lip line from the middle to the corner of the mouth. In each column, it passes through the foremost points of the seam. */
 export function lipLine(frame: FaceFrame): LipLine {
   const standard: LipLine = { halfWidth: 0.8, heights: ALONG.map(() => -2) }
   if (!frame.seam) return standard

@@ -37,7 +37,7 @@ interface LabelOwner {
   score: number
 }
 
-/** Shapes with a smaller displacement get no label. In units of half the distance between the eyes. */
+/** Minimum displacement of a shape that gets a label, in units of half the distance between the eyes. */
 const WEAK = 0.01
 /** Minimum cosine between the motions of two shapes that differ only in strength. */
 export const SAME = 0.975
@@ -190,7 +190,7 @@ export function matchShapes(
     return known ? dotAll(descriptors[shape].plain, descriptorOf(known, weights).plain) : 0
   })
   const spare = live.filter((shape) => kinships[shape] < UNLIKE)
-  /** Returns the minimum cosine between a shape and its rivals: shapes without a label of their own that fit the same label best. */
+  /** Returns the minimum cosine between a shape and its rivals. Rivals are shapes in `spare` that fit the same label best. */
   const agreement = (shape: number, label: number) => {
     const least = Math.max(FOUND, scores[shape][label] - RIVAL)
     const rivals = spare.filter((other) => bestOf(scores[other]) === label && scores[other][label] > least)

@@ -18,7 +18,7 @@ const MAX_FACTORS = 256
  *
  * @param index index of an inner point in the spline that `splineOf` returns for the stroke.
  * @returns both parts as splines; the first one contains the start of the stroke.
- * @throws FurrowError if the index is out of range, or is that of an end point.
+ * @throws FurrowError if the index is out of range, or is the index of an end point.
  */
 export function splitStroke<S extends Stroke>(stroke: S, index: number, skin: LocatedSkin): [S, S] {
   const spline = splineOf(stroke, skin)
