@@ -19,7 +19,7 @@ export const MIPMAP_MARGIN = 14
 /** Triangle edge at the border of an island, in texels. */
 export interface BorderEdge {
   triangle: number
-  /** Start, and the vector to the end. */
+  /** Start (x, y), and the vector (dx, dy) from the start to the end. */
   x: number
   y: number
   dx: number

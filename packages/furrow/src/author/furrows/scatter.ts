@@ -15,7 +15,7 @@ export interface Seeds {
   metrics: Float64Array
   /** Size of each cell in millimetres. */
   sizes: Float64Array
-  /** Factor on distances that each matrix includes in all directions, at most 1. */
+  /** Random factor, at most 1, on distances from each seed in all directions. The seed's matrix includes it. */
   scales: Float64Array
   /** Visibility of the furrows around each seed at the map's resolution, 0..1. */
   visible: Float64Array

@@ -35,7 +35,7 @@ export interface LaidStroke extends SkinLine, CrossSection {
   span: readonly [start: number, end: number]
 }
 
-/** Maximum segment length in millimetres: well below the thinnest visible wrinkle. */
+/** Maximum segment length in millimetres. It is well below the width of the thinnest visible wrinkle. */
 const MAX_SEGMENT = 0.5
 const MAX_SEGMENTS = 8192
 /** Maximum total length of strokes in millimetres. Lines a millimetre apart across a face of 300 x 300 mm are 90 m long. */

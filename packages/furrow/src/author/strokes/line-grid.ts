@@ -54,7 +54,7 @@ export class LineGrid {
   readonly #segments: LineSegments
   /** Nearest segment of each line at the last visited position. The next position mostly has the same one. */
   readonly #last: Int32Array
-  /** Levels from the cells up. */
+  /** Levels, from the cells to the largest cubes. */
   readonly #levels: readonly Level[]
   /** Count of numbers cached per level. */
   readonly #held: number[]

@@ -4,7 +4,7 @@ import { poseStrain } from './pose-strain.ts'
 import { pointCompression } from './principal.ts'
 import { hasTensor, TENSOR_SIZE } from './tensors.ts'
 
-/** Standard deviation in millimetres of the smoothing of compression. It is large, so that noise does not look like a patch. */
+/** Standard deviation, in millimetres, of the smoothing of the compression. It is large, so that noise does not look like a patch. */
 const PATCH_SIGMA = 5
 /** Minimum compression of skin that creases. It is higher than on faces, where anatomy tells which skin creases. */
 export const MIN_PATCH_COMPRESSION = 0.07

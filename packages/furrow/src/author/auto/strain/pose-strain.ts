@@ -3,7 +3,7 @@ import type { Pose } from '../surface/pose.ts'
 import { smooth } from './smooth.ts'
 import { compressionTensors } from './tensors.ts'
 
-/** Standard deviation in millimetres of the smoothing of compression on a face. Without smoothing, it differs much between triangles. */
+/** Standard deviation, in millimetres, of the smoothing on faces. Without smoothing, the compression varies strongly between triangles. */
 export const FACE_SIGMA = 3
 
 /**

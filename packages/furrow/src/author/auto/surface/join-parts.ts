@@ -10,7 +10,7 @@ export interface SkinPart {
   readPositions(vertices: Uint32Array, out: Float32Array): void
   /** Writes the packed uv of the given vertices, v = 0 at the top. */
   readUvs(vertices: Uint32Array, out: Float32Array): void
-  /** Writes the packed xyz offsets of the given vertices by the target with an index. Writes nothing if it does not move the part. */
+  /** Writes the packed xyz offsets by which a target (an index) moves the given vertices. Writes nothing if it does not move the part. */
   readOffsets(target: number, vertices: Uint32Array, out: Float32Array): void
   /** Writes the skinning weights of the given vertices to the head joint, 0..1; undefined if the character has no head joint. */
   readHeadWeights?: ((vertices: Uint32Array, out: Float32Array) => void) | undefined

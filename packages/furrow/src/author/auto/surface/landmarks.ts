@@ -18,11 +18,11 @@ export interface Landmarks {
   tip: LandmarkPosition
   /** Lower end of the wing of the nose. */
   wing: LandmarkPosition
-  /** Height of the hairline (y, as for the following heights). */
+  /** Height (y) of the hairline. */
   hairline: number
-  /** Height of the base of the nose. */
+  /** Height (y) of the base of the nose. */
   noseBase: number
-  /** Height of the lower end of the chin. */
+  /** Height (y) of the lower end of the chin. */
   chin: number
 }
 

@@ -17,7 +17,7 @@ export interface ClosingPair {
 // Distances are in radii of the moving region (see `MovingRegion`).
 /** Maximum distance between two points that a target has brought together. */
 const TOGETHER = 0.04
-/** Minimum distance at rest of such points. */
+/** Minimum distance between these points at rest. */
 const MIN_GAP = 0.1
 /** Minimum of a target's largest displacement. Weaker targets are ignored. */
 const WEAK = 0.03

@@ -22,8 +22,7 @@ export interface EyeOpening {
   lower: number[]
 }
 
-/** The mouth is searched from u = 0 to `REACH`, in columns of equal width. Both halves of the face are combined. */
-
+// The lip line is searched from u = 0 to `REACH`, in columns of equal width. Both halves of the face are combined.
 const COLUMNS = 16
 const REACH = 1.6
 const COLUMN = REACH / COLUMNS
@@ -82,9 +81,9 @@ export function eyeOpening(frame: FaceFrame): EyeOpening {
   }
 }
 
-/** Minimum number of closing pairs at an eye that a target closes. */
+/** A target closes an eye if it brings together at least this number of pairs of points at the eye (`ClosingPair`). */
 const CLOSED = 9
-/** The same minimum, as a fraction of the largest number that any target has. */
+/** The number of pairs must also exceed this fraction of the largest number of pairs that any target brings together. */
 const CLOSED_FRACTION = 0.08
 
 /** Returns, for each motion, whether it closes the lids of the left and of the right eye. */

@@ -49,7 +49,7 @@ const RIVAL = 0.11
 const MIN_SCORE = 0.3
 /** Minimum score of a label that counts as found. */
 export const FOUND = 0.45
-/** Penalty if shape and template differ in strength, multiplied by the logarithm of the ratio. */
+/** Penalty if shape and template differ in strength: factor on the absolute natural logarithm of the ratio of their strengths. */
 const STRENGTH = 0.04
 /** Two labels whose templates are at most this similar are distinct: the difference of their scores counts fully. */
 const DISTINCT = 0.5
