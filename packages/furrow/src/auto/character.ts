@@ -13,11 +13,11 @@ export interface VectorData {
   isNormalized: boolean
 }
 
-/** A part of a mesh. */
+/** Part of a mesh with its own vertices. */
 export interface PartData {
   /** Number of vertices. */
   count: number
-  /** Three vertices per triangle; default: consecutive vertices. */
+  /** Three vertices per triangle. Default: every three vertices form a triangle. */
   indices?: ArrayLike<number> | undefined
   positions: VectorData
   uvs: VectorData

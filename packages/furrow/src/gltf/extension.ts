@@ -13,7 +13,7 @@ import { WrinkleLayer } from './wrinkle-layer.ts'
 import { writeMaterialWrinkles } from './write.ts'
 
 /**
- * The glTF extension FURROW_wrinkle_maps for glTF-Transform. An I/O class with which it is registered reads and writes the wrinkles of files.
+ * The glTF extension FURROW_wrinkle_maps for glTF-Transform. Register it with an I/O class to read and write the wrinkles of files.
  *
  * ```ts
  * const io = new NodeIO().registerExtensions([...ALL_EXTENSIONS, FurrowWrinkleMaps])

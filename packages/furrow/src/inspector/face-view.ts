@@ -115,7 +115,10 @@ function wireframe({ meshes }: WrinklesBase): ShownView {
   return { end: () => set(false) }
 }
 
-/** Makes the meshes invisible by a material that writes nothing. They must still be drawn, because drivers run before each draw. */
+/**
+ * Makes the meshes invisible by a material that writes nothing. They must still be drawn, because drivers run before each draw. Returns a
+ * function that makes the meshes visible again.
+ */
 function hide(wrinkles: WrinklesBase): () => void {
   const material = wrinkles.createInfluenceMaterial()
   material.colorWrite = material.depthWrite = false

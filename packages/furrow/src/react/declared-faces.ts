@@ -10,7 +10,7 @@ export class DeclaredFaces {
   readonly #known = new Map<WrinklesBase, DeclaredFace>()
   readonly #warned = new Set<string>()
   #player: ExpressionPlayer | null = null
-  /** Whether the faces have changed since the player was created. It must be recreated then. */
+  /** Whether the faces have changed since the player was created. If so, the player must be recreated. */
   #isStale = true
   #playing: ExpressionChoice | undefined
 
