@@ -14,12 +14,12 @@ const HEAD = 4
 /**
  * Caches what all strokes except the edited one contribute to each texel, because they do not change while an artist edits one stroke.
  * Strokes must be added in the order of the list, because rounding depends on the order. Strokes before the edited one are therefore cached
- * as one sum, and strokes after it (`behind`) one by one.
+ * as one sum, and strokes after it one by one.
  */
 export class OtherStrokes {
   readonly #strokes: readonly LaidStroke[]
   /** Index of the first stroke after the edited one. */
-  readonly #behind: number
+  readonly #firstAfter: number
   readonly #grid: LineGrid
   readonly #metric: Metric
   /** Index in `#numbers` of each texel's header. */
@@ -32,9 +32,9 @@ export class OtherStrokes {
   #sharpest = 0
   readonly #powers: StrokePowers = { valley: 0, bank: 0 }
 
-  constructor(before: readonly LaidStroke[], behind: readonly LaidStroke[], metric: Metric) {
-    this.#strokes = [...before, ...behind]
-    this.#behind = before.length
+  constructor(before: readonly LaidStroke[], after: readonly LaidStroke[], metric: Metric) {
+    this.#strokes = [...before, ...after]
+    this.#firstAfter = before.length
     this.#grid = new LineGrid(this.#strokes, this.#strokes.map(reachOf))
     this.#metric = metric
   }
@@ -91,10 +91,10 @@ export class OtherStrokes {
   }
 
   readonly #add: LineVisitor = (line, distance, segment, t, side) => {
-    const isBehind = line >= this.#behind
-    const sum = isBehind ? this.#after : this.#before
+    const isAfter = line >= this.#firstAfter
+    const sum = isAfter ? this.#after : this.#before
     addStroke(sum, this.#strokes[line], distance, segment, t, side, this.#sharpest, this.#powers)
-    if (!isBehind) return
+    if (!isAfter) return
     this.#numbers[this.#used++] = this.#powers.valley
     this.#numbers[this.#used++] = this.#powers.bank
   }

@@ -96,7 +96,7 @@ export class StrokeLayer {
   *prepare(stroke: Stroke): Generator<void, void> {
     const index = this.#strokes.findIndex((each) => each.stroke === stroke)
     if (index < 0) return
-    if (this.#edit?.before.length !== index || this.#edit.behind.length !== this.#strokes.length - index - 1)
+    if (this.#edit?.before.length !== index || this.#edit.after.length !== this.#strokes.length - index - 1)
       this.#edit = this.#editOf(this.#strokes.slice(0, index), this.#strokes.slice(index + 1))
     const edit = this.#edit
     const near = gridOf([this.#strokes[index]])
@@ -121,9 +121,9 @@ export class StrokeLayer {
     return this.#editOf(placed.slice(0, same), placed.slice(placed.length - sameAtEnd))
   }
 
-  #editOf(before: readonly PlacedStroke[], behind: readonly PlacedStroke[]): Edit {
-    const others = new OtherStrokes(laidOf(before), laidOf(behind), this.#canvas.metric)
-    return { before, behind, others }
+  #editOf(before: readonly PlacedStroke[], after: readonly PlacedStroke[]): Edit {
+    const others = new OtherStrokes(laidOf(before), laidOf(after), this.#canvas.metric)
+    return { before, after, others }
   }
 
   #penFor(changed: readonly PlacedStroke[]): StrokePen {
@@ -132,8 +132,8 @@ export class StrokeLayer {
     return new StrokePen(laidOf(near), this.#canvas.metric, this.#drawn)
   }
 
-  #penForEdit({ before, behind, others }: Edit): StrokePen {
-    const own = this.#strokes.slice(before.length, this.#strokes.length - behind.length)
+  #penForEdit({ before, after, others }: Edit): StrokePen {
+    const own = this.#strokes.slice(before.length, this.#strokes.length - after.length)
     return new StrokePen(laidOf(own), this.#canvas.metric, this.#drawn, others)
   }
 
@@ -177,17 +177,17 @@ interface Edit {
   /** Strokes before the edited one in the list. */
   before: readonly PlacedStroke[]
   /** Strokes after the edited one in the list. */
-  behind: readonly PlacedStroke[]
+  after: readonly PlacedStroke[]
   others: OtherStrokes
 }
 
-/** Returns whether the strokes are those of an edit, with one stroke or none between `before` and `behind`. */
-function matchesEdit(strokes: readonly PlacedStroke[], { before, behind }: Edit): boolean {
-  const more = strokes.length - before.length - behind.length
+/** Returns whether the strokes are those of an edit, with one stroke or none between `before` and `after`. */
+function matchesEdit(strokes: readonly PlacedStroke[], { before, after }: Edit): boolean {
+  const more = strokes.length - before.length - after.length
   return (
     (more === 0 || more === 1) &&
     before.every((each, i) => each === strokes[i]) &&
-    behind.every((each, i) => each === strokes[before.length + more + i])
+    after.every((each, i) => each === strokes[before.length + more + i])
   )
 }
 

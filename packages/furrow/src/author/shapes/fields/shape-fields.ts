@@ -73,18 +73,21 @@ function directionsOf({ normals }: MovingSurface, frame: FaceFrame): Float64Arra
 
 /** Selects skin that faces forwards. Connected components that are entirely near one eye are eyeballs and lashes, which are excluded. */
 function visiblePoints(
-  { pieces }: MovingSurface,
+  { components }: MovingSurface,
   { region }: FaceFrame,
   at: Float64Array,
   normals: Float64Array,
 ): number[] {
   const isBeyondEye = new Set<number>()
   for (const i of region.near) {
-    if (Math.abs(Math.abs(at[3 * i]) - 1) > 0.8 || Math.abs(at[3 * i + 1]) > 0.8) isBeyondEye.add(pieces[i])
+    if (Math.abs(Math.abs(at[3 * i]) - 1) > 0.8 || Math.abs(at[3 * i + 1]) > 0.8)
+      isBeyondEye.add(components[i])
   }
   return Array.from(region.near).filter((i) => {
     const [u, v] = [at[3 * i], at[3 * i + 1]]
-    return normals[3 * i + 2] > 0.05 && Math.abs(u) < 3 && v > -4.2 && v < 2.9 && isBeyondEye.has(pieces[i])
+    return (
+      normals[3 * i + 2] > 0.05 && Math.abs(u) < 3 && v > -4.2 && v < 2.9 && isBeyondEye.has(components[i])
+    )
   })
 }
 

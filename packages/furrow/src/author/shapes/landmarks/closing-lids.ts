@@ -41,7 +41,7 @@ const MIN_PAIRS = 8
 
 /** Finds pairs of skin points that a target brings together. */
 export function closingPairs(
-  { points, pieces, motions }: MovingSurface,
+  { points, components, motions }: MovingSurface,
   { radius, near }: MovingRegion,
   { origin, normal: x }: MirrorFit,
 ): ClosingPair[] {
@@ -63,7 +63,7 @@ export function closingPairs(
       const { count, indices, squares } = tree.nearest(moved, 3 * i, TOGETHER * radius)
       for (let k = 0; k < count; k++) {
         const j = nearby[indices[k]]
-        if (j === i || pieces[i] !== pieces[j]) continue
+        if (j === i || components[i] !== components[j]) continue
         const gap = distanceBetween(points, i, j)
         if (!(gap > MIN_GAP * radius && gap > RATIO * Math.sqrt(squares[k]))) continue
         const [first, second] = [vectorAt(points, i), vectorAt(points, j)]

@@ -27,7 +27,7 @@ const STRETCH = 1.5
 
 /** Finds the lip seam: pairs of nearby points of one connected component that face each other and that a target pulls apart. */
 export function lipSeam(
-  { points, normals, pieces, motions }: MovingSurface,
+  { points, normals, components, motions }: MovingSurface,
   { centre, radius, near }: MovingRegion,
   { origin, normal: x }: MirrorFit,
   forward: Vector,
@@ -44,7 +44,7 @@ export function lipSeam(
     tree.within(points, 3 * i, PAIR * radius, (b) => {
       if (b === a || (isMoving[b] && b < a)) return
       const j = front[b]
-      if (pieces[i] !== pieces[j] || dot3(normals, i, normals, j) >= FACING) return
+      if (components[i] !== components[j] || dot3(normals, i, normals, j) >= FACING) return
       const gap = distanceBetween(points, i, j)
       const least = Math.max(PARTED * radius, STRETCH * gap)
       const isParted = motions.some(

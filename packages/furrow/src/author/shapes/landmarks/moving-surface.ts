@@ -14,7 +14,7 @@ export interface MovingSurface {
   normals: Float64Array
   areas: Float64Array
   /** Index of each point's connected component. */
-  pieces: Uint32Array
+  components: Uint32Array
   motions: Motion[]
 }
 
@@ -37,7 +37,7 @@ export function movingSurface(skin: Skin): MovingSurface | undefined {
   if (!(size > 0 && size < Infinity)) return undefined
   const kept = usedPoints(welded.areas)
   const pick = (values: Float64Array) => pickPoints(values, kept)
-  const allPieces = piecesOf(welded.neighbourStarts, welded.neighbours)
+  const allComponents = componentsOf(welded.neighbourStarts, welded.neighbours)
   const motions: Motion[] = []
   for (const [target, shape] of skin.targets.entries()) {
     const offsets = pick(pointOffsets(welded, shape))
@@ -50,7 +50,7 @@ export function movingSurface(skin: Skin): MovingSurface | undefined {
   const normals = pick(welded.normals)
   const areas = Float64Array.from(kept, (point) => welded.areas[point])
   orient(points, normals, areas)
-  return { points, normals, areas, pieces: kept.map((point) => allPieces[point]), motions }
+  return { points, normals, areas, components: kept.map((point) => allComponents[point]), motions }
 }
 
 export function treeOf(points: Float64Array, indices: ArrayLike<number>, most = 1): KdTree {
@@ -119,21 +119,21 @@ function orient(points: Float64Array, normals: Float64Array, areas: Float64Array
 }
 
 /** Returns each point's connected component. A component's index is that of its first point. */
-function piecesOf(starts: Uint32Array, neighbours: Uint32Array): Uint32Array {
+function componentsOf(starts: Uint32Array, neighbours: Uint32Array): Uint32Array {
   const count = starts.length - 1
-  const pieces = new Uint32Array(count).fill(count)
+  const components = new Uint32Array(count).fill(count)
   const open: number[] = []
   for (let first = 0; first < count; first++) {
-    if (pieces[first] < count) continue
-    pieces[first] = first
+    if (components[first] < count) continue
+    components[first] = first
     open.push(first)
     for (let point = open.pop(); point !== undefined; point = open.pop()) {
       for (let k = starts[point]; k < starts[point + 1]; k++) {
-        if (pieces[neighbours[k]] < count) continue
-        pieces[neighbours[k]] = first
+        if (components[neighbours[k]] < count) continue
+        components[neighbours[k]] = first
         open.push(neighbours[k])
       }
     }
   }
-  return pieces
+  return components
 }

@@ -52,11 +52,11 @@ export function nearestOnStroke(
     for (let i = 0; i + 1 < along.length; i++) {
       const start = points.subarray(3 * i, 3 * i + 3)
       const step = start.map((value, k) => points[3 * i + 3 + k] - value)
-      const [square, along_] = start.reduce(
+      const [square, projection] = start.reduce(
         ([square, sum], value, k) => [square + step[k] ** 2, sum + step[k] * (position[k] - value)],
         [0, 0],
       )
-      const t = Math.min(1, Math.max(0, along_ / (square || 1)))
+      const t = Math.min(1, Math.max(0, projection / (square || 1)))
       const [x, y, z] = start.map((value, k) => value + t * step[k])
       const distance = length3(x - position[0], y - position[1], z - position[2])
       if (nearest && distance >= nearest.distance) continue
