@@ -43,6 +43,33 @@ export function showFace(
     beforeFrame(milliseconds / 1000)
     renderer.render(scene, camera)
   })
+  return { camera, renderer }
+}
+
+/**
+ * Calls a function while the pointer is dragged over a mesh.
+ *
+ * @param {ReturnType<typeof showFace>} view
+ * @param {(hit: { uv: import('three').Vector2, isFirst: boolean }) => void} onHit `isFirst`: the drag has just begun.
+ */
+export function onDrag({ camera, renderer: { domElement: canvas } }, mesh, onHit) {
+  const raycaster = new three.Raycaster()
+  const pointer = new three.Vector2()
+  const hitAt = ({ offsetX, offsetY }, isFirst) => {
+    pointer.set((2 * offsetX) / canvas.clientWidth - 1, 1 - (2 * offsetY) / canvas.clientHeight)
+    raycaster.setFromCamera(pointer, camera)
+    const [hit] = raycaster.intersectObject(mesh, false)
+    if (hit) onHit({ uv: hit.uv, isFirst })
+  }
+  canvas.style.touchAction = 'none'
+  canvas.style.cursor = 'crosshair'
+  canvas.addEventListener('pointerdown', (event) => {
+    canvas.setPointerCapture(event.pointerId)
+    hitAt(event, true)
+  })
+  canvas.addEventListener('pointermove', (event) => {
+    if (event.buttons > 0) hitAt(event, false)
+  })
 }
 
 /** Sets a blendshape of every mesh of a face that has it, 0..1. */
@@ -110,6 +137,15 @@ export function addCheck(name, checked, onChange) {
   controls().append(label)
 }
 
+/** Adds lines of text. Returns a function that replaces them. */
+export function addText() {
+  const text = document.createElement('pre')
+  controls().append(text)
+  return (content) => {
+    if (text.textContent !== content) text.textContent = content
+  }
+}
+
 /** Adds a bar that shows a fraction, 0..1, and can be removed. */
 export function addProgress(name) {
   const label = document.createElement('label')
@@ -137,6 +173,7 @@ function controls() {
     form { display: flex; flex-wrap: wrap; gap: 6px 14px; padding: 10px; max-height: 32vh; overflow-y: auto; box-sizing: border-box }
     form label { display: flex; align-items: center; gap: 6px; min-height: 32px }
     form input[type=range] { width: 110px }
+    form pre { margin: 0; min-height: 9em; font-size: 12px; white-space: pre-wrap; overflow-wrap: anywhere }
     form output { width: 2.6em; font-variant-numeric: tabular-nums }
     form div { display: flex; flex-wrap: wrap; gap: 6px; flex-basis: 100% }
     form div label { margin-right: 8px }
