@@ -173,7 +173,7 @@ function controls() {
     form { display: flex; flex-wrap: wrap; gap: 6px 14px; padding: 10px; max-height: 32vh; overflow-y: auto; box-sizing: border-box }
     form label { display: flex; align-items: center; gap: 6px; min-height: 32px }
     form input[type=range] { width: 110px }
-    form pre { margin: 0; min-height: 9em; font-size: 12px; white-space: pre-wrap; overflow-wrap: anywhere }
+    form pre { flex-basis: 100%; min-width: 0; margin: 0; min-height: 9em; font-size: 12px; white-space: pre-wrap; overflow-wrap: anywhere }
     form output { width: 2.6em; font-variant-numeric: tabular-nums }
     form div { display: flex; flex-wrap: wrap; gap: 6px; flex-basis: 100% }
     form div label { margin-right: 8px }

@@ -65,14 +65,17 @@ function pixelsOf({ left, top, right, bottom }) {
 
 /** Opens an example in the pose that its test checks, without the controls below the canvas. */
 async function openSettled(page, url) {
-  const { drawSettled, openPaused, playSurprise } = await importSource('test/pages/paused-page.ts')
+  const { drawSettled, openPaused, playSurprise, SECOND } = await importSource('test/pages/paused-page.ts')
   // A WebGPU canvas cannot be captured without a GPU.
   await page.addInitScript('Object.defineProperty(Navigator.prototype, "gpu", { value: undefined })')
   await openPaused(page, url)
   await page.addStyleTag({ content: 'form { display: none !important }' })
   await page.evaluate('dispatchEvent(new Event("resize"))')
-  // Automatic wrinkles take as long as they take.
-  await page.locator('progress').waitFor({ state: 'detached', timeout: 0 })
+  // Waits for automatic wrinkles and loading screens in real time.
+  while ((await page.locator('progress').count()) > 0) {
+    await page.clock.runFor(SECOND / 60)
+    await page.waitForTimeout(SECOND / 10)
+  }
   await playSurprise(page)
   await drawSettled(page)
 }

@@ -5,6 +5,7 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import type { Page } from 'playwright-core'
 import sharp from 'sharp'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
+import { exampleNames } from '../../scripts/lib/examples.mjs'
 import { serveSite } from '../../site/serve.mjs'
 import { BARE_FACES } from '../bare-faces/bare-faces.ts'
 import { openPage, useBrowser } from '../pages/browser.ts'
@@ -207,6 +208,21 @@ describe('the pages', () => {
       const canvas = page.frameLocator('.live iframe').locator('canvas')
       await canvas.waitFor()
       await expect.poll(async () => contrast(await pixelsOf(await canvas.screenshot()))).toBeGreaterThan(100)
+    })
+  })
+
+  it('show a picture of each example, filter them, and open one by keyboard', async () => {
+    await withPage('examples/', { viewport: DESKTOP }, async (page) => {
+      await mounted(page)
+      const cards = page.locator('.cards a')
+      expect(await cards.count()).toBe(exampleNames().length)
+      await page.getByLabel('Filter').fill('compressed cloth')
+      await expect.poll(() => cards.count()).toBe(1)
+      const width = () => cards.locator('img').evaluate((image: HTMLImageElement) => image.naturalWidth)
+      await expect.poll(width).toBe(480)
+      await page.keyboard.press('Tab')
+      await page.keyboard.press('Enter')
+      await page.waitForURL(/examples\/tension\.html$/)
     })
   })
 
