@@ -60,7 +60,7 @@ export const EXAMPLES: readonly Example[] = [
     atRest: { neutral: true },
     region: WHOLE,
   },
-  { page: 'explain', query: '?expression=angry', atRest: { neutral: true }, region: BROWS },
+  { page: 'explain', picture: '?expression=angry', atRest: { neutral: true }, region: BROWS },
   {
     page: 'expressions',
     query: '?happy=0.7&surprised=0.6',
@@ -103,7 +103,6 @@ export const EXAMPLES: readonly Example[] = [
     atRest: { mouthSmileLeft: 0, mouthSmileRight: 0 },
     region: CHEEKS,
   },
-  { page: 'own-area', atRest: { browInnerUp: 0 }, region: BROWS },
   { page: 'own-driver', query: '?phase=0.5', atRest: { phase: 0 }, region: BROWS },
   { page: 'own-expression', atRest: { neutral: true }, region: BROWS },
   { page: 'paint', atRest: { clear: true }, region: BROWS },
