@@ -41,7 +41,10 @@ export interface Example {
 export const EXAMPLES: readonly Example[] = [
   { page: 'age', query: '?age=75', atRest: { age: 20 }, region: BROWS, quick: true },
   { page: 'auto', picture: '?age=75&expression=angry', region: BROWS, test: 'examples-auto.test.ts' },
+  { page: 'babylon', atRest: { neutral: true }, region: BROWS },
+  { page: 'babylon-material', query: '?coat=0.8', atRest: { neutral: true }, region: BROWS },
   { page: 'blood', query: '?expression=happy', atRest: { neutral: true }, region: CHEEKS },
+  { page: 'clip', query: '?time=1', atRest: { time: 0 }, region: BROWS },
   { page: 'clones', frame: WHOLE, atRest: { neutral: true }, region: WHOLE },
   {
     page: 'crowd',
@@ -51,6 +54,7 @@ export const EXAMPLES: readonly Example[] = [
     region: { left: 0.25, top: 0, right: 0.75, bottom: 1 },
     moves: true,
   },
+  { page: 'decoders', atRest: { neutral: true }, region: FOREHEAD },
   { page: 'delay', atRest: { neutral: true }, region: BROWS },
   {
     page: 'distance',
@@ -60,6 +64,7 @@ export const EXAMPLES: readonly Example[] = [
     atRest: { neutral: true },
     region: WHOLE,
   },
+  { page: 'environment', atRest: { neutral: true }, region: BROWS },
   { page: 'explain', picture: '?expression=angry', atRest: { neutral: true }, region: BROWS },
   {
     page: 'expressions',
@@ -86,7 +91,16 @@ export const EXAMPLES: readonly Example[] = [
     region: { left: 0.5, top: 0.55, right: 0.65, bottom: 0.75 },
   },
   { page: 'key-frames', query: '?time=2.2', atRest: { seconds: 0 }, region: BROWS },
+  { page: 'lights', atRest: { neutral: true }, region: BROWS },
   { page: 'links', query: '?browDownLeft=1&browDownRight=1', atRest: { browDownRight: 0 }, region: BROWS },
+  {
+    page: 'materials',
+    query: '?material=Phong',
+    picture: '?material=Matcap',
+    atRest: { neutral: true },
+    region: BROWS,
+  },
+  { page: 'microphone', query: '?loudness=1', atRest: { loudness: 0 }, region: BROWS },
   { page: 'minimal', region: FOREHEAD, quick: true },
   { page: 'modes', atRest: { neutral: true }, region: BROWS },
   {
@@ -96,6 +110,7 @@ export const EXAMPLES: readonly Example[] = [
     atRest: { neutral: true },
     region: BROWS,
   },
+  { page: 'node-material', query: '?rim=0.5', atRest: { neutral: true }, region: BROWS },
   {
     page: 'normals',
     query: '?mouthSmileLeft=1&mouthSmileRight=1',
@@ -106,7 +121,11 @@ export const EXAMPLES: readonly Example[] = [
   { page: 'own-driver', query: '?phase=0.5', atRest: { phase: 0 }, region: BROWS },
   { page: 'own-expression', atRest: { neutral: true }, region: BROWS },
   { page: 'paint', atRest: { clear: true }, region: BROWS },
+  { page: 'physical', query: '?clearcoat=0.6', atRest: { neutral: true }, region: BROWS },
+  { page: 'pointer', query: '?up=1', picture: '?up=1&across=0.5', atRest: { up: 0 }, region: BROWS },
+  { page: 'postprocessing', query: '?bloom=0.25', atRest: { neutral: true }, region: BROWS },
   { page: 'relief', atRest: { neutral: true }, region: { left: 0.5, top: 0.1, right: 0.72, bottom: 0.35 } },
+  { page: 'shader', query: '?hologram=1', atRest: { neutral: true }, region: BROWS, moves: true },
   { page: 'strength', query: '?normals=2', atRest: { neutral: true }, region: BROWS },
   { page: 'strokes', atRest: { clear: true }, region: BROWS },
   { page: 'sweat', atRest: { sweat: 0 }, region: BROWS },
@@ -118,6 +137,7 @@ export const EXAMPLES: readonly Example[] = [
     region: { left: 0.4, top: 0.3, right: 0.6, bottom: 0.8 },
     moves: true,
   },
+  { page: 'toon', query: '?material=MToon', atRest: { neutral: true }, region: BROWS },
   { page: 'tracker', query: '?seconds=2', atRest: { seconds: 0 }, region: BROWS },
   {
     page: 'vrm',
@@ -127,6 +147,14 @@ export const EXAMPLES: readonly Example[] = [
     region: CHEEKS,
   },
   { page: 'webgpu', region: FOREHEAD, quick: true },
+  { page: 'webgpu-postprocessing', query: '?bloom=0.2', atRest: { neutral: true }, region: BROWS },
+  {
+    page: 'wink',
+    query: '?rightBrow=1',
+    picture: '?leftWink=1&rightBrow=1',
+    atRest: { rightBrow: 0 },
+    region: BROWS,
+  },
 ]
 
 /** The address of an example with its wrinkles, relative to the folder of examples. */

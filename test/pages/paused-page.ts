@@ -40,8 +40,16 @@ export async function playSurprise(page: Page): Promise<void> {
  * Draws a page in its final state: with relief, after meshes were split, and with delayed blood. Modules come from the page's import map.
  */
 export async function drawSettled(page: Page): Promise<void> {
+  const library = await libraryOf(page)
+  if (library === 'furrow/babylon') {
+    // Babylon.js has no relief, and skips meshes whose shaders are still compiled.
+    const isReady = `import('@babylonjs/core/Engines/engineStore.js').then((m) => m.EngineStore.LastCreatedScene.isReady())`
+    while (!(await page.evaluate(isReady))) await page.clock.runFor(SECOND / 60)
+    await page.clock.fastForward(60 * SECOND)
+    return page.clock.runFor(SECOND / 30)
+  }
   await page.evaluate(`
-    Promise.all([import('three'), import('${await libraryOf(page)}')]).then(([{ Scene }, { wrinklesOf }]) => {
+    Promise.all([import('three'), import('${library}')]).then(([{ Scene }, { wrinklesOf }]) => {
       Scene.prototype.onBeforeRender = (_, scene) => {
         const all = new Set()
         scene.traverse((object) => object.isMesh && all.add(wrinklesOf(object)))
@@ -56,8 +64,16 @@ export async function drawSettled(page: Page): Promise<void> {
 
 /** Switches the wrinkles of all meshes off or on from the next frame on. Modules come from the page's import map. */
 export async function switchWrinkles(page: Page, mode: 'off' | 'default'): Promise<void> {
+  const library = await libraryOf(page)
+  if (library === 'furrow/babylon') {
+    return page.evaluate(`
+      Promise.all([import('@babylonjs/core/Engines/engineStore.js'), import('${library}')]).then(
+        ([{ EngineStore }, { wrinklesOf }]) => {
+          for (const wrinkles of wrinklesOf(EngineStore.LastCreatedScene)) wrinkles.mode = '${mode}'
+        })`)
+  }
   await page.evaluate(`
-    Promise.all([import('three'), import('${await libraryOf(page)}')]).then(([{ Scene }, { wrinklesOf }]) => {
+    Promise.all([import('three'), import('${library}')]).then(([{ Scene }, { wrinklesOf }]) => {
       Scene.prototype.onBeforeRender = (_, scene) =>
         scene.traverse((object) => {
           const wrinkles = object.isMesh && wrinklesOf(object)
@@ -69,7 +85,7 @@ export async function switchWrinkles(page: Page, mode: 'off' | 'default'): Promi
 /** Finds the entry point for the page's renderer in its import map. */
 async function libraryOf(page: Page): Promise<string> {
   const imports = await page.locator('script[type=importmap]').textContent()
-  return imports!.includes('furrow/three') ? 'furrow/three' : 'furrow/webgpu'
+  return ['furrow/three', 'furrow/babylon'].find((name) => imports!.includes(name)) ?? 'furrow/webgpu'
 }
 
 /** Reads the frame after next, which shows changes made before the next one. */
