@@ -11,8 +11,8 @@ interface Offsets {
 }
 
 /**
- * Recomputes a mesh's normals and tangents on the CPU as its blendshapes deform it. three.js shades targets without normals as if at
- * rest, and never deforms tangents. Skinning is applied afterwards.
+ * Recomputes a mesh's normals and tangents on the CPU as its blendshapes deform it. If blendshapes have no normals, three.js shades the
+ * deformed mesh with the normals of the rest pose; it never deforms tangents. Skinning is applied afterwards.
  *
  * The mesh gets its own copy of the geometry. Call `update` once per frame: it returns at once while no weight changes, and never
  * allocates. The cost is proportional to the moved vertices. `furrow pack --morph-normals` is the alternative: a larger file, with

@@ -5,14 +5,14 @@ import type { FaceGroup } from '../runtime/face-group.ts'
 /** Property of a mesh that animation mixers write to: `wrinkles[AREA].activation`. */
 export type AnimatedAreas = Record<string, { activation: number }>
 
-/** Exposes the areas of a mesh to animation mixers. Call again after adding or removing areas. */
+/** Lets animation mixers set the activations of a mesh's areas. Call again after adding or removing areas. */
 export function exposeAreas(mesh: Mesh, group: FaceGroup<never>): void {
   const areas: AnimatedAreas = {}
   for (const name of group.areaNames) areas[name] = animatedArea(group, name)
   ;(mesh as Mesh & { wrinkles?: AnimatedAreas }).wrinkles = areas
 }
 
-/** Creates the object that a mixer writes to. Mixers keep it after the area is removed; writing then warns once. */
+/** Creates the object that a mixer writes to. A mixer keeps this object after its area is removed; writing to it then warns once. */
 function animatedArea(group: FaceGroup<never>, name: string): { activation: number } {
   let hasWarned = false
   return {

@@ -3,7 +3,7 @@ import type { Area, ArraySlice, Layer, WrinkleSet } from '../core/types.ts'
 import { checkWrinkleSet } from '../core/wrinkle-set.ts'
 import { copyLayers } from '../runtime/layer-maps.ts'
 
-/** Wrinkle set read from a file: already checked, and textures may take ownership of its texels. */
+/** Wrinkle set read from a file. It is already checked, and textures may keep its pixel arrays without copying them. */
 export class ReadSet implements WrinkleSet<ArraySlice> {
   readonly areas: Area<ArraySlice>[]
   readonly layers: Layer<ArraySlice>[]
@@ -15,7 +15,8 @@ export class ReadSet implements WrinkleSet<ArraySlice> {
 }
 
 /**
- * Checks a wrinkle set, and copies its layers' maps because textures take ownership of texels. A `ReadSet` is returned as is.
+ * Checks a wrinkle set, and copies the maps of its layers, because textures keep the arrays they are created from. A `ReadSet` is returned
+ * unchanged.
  *
  * @throws FurrowError if the set is malformed, or maps of one kind differ in size.
  */

@@ -28,7 +28,7 @@ import { LazyRelief } from './relief/lazy-relief.ts'
 import type { RaisedFace } from './relief/raised-face.ts'
 import { type AnyRenderer, checkRenderer, isRefused } from './renderer.ts'
 
-/** A checked mesh with the parts that draw its wrinkles. */
+/** A validated mesh with the objects that draw its wrinkles. */
 export interface FramedMeshParts {
   renderer: RendererParts
   mesh: Mesh
@@ -39,7 +39,10 @@ export interface FramedMeshParts {
   textures: WrinkleTextures
 }
 
-/** A mesh with wrinkles as a member of its renderer's frame: runs the per-frame work, and suspends when its material is disposed of. */
+/**
+ * A mesh with wrinkles that takes part in each frame of its renderer. While its material is disposed of, it is suspended: it does no work and
+ * holds no GPU resources.
+ */
 export abstract class FramedMesh
   extends FaceGroup<AnyRenderer>
   implements FrameMember<AnyRenderer>, RaisedFace
@@ -56,7 +59,7 @@ export abstract class FramedMesh
   #entry: FrameEntry<AnyRenderer>
   readonly #atlas: InfluenceAtlas
   #cells: readonly Cell[]
-  /** Whether the page disposed of the material and has drawn no mesh since. */
+  /** Whether the page disposed of the material and has not drawn a mesh with it since. */
   #isSuspended = false
   #appearance: Appearance | null = null
 
@@ -113,7 +116,7 @@ export abstract class FramedMesh
     this.#appearance = appearance
   }
 
-  /** Called when another face joins the atlas: the shader may have been compiled for a single face. */
+  /** Called when another face gets a cell in the atlas: the current shader may only work for an atlas with a single face. */
   refresh(): void {
     this.material.settle(null)
   }
@@ -126,7 +129,8 @@ export abstract class FramedMesh
   }
 
   /**
-   * Called before a mesh is drawn: updates the material, runs the phases up to the influence, then sets the shader's inputs.
+   * Called before a mesh is drawn: updates the material, runs the phases of the frame up to the influence map (see `Frame`), then sets the
+   * uniforms of the shader.
    *
    * @param isOverridden whether an override material draws the mesh, e.g. for shadows. `WebGPURenderer` does so during the mesh's own draw.
    * @returns whether the phases ran.
@@ -196,7 +200,7 @@ export abstract class FramedMesh
     queueMicrotask(() => this.resume())
   }
 
-  /** Rejoins the frame. Must not be called during a frame. */
+  /** Takes part in frames again after `#suspend`. Must not be called during a frame. */
   protected resume(): void {
     if (this.isDisposed || !this.#isSuspended) return
     this.#isSuspended = false
@@ -207,7 +211,7 @@ export abstract class FramedMesh
     this.material.resume()
   }
 
-  /** Leaves the frame, and frees resources that no other face uses. */
+  /** Stops taking part in frames, and frees resources that no other face uses. */
   #leave(): void {
     this.#frame.remove(this.#entry)
     this.#atlas.remove(this.#cells)

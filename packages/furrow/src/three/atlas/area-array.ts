@@ -10,7 +10,7 @@ import { areaTexture } from '../material/textures.ts'
 /** Areas of a set, as one texture array. */
 export interface AreaArray extends AreaSlots {
   readonly texture: ArrayTexture
-  /** Channels per slice. Each channel may hold an area. */
+  /** Channels per slice of the texture array. Each channel may hold an area. */
   readonly channels: 1 | 4
   /** Uploads changed weights; set by `updateArea`. */
   upload?: Upload
@@ -36,7 +36,7 @@ export function createAreaArray(
     ? sliced(weights, who)
     : packed(weights as GrayImage[], size)
   const slots = areas.map((area, i) => {
-    // No spread: V8 reads objects made by one half as fast, and every frame reads these.
+    // Written without spread syntax: V8 reads objects created by spread at half the speed, and every frame reads these.
     const { slice, channel, bounds } = locations[i]
     return { layer: layerIndex(area, layers), combine: area.combine ?? 'sum', slice, channel, bounds }
   })

@@ -21,10 +21,10 @@ import { renderPreservingState } from './render-preserving-state.ts'
 
 const FORMATS = [RedFormat, RGFormat, RGBAFormat, RGBAFormat] as const
 
-/** Maximum number of 32-bit float channels; GPUs filter more of them at a reduced rate. */
+/** Maximum number of channels for which 32-bit floats are used: GPUs filter float textures with more channels at a reduced rate. */
 const MAX_FLOAT_CHANNELS = 2
 
-/** Quads that clear cells, or draw the areas of one array that combine by one rule. */
+/** Quads that are drawn together: they clear cells, or draw areas of one texture array that combine in the same way. */
 interface Batch {
   rule: QuadRule
   areas: AreaArray | null
@@ -36,7 +36,8 @@ interface Batch {
  * times their activations, in UV space. A cell is redrawn only when an activation of its face changes, over the rectangles of active
  * areas. One pass draws all changed cells of a frame. Face shaders take one sample, for any number of areas.
  *
- * Texels hold T = max(sum, largest `max`), unclamped. Shaders compute min(1, T) after interpolation, and so clamp where the reference does.
+ * A texel holds the larger of two values, unclamped: the sum over areas that combine by `sum`, and the maximum over areas that combine by
+ * `max`. Shaders clamp the value to 1 after interpolation, like the reference implementation.
  * The type is 32-bit float if the GPU can filter and blend it, because software rasterisers convert each half float. Otherwise it is half
  * float: bytes cannot hold values above 1.
  */
@@ -47,19 +48,19 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   readonly #materials: QuadMaterials
   readonly #scene = new Scene()
   readonly #camera = new OrthographicCamera()
-  /** Slot that covers a complete cell. */
+  /** Rectangle that covers a complete cell. */
   readonly #cellSlot: AreaSlot
   /** Array, because iterating a Map allocates. */
   #batches: Batch[] = []
   #renderer: AnyRenderer | null = null
   /** Renderer that has compiled the area programs. */
   #compiled: AnyRenderer | null = null
-  /** Renderer that last drew each group of cells. Each renderer has its own texture, with the cells of the faces it draws. */
+  /** Renderer that last drew each group of cells. Each renderer has its own GPU texture, which holds only the cells that it drew. */
   readonly #drawnBy = new WeakMap<readonly Cell[], AnyRenderer>()
 
   /**
    * @param width width of a cell and of the faces' areas, texels.
-   * @param height height of the same.
+   * @param height height of a cell and of the faces' areas, texels.
    * @param layers number of layers, one channel each.
    */
   constructor(width: number, height: number, layers: number, materials: QuadMaterials) {

@@ -23,11 +23,11 @@ interface CellGrid {
 }
 
 /**
- * Rectangles to draw into the atlas. Vertex attributes: `furrowPoint` is the position in the atlas (0..1), then in the area (texels).
- * `furrowSource` is the activation, then (slice x 4 + channel) x 4 + layer.
+ * Rectangles to draw into the atlas. They have two vertex attributes. `furrowPoint` is the position in the atlas (xy, 0..1) and in the area
+ * (zw, texels). `furrowSource` is the activation (x) and `(slice * 4 + channel) * 4 + layer` (y).
  *
- * Not instanced: GPUs shade dozens of vertices at once and handle four-vertex instances poorly. Software rasterisers treat each instance
- * as a draw call.
+ * The rectangles are not instanced: GPUs shade dozens of vertices at once, so instances of four vertices leave most of them idle. Software
+ * rasterisers treat each instance as a draw call.
  */
 export class Quads {
   readonly mesh: Mesh<BufferGeometry, Material>

@@ -7,10 +7,10 @@ import type { DrawnMesh } from './drawn-mesh.ts'
 /** Fraction of a blendshape's largest displacement above which a vertex counts as moved. */
 const MOVED = 0.2
 
-/** Fraction of the blendshapes ignored on each side of the box: a few may move the body. */
+/** Fraction of the blendshapes ignored as outliers on each side of the bounding box, because a few may move the body. */
 const OUTLIERS = 0.1
 
-/** Head radius relative to the radius of the geometry that blendshapes or a head joint move. */
+/** Ratio of the head's radius to the radius of the geometry that blendshapes, or a head joint, move. */
 const HEAD_RADII = { blendshapes: 3, joint: 1.5 }
 
 /** A head in world space. */

@@ -26,7 +26,7 @@ export function sizeOnScreen(mesh: Mesh, camera: Camera, renderer: AnyRenderer):
   if (geometry.boundingSphere === null) geometry.computeBoundingSphere()
   sphere.copy(geometry.boundingSphere!).applyMatrix4(mesh.matrixWorld)
   const { height } = pictureOf(renderer)
-  // Element 5 of a projection matrix maps heights to half screens.
+  // Element 5 of a projection matrix converts a height in view space to a fraction of half the screen.
   const diameter = Math.abs(camera.projectionMatrix.elements[5]) * sphere.radius
   if (!(camera as PerspectiveCamera).isPerspectiveCamera) return diameter * height
   const distance = eye.setFromMatrixPosition(camera.matrixWorld).distanceTo(sphere.center)

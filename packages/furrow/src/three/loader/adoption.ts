@@ -15,7 +15,7 @@ export type WatchDraws = (
   onDraw: (mesh: Mesh, renderer: AnyRenderer, camera: Camera, scene: Scene) => void,
 ) => () => void
 
-/** Functions that an adoption needs. */
+/** Functions that `Adoption` needs from the loader. */
 export interface AdoptionParts {
   watch: WatchDraws
   /** Adds separate wrinkles to a mesh. Warns and returns undefined if that fails. */
@@ -42,7 +42,7 @@ export class Adoption {
   readonly #copies = new WeakMap<Mesh, Material>()
   readonly #unwatch: () => void
   readonly #copyOf: WrinklesBase | undefined
-  /** Adopted meshes that show a cloned face. */
+  /** Adopted meshes that show a clone of the face. */
   readonly #guests = new Set<Mesh>()
   /** Whether one of the face's own meshes was drawn. */
   #isShown = false

@@ -16,7 +16,7 @@ const GROUPS = [['normal'], ['baseColor'], ['roughness'], ['occlusion', 'blood']
  */
 export function joinArrays({ layers, areas }: WrinkleSet<ArraySlice>): WrinkleSet<ArraySlice> {
   const joined = layers.map((layer) => ({ ...layer }))
-  // Occlusion and roughness may be channels of the same images, and then share an array.
+  // Occlusion and roughness may be channels of the same images. Their arrays are then the same.
   const known = new Map<string, Compressed>()
   for (const kinds of GROUPS) {
     const sliced = joined.flatMap((layer) =>

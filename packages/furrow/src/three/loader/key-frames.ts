@@ -19,7 +19,7 @@ export interface LoadedFace {
 /** Maximum number of key frames per area. */
 const MAX_KEY_FRAMES = 1_000_000
 
-/** Drops channels that animate areas with missing samplers; `GLTFLoader` would otherwise reject the file. */
+/** Removes animation channels that target areas but have no valid sampler. `GLTFLoader` would otherwise reject the file. */
 export function dropInvalidChannels(parser: Parser, warnings: Warnings): void {
   for (const animation of parser.json.animations as Partial<AnimationJson>[]) {
     if (!Array.isArray(animation?.channels)) continue
@@ -97,7 +97,7 @@ async function readTrack(
   area: string,
 ): Promise<KeyframeTrack> {
   const counts = [input, output].map((index) => parser.json.accessors?.[index]?.count)
-  // Checked before decoding: an accessor without data may claim any count.
+  // Checks the count before decoding, because an accessor without a buffer view can declare any number of elements.
   if (counts.some((count) => !(count >= 1 && count <= 3 * MAX_KEY_FRAMES))) {
     throw invalid('accessor counts', counts.join(' and '))
   }

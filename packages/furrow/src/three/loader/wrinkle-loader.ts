@@ -151,7 +151,7 @@ export class WrinkleLoader {
     const copy = this.#byMaterial.get(material)?.cloneMaterial()
     // Each face has its own activations, and so needs its own material.
     if (copy) for (const mesh of meshes) mesh.material = copy
-    // Packing all maps takes long: do so in a task separate from the last image's.
+    // Packing all maps takes long, so it runs in another task than the decoding of the last image.
     await nextTask()
     const wrinkles = this.#addWrinkles(meshes, this.#bySet.get(set) ?? new ReadSet(set))
     try {

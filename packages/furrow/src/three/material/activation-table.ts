@@ -9,9 +9,9 @@ const COLUMNS = 4 * MAX_AREAS
 /**
  * Activations as a texture, for shaders that loop over all areas as the paper does.
  *
- * Column `slice * channels + channel` belongs to the area with these weights. Row 0 holds areas that combine by `sum`, row 1 by `max`. The
- * activation is in the channel of the area's layer; other channels are 0. One loop then computes all layers, and shader programs do not
- * depend on the number of areas or their layers.
+ * Each area has a column, `slice * channels + channel`, where `slice` and `channel` locate its weights. Row 0 holds areas that combine by
+ * `sum`, row 1 those that combine by `max`. The activation is in the texel's channel with the index of the area's layer; other channels are
+ * 0. One loop therefore computes all layers, and shader programs do not depend on the number of areas or their layers.
  */
 export class ActivationTable {
   readonly texture: DataTexture

@@ -18,7 +18,7 @@ import { renderPreservingState } from '../atlas/render-preserving-state.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 
-/** Slot that covers the complete map. */
+/** Rectangle that covers the complete map. */
 const FULL: AreaSlot = {
   layer: 0,
   combine: 'sum',
@@ -194,7 +194,7 @@ export class ComposedMap {
     this.#quads.put(0, 0, FULL, 0)
   }
 
-  /** Adds the rectangles of changed areas, or their bounding rectangle if it is smaller than the sum (rectangles may overlap). */
+  /** Adds the rectangles of changed areas. Rectangles may overlap: if their bounding rectangle has fewer texels than their sum, adds that one. */
   #putMoved(values: Float32Array): void {
     const { bounds } = this.#span
     bounds.x0 = bounds.y0 = 1
@@ -214,7 +214,7 @@ export class ComposedMap {
   }
 }
 
-/** Region of the map (0..1) that an area affects: bilinear filtering extends it by one texel. */
+/** Returns the rectangle of the map, 0..1, that an area affects: its bounds, extended by one texel because of bilinear filtering. */
 function reachOf(slot: AreaSlot, { width, height }: AreaArray): AreaSlot {
   const { x0, y0, x1, y1 } = slot.bounds
   const bounds = {

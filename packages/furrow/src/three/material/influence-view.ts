@@ -5,9 +5,9 @@ import type { ActivationTable } from './activation-table.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
-/** Influence that a material shows as gray. */
+/** Inputs of a material that shows influence as gray. */
 export interface InfluenceView {
-  /** Wrinkled material, whose normal map defines the texture coordinates. */
+  /** Material of the wrinkled face. Its normal map determines which texture coordinates are used. */
   wrinkled: Pick<WrinkleMaterial, 'normalMap'>
   inputs: ShaderInputs
   instances: Instances

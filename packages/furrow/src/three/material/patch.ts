@@ -4,7 +4,7 @@ import type { AnyRenderer } from '../renderer.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
-/** Face on which a mode is shown, with callbacks for the compilation of its shader. */
+/** Face whose material a mode patches, with callbacks for the compilation of its shader. */
 export interface ModeHost {
   readonly material: WrinkleMaterial
   readonly inputs: ShaderInputs

@@ -29,7 +29,7 @@ export class PatchedMaterial {
   #patchRelief: ((material: Material) => () => void) | null = null
   #undoRelief: (() => void) | undefined
   readonly #influenceMaterials = new WeakSet<Material>()
-  /** Number of materials that show the current influence, which keep the influence map updated in any mode. */
+  /** Number of materials that show the current influence. While there are any, the influence map is updated in every mode. */
   views = 0
   /** Whether the shader turned out not to be patchable. */
   #isRefused = false

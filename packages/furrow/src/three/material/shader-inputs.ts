@@ -22,7 +22,7 @@ export interface ShaderInputs {
   readonly grid: { value: Vector3 }
   /** Location of the first cell, see `AtlasCells.locate`. */
   readonly cell: { value: Vector4 }
-  /** Transform of texture coordinates into a cell, see `AtlasCells.inside`. */
+  /** Transform of texture coordinates to coordinates in the cell, see `AtlasCells.inside`. */
   readonly inside: { value: Vector4 }
   /** Half a texel of a cell, in cell coordinates (0..1). */
   readonly inset: { value: Vector2 }

@@ -24,7 +24,7 @@ export function valueTextures(
 
 type PairedKind = (typeof PAIR)[number]
 
-/** Packs occlusion and blood into one texture; undefined unless there are images of both. */
+/** Packs occlusion and blood into one texture. Returns undefined unless the layers have images of both. */
 function pairMaps(
   layers: readonly Layer<ArraySlice>[],
   anisotropy: number,

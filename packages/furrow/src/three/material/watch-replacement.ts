@@ -2,7 +2,7 @@ import type { Mesh } from 'three'
 import { formatProblem } from '../../core/error.ts'
 import type { PatchedMaterial } from './patched-material.ts'
 
-/** Consecutive draws with another material before a warning. Passes such as selective bloom swap materials briefly, and stay below. */
+/** Number of consecutive draws with another material before a warning. Passes such as selective bloom swap materials for fewer draws. */
 const MAX_DRAWS = 30
 
 /**

@@ -3,7 +3,7 @@ import type { AnyRenderer } from '../renderer.ts'
 
 type Call = (renderer: AnyRenderer, camera: Camera, scene: Scene, drawn: object) => void
 
-/** Callbacks that call no code of the page. */
+/** `onBeforeRender` callbacks that are known to call no code of the page. */
 const ownCallbacks = new WeakSet<Mesh['onBeforeRender']>([Object3D.prototype.onBeforeRender])
 
 /** Registers a callback that replaces another one and adds no code of the page. */

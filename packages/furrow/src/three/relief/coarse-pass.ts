@@ -39,7 +39,7 @@ export class CoarsePass {
   readonly #scene = new Scene()
   readonly #camera = new OrthographicCamera()
   readonly #poses: Pose[]
-  /** Renderer whose target holds the vertices. The page may create another one, e.g. after a device loss. */
+  /** Renderer that has drawn the vertices into its textures. The page may create another renderer, e.g. after a device loss. */
   #renderer: AnyRenderer | null = null
 
   /**

@@ -22,7 +22,10 @@ import { wrinkleUvs } from '../mesh/wrinkle-uvs.ts'
 import { coordinates, trianglesOf } from '../sources/geometry-arrays.ts'
 import { COARSE_WIDTH } from './coarse-pass.ts'
 
-/** Heights of the layers; a mask of raised texels if the heights are not in CPU memory; null if any texel may be raised. */
+/**
+ * Where the surface may be displaced: the heights of the layers, or a mask of displaced texels if the heights are not in CPU memory. Null if
+ * any texel may be displaced.
+ */
 export type Raised = readonly HeightField[] | Mask | null
 
 /** Input of `splitGeometry`. */

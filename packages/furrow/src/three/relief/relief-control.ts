@@ -12,7 +12,7 @@ import { hasHeights } from './raised-layer.ts'
 import { Relief, type ReliefHost } from './relief.ts'
 import type { ReliefParts } from './relief-parts.ts'
 
-/** Pixels per millimetre at which relief in the mode `near` begins, and is full. Grows in between, to avoid popping. */
+/** In the mode `near`, relief begins at the first number of pixels per millimetre. It grows to full strength at the second, to avoid popping. */
 const SIZES = [1, 1.5] as const
 
 /** Largest activation of a face at which relief in the mode `near` is full. Faces at rest have no relief. */

@@ -90,7 +90,7 @@ function quarter(sum: number): number {
   return (sum + 1 + ((sum >> 2) & 1)) >> 2
 }
 
-/** Quantisation steps of linear light: five steps for the smallest sRGB step, 0 to 1. */
+/** Number of quantisation steps of linear light. The smallest sRGB step, from 0 to 1 of 255, is five of these steps. */
 const STEPS = 1 << 14
 
 interface ColourTables {

@@ -13,7 +13,7 @@ import type { AnyRenderer } from '../renderer.ts'
 import { releaseOf } from '../three-version.ts'
 import { channelsOf, firstLevel, MipChain, type MipLevel } from './mip-chain.ts'
 
-/** Maximum number of recorded changes. Renderers further behind upload complete slices. */
+/** Maximum number of recorded changes. A renderer that has missed more changes uploads complete slices. */
 const MAX_KEPT = 64
 
 /** Fraction of a slice above which the GPU generates the mipmaps of all slices faster than the CPU computes and uploads some. */

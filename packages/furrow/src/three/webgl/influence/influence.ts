@@ -1,7 +1,7 @@
 /**
- * GLSL that samples the influence of all layers from the atlas, for any number of areas. Branch-free: a branch costs as much as the sample
- * that it would save. Call `furrowSampleInfluence` first in `main`: it sets globals for the other functions. `furrowDx` and `furrowDy`
- * are used only if coordinates wrap.
+ * GLSL that samples the influence of all layers from the atlas, for any number of areas. The code has no branch, because a branch costs as
+ * much as the texture sample that it would save. Call `furrowSampleInfluence` first in `main`: it sets globals for the other functions. The
+ * globals `furrowDx` and `furrowDy` are only used if texture coordinates wrap.
  *
  * @param cell cell to sample.
  * @param isTiled whether texture coordinates leave 0..1, and so wrap.

@@ -2,7 +2,7 @@ import { CANCELLED, PHONG, ROOM_TO_CURVE } from '../../../relief/displaced.ts'
 import type { HeightLayer } from '../../relief/height-maps.ts'
 import { CORNER_OF_INSTANCE, INFLUENCE_LOOKUP } from '../influence/influence.ts'
 
-/** Maximum number of vertices at one position whose normals are averaged. A loop guard that real meshes do not reach. */
+/** Maximum number of vertices at one position whose normals are averaged. Limits the shader's loop; real meshes have fewer. */
 const MAX_TWINS = 16
 
 /** Parameters of a relief program. */

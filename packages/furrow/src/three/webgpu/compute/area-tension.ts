@@ -8,7 +8,7 @@ import { localId, workgroupBarrier, workgroupId } from '../newer-nodes.ts'
 import { Buffers, sharedArray, workgroups } from './buffers.ts'
 import { DeformedPositions } from './deformed-positions.ts'
 
-/** Invocations per workgroup: a multiple of every subgroup size, within the limits of all WebGPU devices. */
+/** Number of invocations per workgroup: a multiple of every subgroup size, and within the limits of all WebGPU devices. */
 const LANES = 64
 
 /** Values per area in `values`. */
@@ -208,7 +208,7 @@ function meanOf(
   })().compute(workgroups(areas), [LANES])
 }
 
-/** `principalStretches` of math/stretch, as (1 - smaller, larger - 1). */
+/** Computes `(1 - smaller, larger - 1)` of the two results of `principalStretches` in math/stretch. */
 function changeOf(u: Node<'vec3'>, v: Node<'vec3'>, inverse: Node<'vec4'>): Node<'vec2'> {
   const [xx, xy, yy] = [inverse.x, inverse.y, inverse.z]
   // Columns of the deformation gradient; their dot products form the right Cauchy-Green tensor.
