@@ -21,7 +21,7 @@ import { type MixedLayers, samplerOf } from './shaders/mixing.ts'
 import type { SharedSet } from './shared-set.ts'
 import { isTiled } from './tiling.ts'
 
-/** Part of a face that a draw needs. */
+/** Properties of a face that are needed to draw its meshes. */
 export interface DrawnFace {
   readonly shared: SharedSet
   readonly cells: readonly Cell[]
@@ -43,7 +43,7 @@ const UNIFORMS = [
 /** Scratch: location of the drawn mesh's cell. */
 const place: Vector4Like = { x: 0, y: 0, z: 1, w: 1 }
 
-/** Shader variant numbers by code. Used as a define, because Babylon.js distinguishes effects by their defines. */
+/** Number of each shader variant, by its code. The number becomes a define, because Babylon.js distinguishes effects by their defines. */
 const variants = new Map<string, number>()
 
 function variantOf(injections: Injections | null): number {
@@ -60,7 +60,10 @@ const ALL_KINDS: MixedLayers = {
   values: Object.fromEntries(VALUE_KINDS.map((kind) => [kind, ONE(kind)])),
 }
 
-/** Defines that differ between programs of a set: whether instances have cells, and whether texture coordinates wrap. */
+/**
+ * Defines that differ between the shader programs of one wrinkle set: whether each instance has its own cell of the atlas, and whether texture
+ * coordinates wrap.
+ */
 const FLAGS = { FURROW_CELLS: false, FURROW_TILED: false }
 
 /** Vertex attribute with the cell of an instance. */

@@ -1,6 +1,6 @@
 import { WRINKLE_MAPS } from './maps/declared.ts'
 
-/** Target of an animation channel: the resting activation of one area. */
+/** Area whose resting activation an animation channel changes. */
 export interface ActivationPointer {
   /** Index of the material in the file. */
   material: number

@@ -15,7 +15,7 @@ export interface BoundLink {
   points: CurvePoints | undefined
 }
 
-/** An area activation whose area and inputs are resolved to indices. */
+/** An `AreaActivation` whose area and inputs are resolved to indices. */
 export interface BoundActivation {
   /** Index of the area. */
   area: number
@@ -25,22 +25,22 @@ export interface BoundActivation {
   points: CurvePoints
 }
 
-/** Evaluates area activations in order. `addTo` allocates nothing, unless a registered rule does. */
+/** Evaluates the area activations of a plan in order. `addTo` allocates nothing, unless a custom rule does. */
 export class ActivationSum {
   readonly #activations: readonly BoundActivation[]
-  /** By driver: index of its area. */
+  /** Index of each driver's area. */
   readonly #areaIndices: Uint16Array
-  /** By driver: points of its curve. */
+  /** Points of each driver's curve. */
   readonly #curves: readonly CurvePoints[]
-  /** By driver: whether it sums single inputs, the most common case. */
+  /** Whether each driver is a sum whose links read one value each: the most common case. */
   readonly #areSums: readonly boolean[]
-  /** By driver: end of its links in the flat arrays below, which are twice as fast to read as objects. */
+  /** End of each driver's links in the flat arrays below. Flat arrays are twice as fast to read as objects. */
   readonly #ends: Uint32Array
-  /** By link: index of its input; -1 for an area, several values or a curve. */
+  /** Index of each link's value. -1 if the link reads an area, reads several values or has a curve. */
   readonly #sources: Int32Array
-  /** By link: weight. */
+  /** Weight of each link. */
   readonly #weights: Float64Array
-  /** By driver and link: value before the rule. */
+  /** Value of each link before the driver's rule, one array per driver. */
   readonly #linkValues: readonly Float64Array[]
   readonly #warned = new Set<string>()
   /** Result of `#read` and `#combine`. An array, because V8 may box returned numbers. */

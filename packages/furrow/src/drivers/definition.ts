@@ -14,7 +14,7 @@ export interface InputFilter {
   bind(indices: readonly Uint16Array[]): (values: Float64Array) => void
 }
 
-/** Changes an area's activation after all drivers have run; may depend on the previous frame. */
+/** Changes an area's activation after all drivers have run. The change may depend on the previous frame. */
 export interface ActivationFilter {
   /** Name of the area. */
   area: string

@@ -29,7 +29,7 @@ export interface DriverPlan {
   readonly movedAreas: ReadonlySet<string>
   /** Drivers that filter inputs, in the order of the file. */
   readonly inputFilters: readonly PlannedFilter[]
-  /** Drivers that read no area, in the order of the file; then the others, dependencies first. */
+  /** First the drivers that read no area, in the order of the file. Then the others, sorted so that dependencies come first. */
   readonly activations: readonly PlannedActivation[]
   /** At most one per area. */
   readonly activationFilters: readonly ActivationFilter[]

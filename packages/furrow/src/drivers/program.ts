@@ -24,7 +24,7 @@ export interface InputSource {
 /** Sources by kind of input. Drivers that read a kind without a source are skipped. */
 export type InputSources = { readonly [K in ExternalInputKind]?: InputSource }
 
-/** Inputs, outputs and persistent state of the drivers of one face. */
+/** Inputs and outputs of the drivers of one face, and the state that they keep between frames. */
 export interface DriverState {
   /** All inputs. Input filters change them. */
   readonly values: Float64Array
@@ -169,7 +169,7 @@ function isSame(a: Float64Array, b: Float64Array): boolean {
   return true
 }
 
-/** A missing target has weight 0; a missing joint or surface cannot be measured. */
+/** Whether a driver can read an input. A missing blendshape counts as weight 0; a missing joint or surface cannot be measured. */
 function canRead(input: Input, bound: BoundInput | undefined): boolean {
   return bound !== undefined && (input.kind === 'target' || bound.indices.length > 0)
 }

@@ -6,12 +6,12 @@ import { MAX_AREAS } from '../core/limits.ts'
 /** Scratch for one activation: V8 may box numbers that are passed to functions. */
 const scratch = new Float32Array(1)
 
-/** The activation vector: one number, 0..1, per area, bound by name. */
+/** Activations of a face: one number, 0..1, per area. Areas are addressed by name. */
 export class Activations {
   /** Incremented on every change. */
   version = 0
 
-  /** Activations in the order of the areas, then zeros. Read-only; always the same array. */
+  /** Activations in the order of the areas, padded with zeros to 256. Read-only. The array is never replaced. */
   readonly values = new Float32Array(MAX_AREAS)
 
   /** Indices of the areas by name. */

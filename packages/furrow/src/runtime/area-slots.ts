@@ -1,7 +1,7 @@
 import type { Bounds } from '../core/bounds.ts'
 import type { Combine } from '../core/types.ts'
 
-/** Location of one area in an array. Slots and activations are in the same order. */
+/** Location of an area's weights in a texture array. Slots and activations are in the same order. */
 export interface AreaSlot {
   /** Index of the layer. */
   layer: number

@@ -8,7 +8,7 @@ export interface Cell {
   readonly index: number
   /** Activations at the last draw, by area; NaN before the first draw. */
   readonly drawn: Float32Array
-  /** Version of the areas at the last draw; `STALE` forces a redraw, for new areas or a new texture. */
+  /** Version of the areas' weights at the last draw. `STALE` forces a redraw, after a change of areas or of the texture. */
   version: number
   /** Latest version of the activations that needed no redraw. */
   drawnVersion: number
@@ -17,7 +17,7 @@ export interface Cell {
 /** Version of a cell that must be redrawn. Areas never have this version. */
 export const STALE = -1
 
-/** Half a step of 8 bits: smaller changes of an activation are invisible. */
+/** Smallest visible change of an activation: half an 8-bit step. */
 const SMALLEST_CHANGE = 1 / 510
 
 /** Maximum side of the atlas in texels, supported by all WebGL 2 and WebGPU devices in use. */
@@ -37,8 +37,9 @@ export class AtlasCells {
   readonly width: number
   readonly height: number
   /**
-   * Factors (x, y) and offsets (z, w) that map texture coordinates to 0..1 between the centres of a cell's first and last texels. Shaders
-   * clamp to this range, so that samples do not reach neighbouring cells. GPUs clamp a product to 0..1 for free, but not to other ranges.
+   * Factors (x, y) and offsets (z, w) for texture coordinates. They map the centre of a cell's first texel to 0 and the centre of its last
+   * texel to 1. Shaders clamp the result to 0..1, so that samples do not reach neighbouring cells. GPUs clamp to 0..1 for free, but not to
+   * other ranges.
    */
   readonly inside: Readonly<Vector4Like>
   /** Grid size in cells. */
@@ -107,7 +108,7 @@ export class AtlasCells {
     for (let i = 0; i < cells.length; i++) if (hasChanged(cells[i])) this.changed[this.changes++] = cells[i]
   }
 
-  /** Writes the centre of a cell's first texel (x, y) and the offset to the centre of its last texel (z, w), in 0..1 of the atlas. */
+  /** Writes the centre of a cell's first texel (x, y), and the offset from there to the centre of its last texel (z, w), in atlas coordinates. */
   locate(index: number, place: Vector4Like): void {
     const { width, height } = this
     const { columns, rows } = this.grid

@@ -42,18 +42,18 @@ export class DriverRuntime<Engine> {
   readonly plan: DriverPlan
   readonly #bindInputs: BindInputs<Engine>
   readonly #values: InputSource
-  /** By application input: the value of each face. */
+  /** Values of the inputs that the application sets: one array per input, with one value per face. */
   readonly #named: readonly Float64Array[]
   readonly #label: string
   /** Whether activations depend on time. */
   readonly #isDelayed: boolean
-  /** By face, then by area of the plan; views of one array. */
+  /** One array per face, with one activation per area of the plan. All are views of one buffer. */
   readonly #activations: readonly Float32Array[]
-  /** By face: time of the last frame in milliseconds. */
+  /** Time of the last frame of each face, milliseconds. */
   readonly #times: Float64Array
-  /** By area of the plan: index of the face's area. */
+  /** Index of the face's area for each area of the plan, or `NO_AREA`. */
   readonly #indices: Uint16Array
-  /** Areas that `#indices` refers to. */
+  /** Areas of the face for which `#indices` was computed. */
   #slots: Face['slots'] | null = null
   #bound: Bound<Engine> | null = null
 

@@ -13,15 +13,15 @@ import { areaTexture } from '../textures.ts'
 import type { AreaSlices } from './area-slices.ts'
 import { GLSL, SAMPLERS, UNIFORMS, WGSL } from './influence-shader.ts'
 
-/** Area count that tells the shader to skip a cell. */
+/** Value in place of the area count that makes the shader skip a cell. */
 const KEEP = -1
 
 /**
  * Influence maps of all faces with one set, one cell per face: per layer, the sum of the face's areas times their activations. One pass
  * redraws all cells in which an activation has changed.
  *
- * Texels hold T = max(sum, largest `max`), unclamped half floats. Shaders compute min(1, T) after interpolation, and so clamp where the
- * reference does.
+ * A texel holds the larger of two values, as an unclamped half float: the sum over areas that combine by `sum`, and the maximum over areas
+ * that combine by `max`. Shaders clamp the value to 1 after interpolation, like the reference implementation.
  */
 export class InfluenceAtlas implements InfluenceTarget<Scene> {
   readonly cells: AtlasCells

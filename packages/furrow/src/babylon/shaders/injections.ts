@@ -5,7 +5,7 @@ import { type MixedLayers, mixing } from './mixing.ts'
 /** Materials whose shaders can be patched. */
 export type ShaderKind = 'pbr' | 'standard'
 
-/** Code for a Babylon.js shader, by injection point, or by `!` and a regular expression to replace. */
+/** Code for a Babylon.js shader. A key is an injection point, or `!` and a regular expression whose match the code replaces. */
 export type Injections = Record<string, string>
 
 /** Passes the cell of an instance to the fragment shader. */

@@ -89,8 +89,8 @@ function sampledMaps(d: Dialect, kind: 'normal' | ValueKind): string {
 }
 
 /**
- * Declares `vec3 furrowMixNormals(vec3 stored, vec2 uv)`, from and to normals as stored (0..1). Without influence the result is bit-exact.
- * Also samples the value maps, because shaders read the normal map first.
+ * Declares `vec3 furrowMixNormals(vec3 stored, vec2 uv)`. Argument and result are normals encoded in 0..1, as in the map. If the influence is
+ * 0, the result equals `stored` bit by bit. The function also samples the value maps, because shaders read the normal map first.
  */
 function normalMixing(
   d: Dialect,

@@ -1,6 +1,6 @@
 import type { InputOf } from '../activation.ts'
 
-/** Numbers per 4 x 4 matrix, column-major like `Matrix4.elements` of three.js. */
+/** Numbers per matrix: 4 x 4, column-major like `Matrix4.elements` of three.js. */
 export const MATRIX = 16
 
 type JointInput = InputOf<'joint'>
@@ -68,7 +68,7 @@ export class JointMeasurement {
     const { from, joint, rest, axis } = bound
     const current = this.#rotation
     relativeRotation(current, matrices, from, joint)
-    // The rotation is rest^T current, in the rest frame of the joint. Its antisymmetric part is the axis times the sine.
+    // The rotation in the rest frame of the joint is `transpose(rest) * current`. Its antisymmetric part is the axis times the sine.
     const x = (dot(rest, 2, current, 1) - dot(rest, 1, current, 2)) / 2
     const y = (dot(rest, 0, current, 2) - dot(rest, 2, current, 0)) / 2
     const z = (dot(rest, 1, current, 0) - dot(rest, 0, current, 1)) / 2
@@ -100,7 +100,7 @@ function measureDistance(
   out[i] = Math.sqrt(x * x + y * y + z * z)
 }
 
-/** Computes the rotation of one joint relative to another: from^T joint, with normalised columns. */
+/** Computes the rotation of one joint relative to another, `transpose(from) * joint`, with normalised columns. */
 function relativeRotation(out: Float64Array, matrices: ArrayLike<number>, from: number, joint: number): void {
   for (let column = 0; column < 3; column++) {
     for (let row = 0; row < 3; row++) {

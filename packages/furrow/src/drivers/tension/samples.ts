@@ -12,8 +12,8 @@ export interface SampledMesh {
 }
 
 /**
- * Samples triangles under an area with a density proportional to surface times weight, so that the unweighted mean of the samples is the
- * mean over the area. A triangle may be sampled repeatedly.
+ * Draws random triangles under an area. The probability of a triangle is proportional to its surface times the area's weight, so that the
+ * plain mean over the samples estimates the weighted mean over the area. A triangle may be drawn repeatedly.
  *
  * @param weights weights of the area, row 0 at v = 0.
  * @param count number of samples.
