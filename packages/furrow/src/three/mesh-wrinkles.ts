@@ -1,17 +1,19 @@
 import type { Mesh } from 'three'
 import type { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
 
-const wrinklesByMesh = new WeakMap<Mesh, WrinkleFaces>()
+/** Wrinkles of each mesh, oldest first. A mesh has several while a page moves its wrinkles to another material. */
+const wrinklesByMesh = new WeakMap<Mesh, WrinkleFaces[]>()
 
-/** Returns the wrinkles first added to a mesh, or undefined. */
+/** Returns the oldest wrinkles of a mesh that are not disposed of, or undefined. */
 export function wrinklesOfMesh(mesh: Mesh): WrinkleFaces | undefined {
-  return wrinklesByMesh.get(mesh)
+  return wrinklesByMesh.get(mesh)?.[0]
 }
 
 /** Registers the wrinkles of a mesh. Returns a function that unregisters them. */
 export function registerWrinkles(mesh: Mesh, wrinkles: WrinkleFaces): () => void {
-  if (!wrinklesOfMesh(mesh)) wrinklesByMesh.set(mesh, wrinkles)
+  wrinklesByMesh.set(mesh, [...(wrinklesByMesh.get(mesh) ?? []), wrinkles])
   return () => {
-    if (wrinklesOfMesh(mesh) === wrinkles) wrinklesByMesh.delete(mesh)
+    const others = wrinklesByMesh.get(mesh)?.filter((other) => other !== wrinkles) ?? []
+    wrinklesByMesh.set(mesh, others)
   }
 }

@@ -16,7 +16,7 @@ export interface LoadedFile {
 }
 
 /**
- * Returns the wrinkles of a mesh, or undefined. If several were added, returns the first.
+ * Returns the wrinkles of a mesh, or undefined. If it has several, returns the oldest that are not disposed of.
  *
  * @throws FurrowError if the argument is neither a mesh nor a loaded file.
  */

@@ -1,0 +1,60 @@
+import type { Page } from 'playwright-core'
+import { build, type Rolldown } from 'vite'
+
+/** Packages that examples import from esm.sh, because they have no modules for browsers. */
+const PACKAGES = ['react', 'react/jsx-runtime', 'react-dom/client', '@react-three/fiber']
+
+const ORIGIN = 'https://esm.sh/'
+
+let bundles: Promise<Map<string, string>> | undefined
+
+/** Answers the page's requests to esm.sh with the packages of this checkout, since tests do not use the network. */
+export async function answerCdn(page: Page): Promise<void> {
+  await page.route(`${ORIGIN}**`, async (route) => {
+    bundles ??= bundlePackages()
+    const path = new URL(route.request().url()).pathname.slice(1)
+    const body = (await bundles).get(path.replace(/(?<=.)@\d+/, ''))
+    if (body === undefined) return route.fulfill({ status: 404 })
+    return route.fulfill({
+      contentType: 'text/javascript',
+      headers: { 'access-control-allow-origin': '*' },
+      body,
+    })
+  })
+}
+
+/** Bundles the packages with shared chunks, so that all of them use one React. three.js comes from the page. */
+async function bundlePackages(): Promise<Map<string, string>> {
+  const built = (await build({
+    configFile: false,
+    logLevel: 'error',
+    define: { 'process.env.NODE_ENV': '"production"' },
+    plugins: [
+      {
+        name: 'furrow-cdn',
+        resolveId: (id) => (id.startsWith('cdn:') ? id : null),
+        async load(id) {
+          if (!id.startsWith('cdn:')) return null
+          const name = id.slice('cdn:'.length)
+          if (name.startsWith('@')) return `export * from '${name}'`
+          // A bundler cannot list the names of a CommonJS module.
+          const names = Object.keys(await import(name)).filter((key) => key !== 'module.exports')
+          return `export { ${names.join(', ')} } from '${name}'`
+        },
+      },
+    ],
+    build: {
+      write: false,
+      minify: false,
+      rolldownOptions: {
+        input: Object.fromEntries(PACKAGES.map((name) => [name, `cdn:${name}`])),
+        external: ['three'],
+        preserveEntrySignatures: 'strict',
+        output: { entryFileNames: '[name]', chunkFileNames: 'chunks/[name].js' },
+      },
+    },
+  })) as Rolldown.RolldownOutput
+  return new Map(
+    built.output.flatMap((chunk) => (chunk.type === 'chunk' ? [[chunk.fileName, chunk.code]] : [])),
+  )
+}
