@@ -40,6 +40,9 @@ export default defineConfig({
       '@pixiv/three-vrm',
       // For the examples.
       '@pixiv/three-vrm-core',
+      'react',
+      'react-dom/client',
+      '@react-three/fiber',
       'meshoptimizer/simplifier',
       'preact',
       'preact/hooks',

@@ -65,7 +65,9 @@ function pixelsOf({ left, top, right, bottom }) {
 
 /** Opens an example in the pose that its test checks, without the controls below the canvas. */
 async function openSettled(page, url) {
+  const { answerCdn } = await importSource('test/pages/cdn.ts')
   const { drawSettled, openPaused, playSurprise, SECOND } = await importSource('test/pages/paused-page.ts')
+  await answerCdn(page)
   // A WebGPU canvas cannot be captured without a GPU.
   await page.addInitScript('Object.defineProperty(Navigator.prototype, "gpu", { value: undefined })')
   await openPaused(page, url)

@@ -33,6 +33,8 @@ export interface Example {
   moves?: true
   /** Whether `npm test` opens the page too. */
   quick?: true
+  /** Whether the page imports packages from esm.sh. */
+  cdn?: true
   /** Test file for a page that the common test cannot check. */
   test?: string
 }
@@ -124,6 +126,7 @@ export const EXAMPLES: readonly Example[] = [
   { page: 'physical', query: '?clearcoat=0.6', atRest: { neutral: true }, region: BROWS },
   { page: 'pointer', query: '?up=1', picture: '?up=1&across=0.5', atRest: { up: 0 }, region: BROWS },
   { page: 'postprocessing', query: '?bloom=0.25', atRest: { neutral: true }, region: BROWS },
+  { page: 'react', cdn: true, atRest: { neutral: true }, region: FOREHEAD },
   { page: 'relief', atRest: { neutral: true }, region: { left: 0.5, top: 0.1, right: 0.72, bottom: 0.35 } },
   { page: 'shader', query: '?hologram=1', atRest: { neutral: true }, region: BROWS, moves: true },
   { page: 'strength', query: '?normals=2', atRest: { neutral: true }, region: BROWS },

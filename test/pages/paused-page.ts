@@ -94,11 +94,14 @@ export async function readNextFrame(page: Page): Promise<CanvasPixels> {
   return readCanvas(page)
 }
 
-/** Advances the page's paused time until something is drawn, so that every run draws the same picture. */
+/** Contrast above which a picture shows a face: a plain background has less. */
+const FACE_CONTRAST = 50
+
+/** Advances the page's paused time until the face is drawn, so that every run draws the same picture. */
 export async function firstPicture(page: Page): Promise<void> {
   for (;;) {
     await page.clock.runFor(SECOND / 60)
-    if (contrast(await readCanvas(page)) > 0) return
+    if (contrast(await readCanvas(page)) > FACE_CONTRAST) return
     // Waits in real time while the renderer starts.
     await page.waitForTimeout(SECOND / 4)
   }
