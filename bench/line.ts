@@ -55,16 +55,16 @@ export function toLine(results: readonly Result[], { browser, date }: Machine): 
     )
   const distinct = (name: 'adapter' | 'timing') =>
     [...new Set(shown.map((result) => result[name]))].join('; ')
-  const ofEach = (value: (renderer: RendererKind) => string) => RENDERER_KINDS.map(value).join('; ')
+  const joinRenderers = (value: (renderer: RendererKind) => string) => RENDERER_KINDS.map(value).join('; ')
   return toRow([
     date.toISOString().slice(0, 10),
     distinct('adapter'),
     browser,
     `${width} x ${height}`,
     distinct('timing'),
-    ofEach((renderer) => find(renderer, 'plain', 'normals', false)?.medianMs.toFixed(2) ?? '-'),
+    joinRenderers((renderer) => find(renderer, 'plain', 'normals', false)?.medianMs.toFixed(2) ?? '-'),
     ...RATIOS.map(({ variant, maps }) =>
-      ofEach((renderer) =>
+      joinRenderers((renderer) =>
         [false, true]
           .map((still) => find(renderer, variant, maps, still)?.ratioToPlain.toFixed(3) ?? '-')
           .join(', '),

@@ -12,7 +12,7 @@ import {
   mixValues,
 } from '../../packages/furrow/src/core/reference.ts'
 import { DeformedNormals } from '../../packages/furrow/src/math/deformed-normals.ts'
-import { coveredTriangles, mostHalvings } from '../../packages/furrow/src/relief/covered-triangles.ts'
+import { coveredTriangles, maxHalvings } from '../../packages/furrow/src/relief/covered-triangles.ts'
 import { displace, displacement } from '../../packages/furrow/src/relief/displaced.ts'
 import { weightedTexels } from '../../packages/furrow/src/relief/height-fields.ts'
 import { outwardRoom } from '../../packages/furrow/src/relief/outward-room.ts'
@@ -42,7 +42,7 @@ export async function denseSkin({ skin, activations }: Description, folder: stri
   const { areas, heightAt, bloodAt } = await readWrinkles(folder, activations)
   const mesh = { positions: skin.rest, uvs, triangles }
   const slices = Array.from({ length: areas.depth }, (_, slice) => slice)
-  const halvings = mostHalvings(coveredTriangles(mesh, weightedTexels(areas, slices)))
+  const halvings = maxHalvings(coveredTriangles(mesh, weightedTexels(areas, slices)))
   const dense = finish(splitMesh(mesh, halvings, { edge: EDGE, budget: MAX_TRIANGLES }))
   const normals = new Float32Array(skin.normals.length)
   new DeformedNormals({ positions: skin.rest, normals: skin.normals, triangles }).update(

@@ -48,17 +48,17 @@ export class StudioPage {
     await this.drop(folder)
     await this.button('Edit wrinkles').click()
     await this.button('New area').waitFor()
-    await this.untilIdle()
+    await this.waitForIdle()
   }
 
   /** Waits until automatic wrinkles are done. */
-  async untilMade() {
+  async waitForWrinkles() {
     await this.page.locator('#areas .row').first().waitFor()
     await this.page.getByText('Making wrinkles').waitFor({ state: 'detached' })
   }
 
   /** Waits until the stage stops drawing. */
-  async untilIdle() {
+  async waitForIdle() {
     const isIdle = (time) => performance.now() - window.probe.frames.at(-1) > time
     await this.page.waitForFunction(isIdle, IDLE_TIME, { polling: 100 })
   }
@@ -80,7 +80,7 @@ export class StudioPage {
   /** Selects the pointer's mode for lines: Off, Edit or Draw. */
   async linesTo(mode) {
     await this.page.getByRole('group', { name: 'Pointer' }).getByText(mode, { exact: true }).click()
-    await this.untilIdle()
+    await this.waitForIdle()
   }
 
   /**
@@ -106,7 +106,7 @@ export class StudioPage {
   async longTasks(action) {
     const count = await this.page.evaluate(() => window.probe.tasks.length)
     await action()
-    await this.untilIdle()
+    await this.waitForIdle()
     return this.page.evaluate((first) => window.probe.tasks.slice(first), count)
   }
 }

@@ -63,7 +63,7 @@ const CHUNKS: [chunk: string, room: RegExp][] = [
 ]
 
 /** Rooms of one entry each, which has them in its own file. */
-const ALONE = /^(author|gltf|inspector)\//
+const SINGLE_ENTRY = /^(author|gltf|inspector)\//
 
 /** The same of modules that are imported dynamically, and of what only these import. */
 const LAZY_CHUNKS: typeof CHUNKS = [
@@ -82,7 +82,7 @@ function chunkOf(id: string, graph: Graph): string | null {
   if (!id.startsWith(src('')) || graph.getModuleInfo(id)?.isEntry) return null
   const path = id.slice(src('').length)
   if (!isEager(id, graph)) return nameIn(LAZY_CHUNKS, path)
-  return nameIn(CHUNKS, path) ?? (ALONE.test(path) ? null : path.split('/')[0]!)
+  return nameIn(CHUNKS, path) ?? (SINGLE_ENTRY.test(path) ? null : path.split('/')[0]!)
 }
 
 function nameIn(chunks: typeof CHUNKS, path: string): string | null {

@@ -1,5 +1,5 @@
 /** Maximum number of characters in a subject. */
-const LONGEST = 72
+const MAX_SUBJECT_LENGTH = 72
 
 /** Subjects that git writes. */
 const BY_GIT = /^(Merge|Revert|fixup!|squash!|amend!) /
@@ -14,8 +14,8 @@ export function subjectProblem(message) {
   const [subject = '', second = ''] = message.split('\n').filter((line) => !line.startsWith('#'))
   if (BY_GIT.test(subject)) return undefined
   const length = [...subject].length
-  if (length > LONGEST)
-    return `subject too long, got ${length} characters, allowed: ${LONGEST}; move details to the body`
+  if (length > MAX_SUBJECT_LENGTH)
+    return `subject too long, got ${length} characters, allowed: ${MAX_SUBJECT_LENGTH}; move details to the body`
   if (subject.endsWith('.')) return 'subject ends with a full stop, allowed: none; remove it'
   if (second.trim() !== '') return 'body without an empty line above it; separate it from the subject'
   return undefined

@@ -76,7 +76,7 @@ function results(): ResultLine[] {
   }
 }
 
-async function untilDone(count: number): Promise<void> {
+async function waitForResults(count: number): Promise<void> {
   while (results().length < count) await sleep(50)
 }
 
@@ -92,14 +92,14 @@ it('writes every output exactly once although workers, Redis and the batch are k
   const worker = startWorker()
   startWorker()
   const batch = keep(startFurrow(folder, {}, ...WORDS, '--redis', url()))
-  await untilDone(1)
+  await waitForResults(1)
   await end(worker)
   startWorker()
-  await untilDone(2)
+  await waitForResults(2)
   await end(redis)
   await sleep(1000)
   redis = startRedis()
-  await untilDone(3)
+  await waitForResults(3)
   await end(batch)
   const { code, stdout } = await runFurrow(folder, {}, ...WORDS, '--redis', url())
   expect(code).toBe(0)
@@ -125,7 +125,7 @@ it('finishes the current job before a worker stops', async () => {
   const worker = startWorker()
   const batch = keep(startFurrow(folder, {}, ...WORDS, '--redis', url()))
   const ended = new Promise((done) => batch.once('close', done))
-  await untilDone(1)
+  await waitForResults(1)
   const stopped = end(worker, 'SIGTERM')
   expect(await stopped).toBe(0)
   // The next worker has nothing to wait for.
@@ -168,7 +168,7 @@ it('leaves no files behind when a worker is killed', async () => {
   await mkdir(tmp)
   const worker = keep(startFurrow(folder, { TMPDIR: tmp }, 'worker', '--redis', url(), '--jobs', '1'))
   const batch = keep(startFurrow(folder, {}, ...WORDS, '--redis', url()))
-  await untilDone(1)
+  await waitForResults(1)
   const [own] = readdirSync(tmp)
   expect(statSync(join(tmp, own)).mode & 0o777).toBe(0o700)
   await end(worker)

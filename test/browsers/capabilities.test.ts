@@ -48,7 +48,7 @@ describe.each(DRIVEN)('in %s', (_, kind) => {
     await window.resize(450, 480)
     await window.browser.open(`${server.origin}/examples/auto.html`)
     await window.until("document.querySelector('canvas') && !document.querySelector('progress')")
-    await window.untilWrinkled(FOREHEAD)
+    await window.waitForWrinkles(FOREHEAD)
     await window.save('auto')
     task.meta.browser = { auto: true }
   })

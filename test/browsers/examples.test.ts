@@ -27,7 +27,7 @@ describe.each(DRIVEN)('in %s', (_, kind) => {
     async (page, region) => {
       await window.browser.open(`${server.origin}/examples/${page}`)
       await window.until("document.querySelector('canvas')")
-      await window.untilWrinkled(region)
+      await window.waitForWrinkles(region)
       await window.save(page.replace('.html', '').replace(/[?&]/g, '-'))
     },
   )

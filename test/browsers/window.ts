@@ -43,7 +43,7 @@ export class Window {
   }
 
   /** Waits until a picture has contrast and shows wrinkles in a region. Wrinkles fade in or follow a moving face. */
-  async untilWrinkled(region: Region): Promise<void> {
+  async waitForWrinkles(region: Region): Promise<void> {
     await vi.waitFor(async () => {
       const { difference, contrast } = await this.compareWrinkles(region)
       expect(contrast).toBeGreaterThan(100)

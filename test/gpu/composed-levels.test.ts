@@ -79,11 +79,11 @@ describe('mipmap levels of the composed map on webgl', () => {
 
   it('do not depend on whether some or all areas are redrawn', async () => {
     const some = { left: 0.3, right: 0, some: 0.6 }
-    const anew = await createFace().levels(some)
+    const fresh = await createFace().levels(some)
     const { levels } = createFace()
     await levels({ left: 0.8, right: 0 })
     await levels({ left: 0.8, right: 0, some: 1 })
-    const differenceTo = (other: number[][]) => largestDifference(other.flat(), anew.flat())
+    const differenceTo = (other: number[][]) => largestDifference(other.flat(), fresh.flat())
     expect(differenceTo(await levels({ some: 0.6 }))).toBeGreaterThan(20)
     // Influence is interpolated between the corners of each drawn rectangle, with rounding.
     expect(differenceTo(await levels({ left: 0.3 }))).toBeLessThanOrEqual(1)

@@ -122,10 +122,10 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     const { scene, wrinkles, picture, set } = sceneOf(harness)
     // `WebGPURenderer` draws shadows in the middle of a picture.
     renderer.shadowMap.enabled = false
-    const mostBegun = watchTargets(renderer)
+    const maxBegins = watchTargets(renderer)
     const begun = (value: number) => {
       set(value)
-      return mostBegun(() => renderer.render(scene, squareCamera()))
+      return maxBegins(() => renderer.render(scene, squareCamera()))
     }
     expect(begun(0.1)).toBe(2)
     await frameEnd()
@@ -157,10 +157,10 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     const front = new Mesh(new PlaneGeometry(0.2, 0.2), new MeshStandardMaterial())
     front.position.z = 0.5
     const scene = new Scene().add(front, ...meshes)
-    const mostBegun = watchTargets(harness.renderer)
+    const maxBegins = watchTargets(harness.renderer)
     const begun = (value: number) => {
       meshes[0].morphTargetInfluences![0] = value
-      return mostBegun(() => harness.renderer.render(scene, squareCamera()))
+      return maxBegins(() => harness.renderer.render(scene, squareCamera()))
     }
     expect(begun(0.5)).toBe(2)
     await frameEnd()

@@ -30,7 +30,7 @@ const ENTRIES = Object.keys(ERRORS)
 const PAIRS = ENTRIES.flatMap((a, i) => ENTRIES.slice(i + 1).map((b) => [a, b]))
 
 /** Largest number of files that a page without a bundler may request per entry point. */
-const MOST_REQUESTS = 6
+const MAX_REQUESTS = 6
 
 let app: string
 beforeAll(async () => {
@@ -69,7 +69,7 @@ it('every pair of entry points shares one FurrowError, and those of three.js sha
   expect(isOne).toBe(true)
 })
 
-it(`a plain page requests at most ${MOST_REQUESTS} files per entry point, and no other file imports an entry point`, async () => {
+it(`a plain page requests at most ${MAX_REQUESTS} files per entry point, and no other file imports an entry point`, async () => {
   const root = join(app, 'node_modules/furrow')
   const { exports } = JSON.parse(await readFile(join(root, 'package.json'), 'utf8'))
   const entries = Object.values<{ default?: string }>(exports).flatMap((entry) => entry.default ?? [])
@@ -87,5 +87,5 @@ it(`a plain page requests at most ${MOST_REQUESTS} files per entry point, and no
     expect(imported.filter((file) => entries.includes(file))).toEqual([])
   }
   expect(Object.keys(counts)).toHaveLength(ENTRIES.length)
-  for (const [entry, count] of Object.entries(counts)) expect(count, entry).toBeLessThanOrEqual(MOST_REQUESTS)
+  for (const [entry, count] of Object.entries(counts)) expect(count, entry).toBeLessThanOrEqual(MAX_REQUESTS)
 })

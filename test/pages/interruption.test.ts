@@ -18,13 +18,13 @@ const SIGNALS = ['SIGINT', 'SIGTERM', 'SIGHUP'] as const
 const FACE = resolve('faces/human.glb')
 const STROKES = resolve('faces/human/drawn.json')
 const root = mkdtempSync(join(tmpdir(), 'interrupted-'))
-const given = (name: string) => join(root, name)
-const AREAS = ['nose', 'glabella'].map((name) => given(`set/areas/${name}.png`))
+const pathOf = (name: string) => join(root, name)
+const AREAS = ['nose', 'glabella'].map((name) => pathOf(`set/areas/${name}.png`))
 
 /** Every command that writes, with its arguments. Outputs go to the folder `new`. */
 const COMMANDS: Record<string, string[]> = {
   array: ['array', ...AREAS, '-o', 'new/areas.ktx2'],
-  'array --extract': ['array', given('areas.ktx2'), '--extract', 'new/areas'],
+  'array --extract': ['array', pathOf('areas.ktx2'), '--extract', 'new/areas'],
   auto: ['auto', FACE, '-o', 'new/face.gltf', '--replace', '--size', '512', '--areas', '3'],
   'auto --report': [
     ...['auto', FACE, '-o', 'new/face.glb', '--replace', '--size', '512', '--areas', '1'],
@@ -33,7 +33,7 @@ const COMMANDS: Record<string, string[]> = {
   bake: ['bake', FACE, FACE, '-o', 'new/normal.png', '--height', 'new/height.png', '--size', '64'],
   inspect: ['inspect', FACE, '--sheet', 'new/sheet.png'],
   normals: ['normals', AREAS[0]!, '-o', 'new/normal.png', '--strength', '2'],
-  pack: ['pack', given('set'), '-o', 'new/face.gltf'],
+  pack: ['pack', pathOf('set'), '-o', 'new/face.gltf'],
   render: ['render', FACE, '-o', 'new/picture.png', '--size', '64x64'],
   strokes: ['strokes', STROKES, '--face', FACE, '--areas', 'new/areas', '-o', 'new/h.png', '--size', '256'],
   unpack: ['unpack', FACE, '-o', 'new/set'],

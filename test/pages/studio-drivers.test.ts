@@ -26,7 +26,7 @@ const cards = () => page.locator('.driver')
 const lastCard = () => cards().last()
 /** Returns a point of the last driver's curve. */
 const point = (name: string) => lastCard().getByRole('slider', { name })
-const given = async () => Number(await lip().inputValue())
+const activationShown = async () => Number(await lip().inputValue())
 
 async function pose(weights: Readonly<Record<string, number>>): Promise<void> {
   await neutral()
@@ -53,7 +53,7 @@ async function dragBy(handle: Locator, x: number, y: number): Promise<void> {
 test('a recorded pose shows the area, and undo removes the recording', async () => {
   const raised = { browInnerUp: 0.6, jawOpen: 0.3 }
   await pose(raised)
-  const before = await given()
+  const before = await activationShown()
   expect(before).toBeLessThan(0.9)
   await page.getByRole('button', { name: 'This pose fully shows this area' }).click()
   await expectValue(lip(), 1)
@@ -62,7 +62,7 @@ test('a recorded pose shows the area, and undo removes the recording', async () 
   await pose(raised)
   await expectValue(lip(), 1)
   await slider(page, 'jawOpen').fill('0')
-  await expect.poll(given, { timeout: 60_000 }).toBeLessThan(0.95)
+  await expect.poll(activationShown, { timeout: 60_000 }).toBeLessThan(0.95)
   await slider(page, 'jawOpen').fill('0.3')
   await undo()
   await expectValue(lip(), before)
@@ -80,7 +80,7 @@ test('a point of the curve follows the mouse in one undo step', async () => {
   await expectValue(lip(), 1)
   await undo()
   await expect.poll(() => last.getAttribute('aria-valuetext')).toBe('Together 1 gives 1')
-  await expect.poll(given, { timeout: 60_000 }).toBeLessThan(0.95)
+  await expect.poll(activationShown, { timeout: 60_000 }).toBeLessThan(0.95)
 })
 
 test('a finger drags a point in one undo step', async () => {
@@ -150,7 +150,7 @@ test('conflicting blendshapes cancel each other until the conflict is removed', 
   await page.getByLabel('One side').selectOption('browInnerUp')
   await page.getByLabel('Other side').selectOption('browDownLeft')
   await page.getByText('0.60 is taken from both now').waitFor()
-  await expect.poll(given, { timeout: 60_000 }).toBeLessThan(0.5)
+  await expect.poll(activationShown, { timeout: 60_000 }).toBeLessThan(0.5)
   await page.getByRole('button', { name: 'Remove the conflict of browInnerUp and browDownLeft' }).click()
   await expectValue(lip(), 1)
 })

@@ -51,7 +51,7 @@ async function openStudio(url: string): Promise<Page> {
 const errors = (of = page) => of.textContent('#errors')
 const button = (name: string | RegExp, of = page) => of.getByRole('button', { name })
 const areas = (of = page) => of.locator('#areas .row label').allTextContents()
-const made = (of = page) => of.getByText('Making wrinkles').waitFor({ state: 'detached' })
+const waitForWrinkles = (of = page) => of.getByText('Making wrinkles').waitFor({ state: 'detached' })
 
 async function download(name: string | RegExp): Promise<Download> {
   const [file] = await Promise.all([page.waitForEvent('download'), button(name).click()])
@@ -69,7 +69,7 @@ let names: string[]
 test('a project is saved as a .zip that furrow pack packs to the bytes of the export', async () => {
   await dropPaths(page, [join(folder, 'plain.glb')], 'Plain')
   await page.locator('#areas .row').first().waitFor()
-  await made()
+  await waitForWrinkles()
   names = await areas()
   await page.getByRole('heading', { name: 'Export' }).click()
   await button('Make the file').click()
@@ -235,7 +235,7 @@ test('a link contains the options of automatic wrinkles', async () => {
   await other.locator('#areas .row').first().waitFor()
   await expectValue(other.getByRole('slider', { name: 'Age' }), 63)
   await expectValue(other.getByRole('slider', { name: 'Strength' }), 0.5)
-  await made(other)
+  await waitForWrinkles(other)
   await button('Copy link', other).click()
   await expect.poll(() => other.url()).toContain('auto=63,0.5,512,7')
   await other.close()
@@ -303,7 +303,7 @@ test('the built page works without a network', async () => {
   await waitUntilReady(other)
   await dropPaths(other, [join(folder, 'plain.glb')], 'Plain')
   await other.locator('#areas .row').first().waitFor()
-  await made(other)
+  await waitForWrinkles(other)
   expect((await areas(other)).length).toBe(names.length)
   await other.getByRole('heading', { name: 'Export' }).click()
   await button('Make the file', other).click()

@@ -7,7 +7,7 @@ import { openStudio } from './opened-studio.ts'
 import { DRAWING, waitUntilReady } from './studio-page.ts'
 
 /** Largest number of key presses before a search fails: more than the page's controls. */
-const MOST_KEYS = 500
+const MAX_KEYS = 500
 
 const studio = openStudio({ width: 1280, height: 800 })
 let page: Page
@@ -56,14 +56,14 @@ async function focused(): Promise<{ name: string; value: string; isSeen: boolean
 async function tabTo(name: string | RegExp, key: 'Tab' | 'Shift+Tab' = 'Tab'): Promise<void> {
   const isIt = (text: string) => (typeof name === 'string' ? text === name : name.test(text))
   const passed: string[] = []
-  for (let i = 0; i < MOST_KEYS; i++) {
+  for (let i = 0; i < MAX_KEYS; i++) {
     const { name: text, isSeen } = await focused()
     if (text !== 'body') expect(isSeen, `the focus on ${text}`).toBe(true)
     if (isIt(text)) return
     passed.push(text)
     await page.keyboard.press(key)
   }
-  throw new Error(`No ${name} after ${MOST_KEYS} keys: ${[...new Set(passed)].join(', ')}`)
+  throw new Error(`No ${name} after ${MAX_KEYS} keys: ${[...new Set(passed)].join(', ')}`)
 }
 
 const backTo = (name: string | RegExp) => tabTo(name, 'Shift+Tab')
@@ -82,7 +82,7 @@ async function unfold(name: string | RegExp, go = tabTo): Promise<void> {
 
 const value = async () => (await focused()).value
 const areas = () => page.locator('#areas .row label').allTextContents()
-const areMade = () => page.getByText('Making wrinkles').waitFor({ state: 'detached' })
+const waitForWrinkles = () => page.getByText('Making wrinkles').waitFor({ state: 'detached' })
 const isUndoable = () => page.getByRole('button', { name: 'Undo' }).isEnabled()
 const shown = () => page.evaluate(() => document.querySelector<HTMLElement>('.lines')?.hidden === false)
 
@@ -92,7 +92,7 @@ test('opens an avatar, and wrinkles are made for it', async () => {
   await page.locator('#face option:checked', { hasText: /^Plain$/ }).waitFor({ state: 'attached' })
   await waitUntilReady(page)
   await page.locator('#areas .row').first().waitFor()
-  await areMade()
+  await waitForWrinkles()
   names = await areas()
   expect((await focused()).name).toBe('Open…')
 })
@@ -110,7 +110,7 @@ test('makes the wrinkles older', async () => {
   await press('End')
   expect(await value()).toBe('80')
   await expect.poll(isUndoable).toBe(true)
-  await areMade()
+  await waitForWrinkles()
 })
 
 test('picks a line, moves its points, and deletes a point and the line', async () => {
@@ -255,12 +255,12 @@ test('reads the shortcuts and closes them', async () => {
 test('undoes and redoes everything', async () => {
   const after = await areas()
   await tabTo('Undo')
-  for (let i = 0; (await isUndoable()) && i < MOST_KEYS; i++) await press('Enter')
+  for (let i = 0; (await isUndoable()) && i < MAX_KEYS; i++) await press('Enter')
   expect((await focused()).name).toBe('Undo')
   await expect.poll(areas).toEqual(names)
   const redo = page.getByRole('button', { name: 'Redo' })
   await tabTo('Redo')
-  for (let i = 0; (await redo.isEnabled()) && i < MOST_KEYS; i++) await press('Enter')
+  for (let i = 0; (await redo.isEnabled()) && i < MAX_KEYS; i++) await press('Enter')
   expect((await focused()).name).toBe('Redo')
   await expect.poll(areas).toEqual(after)
 })

@@ -37,8 +37,8 @@ beforeAll(async () => {
 })
 
 test('a worker prepares the skin before painting', async () => {
-  const ofSkin = () => workers.filter((url) => url.includes('/paint/worker'))
-  await eventually(() => expect(ofSkin().length).toBe(1))
+  const paintWorkers = () => workers.filter((url) => url.includes('/paint/worker'))
+  await eventually(() => expect(paintWorkers().length).toBe(1))
 })
 
 test('a stroke on the cheek paints the selected area there, and undo removes it completely', async () => {

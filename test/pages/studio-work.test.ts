@@ -23,8 +23,8 @@ beforeAll(async () => {
 const age = () => page.getByRole('slider', { name: 'Age' })
 const areas = () => page.locator('#areas .row label').allTextContents()
 /** Waits until no wrinkles are being made. */
-const made = () => page.getByText('Making wrinkles').waitFor({ state: 'detached' })
-const areMade = (names: string[]) =>
+const waitForWrinkles = () => page.getByText('Making wrinkles').waitFor({ state: 'detached' })
+const waitForAreas = (names: string[]) =>
   vi.waitFor(async () => expect(await areas()).toEqual(names), { timeout: 300_000 })
 
 let names: string[]
@@ -33,7 +33,7 @@ let surprised: Buffer
 test('an avatar without wrinkles gets them, and its forehead creases', async () => {
   await dropPaths(page, [join(folder, 'plain.glb')], 'Plain')
   await page.locator('#areas .row').first().waitFor()
-  await made()
+  await waitForWrinkles()
   names = await areas()
   expect(names).toContain('foreheadInnerLeft')
   await page.getByRole('button', { name: 'Surprised' }).click()
@@ -51,12 +51,12 @@ test('another age changes them, and undo restores the old ones', async () => {
   await expect
     .poll(() => page.getByRole('button', { name: 'Undo' }).isEnabled(), { timeout: 300_000 })
     .toBe(true)
-  await made()
+  await waitForWrinkles()
   const apart = async () => meanPngDifference(surprised, await shootStage(page))
   await expect.poll(apart, { timeout: 60_000 }).toBeGreaterThan(0.02)
   await page.keyboard.press('Control+z')
   await expectValue(age(), 45)
-  await areMade(names)
+  await waitForAreas(names)
   await vi.waitFor(
     async () => expect(await meanPngDifference(surprised, await shootStage(page))).toBeLessThan(0.02),
     { timeout: 300_000 },
@@ -72,7 +72,7 @@ test('the work is still there after the page was closed', async () => {
   await waitUntilReady(page)
   await page.getByRole('heading', { name: 'Recent work' }).click()
   await page.getByRole('button', { name: /^plain/ }).click()
-  await areMade(before)
+  await waitForAreas(before)
   await expectValue(age(), 80)
 })
 

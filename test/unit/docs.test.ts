@@ -87,7 +87,7 @@ describe('documentation', () => {
 
   it.each(PAGES)('%s names existing paths', (page) => {
     const missing = pathsIn(page).filter(
-      (path) => ![...SOURCE_ROOTS, dirname(page)].some((folder) => isThere(join(ROOT, folder, path))),
+      (path) => ![...SOURCE_ROOTS, dirname(page)].some((folder) => isPresent(join(ROOT, folder, path))),
     )
     expect(missing).toEqual([])
   })
@@ -109,7 +109,7 @@ function pathsIn(page: string): string[] {
 }
 
 /** Tells whether a file or folder exists. For a pattern, checks the folder before the first wildcard. */
-function isThere(path: string): boolean {
+function isPresent(path: string): boolean {
   return existsSync(path.replace(/\/[^/]*[*<].*$/, ''))
 }
 

@@ -13,11 +13,11 @@ export async function measureLines(bench, add) {
     await studio.linesTo('Draw')
     const [from, to] = [await studio.pointAt(0.4, 0.23), await studio.pointAt(0.6, 0.22)]
     await studio.drag(from, to)
-    await studio.untilIdle()
+    await studio.waitForIdle()
     await studio.linesTo('Edit')
     await page.mouse.move(to.x, to.y)
     await page.mouse.down()
-    await studio.untilIdle()
+    await studio.waitForIdle()
     for (let i = 1; i <= MOVES; i++) {
       const point = { x: to.x, y: to.y + 4 * i }
       const time = await studio.timeToPixel('pointermove', point, () => page.mouse.move(point.x, point.y))
@@ -40,7 +40,7 @@ async function measureScale(studio, point, add) {
   await page.locator('details.layer').getByLabel('Scale').focus()
   const press = () => page.keyboard.press('ArrowLeft')
   for (let i = 0; i < MOVES; i++) {
-    await studio.untilIdle()
+    await studio.waitForIdle()
     add('scale of a layer', await studio.timeToPixel('input', point, press, WIDE_RADIUS))
   }
   await measureUndo(studio, point, 'a field', add)
@@ -51,7 +51,7 @@ async function measureUndo(studio, point, edit, add) {
     ['undo', 'Control+z'],
     ['redo', 'Control+Shift+z'],
   ]) {
-    await studio.untilIdle()
+    await studio.waitForIdle()
     const press = () => studio.page.keyboard.press(keys)
     add(`${figure} ${edit}`, await studio.timeToPixel('keydown', point, press, WIDE_RADIUS))
   }

@@ -12,13 +12,13 @@ export async function measureMemory(bench, add) {
   await studio.openProject(await bench.files.project(10))
   await studio.button('New area').click()
   await studio.button('Paint').click()
-  await studio.untilIdle()
+  await studio.waitForIdle()
   const before = await heapOf(session)
   for (let i = 0; i < bench.strokes; i++) {
     const [x, y] = [0.42 + 0.16 * ((i * 0.618) % 1), 0.2 + 0.45 * ((i * 0.367) % 1)]
     await studio.drag(await studio.pointAt(x, y), await studio.pointAt(x + 0.02, y), 1)
   }
-  await studio.untilIdle()
+  await studio.waitForIdle()
   const after = await heapOf(session)
   add('heap of the page, MB', after / MEGABYTE)
   add(`of which ${bench.strokes} brush strokes, MB`, (after - before) / MEGABYTE)

@@ -5,8 +5,8 @@ export async function measureOpening(bench, add) {
   for (const [name, path] of Object.entries(bench.files.avatars)) {
     const studio = await StudioPage.open(bench)
     await studio.drop(path)
-    await studio.untilMade()
-    await studio.untilIdle()
+    await studio.waitForWrinkles()
+    await studio.waitForIdle()
     const { drop, ready, wrinkled, frames } = await studio.page.evaluate(() => {
       const { events, ready, wrinkled, frames } = window.probe
       return { drop: events.drop, ready: ready.at(-1), wrinkled, frames }

@@ -9,7 +9,7 @@ export async function measurePainting(bench, add) {
   await studio.openProject(await bench.files.project(10))
   await studio.button('New area').click()
   await studio.button('Paint').click()
-  await studio.untilIdle()
+  await studio.waitForIdle()
   const at = (i) => studio.pointAt(0.56 + 0.012 * i, 0.5)
   const start = await at(0)
   await page.mouse.move(start.x, start.y)
@@ -24,10 +24,10 @@ export async function measurePainting(bench, add) {
     ['undo a brush stroke', 'Control+z'],
     ['redo a brush stroke', 'Control+Shift+z'],
   ]) {
-    await studio.untilIdle()
+    await studio.waitForIdle()
     add(figure, await studio.timeToPixel('keydown', middle, () => page.keyboard.press(keys)))
   }
-  await studio.untilIdle()
+  await studio.waitForIdle()
   await page.mouse.move(start.x, start.y)
   add('first dab of the next stroke', await studio.timeToPixel('pointerdown', start, () => page.mouse.down()))
   await page.mouse.up()

@@ -6,7 +6,7 @@ export async function measureTasks(bench, add) {
   const longest = async (action) => Math.max(0, ...(await studio.longTasks(action)))
   const { human } = bench.files.avatars
   await studio.drop(human)
-  add('longest task: automatic wrinkles', await longest(() => studio.untilMade()))
+  add('longest task: automatic wrinkles', await longest(() => studio.waitForWrinkles()))
   await studio.linesTo('Draw')
   const [from, to] = [await studio.pointAt(0.4, 0.23), await studio.pointAt(0.6, 0.22)]
   add('longest task: drawing a line', await longest(() => studio.drag(from, to)))

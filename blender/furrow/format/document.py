@@ -74,6 +74,10 @@ def _texture(reader, value, path, count, number=None):
     return info
 
 
+def _texture_name(info):
+    return f"{info['index']}, slice {info['slice']}" if "slice" in info else str(info["index"])
+
+
 def _layer(reader, item, at, count):
     layer = dict(reader.object(item, at))
     reader.name(layer.get("name"), f"{at}.name")
@@ -85,7 +89,7 @@ def _layer(reader, item, at, count):
     if blood and occlusion and (blood["index"], blood.get("slice")) != (occlusion["index"], occlusion.get("slice")):
         problem = f"{at}.bloodTexture differs from occlusionTexture"
         remedy = "store blood in the B channel of the occlusion image"
-        reader.fail(problem, blood["index"], str(occlusion["index"]), remedy)
+        reader.fail(problem, _texture_name(blood), _texture_name(occlusion), remedy)
     return layer
 
 
@@ -104,7 +108,7 @@ def _check_names(reader, named, kind):
     seen = set()
     for i, item in enumerate(named):
         if item["name"] in seen:
-            reader.fail(f"{kind}[{i}].name is a duplicate", item["name"], None, "use unique names")
+            reader.fail(f"{kind}[{i}].name is taken", item["name"], None, "give each a distinct name")
         seen.add(item["name"])
 
 

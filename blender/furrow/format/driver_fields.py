@@ -57,7 +57,8 @@ def _vector(reader, driver, at, field, size):
 
 def _direction(reader, driver, at, field, size):
     if field in driver and math.hypot(*_vector(reader, driver, at, field, size)) == 0:
-        reader.fail(f"{at}.{field} has no direction", driver[field], None, "write e.g. 1, 0")
+        zeros, example = ", ".join(["0"] * size), ", ".join(["1", "0", "0"][:size])
+        reader.fail(f"{at}.{field} has no direction", zeros, None, f"write e.g. [{example}]")
 
 
 def _morph(reader, driver, at, areas):
@@ -98,7 +99,8 @@ def _muscle(reader, driver, at, areas):
     driver["kind"] = reader.choice(driver.get("kind", "linear"), f"{at}.kind", ("linear", "sheet", "sphincter"))
     origin, insertion = (_vector(reader, driver, at, field, 3) for field in ("origin", "insertion"))
     if origin == insertion:
-        reader.fail(f"{at}.insertion equals the origin", insertion, None, "give the muscle a length")
+        shown = ", ".join(f"{value:g}" for value in insertion)
+        reader.fail(f"{at}.insertion equals the origin", shown, None, "move one of the two points")
     ranges = {
         "angle": (0.001, 1.57, 0.5),
         "width": (0.0001, MAX_NUMBER, 0.01),
@@ -109,7 +111,8 @@ def _muscle(reader, driver, at, areas):
     for field, (low, high, default) in ranges.items():
         driver[field] = reader.number(driver.get(field, default), f"{at}.{field}", low, high)
     if driver["outer"] <= driver["inner"]:
-        reader.fail(f"{at}.outer is too small", driver["outer"], f"more than {driver['inner']}", "make it larger")
+        limit = f"more than {driver['inner']}"
+        reader.fail(f"{at}.outer is too small", driver["outer"], limit, "make outer larger than inner")
 
 
 def _age(reader, driver, at, areas):

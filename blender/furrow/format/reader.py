@@ -1,11 +1,13 @@
 """Checks JSON field by field. Errors have the path of the field."""
 
+import json
 import math
 import re
 import unicodedata
 
 MAX_NUMBER = 1000
 MAX_NAME_LENGTH = 256
+NAME_RULE = f"1 to {MAX_NAME_LENGTH} characters, none of them a control character or a line break"
 
 
 class FurrowError(Exception):
@@ -20,8 +22,8 @@ class Reader:
 
     def fail(self, problem, value, limit, remedy):
         """Raise FurrowError."""
-        shown = "nothing" if value is None else repr(value)
-        parts = [f"{problem}, got {shown if len(shown) <= 80 else shown[:77] + '...'}"]
+        shown = "nothing" if value is None else json.dumps(value, ensure_ascii=False, separators=(",", ":"), default=repr)
+        parts = [f"{problem}, got {shown if len(shown) <= 120 else shown[:117] + '...'}"]
         if limit:
             parts.append(f"allowed: {limit}")
         raise FurrowError(f"{self.who}: {', '.join(parts)}; {remedy}")
@@ -43,7 +45,7 @@ class Reader:
 
     def number(self, value, path, low, high):
         """Check a finite number from `low` to `high`."""
-        limit = f"{low} to {high}"
+        limit = f"{low}..{high}"
         if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
             self.fail(f"{path} must be a number", value, limit, "write a plain number")
         if not low <= value <= high:
@@ -54,7 +56,7 @@ class Reader:
         """Check an integer from `low` to `high`."""
         number = self.number(value, path, low, high)
         if number != int(number):
-            self.fail(f"{path} must be a whole number", value, f"{low} to {high}", "remove the fraction")
+            self.fail(f"{path} must be a whole number", value, f"{low}..{high}", "write it without a fraction")
         return int(number)
 
     def text(self, value, path):
@@ -66,8 +68,7 @@ class Reader:
     def name(self, value, path):
         """Check the name of a layer or area."""
         if not is_name(value):
-            limit = f"1 to {MAX_NAME_LENGTH} characters without line breaks"
-            self.fail(f"{path} must be text", value, limit, "choose another name")
+            self.fail(f"{path} must be text", value, NAME_RULE, "choose another name")
         return value
 
     def choice(self, value, path, allowed):
@@ -84,7 +85,8 @@ class Reader:
             self.number(x, f"{path}[{i}][0]", -MAX_NUMBER, MAX_NUMBER)
             self.number(y, f"{path}[{i}][1]", low, high)
             if points and x <= points[-1][0]:
-                self.fail(f"{path}[{i}][0] must increase", x, f"more than {points[-1][0]}", "sort the points")
+                limit = f"more than {points[-1][0]}"
+                self.fail(f"{path}[{i}][0] does not increase", x, limit, "sort the points by their input")
             points.append([x, y])
         return points
 

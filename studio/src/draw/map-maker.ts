@@ -139,7 +139,7 @@ export class MapMaker {
   }
 
   /** Adds the layer's other maps to the drawn ones. Returns the same object while the maps are the same. */
-  #combine(drawn: DrawnMaps, { baseColor, roughness, blood }: OwnMaps): LayerMaps {
+  #combine(drawn: DrawnMaps, { baseColor, roughness, blood }: StoredMaps): LayerMaps {
     if (!baseColor && !roughness && !blood) return drawn
     const fitting = blood && scaledBlood(blood, drawn.occlusion.width)
     const known = this.#combined.get(drawn)
@@ -157,9 +157,9 @@ export class MapMaker {
 }
 
 /** Decoded images of a layer. The normal map can be missing. */
-type OwnMaps = Partial<LayerMaps>
+type StoredMaps = Partial<LayerMaps>
 
-function hasNormals(maps: OwnMaps): maps is LayerMaps {
+function hasNormals(maps: StoredMaps): maps is LayerMaps {
   return maps.normal !== undefined
 }
 
@@ -188,10 +188,10 @@ function fitBlood(own: LayerMaps, size: number): LayerMaps {
   return maps
 }
 
-const decodedImages = new WeakMap<StudioLayer['maps'], Promise<OwnMaps>>()
+const decodedImages = new WeakMap<StudioLayer['maps'], Promise<StoredMaps>>()
 
 /** Decodes the images of a layer. Cached. Rejects with a FurrowError if an image is invalid. */
-function decoded({ name, maps }: StudioLayer): Promise<OwnMaps> {
+function decoded({ name, maps }: StudioLayer): Promise<StoredMaps> {
   const known = decodedImages.get(maps)
   if (known) return known
   const images = decodeMaps(maps, name)
@@ -199,7 +199,7 @@ function decoded({ name, maps }: StudioLayer): Promise<OwnMaps> {
   return images
 }
 
-async function decodeMaps(maps: StudioLayer['maps'], layer: string): Promise<OwnMaps> {
+async function decodeMaps(maps: StudioLayer['maps'], layer: string): Promise<StoredMaps> {
   const decode = (name: MapName, image: ImageFile | undefined) => {
     return (
       image &&

@@ -85,7 +85,7 @@ export class LineOverlay {
 }
 
 /** Returns the visible parts of a line as indices of its drawn points. */
-export function seenParts({ x, y, isSeen }: Pick<ProjectedLine, 'x' | 'y' | 'isSeen'>): number[][] {
+export function visibleParts({ x, y, isSeen }: Pick<ProjectedLine, 'x' | 'y' | 'isSeen'>): number[][] {
   const parts: number[][] = []
   for (let i = 0; i + 1 < x.length; i++) {
     if (!isSeen[i]) continue
@@ -105,7 +105,7 @@ function drawLine(
   kind: 'line' | 'hovered' | 'chosen',
 ): void {
   context.beginPath()
-  for (const [first, ...others] of seenParts(line)) {
+  for (const [first, ...others] of visibleParts(line)) {
     context.moveTo(line.x[first], line.y[first])
     for (const i of others) context.lineTo(line.x[i], line.y[i])
   }

@@ -1,6 +1,6 @@
 import { type Camera, Vector3 } from 'three'
 import type { LayerStroke } from '../document/document.ts'
-import type { Sight } from '../paint/seen-places.ts'
+import type { Sight } from '../paint/visible-places.ts'
 import type { LineSkin } from './line-skin.ts'
 
 /** Line in screen space. */

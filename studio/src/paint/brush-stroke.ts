@@ -4,9 +4,9 @@ import { Dabs } from './dabs.ts'
 import type { PaintMap } from './paint-map.ts'
 import type { PaintSkin, SkinPoint } from './paint-skin.ts'
 import type { Painted, Rectangle } from './painted.ts'
-import type { Sight } from './seen-places.ts'
 import { skinPath } from './skin-path.ts'
 import { distanceBetween } from './vectors.ts'
+import type { Sight } from './visible-places.ts'
 
 /** Distance of dabs as a fraction of the radius: their envelope deviates less than 0.5% from a continuous brush. */
 const SPACING = 0.08

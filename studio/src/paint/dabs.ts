@@ -5,8 +5,8 @@ import { checkPaintable, type PaintMap } from './paint-map.ts'
 import type { PaintSkin, SkinPoint } from './paint-skin.ts'
 import { Bounds, covered, type Rectangle } from './painted.ts'
 import { Reach } from './reach.ts'
-import { SeenPlaces, type Sight } from './seen-places.ts'
 import { Smoother } from './smoother.ts'
+import { type Sight, VisiblePlaces } from './visible-places.ts'
 
 /** Texels by which the radius is extended: filtering reads texels beyond a seam. */
 const PAD = 1
@@ -39,7 +39,7 @@ export class Dabs {
   readonly #sums: Float32Array
   readonly #counts: Uint8Array
   /** Visibility for the dab and its mirror image. Empty if hidden skin is painted too. */
-  readonly #seen: readonly SeenPlaces[]
+  readonly #seen: readonly VisiblePlaces[]
   #bounds: Bounds
   readonly #allBounds: Bounds
 
@@ -64,7 +64,7 @@ export class Dabs {
       brush.mode === 'smooth' ? Float32Array.from(image.data) : new Float32Array(image.data.length)
     this.#target = new Float32Array(image.data.length)
     this.#seen = sight
-      ? [false, true].map((isMirrored) => new SeenPlaces(skin, this.#map, sight, isMirrored))
+      ? [false, true].map((isMirrored) => new VisiblePlaces(skin, this.#map, sight, isMirrored))
       : []
     this.#bounds = new Bounds(image.width)
     this.#allBounds = new Bounds(image.width)

@@ -15,7 +15,7 @@ import { restoreHierarchy } from './hierarchy.ts'
 import type { SkinData } from './make-skin.ts'
 import type { PaintSkin, SkinPoint } from './paint-skin.ts'
 import type { MeshSkin } from './read-skin.ts'
-import type { Sight } from './seen-places.ts'
+import type { Sight } from './visible-places.ts'
 
 /** Depth tolerance of visibility tests, as a fraction of the size of the skin. */
 const DEPTH_TOLERANCE = 1e-3

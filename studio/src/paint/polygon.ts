@@ -4,9 +4,9 @@ import { fade } from './brush.ts'
 import { checkPaintable, type PaintMap } from './paint-map.ts'
 import type { PaintSkin, SkinPoint } from './paint-skin.ts'
 import { cover, type Painted } from './painted.ts'
-import { SeenPlaces, type Sight } from './seen-places.ts'
 import { skinPath } from './skin-path.ts'
 import { cross, squaredDistance } from './vectors.ts'
+import { type Sight, VisiblePlaces } from './visible-places.ts'
 
 /** Settings for painting a polygon. */
 export interface PolygonBrush {
@@ -53,7 +53,7 @@ export function paintPolygon(
   const coverage = new Float32Array(image.data.length)
   const sides = brush.mirror ? [points, points.map(({ position }) => skin.mirrored(position))] : [points]
   for (const [side, corners] of sides.entries()) {
-    const seen = sight && new SeenPlaces(skin, map, sight, side === 1)
+    const seen = sight && new VisiblePlaces(skin, map, sight, side === 1)
     visitInside(
       skin.surface,
       map,

@@ -5,7 +5,7 @@ import type { Brush } from '../paint/brush.ts'
 import { BrushStroke } from '../paint/brush-stroke.ts'
 import type { PaintSkin } from '../paint/paint-skin.ts'
 import type { SkinHit } from '../paint/picker.ts'
-import type { Sight } from '../paint/seen-places.ts'
+import type { Sight } from '../paint/visible-places.ts'
 import type { StagePointer, StageTool } from './stage-tool.ts'
 
 /** Target of a stroke. */

@@ -3,7 +3,7 @@ import { packAreas, reference } from 'furrow/internal'
 import { readWrinkleMaps } from 'furrow/three'
 import type { Mesh, Object3D } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
-import { coveredTriangles, mostHalvings } from '../../../packages/furrow/src/relief/covered-triangles.ts'
+import { coveredTriangles, maxHalvings } from '../../../packages/furrow/src/relief/covered-triangles.ts'
 import { displace } from '../../../packages/furrow/src/relief/displaced.ts'
 import { weightedTexels } from '../../../packages/furrow/src/relief/height-fields.ts'
 import { outwardRoom } from '../../../packages/furrow/src/relief/outward-room.ts'
@@ -80,7 +80,7 @@ export function displacedSkin({ skin, heights, areas: activeAreas }: RaisedFace)
   const active = activeAreas.map(({ combine = 'sum' }) => ({ activation: 1, layer: 0, combine }) as const)
   const slices = activeAreas.map((_, slice) => slice)
   // Splits at the finest level wherever areas are, unlike the shaders' mesh, which is split only where heights need it.
-  const halvings = mostHalvings(coveredTriangles(coarse, weightedTexels(areas, slices)))
+  const halvings = maxHalvings(coveredTriangles(coarse, weightedTexels(areas, slices)))
   const dense = finish(splitMesh(coarse, halvings))
   const room = finish(outwardRoom(coarse, attributes.normal.array, dense.firstOf, heightAmplitude / 2))
   const deformed = (name: 'position' | 'normal') => {

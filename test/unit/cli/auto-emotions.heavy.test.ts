@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { activationsOf, type Made, makeWrinkles, plainFace } from './auto-variants.ts'
+import { type AutoOutput, activationsOf, makeWrinkles, plainFace } from './auto-variants.ts'
 import { EMOTIONS, FLOATING_BROWS, toVRoid } from './vroid.ts'
 import { Workshop } from './workshop.ts'
 
@@ -11,7 +11,7 @@ interface AutoReport {
   missing: { name: string; reason: string }[]
 }
 
-async function made(name: string, shapes: typeof EMOTIONS): Promise<{ made: Made; told: AutoReport }> {
+async function made(name: string, shapes: typeof EMOTIONS): Promise<{ made: AutoOutput; told: AutoReport }> {
   const document = await plainFace()
   toVRoid(document, shapes)
   const made = await makeWrinkles(workshop, name, document, '--json')

@@ -7,11 +7,11 @@ import { beforeAll, describe, expect, test } from 'vitest'
 import { BARE_FACES } from '../../bare-faces/bare-faces.ts'
 import { FORMATS, rename, skinOf, withTargets } from './auto-changes.ts'
 import {
+  type AutoOutput,
   activationsApart,
   activationsOf,
   anyIO,
   areasApart,
-  type Made,
   makeWrinkles,
   mapAttribute,
   meshOf,
@@ -94,7 +94,7 @@ test.each([
 })
 
 describe("a face like VRoid Studio's", () => {
-  let made: Made
+  let made: AutoOutput
 
   beforeAll(async () => {
     const document = await plainFace()

@@ -80,7 +80,7 @@ export function mapAttribute(
 }
 
 /** File made by `furrow auto`. */
-export interface Made {
+export interface AutoOutput {
   /** The file before and after. */
   plain: string
   path: string
@@ -97,14 +97,18 @@ export async function makeWrinkles(
   name: string,
   document: Document,
   ...options: string[]
-): Promise<Made> {
+): Promise<AutoOutput> {
   const plain = workshop.path(`${name}.glb`)
   writeFileSync(plain, await (await anyIO()).writeBinary(document))
   return wrinklesOf(workshop, plain, ...options)
 }
 
 /** Makes the wrinkles of a file, and reads the result. */
-export async function wrinklesOf(workshop: Workshop, plain: string, ...options: string[]): Promise<Made> {
+export async function wrinklesOf(
+  workshop: Workshop,
+  plain: string,
+  ...options: string[]
+): Promise<AutoOutput> {
   const path = plain.replace(/\.glb$/, '-wrinkled.glb')
   workshop.printed = ''
   workshop.warned = ''
@@ -116,8 +120,8 @@ export async function wrinklesOf(workshop: Workshop, plain: string, ...options: 
 }
 
 /** Makes the wrinkles of the plain face before the first test of a file, for comparison. */
-export function plainWrinkles(workshop: Workshop): () => Made {
-  let made: Made
+export function plainWrinkles(workshop: Workshop): () => AutoOutput {
+  let made: AutoOutput
   beforeAll(async () => {
     made = await makeWrinkles(workshop, 'face', await plainFace())
   })
@@ -125,7 +129,10 @@ export function plainWrinkles(workshop: Workshop): () => Made {
 }
 
 /** Returns activations of a pose by area. */
-export function activationsOf({ file }: Made, pose: Readonly<Record<string, number>>): Map<string, number> {
+export function activationsOf(
+  { file }: AutoOutput,
+  pose: Readonly<Record<string, number>>,
+): Map<string, number> {
   const { meshes = [] } = file.glb.json
   const mesh = meshes.find(({ primitives }) => primitives.some(({ material }) => material === file.material))!
   const names = mesh.extras!.targetNames as string[]
@@ -139,7 +146,7 @@ export function activationsOf({ file }: Made, pose: Readonly<Record<string, numb
 }
 
 /** Returns the largest difference of an activation over all poses. */
-export function activationsApart(a: Made, b: Made): number {
+export function activationsApart(a: AutoOutput, b: AutoOutput): number {
   return Math.max(
     ...POSES.flatMap((pose) => {
       const [first, second] = [activationsOf(a, pose), activationsOf(b, pose)]
@@ -149,7 +156,7 @@ export function activationsApart(a: Made, b: Made): number {
 }
 
 /** Returns the largest difference of any area's weights, averaged over texels where either face has weight, in levels of 255. */
-export function areasApart(a: Made, b: Made, names = [...a.areas.keys()]): number {
+export function areasApart(a: AutoOutput, b: AutoOutput, names = [...a.areas.keys()]): number {
   return Math.max(...names.map((name) => levelsApart(a.areas.get(name)!.data, b.areas.get(name)!.data)))
 }
 
@@ -164,7 +171,7 @@ export function levelsApart(first: ArrayLike<number>, second: ArrayLike<number>)
 }
 
 /** Returns the mean angle between the normals of two layers where either is not flat, degrees. */
-export async function normalsApart(a: Made, b: Made): Promise<number> {
+export async function normalsApart(a: AutoOutput, b: AutoOutput): Promise<number> {
   const angles = await Promise.all(
     a.file.maps.layers.map(async (_, layer) => {
       const [first, second] = await Promise.all([a, b].map(({ file }) => normalsOf(file, layer)))

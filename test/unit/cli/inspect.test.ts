@@ -110,8 +110,8 @@ describe('furrow inspect', () => {
     shop.write('two.glb', two)
     const problem = `several materials with wrinkles in ${shop.path('two.glb')}, allowed: skin, eyes; name one with --material`
     await shop.fails(problem, 'inspect', shop.path('two.glb'))
-    const told = await shop.output('inspect', shop.path('two.glb'), '--material', 'eyes', '--json')
-    expect(JSON.parse(told).material).toBe('eyes')
+    const report = await shop.output('inspect', shop.path('two.glb'), '--material', 'eyes', '--json')
+    expect(JSON.parse(report).material).toBe('eyes')
   })
 
   it('refuses a material without wrinkles', () =>

@@ -10,8 +10,8 @@ import { joinGlb, setImage, splitGlb } from '../../fuzz/glb-parts.ts'
 import type { RunCost } from '../../fuzz/run-command.ts'
 import { Workshop } from './workshop.ts'
 
-const MOST_MEGABYTES = 1024
-const MOST_SECONDS = 10
+const MAX_MEGABYTES = 1024
+const MAX_SECONDS = 10
 
 const shop = new Workshop()
 let runner = ''
@@ -76,8 +76,8 @@ describe.each(['inspect', 'validate', 'unpack'])('%s takes at most 1 GB and 10 s
       make(),
       ...(command === 'unpack' ? ['-o', shop.path('out')] : []),
     )
-    expect(megabytes).toBeLessThan(MOST_MEGABYTES)
-    expect(seconds).toBeLessThan(MOST_SECONDS)
+    expect(megabytes).toBeLessThan(MAX_MEGABYTES)
+    expect(seconds).toBeLessThan(MAX_SECONDS)
     if (error) expect(error.name).toBe('FurrowError')
   })
 })

@@ -157,9 +157,9 @@ async function auto(face: string, options: Options): Promise<void> {
     const found = findSkin(document, face, WHO, mesh, (i) => shadingOf(glb.json, i) !== 'unlit')
     const { corrections, problem } = correctionsIn(glb.json, found.material, 'a correction is left out')
     removeOldWrinkles(glb, found, options.replace ?? false)
-    const ofSkin = problem === undefined ? [] : [problem]
-    if (addNormals(glb, document, found.mesh) > 0) ofSkin.push(WITHOUT_NORMALS)
-    ofSkin.push(...faceWarnings(glb.json, found, found.materialName, WHO))
+    const skinWarnings = problem === undefined ? [] : [problem]
+    if (addNormals(glb, document, found.mesh) > 0) skinWarnings.push(WITHOUT_NORMALS)
+    skinWarnings.push(...faceWarnings(glb.json, found, found.materialName, WHO))
     const frame = found.hasTangents ? 'orthonormal' : 'derivative'
     const wrinkles = withCommandErrors(WHO, () =>
       autoWrinkles(found.skin, { ...settings, frame }, (done, count, step) => {
@@ -174,7 +174,7 @@ async function auto(face: string, options: Options): Promise<void> {
     const files = await faceFiles(glb, output, WHO, replacing)
     const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0)
     if (strokes !== undefined) files.push({ path: strokes, bytes: jsonFile(strokesOf(wrinkles)) })
-    const warnings = [...wrinkles.warnings, ...ofSkin].map((text) => `${WHO}: ${text}`)
+    const warnings = [...wrinkles.warnings, ...skinWarnings].map((text) => `${WHO}: ${text}`)
     if (report !== undefined) {
       const listed = {
         age: AUTO_DEFAULTS.age,

@@ -10,13 +10,13 @@ import { type PageJob, PICTURE_DEFAULTS, PICTURE_SIDE, type PictureRequest } fro
 const WHO = 'furrow render'
 
 /** Files that the page may read: content or real path, by the path in the page's URL. */
-export type OfferedFiles = ReadonlyMap<string, Uint8Array | string>
+export type ServedFiles = ReadonlyMap<string, Uint8Array | string>
 
 /** Validated request. */
 export interface PreparedPicture {
   /** Job with defaults applied; `face` and `wrinkles` are still paths. */
   job: Omit<PageJob, 'uploadTo'>
-  files: OfferedFiles
+  files: ServedFiles
   /** Warnings for the user. */
   notes: string[]
 }
@@ -79,7 +79,7 @@ interface FoundWrinkles {
   path?: string
   /** Names of the areas. */
   areas: string[]
-  files: OfferedFiles
+  files: ServedFiles
 }
 
 /** Finds the wrinkle set: from the request, in the face, or in the folder beside the face. */

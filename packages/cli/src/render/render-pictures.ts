@@ -110,7 +110,7 @@ async function drawOne(
   }
   // Messages show paths instead of URLs.
   const withPaths = (text: string) => text.replaceAll(`${server.origin}/file`, '')
-  const report = await askPage(page, server, pageJob).catch((error) => ({
+  const report = await renderOnPage(page, server, pageJob).catch((error) => ({
     // Removes the method name at the start of Playwright's messages.
     error: firstLine(error).replace(/^page\.\w+: /, ''),
   }))
@@ -127,7 +127,7 @@ async function drawOne(
   }
 }
 
-async function askPage(
+async function renderOnPage(
   page: Page,
   server: LocalServer,
   job: PageJob,

@@ -19,14 +19,14 @@ export function meshProblem(document: Document): string | undefined {
         }
       }
       const indices = primitive.getIndices()
-      const last = indices ? largestOf(indices) : -1
+      const last = indices ? maxIndex(indices) : -1
       if (last >= vertices) return `${where} has the index ${last} of ${vertices} vertices`
     }
   }
   return undefined
 }
 
-function largestOf(indices: Accessor): number {
+function maxIndex(indices: Accessor): number {
   let largest = 0
   for (const index of indices.getArray() ?? []) if (index > largest) largest = index
   return largest

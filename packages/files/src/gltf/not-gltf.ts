@@ -7,7 +7,7 @@ export const CHOOSE_FACE = 'choose the face file'
 const NOT_TEXTURE = 'choose the face file, not a texture'
 
 /** Remedies for files that are not glTF, with optional notes. */
-const OTHERS: { [K in FileKind]?: readonly [remedy: string, note?: string] } = {
+const REMEDIES: { [K in FileKind]?: readonly [remedy: string, note?: string] } = {
   empty: ['download or export it again'],
   'an FBX file': [`convert it with FBX2glTF, or ${BLENDER}`],
   'a USD file': [BLENDER],
@@ -28,7 +28,7 @@ const OTHERS: { [K in FileKind]?: readonly [remedy: string, note?: string] } = {
 /** Identifies a file that is not glTF by its first bytes, with a remedy. Returns undefined if the kind is unknown. */
 export function otherFormat(bytes: Uint8Array): { problem: string; remedy: string } | undefined {
   const kind = kindOf(bytes)
-  const known = kind && OTHERS[kind]
+  const known = kind && REMEDIES[kind]
   return known && { problem: `it is ${kind}${known[1] ?? ''}`, remedy: known[0] }
 }
 

@@ -101,7 +101,7 @@ function readHeadWeights(head: HeadData | 'whole', vertices: Uint32Array, out: F
 
 function read(data: VectorData, size: number, vertices: Uint32Array, out: Float32Array): void {
   const { array, stride, start, isNormalized } = data
-  const largest = isNormalized ? largestOf(array) : 1
+  const largest = isNormalized ? maxOf(array) : 1
   for (let i = 0; i < vertices.length; i++) {
     const first = start + stride * vertices[i]
     // For example, -128 and -127 both mean -1 (glTF 2.0, 3.6.2.2).
@@ -112,7 +112,7 @@ function read(data: VectorData, size: number, vertices: Uint32Array, out: Float3
   }
 }
 
-function largestOf(array: ArrayBufferView): number {
+function maxOf(array: ArrayBufferView): number {
   const bits = 8 * (array as Uint8Array).BYTES_PER_ELEMENT
   const isSigned = array instanceof Int8Array || array instanceof Int16Array || array instanceof Int32Array
   return 2 ** (isSigned ? bits - 1 : bits) - 1

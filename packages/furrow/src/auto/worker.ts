@@ -35,12 +35,12 @@ async function run(request: AutoRequest): Promise<void> {
 async function work(request: AutoRequest): Promise<void> {
   const { options } = request
   const progress: AutoProgress = (done, total, step) => reply({ type: 'progress', done, total, step })
-  if (request.type === 'shapes') made(recogniseShapes(request.skin).shapes)
-  else if (request.type === 'skin') made(autoWrinkles(request.skin, options, progress))
-  else await makeCharacterWrinkles(request.character, options, request.version, progress, made)
+  if (request.type === 'shapes') replyResult(recogniseShapes(request.skin).shapes)
+  else if (request.type === 'skin') replyResult(autoWrinkles(request.skin, options, progress))
+  else await makeCharacterWrinkles(request.character, options, request.version, progress, replyResult)
 }
 
-function made(result: AutoResults[keyof AutoResults]): void {
+function replyResult(result: AutoResults[keyof AutoResults]): void {
   reply({ type: 'made', result })
 }
 

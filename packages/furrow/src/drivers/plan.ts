@@ -84,18 +84,18 @@ export function planDrivers(drivers: readonly WrinkleDriver[]): DriverPlan {
     activations,
     activationFilters,
     inputs: {
-      target: ofKind('target', inputs),
-      joint: ofKind('joint', inputs),
-      tension: ofKind('tension', inputs),
-      value: ofKind('value', inputs),
-      area: ofKind('area', inputs),
+      target: filterByKind('target', inputs),
+      joint: filterByKind('joint', inputs),
+      tension: filterByKind('tension', inputs),
+      value: filterByKind('value', inputs),
+      area: filterByKind('area', inputs),
     },
     cyclicAreas,
     unknownTypes: [...new Set(drivers.map(({ type }) => type).filter((type) => !definitionOf(type)))],
   }
 }
 
-function ofKind<K extends InputKind>(kind: K, inputs: readonly Input[]): InputOf<K>[] {
+function filterByKind<K extends InputKind>(kind: K, inputs: readonly Input[]): InputOf<K>[] {
   return inputs.filter((input): input is InputOf<K> => input.kind === kind)
 }
 

@@ -3,7 +3,7 @@ import type { DriverPart, Explanation } from '../drivers/explain.ts'
 import type { WrinklesBase } from '../three/wrinkles-base.ts'
 
 /** Maximum number of inputs listed below an area. The strongest inputs are listed. */
-const MOST_INPUTS = 3
+const MAX_INPUTS = 3
 
 /** Controls of one area. */
 interface Row {
@@ -81,7 +81,7 @@ function driversText(parts: readonly DriverPart[], resting: number): string {
   const active = inputs.filter(({ value }) => value > 0.005).sort((a, b) => b.value - a.value)
   const listed = active.length > 0 ? active : inputs
   const texts = listed
-    .slice(0, MOST_INPUTS)
+    .slice(0, MAX_INPUTS)
     .map(({ name, value }) => (active.length > 0 ? `${name} ${value.toFixed(2)}` : name))
   const more = listed.length - texts.length
   return texts.join(', ') + (more > 0 ? `, +${more}` : '')

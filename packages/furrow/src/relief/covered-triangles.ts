@@ -34,7 +34,7 @@ export function coverage(
 }
 
 /** Returns `halvings` for `splitMesh`: the maximum for all edges of covered triangles, and 0 for other edges. */
-export function mostHalvings(covered: Uint8Array): Float32Array {
+export function maxHalvings(covered: Uint8Array): Float32Array {
   return Float32Array.from(
     { length: 3 * covered.length },
     (_, edge) => covered[Math.floor(edge / 3)] * MAX_LEVEL,

@@ -1,9 +1,9 @@
 import { MAX_LEVEL } from './welded-edges.ts'
 
 /** Sum of the integer barycentric coordinates of a point in a patch. A power of two that allows all halvings of an edge. */
-export const WHOLE = 2 ** (MAX_LEVEL + 4)
+export const COORDINATE_SUM = 2 ** (MAX_LEVEL + 4)
 
-/** Point of a patch: integer barycentric coordinates of the first and second corner, see `WHOLE`, and the vertex index. */
+/** Point of a patch: integer barycentric coordinates of the first and second corner, see `COORDINATE_SUM`, and the vertex index. */
 interface Point {
   x: number
   y: number
@@ -67,18 +67,22 @@ export function splitPatch(rules: PatchRules, emit: (a: number, b: number, c: nu
     split(p, qr, r)
   }
   const [a, b, c] = rules.corners
-  split({ x: WHOLE, y: 0, index: a }, { x: 0, y: WHOLE, index: b }, { x: 0, y: 0, index: c })
+  split(
+    { x: COORDINATE_SUM, y: 0, index: a },
+    { x: 0, y: COORDINATE_SUM, index: b },
+    { x: 0, y: 0, index: c },
+  )
 }
 
 /** Returns the index of the patch's edge that contains both points, or -1. */
 function edgeOf(p: Point, q: Point): number {
-  if (p.x + p.y === WHOLE && q.x + q.y === WHOLE) return 0
+  if (p.x + p.y === COORDINATE_SUM && q.x + q.y === COORDINATE_SUM) return 0
   if (p.x === 0 && q.x === 0) return 1
   return p.y === 0 && q.y === 0 ? 2 : -1
 }
 
 /** Returns the position of a point along an edge of the patch, 0..1 from the edge's first corner. */
 function alongEdge({ x, y }: Point, edge: number): number {
-  if (edge === 0) return y / WHOLE
-  return edge === 1 ? 1 - y / WHOLE : x / WHOLE
+  if (edge === 0) return y / COORDINATE_SUM
+  return edge === 1 ? 1 - y / COORDINATE_SUM : x / COORDINATE_SUM
 }

@@ -2,7 +2,7 @@ import type { CoarseMesh } from './coarse-mesh.ts'
 import { DenseBuilder, type DenseMesh } from './dense-mesh.ts'
 import { MAX_TRIANGLES } from './max-triangles.ts'
 import { PairNumbers } from './pair-numbers.ts'
-import { splitPatch, WHOLE } from './patch.ts'
+import { COORDINATE_SUM, splitPatch } from './patch.ts'
 import { WeldedEdges } from './welded-edges.ts'
 
 export interface SplitOptions {
@@ -102,7 +102,7 @@ class Splitter {
     const { triangles, positions } = this.#mesh
     const { edgeOf } = this.#edges
     const corners = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]] as const
-    const limit = (this.#longest * WHOLE) ** 2
+    const limit = (this.#longest * COORDINATE_SUM) ** 2
     let squared: ((dx: number, dy: number) => number) | null = null
     const known = new Map<number, number>()
     for (let version = 0; version < versions.length; version++) {
@@ -119,7 +119,7 @@ class Splitter {
         {
           corners,
           levels,
-          isLong: (dx, dy) => parts(dx, dy) > WHOLE ** 2 && length(dx, dy) > limit,
+          isLong: (dx, dy) => parts(dx, dy) > COORDINATE_SUM ** 2 && length(dx, dy) > limit,
           onEdge: (edge, part) => this.#onEdge(3 * t + edge, corners[edge], corners[(edge + 1) % 3], part),
           inside: (x, y) => this.#inside(corners, x, y, known),
         },
@@ -135,12 +135,12 @@ class Splitter {
     y: number,
     known: Map<number, number>,
   ): number {
-    const key = x * (WHOLE + 1) + y
+    const key = x * (COORDINATE_SUM + 1) + y
     const found = known.get(key)
     if (found !== undefined) return found
     const { uvs } = this.#mesh
     const [a, b, c] = corners
-    const [wa, wb, wc] = [x / WHOLE, y / WHOLE, (WHOLE - x - y) / WHOLE]
+    const [wa, wb, wc] = [x / COORDINATE_SUM, y / COORDINATE_SUM, (COORDINATE_SUM - x - y) / COORDINATE_SUM]
     const u = wa * uvs[2 * a] + wb * uvs[2 * b] + wc * uvs[2 * c]
     const v = wa * uvs[2 * a + 1] + wb * uvs[2 * b + 1] + wc * uvs[2 * c + 1]
     const vertex = this.dense.addVertex(corners, [wa, wb, wc], [u, v, u, v])
@@ -178,7 +178,7 @@ class Splitter {
 /**
  * Returns a function that measures the length of a step within a triangle in a metric (see P.-L. George, H. Borouchaki, "Delaunay
  * Triangulation and Meshing", 1998). In this metric, an edge of the triangle is as long as the number of parts into which it is split. Steps
- * longer than 1 are halved. The function returns the squared length times `WHOLE ** 2`.
+ * longer than 1 are halved. The function returns the squared length times `COORDINATE_SUM ** 2`.
  *
  * @param first index of the first of the triangle's three values in `halvings`.
  */
@@ -189,7 +189,7 @@ function partsOf(halvings: Float32Array, first: number): (dx: number, dy: number
 
 /**
  * Returns a function that measures the length of a step within a triangle. The arguments are the changes of the first two integer barycentric
- * coordinates. The function returns the squared length times `WHOLE ** 2`.
+ * coordinates. The function returns the squared length times `COORDINATE_SUM ** 2`.
  */
 function squaredLengths(
   positions: ArrayLike<number>,

@@ -2,7 +2,7 @@ import { driversOf, type Expression, type WrinkleDriver } from 'furrow'
 import { canonicalTargetName, explain } from 'furrow/internal'
 
 /** Minimum activation for an expression to show an area. */
-const SHOWN = 0.2
+const MIN_VISIBLE = 0.2
 
 /** Pose that shows an area or a blendshape: blendshape weights (others are 0), and activations that an expression sets directly. */
 export interface Performance {
@@ -46,6 +46,6 @@ export function performanceOf(
     })
     .toSorted((a, b) => b.activation - a.activation)
   const [best] = shown
-  if (best && best.activation >= SHOWN) return best.performance
-  return driven(read) >= SHOWN ? { targets: read, activations: new Map() } : null
+  if (best && best.activation >= MIN_VISIBLE) return best.performance
+  return driven(read) >= MIN_VISIBLE ? { targets: read, activations: new Map() } : null
 }

@@ -1,6 +1,6 @@
 import { autoWrinkles, type Skin } from 'furrow/author'
 import { beforeAll, expect, test } from 'vitest'
-import { unusualMeasures } from '../../../../packages/furrow/src/author/auto/anatomy/proportions.ts'
+import { implausibleMeasures } from '../../../../packages/furrow/src/author/auto/anatomy/proportions.ts'
 import { FACES, prepareFace, skinAt } from './faces.ts'
 
 const SETTINGS = { size: 64, areaSize: 32 }
@@ -82,7 +82,7 @@ test('a muzzle gets no folds of a human mouth, with a one-line reason', () => {
 test('eyes that reach from nose to temple get no lines around them', () => {
   const { landmarks, surface } = prepareFace(human).face
   const huge = { ...landmarks, outerCorner: [62, -1, 0], innerCorner: [4, -2, 0] } as const
-  expect(unusualMeasures({ landmarks: huge, surface }).flatMap(({ regions }) => regions)).toEqual([
+  expect(implausibleMeasures({ landmarks: huge, surface }).flatMap(({ regions }) => regions)).toEqual([
     'crowsFeet',
     'underEye',
   ])
@@ -90,5 +90,5 @@ test('eyes that reach from nose to temple get no lines around them', () => {
 
 test.each(FACES)('%s counts as human', async (_, path) => {
   const skin = await skinAt(path)
-  expect(unusualMeasures(prepareFace(skin).face)).toEqual([])
+  expect(implausibleMeasures(prepareFace(skin).face)).toEqual([])
 })

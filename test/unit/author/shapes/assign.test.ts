@@ -3,12 +3,12 @@ import { assign } from '../../../../packages/furrow/src/author/shapes/matching/a
 import { seeded } from '../../../random.ts'
 
 /** Returns the smallest total cost of assigning each row a different column, by trying all ways. */
-function leastCost(cost: readonly Float64Array[], row = 0, taken = new Set<number>()): number {
+function minCost(cost: readonly Float64Array[], row = 0, taken = new Set<number>()): number {
   if (row === cost.length) return 0
   let least = Number.POSITIVE_INFINITY
   for (const [column, value] of cost[row]!.entries()) {
     if (!taken.has(column))
-      least = Math.min(least, value + leastCost(cost, row + 1, new Set([...taken, column])))
+      least = Math.min(least, value + minCost(cost, row + 1, new Set([...taken, column])))
   }
   return least
 }
@@ -29,7 +29,7 @@ test.each([
       const assigned = assign(cost)
       expect(new Set(assigned).size).toBe(rows)
       const total = assigned.reduce((sum, column, row) => sum + cost[row]![column]!, 0)
-      expect(total).toBeCloseTo(leastCost(cost), 12)
+      expect(total).toBeCloseTo(minCost(cost), 12)
     }
   }
 })

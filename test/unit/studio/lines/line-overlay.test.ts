@@ -1,5 +1,5 @@
 import { afterEach, describe, expect, it, vi } from 'vitest'
-import { LineOverlay, seenParts } from '../../../../studio/src/lines/line-overlay.ts'
+import { LineOverlay, visibleParts } from '../../../../studio/src/lines/line-overlay.ts'
 import type { ProjectedLine } from '../../../../studio/src/lines/project-lines.ts'
 import { strokeOf } from '../sample-document.ts'
 
@@ -12,17 +12,17 @@ const line = (isSeen: boolean[]) => ({
 
 describe('a line over the face', () => {
   it('is drawn by points three pixels apart, from its first to its last', () => {
-    expect(seenParts(line(Array(16).fill(true)))).toEqual([[0, 6, 12, 15]])
-    expect(seenParts(line([true, true]))).toEqual([[0, 1]])
+    expect(visibleParts(line(Array(16).fill(true)))).toEqual([[0, 6, 12, 15]])
+    expect(visibleParts(line([true, true]))).toEqual([[0, 1]])
   })
 
   it('has a part for each visible stretch, up to the first hidden point', () => {
     const isSeen = [true, true, false, false, ...Array(9).fill(true), false, false]
-    expect(seenParts(line(isSeen))).toEqual([
+    expect(visibleParts(line(isSeen))).toEqual([
       [0, 2],
       [4, 10, 13],
     ])
-    expect(seenParts(line([false, false]))).toEqual([])
+    expect(visibleParts(line([false, false]))).toEqual([])
   })
 
   describe('among others', () => {

@@ -15,7 +15,7 @@ const WHO = 'furrow worker'
  * Maximum number of restarts of a job whose worker disappeared. High, because the limits of a job end it long before
  * it could crash a worker: lost workers mean that machines come and go.
  */
-const MOST_STALLS = 20
+const MAX_STALLS = 20
 
 interface Options extends LimitOptions {
   redis: string
@@ -55,7 +55,7 @@ async function work({ redis: url, ...options }: Options): Promise<void> {
     {
       connection,
       concurrency,
-      maxStalledCount: MOST_STALLS,
+      maxStalledCount: MAX_STALLS,
     },
   )
   worker.on('error', () => {})

@@ -8,7 +8,7 @@ import type { MorphDriver } from '../../drivers/morph/definition.ts'
 import { targetFinder } from '../../drivers/morph/target-names.ts'
 import type { Skin } from '../skin/surface.ts'
 import type { StrokesDocument } from '../strokes/document.ts'
-import { type UnusualMeasure, unusualMeasures } from './anatomy/proportions.ts'
+import { type ImplausibleMeasure, implausibleMeasures } from './anatomy/proportions.ts'
 import { type AutoBlood, drawBlood, neutralBlood } from './blood/draw-blood.ts'
 import { ageDriver } from './fit/age-driver.ts'
 import type { MissingRegion } from './fit/fit-driver.ts'
@@ -109,7 +109,7 @@ export function autoWrinkles(
   begin('face')
   const prepared = prepareSkin(skin)
   if (!prepared.face && options.regions) throw missingFaceError(options.regions)
-  const unusual = prepared.face && !options.regions ? unusualMeasures(prepared.face) : []
+  const unusual = prepared.face && !options.regions ? implausibleMeasures(prepared.face) : []
   const doubtful = new Set(unusual.flatMap(({ regions }) => regions))
   const regions = settings.regions.filter((region) => !doubtful.has(region))
   const lineSettings = { ...settings, regions, ageFraction: (age - 20) / 60, maxAreas }
@@ -183,7 +183,7 @@ function emptyReasonOf(isUnknownHead: boolean): string {
 }
 
 /** Returns a warning if measurements of the head are outside the human range, because its landmarks are then unreliable. */
-function stylisedWarnings(unusual: readonly UnusualMeasure[]): string[] {
+function stylisedWarnings(unusual: readonly ImplausibleMeasure[]): string[] {
   if (unusual.length === 0) return []
   const measures = unusual.map(({ description }) => description).join('; ')
   return [

@@ -152,7 +152,7 @@ export function bakeMaps(
   }
   visitSamples(mesh, tangentSpace, size, grid, sample)
   progress?.(total, total)
-  if (done === misses) throw nothingHit(done, cage)
+  if (done === misses) throw noHitError(done, cage)
 
   const known = new Uint8Array(texels)
   let emptyTexels = 0
@@ -263,7 +263,7 @@ function check(mesh: BakeMesh, { size, cage, samples }: Required<BakeOptions>): 
   if (![1, 4, 9, 16].includes(samples)) fail('samples out of range', samples, '1, 4, 9, 16', 'choose 4')
 }
 
-function nothingHit(samples: number, cage: number): FurrowError {
+function noHitError(samples: number, cage: number): FurrowError {
   return new FurrowError({
     who: 'bakeMaps',
     problem: samples === 0 ? 'no triangle covers a texel' : 'no ray hit the detailed surface',

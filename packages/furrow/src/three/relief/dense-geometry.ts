@@ -10,7 +10,7 @@ import {
   RedFormat,
 } from 'three'
 import type { CoarseMesh } from '../../relief/coarse-mesh.ts'
-import { coveredTriangles, mostHalvings } from '../../relief/covered-triangles.ts'
+import { coveredTriangles, maxHalvings } from '../../relief/covered-triangles.ts'
 import type { DenseMesh } from '../../relief/dense-mesh.ts'
 import type { HeightField, Mask } from '../../relief/height-fields.ts'
 import { heightLevels } from '../../relief/height-levels.ts'
@@ -90,7 +90,7 @@ function* halvingsFor(
   levels: Float32Array,
 ): Generator<void, Float32Array[]> {
   if (Array.isArray(raised)) return yield* neededHalvings(coarse, normals, raised, levels)
-  if (raised) return [mostHalvings(coveredTriangles(coarse, raised as Mask))]
+  if (raised) return [maxHalvings(coveredTriangles(coarse, raised as Mask))]
   return [new Float32Array(coarse.triangles.length).fill(MAX_LEVEL)]
 }
 

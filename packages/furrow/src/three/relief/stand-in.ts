@@ -4,7 +4,7 @@ import type { AnyRenderer } from '../renderer.ts'
 import { followMesh, type ReliefMesh } from './relief-mesh.ts'
 
 /** Vertex count that draws nothing: less than a triangle, but not 0, which triggers a WebGPU warning. */
-const NOTHING = 1
+const NO_VERTICES = 1
 
 /** Part of a face that a stand-in needs. */
 export interface StandInHost {
@@ -112,7 +112,7 @@ export class StandIn {
     const { geometry } = dense
     const draw = (isDrawn: boolean) => {
       const { start, count } = geometry.groups[Math.min(host.version(), geometry.groups.length - 1)]
-      geometry.setDrawRange(start, isDrawn ? count : NOTHING)
+      geometry.setDrawRange(start, isDrawn ? count : NO_VERTICES)
     }
     dense.onBeforeRender = (renderer, _scene, camera, _geometry, material) => {
       host.prepare(renderer as AnyRenderer, camera, this.#mesh)
@@ -139,7 +139,7 @@ class HiddenRange {
     this.#geometry = geometry
     this.#start = start
     this.#count = count
-    geometry.setDrawRange(0, NOTHING)
+    geometry.setDrawRange(0, NO_VERTICES)
   }
 
   restore(): void {

@@ -35,8 +35,8 @@ class PropertyNode extends MaterialReferenceNode {
 
   override updateReference(state: { material: Material | null }) {
     const { material } = state
-    const isThere = material && material[this.property as keyof Material] != null
-    this.reference = isThere ? material : this.#owner
+    const isPresent = material && material[this.property as keyof Material] != null
+    this.reference = isPresent ? material : this.#owner
     return this.reference
   }
 }

@@ -3,7 +3,7 @@ import type { DetectedFace } from '../surface/detect-face.ts'
 import type { AutoRegion } from './region-names.ts'
 
 /** Facial measurement outside the human range. It makes the landmarks of some regions unreliable. */
-export interface UnusualMeasure {
+export interface ImplausibleMeasure {
   /** Text about the measurement, to be used in a sentence. */
   description: string
   /** Regions whose landmarks are unreliable. */
@@ -94,7 +94,7 @@ function muzzleOf({
 }
 
 /** Returns the measurements of a face that are outside the human range. */
-export function unusualMeasures(face: MeasuredFace): UnusualMeasure[] {
+export function implausibleMeasures(face: MeasuredFace): ImplausibleMeasure[] {
   return MEASURES.flatMap(({ name, measure, range: [low, high], regions }) => {
     const value = measure(face)
     if (value >= low && value <= high) return []

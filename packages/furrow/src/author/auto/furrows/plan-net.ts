@@ -68,7 +68,7 @@ export function planNet(
       spheres.reduce((sum, { triangle }) => sum + texelSize(prepared, triangle, size), 0) / spheres.length
     const width = FURROW_WIDTH * region.size
     if (width < MIN_TEXELS * texel) {
-      missing.push({ name: region.name, reason: tooFine(width, texel, size) })
+      missing.push({ name: region.name, reason: tooNarrowMessage(width, texel, size) })
       continue
     }
     planned.push({ name: region.name, spheres })
@@ -109,7 +109,7 @@ function texelSize({ skin, surface }: PreparedSkin, triangle: number, size: numb
 }
 
 /** Returns the reason for a missing region: `width` is the width of a furrow, `texel` the size of a texel, both in millimetres. */
-function tooFine(width: number, texel: number, size: number): string {
+function tooNarrowMessage(width: number, texel: number, size: number): string {
   let enough = size
   while (width * enough < MIN_TEXELS * texel * size) enough *= 2
   return `fine furrows are narrower than two texels there; use a size of ${enough}`

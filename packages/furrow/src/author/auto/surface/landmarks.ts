@@ -111,7 +111,7 @@ export function centroidOf(
   displacements: Float64Array,
   threshold: number,
 ): number[] | undefined {
-  const largest = largestOf(displacements)
+  const largest = maxOf(displacements)
   if (!(largest > 0)) return undefined
   const sum = [0, 0, 0]
   let total = 0
@@ -133,7 +133,7 @@ function mirroredMean([left, right]: readonly (number[] | undefined)[]): Landmar
 
 /** Returns the range of x of the points that move at least `threshold` of the largest displacement. */
 function extentOf({ points }: SkinSurface, displacements: Float64Array, threshold: number) {
-  const largest = largestOf(displacements)
+  const largest = maxOf(displacements)
   let [low, high] = [Infinity, -Infinity]
   for (let i = 0; i < displacements.length; i++) {
     if (displacements[i] < threshold * largest) continue
@@ -143,7 +143,7 @@ function extentOf({ points }: SkinSurface, displacements: Float64Array, threshol
   return { low, high }
 }
 
-function largestOf(values: Float64Array): number {
+function maxOf(values: Float64Array): number {
   return values.reduce((a, b) => Math.max(a, b), 0)
 }
 

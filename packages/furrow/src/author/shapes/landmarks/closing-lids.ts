@@ -22,7 +22,7 @@ const MIN_GAP = 0.1
 /** Minimum of a target's largest displacement. Weaker targets are ignored. */
 const WEAK = 0.03
 /** Minimum distance of eyes from the symmetry plane. */
-const OFF_MIDDLE = 0.2
+const MAX_CENTRE_OFFSET = 0.2
 /** Minimum distance of eyes from the mouth. */
 const FROM_MOUTH = 0.65
 /** Maximum distance between the mean positions of two targets that close the same eye. */
@@ -130,7 +130,10 @@ export function eyesOf(
   }
   // Closing lids stay away from the symmetry plane. Folds of the chin, which also bring points together, cross it.
   const groups = [...byMotion.values()]
-    .map((list) => ({ all: list.length, list: list.filter((point) => offset(point) > OFF_MIDDLE * radius) }))
+    .map((list) => ({
+      all: list.length,
+      list: list.filter((point) => offset(point) > MAX_CENTRE_OFFSET * radius),
+    }))
     .filter(({ all, list }) => list.length >= MIN_PAIRS && list.length > 0.9 * all)
     .map(({ list }) => list)
     .filter((list) => isAbove(meanOf(list)))

@@ -2,7 +2,7 @@ import { exp } from '../../../math/elementary.ts'
 import { clamp } from '../../../math/scalar.ts'
 import type { ShapeFields } from '../fields/shape-fields.ts'
 import type { FaceFrame } from '../landmarks/face-frame.ts'
-import { FOUND, type Match, SAME, UNLIKE } from './match.ts'
+import { FOUND, MAX_DIFFERENT, type Match, SAME } from './match.ts'
 
 /** Minimum confidence of a shape that is recognised by its motion alone. */
 export const UNSURE = 0.45
@@ -31,7 +31,7 @@ export function confidencesOf(
   return matches.map(({ shape, score, margin, kinship }) => {
     const evidence =
       6.8 * score + 20 * Math.min(margin, 0.08) + 7.5 * Math.min(margin, 0.3) - 5.3 * shapes[shape].outside
-    const same = clamp((kinship - UNLIKE) / (SAME - UNLIKE), 0, 1)
+    const same = clamp((kinship - MAX_DIFFERENT) / (SAME - MAX_DIFFERENT), 0, 1)
     return 1 / (1 + exp(6.6 + doubt - evidence - 1.9 * same * fullness + 2.5 * (1 - same)))
   })
 }

@@ -42,7 +42,7 @@ const WEAK = 0.01
 /** Minimum cosine between the motions of two shapes that differ only in strength. */
 export const SAME = 0.975
 /** Maximum cosine between two motions that count as different. */
-export const UNLIKE = 0.9
+export const MAX_DIFFERENT = 0.9
 /** Maximum difference between the scores of two rivals for a label. */
 const RIVAL = 0.11
 /** Minimum score for the assignment of one shape to each label. */
@@ -154,10 +154,10 @@ export function matchShapes(
   /** Shape assigned to each label. */
   const owners = new Map(live.map((shape, n) => [columns[n], shape]))
   /** Weight of the score difference between two labels if no shape has the second one. Small if their templates are similar. */
-  const unlikeness = (j: number, k: number) =>
+  const dissimilarity = (j: number, k: number) =>
     labels[j].family === labels[k].family || isOpposite(labels[j], labels[k])
       ? 1
-      : Math.min(1, (1 - mostAlike(templates[j], templates[k])) / (1 - DISTINCT))
+      : Math.min(1, (1 - maxLikeness(templates[j], templates[k])) / (1 - DISTINCT))
   const chosen = new Map<number, { label: number; margin: number }>()
   for (const [n, shape] of live.entries()) {
     const isFirst = columns[n] < labels.length
@@ -170,7 +170,7 @@ export function matchShapes(
       const isTaken = owner !== undefined && scores[owner][k] > FOUND
       const loss =
         isFirst && owner !== undefined ? scores[owner][k] - Math.max(scores[owner][label], MIN_SCORE) : 0
-      margin = Math.min(margin, (isTaken || gap < 0 ? gap : gap * unlikeness(label, k)) + loss)
+      margin = Math.min(margin, (isTaken || gap < 0 ? gap : gap * dissimilarity(label, k)) + loss)
     }
     chosen.set(shape, { label, margin })
   }
@@ -189,7 +189,7 @@ export function matchShapes(
     if (known === shapes[shape].field) return 1
     return known ? dotAll(descriptors[shape].plain, descriptorOf(known, weights).plain) : 0
   })
-  const spare = live.filter((shape) => kinships[shape] < UNLIKE)
+  const spare = live.filter((shape) => kinships[shape] < MAX_DIFFERENT)
   /** Returns the minimum cosine between a shape and its rivals. Rivals are shapes in `spare` that fit the same label best. */
   const agreement = (shape: number, label: number) => {
     const least = Math.max(FOUND, scores[shape][label] - RIVAL)
@@ -240,7 +240,7 @@ function isOpposite({ side }: ShapeLabel, other: ShapeLabel): boolean {
 }
 
 /** Returns the maximum similarity between templates of two labels. */
-function mostAlike(a: readonly Descriptor[], b: readonly Descriptor[]): number {
+function maxLikeness(a: readonly Descriptor[], b: readonly Descriptor[]): number {
   return Math.max(...a.flatMap((one) => b.map((other) => likeness(one, other))))
 }
 

@@ -67,8 +67,8 @@ export function mixNormals(
       normal: (kind === 'detail' ? stored.sub(flat) : unpack(stored)).toVar(),
     }
   })
-  const replaced = replaceNormal(baseNormal, ofKind('replace', layers))
-  const details = ofKind('detail', layers)
+  const replaced = replaceNormal(baseNormal, filterByKind('replace', layers))
+  const details = filterByKind('detail', layers)
   if (details.length === 0) return replaced
   const size = lengthOf(replaced).toVar()
   // A single detail normal needs no division by z, the most expensive operation.
@@ -86,7 +86,7 @@ interface SampledLayer {
   normal: Node<'vec3'>
 }
 
-function ofKind(kind: LayerKind, layers: readonly SampledLayer[]): SampledLayer[] {
+function filterByKind(kind: LayerKind, layers: readonly SampledLayer[]): SampledLayer[] {
   return layers.filter((layer) => layer.kind === kind)
 }
 

@@ -8,16 +8,16 @@ import { clampedBarycentrics, type PaintSkin } from './paint-skin.ts'
  */
 export type Sight = (triangle: number, weights: Float64Array) => boolean
 
-const SEEN = 1
+const VISIBLE = 1
 const HIDDEN = 2
 
 /** Caches the visibility of a map's places. */
-export class SeenPlaces {
+export class VisiblePlaces {
   readonly #skin: PaintSkin
   readonly #map: PaintMap
   readonly #sight: Sight
   readonly #isMirrored: boolean
-  /** `SEEN`, `HIDDEN`, or 0 if unknown. */
+  /** `VISIBLE`, `HIDDEN`, or 0 if unknown. */
   readonly #known: Uint8Array
   readonly #weights = new Float64Array(3)
 
@@ -31,8 +31,8 @@ export class SeenPlaces {
   }
 
   has(place: number, triangle: number): boolean {
-    if (this.#known[place] === 0) this.#known[place] = this.#test(place, triangle) ? SEEN : HIDDEN
-    return this.#known[place] === SEEN
+    if (this.#known[place] === 0) this.#known[place] = this.#test(place, triangle) ? VISIBLE : HIDDEN
+    return this.#known[place] === VISIBLE
   }
 
   #test(place: number, triangle: number): boolean {
