@@ -56,7 +56,7 @@ def carry(
 
 
 def vary(units: dict[str, np.ndarray], positions: np.ndarray, random: np.random.Generator) -> dict[str, np.ndarray]:
-    """Varies shapes between artists: strengths, shares of related shapes, local differences."""
+    """Varies the shapes as another artist would: strengths, related shapes mixed in, local differences."""
     shares = {(name, other): random.uniform(0, largest) for name, other, largest in ACCENTS}
     strengths = {stem: np.exp(random.normal(0, STRENGTH)) for stem in sorted({_stem(name) for name in units})}
     varied = {}

@@ -1,6 +1,6 @@
 /** Bytes of one texture on the GPU. */
 export interface GpuSizes {
-  /** 4 bytes per texel, 1 for an area. */
+  /** 4 bytes per texel of a layer's map, 1 byte per texel of an area's weights. */
   uncompressed: number
   /** 8 bits per texel in blocks of 4 x 4: BC7, ASTC 4x4; 4 bits for an area (BC4). */
   bits8: number

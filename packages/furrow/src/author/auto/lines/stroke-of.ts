@@ -22,7 +22,7 @@ const BLUNT = 0.85
  *
  * @param depth depth of the stroke in millimetres.
  * @param factors factors on the depth, one per point of the line.
- * @param bank reach of the banks in millimetres. Undefined: derived from the stroke's width.
+ * @param bank distance in millimetres to which the raised sides of the stroke (banks) reach. Undefined: derived from its width.
  */
 export function strokeOf(
   line: LaidLine,

@@ -14,7 +14,7 @@ import { FacetFrames } from './facet-frames.ts'
 /** Maps of one layer. */
 export interface AutoLayer {
   name: string
-  /** Lines of the layer. Each stroke's `group` is the name of its area. `strokesToHeight` draws the strokes as `heights`. */
+  /** Lines of the layer. Each stroke's `group` is the name of its area. Drawing them with `strokesToHeight` gives `heights`. */
   strokes: Stroke[]
   /** Normal map of wrinkles on otherwise flat skin, for a layer of kind `detail`. */
   normal: RgbaImage

@@ -63,7 +63,7 @@ const TOLERANCE = 1e-9
 const CELL = 6
 /** Number of cells around the head. */
 const COLUMNS = 2 * Math.ceil((Math.PI * RADIUS) / CELL)
-/** Number of cells from the lowest to the highest lines: 50 below and 50 above the eyes. */
+/** Number of grid cells in the vertical direction: 50 below and 50 above the eyes. */
 const ROWS = 2 * 50
 /** Maximum number of triangles per cell. A face of a million triangles has some hundreds; only overlapping skin has more. */
 const MAX_TRIANGLES_PER_CELL = 4096

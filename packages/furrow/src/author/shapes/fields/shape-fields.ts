@@ -109,7 +109,7 @@ function gridBlends(at: Float64Array, visible: readonly number[], opening: EyeOp
   return blendsOf(warped, visible, queries, 0.1, 1)
 }
 
-/** Returns the blends of the rows along the lids. Rows of an upper lid use only skin above the middle of the eye, other rows skin below. */
+/** Returns the blends of the rows along the lids. Rows of an upper lid use only skin above the middle of the eye. Rows of a lower lid use only skin below it. */
 function lidBlends(at: Float64Array, visible: readonly number[], opening: EyeOpening): Blend[] {
   const along = ALONG.map((a) => LID_REACH * a)
   const middles = opening.upper.map((height, k) => (height + opening.lower[k]) / 2)
@@ -128,7 +128,7 @@ function lidBlends(at: Float64Array, visible: readonly number[], opening: EyeOpe
   })
 }
 
-/** Returns the blends of the rows along the lips. Rows of the upper lip use only skin above the lip line, other rows skin below. */
+/** Returns the blends of the rows along the lips. Rows of the upper lip use only skin above the lip line. Rows of the lower lip use only skin below it. */
 function lipBlends(at: Float64Array, visible: readonly number[], frame: FaceFrame): Blend[] {
   const { halfWidth, heights } = lipLine(frame)
   const us = ALONG.map((a) => halfWidth * a)

@@ -6,7 +6,7 @@ import { FOUND, MAX_DIFFERENT, type Match, SAME } from './match.ts'
 
 /** Minimum confidence of a shape that is recognised by its motion alone. */
 export const UNSURE = 0.45
-/** Minimum confidence of a motion that contradicts the shape's name and overrules it. */
+/** Minimum confidence in a label by motion that contradicts the shape's name. Below it, the name decides. */
 export const SURE = 0.7
 
 /** Number of labels in a complete ARKit set. */
@@ -36,7 +36,7 @@ export function confidencesOf(
   })
 }
 
-/** Returns the doubt about the landmarks: mouth or eyes are guessed if no target parts lips or closes lids. */
+/** Returns the doubt about the landmarks. The mouth is guessed if no target opens the lips, the eyes if no target closes the lids. */
 function doubtOf({ hasLids, seam, scales }: FaceFrame): number {
   if (!seam) return 5
   if (!hasLids) return 3
