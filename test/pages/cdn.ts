@@ -1,3 +1,4 @@
+import { createRequire } from 'node:module'
 import type { Page } from 'playwright-core'
 import { build, type Rolldown } from 'vite'
 
@@ -5,6 +6,8 @@ import { build, type Rolldown } from 'vite'
 const PACKAGES = ['react', 'react/jsx-runtime', 'react-dom/client', '@react-three/fiber']
 
 const ORIGIN = 'https://esm.sh/'
+
+const require = createRequire(import.meta.url)
 
 let bundles: Promise<Map<string, string>> | undefined
 
@@ -33,12 +36,12 @@ async function bundlePackages(): Promise<Map<string, string>> {
       {
         name: 'furrow-cdn',
         resolveId: (id) => (id.startsWith('cdn:') ? id : null),
-        async load(id) {
+        load(id) {
           if (!id.startsWith('cdn:')) return null
           const name = id.slice('cdn:'.length)
           if (name.startsWith('@')) return `export * from '${name}'`
           // A bundler cannot list the names of a CommonJS module.
-          const names = Object.keys(await import(name)).filter((key) => key !== 'module.exports')
+          const names = Object.keys(require(name))
           return `export { ${names.join(', ')} } from '${name}'`
         },
       },
