@@ -10,7 +10,7 @@ export const BROWS: Region = { left: 0.4, top: 0.1, right: 0.6, bottom: 0.3 }
 export const CHEEKS: Region = { left: 0.25, top: 0.3, right: 0.75, bottom: 0.7 }
 
 /** The face in the framing of `portrait.js`, in a window of 4:3. */
-export const FACE: Region = { left: 0.2, top: 0.04, right: 0.8, bottom: 0.64 }
+export const FACE: Region = { left: 0.16, top: 0.03, right: 0.84, bottom: 0.71 }
 
 /** Slider values by name; `true` presses a button, a radio button or a checkbox. */
 export type Controls = Record<string, number | true>
