@@ -135,7 +135,10 @@ def _time(reader, driver, at, areas):
 
 def _expression(reader, driver, at, areas):
     reader.text(driver.get("name"), f"{at}.name")
-    for field, name, value, low in (("targets", "name", "weight", -MAX_NUMBER), ("activations", "area", "activation", 0)):
+    for field, name, value, low in (
+        ("targets", "name", "weight", -MAX_NUMBER),
+        ("activations", "area", "activation", 0),
+    ):
         items = []
         for i, item in enumerate(reader.array(driver.get(field, []), f"{at}.{field}", 0, MAX_LINKS)):
             path = f"{at}.{field}[{i}]"

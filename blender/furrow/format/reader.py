@@ -22,7 +22,9 @@ class Reader:
 
     def fail(self, problem, value, limit, remedy):
         """Raise FurrowError."""
-        shown = "nothing" if value is None else json.dumps(value, ensure_ascii=False, separators=(",", ":"), default=repr)
+        shown = (
+            "nothing" if value is None else json.dumps(value, ensure_ascii=False, separators=(",", ":"), default=repr)
+        )
         parts = [f"{problem}, got {shown if len(shown) <= 120 else shown[:117] + '...'}"]
         if limit:
             parts.append(f"allowed: {limit}")
