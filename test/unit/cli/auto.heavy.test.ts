@@ -49,7 +49,7 @@ describe('a body without a face', () => {
       bytes: readFileSync(file('out.glb')).length,
       cost: { file: expect.any(Number), gpu: expect.any(Number), phone: expect.any(Number) },
       isFace: false,
-      warnings: [expect.stringContaining('no face was found')],
+      warnings: [expect.stringContaining('no face detected')],
       layers: ['auto1'],
       areas: expect.any(Array),
       missing: [],
@@ -122,7 +122,7 @@ describe('the report', () => {
     )
     const html = page(file('report'))
     expect(html).toContain('The face was not drawn.')
-    expect(html).toContain('no face was found')
+    expect(html).toContain('no face detected')
     const sources = [...html.matchAll(/<img src="([^"]+)"/g)].map(([, source]) => source!)
     const areas = areasOf(file('out.glb')).map((_, i) => `area-${i + 1}.webp`)
     const maps = ['strain-1.webp', ...areas, 'layer-1-normal.webp', 'layer-1-height.webp']
