@@ -1,8 +1,8 @@
 /** Controls of the examples, for any engine. Not part of the library. */
 
-/** Adds buttons for expressions. Shows the one in the page's address (`?expression=happy`), by default surprise. */
-export function addExpressions(player) {
-  player.play(new URLSearchParams(location.search).get('expression') ?? 'surprised', 0)
+/** Adds buttons for expressions. First shows the one in the page's address (`?expression=happy`), by default `initial`. */
+export function addExpressions(player, initial = 'surprised') {
+  player.play(new URLSearchParams(location.search).get('expression') ?? initial, 0)
   addButtons(['neutral', 'surprised', 'happy', 'angry'], (name) => player.play(name, 0.4, 'easeInOut'))
 }
 
