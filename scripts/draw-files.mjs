@@ -16,7 +16,7 @@ const FEWEST = 100
 
 await main(async () => {
   const { values } = parseArgs({ options: { seed: { type: 'string' }, to: { type: 'string' } } })
-  if (values.to === undefined) throw new Failure('draw-files: --to is missing; write e.g. --to /tmp/review')
+  if (values.to === undefined) throw new Failure('draw-files: --to is missing; write e.g. --to review')
   const seed = wholeNumber('seed', values.seed ?? '', 0)
   const { seeded } = await importSource('test/random.ts')
   const files = checkedFiles()

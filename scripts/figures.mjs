@@ -46,7 +46,7 @@ function selectFigures(names) {
   if (unknown === undefined)
     return Object.fromEntries(
       (names.length > 0 ? names : Object.keys(FIGURES))
-        .filter((name) => (name in FIGURES && !name.includes('scan')) || existsSync(SCAN))
+        .filter((name) => name in FIGURES && (!name.includes('scan') || existsSync(SCAN)))
         .map((name) => [name, FIGURES[name]]),
     )
   const allowed = ['examples', ...Object.keys(FIGURES)].join(', ')

@@ -35,13 +35,16 @@ export async function writeExamplePictures(selected) {
 async function takePictures(examples) {
   const { default: sharp } = await import('sharp')
   const { startStaticServer } = await importSource('test/pages/static-server.ts')
+  const pages = await importSource('test/pages/paused-page.ts')
+  const { answerCdn } = await importSource('test/pages/cdn.ts')
   const { launchBrowser } = await import('../../packages/cli/dist/browser.js')
   const server = await startStaticServer()
   const browser = await launchBrowser()
   try {
     for (const { page: name, query = '', picture = query, frame } of examples) {
       const page = await browser.newPage({ viewport: VIEWPORT })
-      await openSettled(page, `${server.origin}/examples/${name}.html${picture}`)
+      await answerCdn(page)
+      await openSettled(page, pages, `${server.origin}/examples/${name}.html${picture}`)
       const file = `${FOLDER}/${name}.jpg`
       const small = sharp(await page.screenshot())
         .extract(pixelsOf(frame))
@@ -56,7 +59,7 @@ async function takePictures(examples) {
   }
 }
 
-/** The pixels of a part of the window. */
+/** Converts a part of the window from fractions to pixels. */
 function pixelsOf({ left, top, right, bottom }) {
   const { width, height } = VIEWPORT
   const [x, y] = [Math.round(left * width), Math.round(top * height)]
@@ -64,10 +67,7 @@ function pixelsOf({ left, top, right, bottom }) {
 }
 
 /** Opens an example in the pose that its test checks, without the controls below the canvas. */
-async function openSettled(page, url) {
-  const { answerCdn } = await importSource('test/pages/cdn.ts')
-  const { drawSettled, openPaused, playSurprise, SECOND } = await importSource('test/pages/paused-page.ts')
-  await answerCdn(page)
+async function openSettled(page, { drawSettled, openPaused, playSurprise, SECOND }, url) {
   // A WebGPU canvas cannot be captured without a GPU.
   await page.addInitScript('Object.defineProperty(Navigator.prototype, "gpu", { value: undefined })')
   await openPaused(page, url)

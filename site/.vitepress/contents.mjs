@@ -80,23 +80,29 @@ const API = [
 
 export async function sidebar() {
   const commands = (await readCommands()).map((command) => command.name())
-  const listed = (folder, names) => names.map((name) => ({ text: name, link: `/${folder}/${name}` }))
+  const examples = readExamples()
   return {
     '/docs/api/': [group('API reference', [{ text: 'Entries', link: '/docs/api/' }, ...API])],
     '/commands/': [
-      group('Commands', [{ text: 'All commands', link: '/commands/' }, ...listed('commands', commands)]),
+      group('Commands', [
+        { text: 'All commands', link: '/commands/' },
+        ...commands.map((name) => ({ text: name, link: `/commands/${name}` })),
+      ]),
     ],
     '/examples/': [
       group('Examples', [{ text: 'All examples', link: '/examples/' }]),
-      ...GROUPS.map((name) => group(name, examplesIn(name))).filter(({ items }) => items.length > 0),
+      ...GROUPS.map((name) => group(name, examplesIn(examples, name))).filter(
+        ({ items }) => items.length > 0,
+      ),
     ],
     '/': GUIDES,
   }
 }
 
-function examplesIn(group) {
-  const examples = readExamples().filter((example) => example.group === group)
-  return examples.map(({ name, title }) => ({ text: title, link: `/examples/${name}` }))
+function examplesIn(examples, group) {
+  return examples
+    .filter((example) => example.group === group)
+    .map(({ name, title }) => ({ text: title, link: `/examples/${name}` }))
 }
 
 export const NAVIGATION = [

@@ -1,11 +1,11 @@
-// The examples as pages that run: bundled from the built packages, since no server maps their modules here.
+// Bundles the examples from the built packages, because the site's server does not have the files that their import maps name.
 
 import { join } from 'node:path'
 import { build } from 'vite'
 import { exampleNames } from '../../scripts/lib/examples.mjs'
 import { ROOT } from '../../scripts/lib/run.mjs'
 
-/** The faces, which the studio brings, seen from a running example. */
+/** Folder of the faces, relative to a running example. The studio's build contains them. */
 const FACES = '../../studio/faces/'
 
 /** Writes `NAME.html` for every example. */
@@ -27,7 +27,7 @@ export function buildLiveExamples(outDir) {
   })
 }
 
-/** Import maps have done their work once a page is bundled, and addresses must not begin at the host. */
+/** Removes import maps, which a bundled page does not need, and makes URLs relative, so that the site works under any path. */
 function forStatic() {
   return {
     name: 'furrow-static-examples',
