@@ -1,7 +1,7 @@
 import type { Accessor, Document, Mesh, Node, Primitive } from '@gltf-transform/core'
 import { accessorsOf } from './accessors.ts'
 
-/** Height of the shipped face above the floor on a body of its size, metres. */
+/** Distance by which `addBody` raises the shipped face, so that the feet stand on the floor, metres. */
 export const HEAD_HEIGHT = 0.88
 
 /** Body boxes in a T pose, metres, with the joint that moves each. */
@@ -13,7 +13,7 @@ const BODY: readonly { joint: string; min: readonly number[]; max: readonly numb
   { joint: 'Hips', min: [-0.17, 0, -0.12], max: [-0.02, 0.92, 0.05] },
 ]
 
-/** Joint positions, centimetres. Children of `of`, or of the armature. */
+/** Joints with their positions in the armature, centimetres. `of` is the parent; without it, the armature is. */
 const JOINTS: readonly { name: string; of?: string; at: [number, number, number] }[] = [
   { name: 'Hips', at: [0, 92, -3] },
   { name: 'Spine', of: 'Hips', at: [0, 105, -3] },

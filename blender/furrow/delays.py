@@ -1,9 +1,9 @@
 """
 Drivers of type `time`. Blender's drivers have no memory of earlier frames, so a handler runs after each frame change.
 
-The handler writes the lag of each delayed area's activation into a property of the node group (`LATE`), which a step
-adds (`rig.py`). Blender reevaluates the property's readers before it draws or renders. Without the extension, and while
-the frame does not change, there are no delays.
+The handler stores, for each delayed area, the difference between the delayed and the current activation in a property
+of the node group (`LATE`). A driver adds this difference to the activation (`rig.py`). Blender evaluates that driver
+again before it draws or renders. Without the extension, or while the frame stays the same, there are no delays.
 """
 
 import math

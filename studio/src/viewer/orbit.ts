@@ -75,7 +75,7 @@ export class Orbit {
     return this.#view
   }
 
-  /** Frames the face again in the current fixed view, after a change of the stage's shape or of the skin. */
+  /** Fits the face into the current fixed view again. Call after the canvas's aspect ratio or the face has changed. */
   frame(immediate = false): void {
     if (this.#view) this.goTo(this.#view, immediate)
   }

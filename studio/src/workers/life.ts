@@ -45,7 +45,7 @@ export function deathOf(
       'message',
       ({ data }: MessageEvent<Partial<Alive>>) => {
         if (data?.lock === undefined) return
-        // Rejects if the signal ends the wait.
+        // The request rejects when `signal` aborts. `end` reports that.
         navigator.locks.request(data.lock, { signal }, () => reject(makeError(undefined))).catch(() => {})
       },
       { signal },

@@ -17,7 +17,7 @@ import { FACES, prepareFace, skinAt } from './faces.ts'
 
 type Pose = Readonly<Record<string, number>>
 
-/** Triangles per area: enough for a converged mean, and as many as the tension driver uses on the CPU. */
+/** Sampled triangles per area. `ALL` is enough for the mean to converge. `FEW` is the number that tension drivers use on the CPU. */
 const [ALL, FEW] = [4096, 16]
 const POSES = 60
 
@@ -49,7 +49,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
     return positions
   }
 
-  /** Returns means of 1 - (smaller principal stretch) and (larger one) - 1 over each area. */
+  /** Returns a function of the pose: for each area, its mean compression and its mean stretch, as tension drivers measure them. */
   function tension(count: number) {
     const mesh = { positions: skin.positions, uvs: skin.uvs, triangles: skin.indices }
     const inputs = areas().flatMap(({ name: area }) =>
@@ -76,7 +76,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
     ).activations({ weights })
   }
 
-  /** Returns the activations of two tension drivers per area with the same range: one deepens from rest, the other smooths out. */
+  /** Returns activations by two tension drivers per area, in place of the written one: compression deepens furrows, stretch smooths them. */
   function byTension(values: Float64Array): Record<string, number> {
     const drivers = areas().flatMap(({ name, driver: { curve } }): TensionDriver[] => {
       const [[pulled, smooth], [, rest], [squeezed]] = curve
@@ -160,7 +160,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
     expect(seen.pulled).toBeGreaterThan(3)
   })
 
-  /** Returns the mean tangent of the angle by which the net tilts normals, by area, in a pose. */
+  /** Returns, for each area, how far the fine furrows tilt normals in a pose: the mean tangent of the angle. */
   function tilts(pose: Pose): number[] {
     const { normal } = wrinkles.layers.at(-1)!
     const activations = byBlendshapes(pose)

@@ -20,7 +20,7 @@ const POLL_AFTER = 60_000
 /** Time for which the queue keeps ended jobs, seconds. A batch that is run again within this time finds them. */
 const RETENTION = 7 * 24 * 3600
 
-/** Returns the id of a job in the queue. Includes the output, because two batches may write the same work elsewhere. */
+/** Returns the id of a job in the queue. It depends on the output path, because two batches may write the same result to different files. */
 function idOf({ key, output = '' }: Job): string {
   return `${key}-${createHash('sha256').update(output).digest('hex').slice(0, 8)}`
 }
@@ -121,7 +121,7 @@ async function outcomeOf(job: QueuedJob): Promise<Outcome | undefined> {
   const state = await job.getState()
   if (state === 'completed') return reportedOutcome(job)
   if (state !== 'failed') return undefined
-  // Workers report failures as outcomes, so BullMQ itself gave up: too many workers disappeared.
+  // A job whose command fails completes with an outcome. BullMQ marks a job as failed when its workers died too often.
   const reason = `its workers stopped before it was done (${job.failedReason})`
   return { status: 'failed', kind: 'crash', reason, warnings: [], seconds: 0, attempts: job.attemptsStarted }
 }

@@ -1,4 +1,4 @@
-/** Mixing of the layers' maps into the material's own, in GLSL and WGSL: `mixNormals` and `mixValues` of the reference. */
+/** Generates GLSL and WGSL that mixes the layers' maps into those of the material, like `mixNormals` and `mixValues` of the reference. */
 import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from '../../core/blood.ts'
 import type { LayerKind } from '../../core/types.ts'
 import type { ValueKind } from '../../runtime/layer-maps.ts'
@@ -101,7 +101,8 @@ function normalMixing(
   const { float, vec2, vec3 } = d
   const scales = d.uniform('furrowNormalScale')
   const layers = kinds.map((kind, layer) => {
-    // Detail: stored x and y, unpacked later with their factor, and slightly more than half of z, to avoid 0 / 0 at an influence of 0.
+    // Detail layers unpack only z here, halved, and x and y below, together with the factor k. The halved z is slightly too large, so that
+    // it is never 0: at an influence of 0, k would be 0 / 0.
     const unpacked = kind === 'detail' ? `- ${vec3}(0.0, 0.0, 0.4999999)` : '* 2.0 - 1.0'
     return `
   ${d.local(vec3, `n${layer}`, `furrowSample_normal(${normals[layer]!}).xyz ${unpacked}`)}`
@@ -131,7 +132,7 @@ function normalMixing(
   ${d.local(float, 'kept', '1.0 - along / (normal.z + size)')}
   normal = ${vec3}(normal.xy * kept + slope * size, normal.z - along);
 #ifdef DETAIL
-  // Babylon.js's detail map expects a normal of the original length; without one Babylon.js normalises.
+  // Babylon.js adds its own detail map to this normal and expects its length unchanged. Without that map, Babylon.js normalises the result.
   normal = normal * (size / length(normal));
 #endif`
   const body = `
@@ -146,7 +147,7 @@ function normalMixing(
   return d.declare(vec3, 'furrowMixNormals', parameters, body)
 }
 
-/** Uniform with the scale per layer, and decoding, by kind of map. */
+/** By kind of map: the name of the uniform that holds a factor per layer, if any, and an expression that decodes a stored value. */
 const VALUES: Record<ValueKind, { scales?: string; decode(stored: string, scale: string): string }> = {
   baseColor: { decode: (stored) => stored },
   roughness: { decode: (stored) => stored },
@@ -160,7 +161,7 @@ const VALUES: Record<ValueKind, { scales?: string; decode(stored: string, scale:
   },
 }
 
-/** Declares `vec3 furrowMix_KIND(vec3 base)`; single values fill all three components. */
+/** Declares `vec3 furrowMix_KIND(vec3 base)`. Kinds with one value per texel repeat it in all three components. */
 function valueMixing(d: Dialect, kind: ValueKind, { slices, channel, sampler }: ValueLayers): string {
   const { vec3 } = d
   const { scales, decode } = VALUES[kind]

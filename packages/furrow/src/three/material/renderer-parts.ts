@@ -33,6 +33,6 @@ export interface RendererParts {
   bindTension: BindTension
   /** Materials of the influence atlas. */
   quads: QuadMaterials
-  /** Imports the relief chunk; lazy, because few faces get large enough on screen to need relief. */
+  /** Downloads the code for relief when a face first needs it. Most pages never show a face that large. */
   loadRelief(): Promise<CreateRelief>
 }

@@ -45,7 +45,7 @@ export const SAME = 0.975
 export const MAX_DIFFERENT = 0.9
 /** Maximum difference between the scores of two rivals for a label. */
 const RIVAL = 0.11
-/** Minimum score for the assignment of one shape to each label. */
+/** Minimum score of a shape for a label that it may own. Each label has at most one owner, see `matchShapes`. */
 const MIN_SCORE = 0.3
 /** Minimum score of a label that counts as found. */
 export const FOUND = 0.45
@@ -151,9 +151,12 @@ export function matchShapes(
     return row
   })
   const columns = assign(cost)
-  /** Shape assigned to each label. */
+  /** Owner of each label: the shape assigned to it first. */
   const owners = new Map(live.map((shape, n) => [columns[n], shape]))
-  /** Weight of the score difference between two labels if no shape has the second one. Small if their templates are similar. */
+  /**
+   * Factor on the difference between a shape's scores for two labels, if the second label has no owner. Templates of different families that
+   * are alike give a small factor, because their scores are then close for every shape.
+   */
   const dissimilarity = (j: number, k: number) =>
     labels[j].family === labels[k].family || isOpposite(labels[j], labels[k])
       ? 1
