@@ -1,4 +1,4 @@
-/** Shared code of the Babylon.js examples: a lit scene with controls below it. Not part of the library. */
+/** Code that the Babylon.js examples share: a lit scene, with controls below it. Not part of the library. */
 
 import { FreeCamera } from '@babylonjs/core/Cameras/freeCamera.js'
 import { Engine } from '@babylonjs/core/Engines/engine.js'
@@ -9,7 +9,7 @@ import { Vector3 } from '@babylonjs/core/Maths/math.vector.js'
 import { Scene } from '@babylonjs/core/scene.js'
 import { controls } from './controls.js'
 
-/** Creates a scene and draws it every frame. */
+/** Creates a lit scene and draws it every frame. */
 export function createScene() {
   const canvas = document.createElement('canvas')
   document.body.prepend(canvas)
@@ -26,8 +26,10 @@ export function createScene() {
     const height = Math.max(240, innerHeight - controls().offsetHeight)
     Object.assign(canvas.style, { width: `${width}px`, height: `${height}px` })
     engine.resize()
-    // Fits the whole face into a narrow page.
+    // Widens the view on narrow pages, so that the whole face fits.
     camera.fov = Math.min(0.84, 0.384 / Math.min(1, width / height / 0.8))
+    // Raises the camera as the view widens. The picture always ends 0.584 m above the origin, so the lower edge of the shirt stays outside.
+    camera.position.y = 0.584 + 0.93 * Math.tan(camera.fov / 2)
   }
   addEventListener('resize', resize)
   engine.runRenderLoop(() => scene.render())

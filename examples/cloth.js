@@ -1,20 +1,20 @@
-/** A simulated cloth and its maps, for tension.html. Not part of the library. */
+/** A simulated cloth and its wrinkle maps, for tension.html. Not part of the library. */
 
 import { bumpToNormal } from 'furrow/author'
 import { DoubleSide, Mesh, MeshPhysicalMaterial, PlaneGeometry } from 'three'
 
-/** Squares per side: too few for folds in the geometry. */
+/** Squares per row and column of the cloth. The mesh is too coarse to show folds. */
 const SIDE = 24
 /** Width of the cloth, metres. */
 const WIDTH = 0.27
-/** Minimum length of threads, as a fraction of their rest length: cloth has a thickness. */
+/** Minimum length of a thread, as a fraction of its length at rest. The thickness of cloth limits its compression. */
 const MIN_STRETCH = 0.5
 const STEP = 1 / 240
 const GRAVITY = 9.81
 
 /**
- * A cloth that hangs from two corners. Threads resist stretch but barely compression: T. Jakobsen, Advanced Character Physics, 2001, with
- * one-sided constraints.
+ * A cloth that hangs from two corners. Threads resist stretch, but resist compression only below `MIN_STRETCH`. The
+ * method is from T. Jakobsen, Advanced Character Physics, 2001.
  */
 export class Cloth {
   constructor() {
@@ -26,12 +26,12 @@ export class Cloth {
     this.lastPositions = this.positions.slice()
     this.threads = createThreads()
     this.lastUpdate = 0
-    /** Fraction by which the upper corners are closer than at rest, and where it moves to. */
+    /** Fraction by which the upper corners are closer together than at rest. `push` moves smoothly to `targetPush`. */
     this.push = 0
     this.targetPush = 0
   }
 
-  /** Holds the corners closer by a fraction, 0..1, until the cloth rests. */
+  /** Moves the upper corners together by a fraction, 0..1, and simulates until the cloth rests. */
   settle(push) {
     this.push = push
     this.targetPush = push
@@ -39,7 +39,7 @@ export class Cloth {
     this.write()
   }
 
-  /** Simulates the time since the last update. */
+  /** Simulates the time since the previous update. */
   update(seconds) {
     const steps = Math.min(8, Math.round((seconds - this.lastUpdate) / STEP))
     this.lastUpdate = seconds
@@ -106,7 +106,10 @@ function createThreads() {
   return threads
 }
 
-/** Creates weights of one patch that fall to 0 at the centres of its neighbours, so that all patches sum to 1. */
+/**
+ * Creates the weights of one square patch. They fall to 0 at the centres of the neighbouring patches, so that all
+ * patches sum to 1.
+ */
 export function patchWeights(column, row, count) {
   const size = 64
   const data = new Uint8Array(size * size)
@@ -119,7 +122,7 @@ export function patchWeights(column, row, count) {
   return { width: size, height: size, data }
 }
 
-/** Creates a normal map of slanted vertical folds of limited length, from heights in texels. */
+/** Creates a normal map of slanted vertical folds that do not reach across the whole cloth. */
 export function foldNormals(size) {
   const heights = new Float64Array(size * size)
   let seed = 7

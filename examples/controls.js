@@ -1,12 +1,15 @@
-/** Controls of the examples, for any engine. Not part of the library. */
+/** Controls below an example, for any engine. Not part of the library. */
 
-/** Adds buttons for expressions. First shows the one in the page's address (`?expression=happy`), by default `initial`. */
+/**
+ * Adds a button for each expression. Plays the expression that the page's address names, such as `?expression=happy`,
+ * or `initial` if the address names none.
+ */
 export function addExpressions(player, initial = 'surprised') {
   player.play(new URLSearchParams(location.search).get('expression') ?? initial, 0)
   addButtons(['neutral', 'surprised', 'happy', 'angry'], (name) => player.play(name, 0.4, 'easeInOut'))
 }
 
-/** Adds a labelled slider that calls `onChange`. Returns a function that sets it without calling `onChange`. */
+/** Adds a labelled slider that calls `onChange`. Returns a function that sets the slider without calling `onChange`. */
 export function addSlider(name, { min = 0, max = 1, step = 0.01, value = 0 }, onChange) {
   const label = document.createElement('label')
   const input = Object.assign(document.createElement('input'), { type: 'range', min, max, step, value })
@@ -27,7 +30,6 @@ export function addSlider(name, { min = 0, max = 1, step = 0.01, value = 0 }, on
   }
 }
 
-/** Adds a button for each name. */
 export function addButtons(names, onPress) {
   const row = document.createElement('div')
   for (const name of names) {
@@ -55,7 +57,6 @@ export function addChoice(names, chosen, onChoose) {
   controls().append(row)
 }
 
-/** Adds a checkbox. */
 export function addCheck(name, checked, onChange) {
   const label = document.createElement('label')
   const input = Object.assign(document.createElement('input'), { type: 'checkbox', checked })
@@ -64,7 +65,7 @@ export function addCheck(name, checked, onChange) {
   controls().append(label)
 }
 
-/** Adds lines of text. Returns a function that replaces them. */
+/** Adds text of one or more lines. Returns a function that replaces the text. */
 export function addText() {
   const text = document.createElement('pre')
   controls().append(text)
@@ -73,7 +74,7 @@ export function addText() {
   }
 }
 
-/** Adds a bar that shows a fraction, 0..1, and can be removed. */
+/** Adds a progress bar. `set` takes a fraction from 0 to 1, and `remove` removes the bar. */
 export function addProgress(name) {
   const label = document.createElement('label')
   const bar = Object.assign(document.createElement('progress'), { value: 0 })
@@ -87,7 +88,7 @@ export function addProgress(name) {
   }
 }
 
-/** Returns the form that holds the controls, below the page's content. */
+/** Returns the form with the controls. Creates the form below the content of the page if it does not exist. */
 export function controls() {
   const found = document.querySelector('form')
   if (found) return found

@@ -1,25 +1,28 @@
-/** Rows of instances of a face with independent expressions, for crowd.html. Not part of the library. */
+/** Rows of instances of one face, each with a different expression, for crowd.html. Not part of the library. */
 
 import { EXPRESSIONS } from 'furrow'
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier'
 import { BufferAttribute, Group, InstancedMesh, Matrix4 } from 'three'
 
-/** Metres between faces. */
+/** Distance between the centres of neighbouring faces, metres. */
 const SPACING = { x: 0.28, y: 0.33 }
-/** Seconds per expression. */
+/** Duration of an expression, seconds. */
 const DURATION = 2.4
 
 /**
  * Creates instances of all meshes of a face, in rows and columns.
  *
- * @param {number} detail fraction of triangles to keep.
+ * @param {number} detail fraction of the triangles to keep.
  */
 export async function createCrowd(face, count, detail) {
   await MeshoptSimplifier.ready
   const columns = Math.ceil(Math.sqrt(count * 1.7))
   const rows = Math.ceil(count / columns)
   const group = new Group()
-  /** Each mesh sets the blendshapes of its instances. */
+  /**
+   * Meshes of the face with their instances. `InstancedMesh.setMorphAt` copies the blendshape weights of a mesh to one
+   * instance.
+   */
   const parts = []
   face.updateMatrixWorld()
   face.traverse((mesh) => {
@@ -48,7 +51,7 @@ export async function createCrowd(face, count, detail) {
     height: rows * SPACING.y,
     instancesOf: (wanted) => parts.find(({ mesh }) => mesh === wanted).instances,
 
-    /** Plays the expressions on every face, each with its own phase. */
+    /** Plays the expressions on every face. Each face is at another moment of the sequence. */
     express(seconds) {
       for (let i = 0; i < count; i++) {
         const phase = seconds / DURATION + i * 0.618

@@ -1,8 +1,8 @@
-/** Places and moves the hand and the neck of joints.html. Not part of the library. */
+/** Places and moves the models of joints.html, a hand and a neck. Not part of the library. */
 
 import { AnimationMixer, AnimationUtils, Group, Matrix4, Vector3 } from 'three'
 
-/** Start and end of each clip's motion, seconds; the second range is for negative values. */
+/** Start and end of the motion in each clip, seconds. A second range shows the motion in the opposite direction. */
 const RANGES = {
   fist: [[0, 1.4]],
   turn: [
@@ -12,7 +12,10 @@ const RANGES = {
   nod: [[0, 1]],
 }
 
-/** Places a model in front of the camera of `showFace`. Returns its pivot. */
+/**
+ * Places a model in front of the camera of `showFace`. Returns a group that contains the model. Rotate this group to
+ * turn the model.
+ */
 export function placeModel(scene, model) {
   const pivot = new Group().add(scene)
   if (model === 'hand') poseHand(pivot, scene)
@@ -20,7 +23,7 @@ export function placeModel(scene, model) {
   return pivot
 }
 
-/** Turns the fingers up and the palm forward. */
+/** Turns the hand so that its fingers point up and its palm faces the camera. */
 function poseHand(pivot, scene) {
   scene.updateMatrixWorld(true)
   const wrist = scene.getObjectByName('wristL').getWorldPosition(new Vector3())
@@ -35,8 +38,8 @@ function poseHand(pivot, scene) {
 }
 
 /**
- * Lists the clips of a model, each with a function that moves it to a value, `min`..1. Clips are additive: the head can turn and nod at
- * once.
+ * Returns the clips of a model. `move` takes a value from `min` to 1 and poses the model. The clips are additive, so the head
+ * can turn and nod at the same time.
  */
 export function clipMovers(scene, animations) {
   const mixer = new AnimationMixer(scene)

@@ -1,4 +1,4 @@
-/** Shared code of the examples: a lit face with controls below it. Not part of the library. */
+/** Code that the three.js examples share: a lit face, with controls below it. Not part of the library. */
 
 import * as three from 'three'
 import { controls } from './controls.js'
@@ -8,13 +8,13 @@ export * from './controls.js'
 const { Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene } = three
 
 /**
- * Shows a face and draws every frame.
+ * Shows a face and draws it every frame.
  *
  * @param {import('three').Object3D} face
- * @param {(seconds: number) => void} [beforeFrame] called with the seconds since the page was opened.
- * @param {import('three').WebGLRenderer | import('three/webgpu').WebGPURenderer} [renderer] required where the import map's `three` is
- *   the build without `WebGLRenderer`.
- * @returns the stage, for pages that change it.
+ * @param {(seconds: number) => void} [beforeFrame] called before each frame with the seconds since the page was opened.
+ * @param {import('three').WebGLRenderer | import('three/webgpu').WebGPURenderer} [renderer] required if the import map
+ *   of the page maps `three` to the WebGPU build, which has no `WebGLRenderer`.
+ * @returns the scene, camera, renderer and main light, so that a page can change them.
  */
 export function showFace(
   face,
@@ -34,10 +34,10 @@ export function showFace(
     const { clientWidth: width } = document.body
     const height = Math.max(240, innerHeight - controls().offsetHeight)
     camera.aspect = width / height
-    // Fits the whole face into a narrow page ...
+    // Widens the view on narrow pages, so that the whole face fits.
     camera.fov = Math.min(48, 22 / Math.min(1, camera.aspect / 0.8))
-    // ... and keeps the lower edge of the shirt out of the frame.
-    camera.position.y = 0.765 + 0.11 * (camera.fov / 22 - 1)
+    // Keeps the lower edge of the picture 0.584 m above the origin, so that the end of the shirt stays hidden.
+    camera.position.y = 0.584 + 0.93 * Math.tan((camera.fov * Math.PI) / 360)
     camera.updateProjectionMatrix()
     renderer.setSize(width, height)
   }
@@ -51,10 +51,11 @@ export function showFace(
 }
 
 /**
- * Calls a function while the pointer is dragged over a mesh.
+ * Calls a function while the user drags the pointer over a mesh.
  *
  * @param {ReturnType<typeof showFace>} view
- * @param {(hit: { uv: import('three').Vector2, isFirst: boolean }) => void} onHit `isFirst`: the drag has just begun.
+ * @param {(hit: { uv: import('three').Vector2, isFirst: boolean }) => void} onHit `isFirst` is true at the first point
+ *   of a drag.
  */
 export function onDrag({ camera, renderer: { domElement: canvas } }, mesh, onHit) {
   const raycaster = new three.Raycaster()
@@ -76,7 +77,7 @@ export function onDrag({ camera, renderer: { domElement: canvas } }, mesh, onHit
   })
 }
 
-/** Sets a blendshape of every mesh of a face that has it, 0..1. */
+/** Sets the weight of a blendshape, 0..1, on all meshes of a face that have this blendshape. */
 export function setTarget(face, name, weight) {
   face.traverse(({ morphTargetDictionary: targets, morphTargetInfluences: weights }) => {
     if (targets && name in targets) weights[targets[name]] = weight

@@ -1,6 +1,6 @@
-/** Scores as a face tracker returns them, for tracker.html. Not part of the library. */
+/** Recorded scores in the format of a face tracker, for tracker.html. Not part of the library. */
 
-/** Seconds, and the scores at that time. */
+/** Pairs of a time in seconds and the scores at this time. */
 const RECORDING = [
   [0, {}],
   [
@@ -64,7 +64,10 @@ const RECORDING = [
 ]
 const NAMES = [...new Set(RECORDING.flatMap(([, scores]) => Object.keys(scores)))]
 
-/** Returns the scores at a time, 0..8 seconds, like `faceBlendshapes[0].categories` of MediaPipe's face landmarker. */
+/**
+ * Returns the scores at a time from 0 to 8 seconds, in the format of `faceBlendshapes[0].categories` of MediaPipe's
+ * face landmarker.
+ */
 export function recordedScores(seconds) {
   const next = Math.max(
     1,

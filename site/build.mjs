@@ -1,4 +1,4 @@
-// Builds the site into site/dist: `npm run site`. See site/README.md.
+// `npm run site`: builds the site into site/dist. See site/README.md.
 
 import { rmSync } from 'node:fs'
 import { join } from 'node:path'
@@ -25,7 +25,7 @@ await main(async () => {
 
 async function gather() {
   rmSync(PAGES, { recursive: true, force: true })
-  // Imported here because these modules import packages that `setUp` builds.
+  // Imported late, because these modules need packages that `setUp` builds.
   const { gatherPages } = await import('./gather/pages.mjs')
   const { gatherCommands } = await import('./gather/commands.mjs')
   const { gatherExamples } = await import('./gather/examples.mjs')
@@ -50,7 +50,6 @@ function buildStudio() {
   })
 }
 
-/** Runs steps one after another and prints the time each took. */
 async function inOrder(steps) {
   for (const [name, work] of steps) {
     const start = performance.now()

@@ -1,5 +1,6 @@
-// Checks the built site: `npm run site:check`. Linkinator checks links; Lighthouse checks performance, accessibility and best practices.
-// npx fetches both, so that their 300 packages stay out of package.json.
+// `npm run site:check`: checks the built site. Linkinator checks links, and Lighthouse checks performance,
+// accessibility and best practices. npx fetches both programs, because package.json should not contain their 300
+// packages.
 
 import { execFile } from 'node:child_process'
 import { readFileSync } from 'node:fs'
@@ -13,7 +14,7 @@ import { serveSite } from './serve.mjs'
 const LINKINATOR = 'linkinator@7.6.1'
 const LIGHTHOUSE = 'lighthouse@12.8.2'
 
-/** Pages with the minimum score of each category, 0..100. */
+/** Pages that Lighthouse checks, each with the minimum score that it must have in every category, 0..100. */
 const PAGES = [
   ['docs/guide.html', 95],
   ['docs/api/furrow.three.html', 95],
@@ -21,7 +22,7 @@ const PAGES = [
 ]
 const CATEGORIES = ['performance', 'accessibility', 'best-practices']
 
-/** Chromium without a display and without its sandbox, which containers do not allow. */
+/** Runs Chromium without a display, and without its sandbox, which containers do not allow. */
 const FLAGS = '--headless=new --no-sandbox --enable-unsafe-swiftshader'
 
 await main(async () => {
@@ -40,7 +41,7 @@ await main(async () => {
   }
 })
 
-/** Follows every link, and checks that its fragment names a heading. */
+/** Follows every link of the site. Checks that the fragment of a link is the anchor of a heading. */
 async function checkLinks(address, folder) {
   const config = join(folder, 'linkinator.json')
   const others = `^(?!${address})`
@@ -82,7 +83,10 @@ async function checkPages(address, folder) {
   return problems
 }
 
-/** Runs a program and returns its output. Linkinator's exit code is ignored, because its JSON lists every broken link. */
+/**
+ * Runs a program and returns its output. Ignores the exit code: Linkinator fails if links are broken, but its JSON
+ * lists these links.
+ */
 function outputOf([program, ...words]) {
   return new Promise((done) => {
     execFile(program, words, { cwd: ROOT, maxBuffer: 1 << 28 }, (_, stdout) => done(stdout))

@@ -1,11 +1,12 @@
-// Maps files of the repository to pages of the site. Pages keep their folders, so relative links between them stay valid.
+// Maps files of the repository to pages of the site. A page keeps the path of its file, so relative links between pages
+// stay valid.
 
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs'
 import { posix } from 'node:path'
 import { join } from 'node:path/posix'
 import { ROOT } from '../scripts/lib/run.mjs'
 
-/** Folders whose Markdown files are all pages. */
+/** Folders in which all Markdown files become pages. */
 const FOLDERS = [
   'docs',
   'docs/api',
@@ -16,9 +17,9 @@ const FOLDERS = [
   'faces/hand',
   'faces/neck',
 ]
-/** Folders whose direct subfolders are treated like `FOLDERS`. */
+/** In the direct subfolders of these folders, all Markdown files become pages too. */
 const SUBFOLDERS = ['bench']
-/** Markdown files outside these folders that are pages too. */
+/** Other Markdown files that become pages. */
 const SINGLE = [
   'README.md',
   'CONTRIBUTING.md',
@@ -28,13 +29,13 @@ const SINGLE = [
   'studio/README.md',
 ]
 
-/** Files that pages link to and the site serves unchanged. */
+/** Files that the site serves unchanged, because pages link to them. */
 const PUBLIC = /^docs\/schema\/.*\.json$/
 
-/** Folders of applications, with their start page on the site. */
+/** Folders of applications, each with the path of its start page on the site. */
 const APPLICATIONS = new Map([['studio', 'studio/index.html']])
 
-/** Lists the Markdown files of the repository that become pages. */
+/** Returns the Markdown files of the repository that become pages. */
 export function pageFiles() {
   const below = SUBFOLDERS.flatMap((folder) =>
     readdirSync(join(ROOT, folder), { withFileTypes: true })
@@ -51,25 +52,29 @@ export function pageFiles() {
   return [...SINGLE.filter((file) => existsSync(join(ROOT, file))), ...found]
 }
 
-/** Returns the page of a Markdown file, relative to the site. A folder's README becomes index.md; the root README becomes overview.md. */
+/**
+ * Returns the path of a Markdown file's page on the site. The README of a folder becomes index.md, and the README of
+ * the repository becomes overview.md.
+ */
 export function pageOf(file) {
   if (file === 'README.md') return 'overview.md'
   return file.replace(/(^|\/)README\.md$/, '$1index.md')
 }
 
-/** Returns the repository file of a page: the inverse of `pageOf`. */
+/** Returns the file of a page in the repository. This is the inverse of `pageOf`. */
 export function fileOf(page) {
   if (page === 'overview.md') return 'README.md'
   return /\/index\.md$/.test(page) ? page.replace(/index\.md$/, 'README.md') : page
 }
 
 /**
- * Resolves a relative link in a repository file to a link on the site.
+ * Converts a relative link in a file of the repository to a link on the site.
  *
- * @param {string} file repository file that contains the link.
+ * @param {string} file file that contains the link.
  * @param {string} link relative link, with or without a fragment.
- * @returns {{ href: string, isExternal?: true } | undefined} `isExternal`: the target is not a VitePress page. Undefined if neither the site nor a
- *   known repository has the target.
+ * @returns {{ href: string, isExternal?: true } | undefined} `isExternal` is true if the target is on the site, but
+ *   is not a page of VitePress. The result is undefined if the target is not on the site and package.json names no
+ *   repository.
  */
 export function resolveLink(file, link) {
   const [path, fragment] = link.split(/(?=#)/)
@@ -91,7 +96,7 @@ export function resolveLink(file, link) {
 
 const pages = new Set(pageFiles())
 
-/** Returns the web address of the repository from package.json, or undefined if package.json has none. */
+/** Returns the web address of the repository from package.json. Returns undefined if package.json names none. */
 export function repositoryAddress() {
   const { repository } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8'))
   return (repository?.url ?? repository)?.replace(/^git\+/, '').replace(/\.git$/, '')

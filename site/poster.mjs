@@ -1,4 +1,5 @@
-// Renders the posters of the first page from the built site: `node site/poster.mjs`. Run it after a change of the face or its lighting.
+// `node site/poster.mjs`: renders the posters of the first page from the built site. A poster is shown until the face
+// is loaded. Run this script after a change of the face or its lighting.
 
 import { join } from 'node:path'
 import sharp from 'sharp'
@@ -10,7 +11,7 @@ const POSTERS = [
   ['poster-small.webp', 560],
 ]
 
-/** Hides everything but the face, on a transparent background. */
+/** Style sheet that hides everything but the face, and makes the background transparent. */
 const FACE_ONLY = `
   * { background: none !important; }
   body * { visibility: hidden !important; }
@@ -27,7 +28,7 @@ await main(async () => {
     await page.addStyleTag({ content: FACE_ONLY })
     await page.keyboard.press('Shift')
     const canvas = await page.waitForSelector('canvas.drawn')
-    // Long enough for the expression and its wrinkles to fade in.
+    // Waits until the expression and its wrinkles have faded in.
     await page.waitForTimeout(4000)
     const picture = await canvas.screenshot({ omitBackground: true })
     for (const [name, side] of POSTERS) {

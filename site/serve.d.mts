@@ -1,2 +1,1 @@
-/** Serves the built site like a static file server, under an arbitrary path. */
 export function serveSite(): Promise<{ address: string; close(): Promise<void> }>

@@ -2,10 +2,10 @@ import { join } from 'node:path'
 import { preview } from 'vite'
 import { ROOT } from '../scripts/lib/run.mjs'
 
-/** Arbitrary path: the site must work under any. */
+/** An arbitrary path, because the site must work under any path. */
 const PATH = '/somewhere/else/'
 
-/** Serves the built site like a static file server, under an arbitrary path. */
+/** Serves the built site as a static file server does, under an arbitrary path. */
 export async function serveSite() {
   const server = await preview({
     configFile: false,

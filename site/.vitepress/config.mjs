@@ -8,7 +8,7 @@ import { slugOf } from './slug.mjs'
 
 const folder = (path) => fileURLToPath(new URL(path, import.meta.url))
 
-/** Same icon as the studio. */
+/** Icon of the site and the studio. */
 const ICON =
   "data:image/svg+xml,<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 32 32'><rect width='32' height='32' rx='7' fill='%2324272c'/><path d='M6 11q10-5 20 0M6 17q10-5 20 0M6 23q10-5 20 0' fill='none' stroke='%23e6b48c' stroke-width='2.4' stroke-linecap='round'/></svg>"
 
@@ -20,9 +20,10 @@ export default {
   lang: 'en',
   srcDir: './pages',
   outDir: './dist',
-  // Relative URLs let the site work under any path.
+  // Relative URLs let the site work under any path of a server.
   base: './',
-  // `npm run site` builds the studio and the live examples after these pages.
+  // These links are dead while VitePress builds its pages. `npm run site` builds the studio and the live examples
+  // later.
   ignoreDeadLinks: [/\/studio\//, /\/examples\/live\//],
   head: [
     ['link', { rel: 'icon', href: ICON }],
@@ -32,14 +33,14 @@ export default {
     anchor: { slugify: slugOf },
     toc: { slugify: slugOf },
     headers: { slugify: slugOf },
-    // Contrast of at least 4.5 on the background of code blocks.
+    // These themes have a contrast of at least 4.5 to the background of code blocks.
     theme: { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' },
     config(markdown) {
       repositoryLinks(markdown)
       indentedCode(markdown)
     },
   },
-  // VitePress's default forces two style recalculations of the whole page on load.
+  // By default, VitePress recalculates the style of the whole page twice when a page loads.
   appearance: { disableTransition: false },
   themeConfig: {
     logo: { src: ICON, alt: '' },
@@ -53,7 +54,8 @@ export default {
     externalLinkIcon: true,
   },
   vite: {
-    // The benchmark imports source files. Resolving all imports to sources avoids a second copy of the library with its own state.
+    // The page with the benchmark imports source files of the library. All other imports also resolve to sources,
+    // because a second copy of the library would have its own state.
     resolve: SOURCES.resolve,
     cacheDir: folder('../../node_modules/.vite/site'),
     worker: { format: 'es' },

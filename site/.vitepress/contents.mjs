@@ -1,4 +1,4 @@
-// Navigation bar and sidebars.
+// Contents of the navigation bar and the sidebars.
 
 import { GROUPS, readExamples } from '../../scripts/lib/examples.mjs'
 import { readCommands } from '../gather/commands.mjs'

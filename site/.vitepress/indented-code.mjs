@@ -1,4 +1,4 @@
-/** markdown-it plugin: renders indented code blocks like fenced ones, so that both scroll. */
+/** markdown-it plugin that renders indented code blocks like fenced code blocks, so that long lines scroll in both. */
 export function indentedCode(markdown) {
   markdown.core.ruler.push('furrow-indented-code', ({ tokens }) => {
     for (const token of tokens)

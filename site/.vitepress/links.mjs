@@ -3,8 +3,9 @@ import { fileOf, resolveLink } from '../places.mjs'
 const OUTSIDE = /^(?:[a-z]+:|\/|#)/i
 
 /**
- * markdown-it plugin: turns links between repository files into links between pages. Links to other files lead to the repository, or become
- * plain text while package.json names no repository.
+ * markdown-it plugin that adapts links between files of the repository. A link to a file that is a page leads to the
+ * page. Links to other files lead to the repository. If package.json names no repository, these links become plain
+ * text.
  */
 export function repositoryLinks(markdown) {
   markdown.core.ruler.push('furrow-links', ({ tokens, env }) => {
@@ -14,7 +15,7 @@ export function repositoryLinks(markdown) {
   })
 }
 
-/** Generated pages have no repository file and link only to pages. */
+/** Returns whether a page is generated. Generated pages have no file in the repository, and link only to pages. */
 const isGenerated = (page) => page === 'index.md' || /^(commands|examples)\//.test(page)
 
 function rewrite(tokens, file) {
@@ -24,7 +25,7 @@ function rewrite(tokens, file) {
     const target = resolveLink(file, decodeURI(href))
     if (target) {
       token.attrSet('href', target.href)
-      // VitePress's router handles only pages; `_self` makes the browser load the target.
+      // VitePress's router handles only pages. With `_self`, the browser loads the target.
       if (target.isExternal) token.attrSet('target', '_self')
     } else {
       toText(token)

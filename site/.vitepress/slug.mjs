@@ -1,4 +1,4 @@
-/** Returns the anchor that GitHub gives a heading, because links in the documentation use GitHub's anchors. */
+/** Returns the anchor that GitHub gives to a heading. Links in the documentation use GitHub's anchors. */
 export function slugOf(heading) {
   return heading
     .trim()

@@ -1,4 +1,4 @@
-/** Client hints (https://wicg.github.io/ua-client-hints), missing in TypeScript's DOM types. */
+/** Client hints (https://wicg.github.io/ua-client-hints), which TypeScript's types of the DOM lack. */
 interface ClientHints {
   getHighEntropyValues(hints: string[]): Promise<{
     fullVersionList?: { brand: string; version: string }[]
@@ -7,10 +7,10 @@ interface ClientHints {
   }>
 }
 
-/** Matches the placeholder that Chromium adds to its brand list, such as `Not;A=Brand`. */
+/** Matches the placeholder that Chromium adds to its list of brands, e.g. `Not;A=Brand`. */
 const PLACEHOLDER_BRAND = /not.*brand/i
 
-/** Returns browser and operating system with versions, or the user agent if the browser has no client hints. */
+/** Returns the browser and the operating system with their versions. Without client hints, returns the user agent. */
 export async function browserName(): Promise<string> {
   const { userAgentData } = navigator as { userAgentData?: ClientHints }
   if (!userAgentData) return navigator.userAgent
@@ -21,7 +21,7 @@ export async function browserName(): Promise<string> {
     platformVersion = '',
   } = await userAgentData.getHighEntropyValues(hints)
   const brands = fullVersionList.filter(({ brand }) => !PLACEHOLDER_BRAND.test(brand))
-  // Chromium-based browsers list Chromium as well as their own brand.
+  // Browsers based on Chromium list both Chromium and their own brand.
   const own = brands.find(({ brand }) => brand !== 'Chromium') ?? brands[0]
   if (!own) return navigator.userAgent
   return `${own.brand} ${own.version}, ${platform} ${platformVersion}`.trim()

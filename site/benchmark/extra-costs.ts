@@ -1,6 +1,6 @@
 import type { Result } from '../../bench/report.ts'
 
-/** Frame time that moving wrinkles add to the plain face on one renderer. */
+/** Frame time that moving wrinkles add on one renderer, as bars of a chart. */
 export interface ExtraCosts {
   renderer: string
   adapter: string
@@ -10,14 +10,14 @@ export interface ExtraCosts {
 
 export interface Bar {
   name: string
-  /** Added time as a fraction of the plain face's time. */
+  /** Added frame time, as a fraction of the frame time without wrinkles. */
   extra: number
-  /** Length relative to the longest bar over all renderers, 0..1. */
+  /** Length of the bar relative to the longest bar of all renderers, 0..1. */
   length: number
 }
 
 const TITLES = { webgl: 'WebGL 2', webgpu: 'WebGPU' }
-const MAPS = { normals: '', all: ', all maps' }
+const MAPS = { normals: '', all: ', all maps', onset: ', all maps and onset' }
 
 /** Computes the bars of each measured renderer, in the order of the results. */
 export function extraCosts(results: readonly Result[]): ExtraCosts[] {
@@ -30,7 +30,7 @@ export function extraCosts(results: readonly Result[]): ExtraCosts[] {
       .filter(({ variant }) => variant !== 'plain')
       .map(({ variant, maps, ratioToPlain }) => {
         const extra = ratioToPlain - 1
-        // Noise can make a variant slightly faster than the plain face.
+        // Measurement noise can make a face with wrinkles slightly faster than without.
         return { name: variant + MAPS[maps], extra, length: Math.max(0, extra) / longest }
       })
     return { renderer: TITLES[renderer], adapter, plainMs, bars }

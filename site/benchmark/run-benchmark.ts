@@ -1,4 +1,4 @@
-/** Runs the quick benchmark of bench/ on the visitor's GPU. */
+/** Runs the quick variant of the benchmark in bench/ on the visitor's GPU. */
 
 import { listCases, RENDERER_KINDS } from '../../bench/case.ts'
 import { LINE_VARIANTS, toLine } from '../../bench/line.ts'
@@ -10,16 +10,19 @@ import { loadFace } from '../../stage/face.ts'
 import type { RendererKind } from '../../stage/stage.ts'
 import { browserName } from './browser-name.ts'
 
-/** Typical canvas size. Relative to the plain face, wrinkles cost more in small images than in large ones. */
+/** Canvas size in pixels, typical of a web page. In smaller images, wrinkles have a larger share of the frame time. */
 const SIZE = { width: 1280, height: 720 }
-/** Few rounds suffice: a GPU driver compiles a shader to the same program every time; software rasterisers do not. */
+/**
+ * Number of rounds. Each round compiles the shaders again. A GPU driver always produces the same program, so few rounds
+ * suffice. A software rasteriser would need more.
+ */
 const ROUNDS = 3
 
 export interface BenchmarkRun {
   results: Result[]
-  /** Row for the table in bench/machines.md, for visitors to send. */
+  /** Row that visitors can send in for the table in bench/machines.md. */
   line: string
-  /** Measurements that failed, with reasons. */
+  /** Reasons why renderers could not be measured. */
   notes: string[]
 }
 
@@ -28,7 +31,7 @@ export interface BenchmarkRun {
  *
  * @param face URL of `faces/human.glb`.
  * @param progress called with the completed fraction, 0..1.
- * @throws Error if every renderer failed; the signal's reason if aborted.
+ * @throws Error if no renderer could be measured. Throws the signal's reason if the signal aborts.
  */
 export async function runBenchmark(
   face: string,

@@ -1,4 +1,6 @@
-/** The face of the first page. It follows the pointer and renders only after changes. */
+/**
+ * Shows the face on the first page of the site. The face follows the pointer. A frame is rendered only after a change.
+ */
 
 import { EXPRESSIONS, type Expression } from 'furrow'
 import { ExpressionPlayer, frameFace, type WrinklesBase, wrinklesOf, wrinklesReady } from 'furrow/three'
@@ -19,22 +21,22 @@ import { type AvatarFile, type AvatarOptions, loadAvatar } from './load-avatar.t
 
 /** Fade time when the face follows the pointer, seconds. */
 const FOLLOW = 0.12
-/** Fade time of an expression chosen by button, seconds. */
+/** Fade time of an expression that a button selects, seconds. */
 const CHANGE = 0.35
 
-/** Largest camera rotation around the face, radians; zero with `prefers-reduced-motion`. */
+/** Largest rotation of the camera around the face, radians. There is no rotation with `prefers-reduced-motion`. */
 const YAW = 0.2
 const PITCH = 0.1
-/** Fraction of the remaining rotation done per frame. */
+/** Fraction of the remaining rotation that one frame covers. */
 const EASE = 0.12
 
-/** Rendering time after the last change, milliseconds. */
+/** Time for which frames are rendered after the last change, milliseconds. */
 const LINGER = 600
 
-/** Closer than the default of `frameFace`. */
+/** Zoom of `frameFace`. At its default zoom, the face would be smaller. */
 const ZOOM = 1.28
 
-/** Expression for each direction of the pointer from the centre of the face. */
+/** Expression that the face shows if the pointer is above, below, right or left of it. */
 const UP = 'surprised'
 const DOWN = 'angry'
 const RIGHT = 'happy'
@@ -42,7 +44,7 @@ const LEFT = 'disgusted'
 
 const NAMES = ['neutral', UP, DOWN, RIGHT, LEFT]
 
-/** Gaze in image directions. The person's left is on the right of the image. */
+/** Blendshapes that turn the eyes to a side of the image. The left eye is on the right side of the image. */
 const GAZES: readonly Expression[] = [
   gaze('gazeUp', { eyeLookUpLeft: 0.6, eyeLookUpRight: 0.6 }),
   gaze('gazeDown', { eyeLookDownLeft: 0.5, eyeLookDownRight: 0.5 }),
@@ -54,7 +56,7 @@ function gaze(name: string, targets: Record<string, number>): Expression {
   return { name, targets, activations: {} }
 }
 
-/** Expressions without activations, because the file's drivers compute them from the blendshapes. */
+/** Expressions without activations. The drivers of the file compute activations from the blendshapes. */
 const PLAYED = [
   ...EXPRESSIONS.filter(({ name }) => NAMES.includes(name)).map((expression) => ({
     ...expression,
@@ -72,13 +74,13 @@ export class LiveFace {
   #wrinkles: WrinklesBase | undefined
   #wrinkled = true
   readonly #target = new Vector3()
-  /** Camera position relative to the target while the pointer is in the centre. */
+  /** Position of the camera relative to `#target`, while the pointer is at the centre of the face. */
   readonly #rest = new Spherical()
-  /** Pointer position, -1..1, and the eased position that the camera uses. */
+  /** `#aim` is the position of the pointer, -1..1. `#now` follows it smoothly and moves the camera. */
   readonly #aim = { x: 0, y: 0 }
   readonly #now = { x: 0, y: 0 }
   readonly #isCalm = matchMedia('(prefers-reduced-motion: reduce)')
-  /** Time of `performance.now()` at which rendering stops, milliseconds. */
+  /** Rendering stops at this time of `performance.now()`, milliseconds. */
   #drawnUntil = 0
 
   /** @throws Error if the browser has no WebGL 2. */
@@ -93,14 +95,14 @@ export class LiveFace {
   }
 
   /**
-   * Replaces the shown avatar. Generates wrinkles if the file has none.
+   * Replaces the avatar. Generates wrinkles if the file has none.
    *
    * @returns whether the avatar has wrinkles.
    * @throws Error if the file cannot be read.
    */
   async show(file: AvatarFile, options?: AvatarOptions): Promise<boolean> {
     const avatar = await loadAvatar(file, this.#renderer, options)
-    // A face without blendshapes has no expressions to play.
+    // An expression player needs blendshapes.
     const player = hasBlendshapes(avatar.scene)
       ? new ExpressionPlayer(avatar.scene, wrinklesOf(avatar)[0], PLAYED)
       : undefined
@@ -118,7 +120,6 @@ export class LiveFace {
     return wrinkles !== undefined
   }
 
-  /** Whether wrinkles are visible. */
   get wrinkled(): boolean {
     return this.#wrinkled
   }
@@ -129,7 +130,12 @@ export class LiveFace {
     this.#draw()
   }
 
-  /** Moves the face by pointer position: -1..1 from the centre of the face, x to the right, y down. */
+  /**
+   * Makes the face look at the pointer and react to it.
+   *
+   * @param x position right of the centre of the face, -1..1.
+   * @param y position below the centre of the face, -1..1.
+   */
   aim(x: number, y: number): void {
     const far = Math.min(1, Math.hypot(x, y))
     const part = (along: number) => Math.min(1, Math.max(0, along * (0.4 + 0.6 * far)))
@@ -151,7 +157,6 @@ export class LiveFace {
     this.#draw()
   }
 
-  /** Shows an expression by name. */
   express(name: string): void {
     Object.assign(this.#aim, { x: 0, y: 0 })
     this.#player?.play(name, CHANGE, 'easeInOut')
@@ -187,7 +192,7 @@ export class LiveFace {
     this.#draw()
   }
 
-  /** Requests rendering for `LINGER` milliseconds, because wrinkles fade in over several frames. */
+  /** Renders frames for the next `LINGER` milliseconds, because wrinkles fade in over several frames. */
   #draw(): void {
     this.#drawnUntil = performance.now() + LINGER
   }
@@ -201,7 +206,7 @@ export class LiveFace {
     this.#renderer.render(this.#scene, this.#camera)
   }
 
-  /** Moves the camera towards the pointer. Returns whether the camera is still moving. */
+  /** Moves the camera towards the position of the pointer. Returns whether the camera is still moving. */
   #follow(): boolean {
     const { x, y } = this.#aim
     const [dx, dy] = [x - this.#now.x, y - this.#now.y]

@@ -1,19 +1,18 @@
-import { WrinkleLoaderPlugin } from 'furrow/three'
+import { extendLoader } from 'furrow/three'
 import type { WebGLRenderer } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
-/** URL, or a local file that the visitor chose. */
+/** URL of an avatar, or a local file that the visitor chose. */
 export type AvatarFile = string | File
 
 export interface AvatarOptions {
-  /** Called while wrinkles are generated. */
   progress?: (done: number, total: number) => void
 }
 
-/** Size of generated maps in texels: the face does not fill the screen. */
+/** Size of generated maps, texels. Larger maps would not be visible, because the face does not fill the screen. */
 const SIZE = 1024
 
-/** Loads a face from a URL or from a local file, which is not uploaded. */
+/** Loads an avatar. A local file is not uploaded. Generates wrinkles if the file has none. */
 export async function loadAvatar(
   file: AvatarFile,
   renderer: WebGLRenderer,
@@ -21,7 +20,7 @@ export async function loadAvatar(
 ): Promise<GLTF> {
   const bytes = await (typeof file === 'string' ? read(file) : file.arrayBuffer())
   const loader = new GLTFLoader()
-  loader.register((parser) => new WrinkleLoaderPlugin(parser, { auto: { size: SIZE, age: 50, ...options } }))
+  extendLoader(loader, { auto: { size: SIZE, age: 50, ...options } })
   await addDecoders(loader, renderer, bytes)
   return loader.parseAsync(bytes, '')
 }
@@ -32,9 +31,8 @@ async function read(address: string): Promise<ArrayBuffer> {
   return response.arrayBuffer()
 }
 
-/** Loads only the decoders that the file needs. */
 async function addDecoders(loader: GLTFLoader, renderer: WebGLRenderer, bytes: ArrayBuffer): Promise<void> {
-  // JSON is the first chunk of a .glb (glTF 2.0, section 4.4) and the whole of a .gltf.
+  // The JSON is the first chunk of a .glb (glTF 2.0, section 4.4), or the whole .gltf.
   const isBinary = new TextDecoder().decode(bytes.slice(0, 4)) === 'glTF'
   const end = isBinary ? 20 + new DataView(bytes).getUint32(12, true) : bytes.byteLength
   const json = new TextDecoder().decode(bytes.slice(isBinary ? 20 : 0, end))

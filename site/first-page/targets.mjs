@@ -1,4 +1,4 @@
-/** Blendshapes kept in the face of the first page, beside those that its drivers read. */
+/** Blendshapes that the face on the first page of the site keeps, in addition to the blendshapes that its drivers read. */
 
 const both = (name) => [`${name}Left`, `${name}Right`]
 

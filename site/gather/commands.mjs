@@ -1,4 +1,4 @@
-// Generates the command reference from the definitions behind `--help`.
+// Generates pages with the options of each command, from the same definitions as `--help`.
 
 import { mkdirSync, readdirSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -7,7 +7,7 @@ import { ROOT } from '../../scripts/lib/run.mjs'
 
 const COMMANDS = ['commands', 'batch/commands'].map((folder) => join(ROOT, 'packages/cli/dist', folder))
 
-/** Writes one page per command and an index. */
+/** Writes one page per command, and a page that lists the commands. */
 export async function gatherCommands(folder) {
   const commands = await readCommands()
   mkdirSync(join(folder, 'commands'), { recursive: true })
@@ -28,7 +28,6 @@ export async function gatherCommands(folder) {
 const INTRODUCTION =
   'These pages contain the output of `npx furrow help COMMAND`. `npx furrow` runs a command if `furrow-cli` is installed; otherwise use `npx --yes furrow-cli`.'
 
-/** Imports all commands, sorted by name. */
 export async function readCommands() {
   const files = COMMANDS.flatMap((folder) => readdirSync(folder).map((name) => join(folder, name)))
   const scripts = files.filter((file) => file.endsWith('.js'))
@@ -69,7 +68,9 @@ function section(title, heads, rows) {
   return [`## ${title}`, [`| ${heads.join(' | ')} |`, '| --- | --- |', ...lines].join('\n')]
 }
 
-/** Converts the help text below the options to Markdown: paragraphs, examples as commands. */
+/**
+ * Converts the help text below the options to Markdown. Paragraphs become paragraphs, and examples become a code block.
+ */
 function notes(command) {
   let written = ''
   command.emit('afterHelp', { command, error: false, write: (more) => (written += more) })
@@ -77,7 +78,7 @@ function notes(command) {
   return blocks.filter(Boolean).flatMap((block) => {
     const [first, ...lines] = block.split('\n')
     if (first === 'Examples:') return ['## Examples', fence('sh', lines.map(withoutPrompt).join('\n'))]
-    // A text fence keeps the columns of lists and tables.
+    // A code block keeps the alignment of lists and tables.
     if (lines.some((line) => line.startsWith('  '))) return [fence('text', block)]
     return [text(block.replaceAll('\n', ' '))]
   })
@@ -87,7 +88,6 @@ const withoutPrompt = (line) => line.replace(/^ *\$ furrow/, 'npx furrow').trimS
 const fence = (language, content) => `\`\`\`${language}\n${content}\n\`\`\``
 const asSentence = (description) => `${text(description.charAt(0).toUpperCase() + description.slice(1))}.`
 
-/** Escapes plain text for Markdown. */
 function text(plain) {
   return plain.replace(/[\\`*_{}[\]<>|#]/g, (character) => `\\${character}`)
 }

@@ -1,11 +1,11 @@
-// The gallery, and a page for each example: it runs beside its source.
+// Generates the gallery of examples, and a page per example that runs the example and shows its source.
 
 import { cpSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { readExamples } from '../../scripts/lib/examples.mjs'
 import { ROOT } from '../../scripts/lib/run.mjs'
 
-/** Writes the pages, the gallery and its pictures. */
+/** Writes the gallery, its pictures, and the pages of the examples. */
 export function gatherExamples(folder) {
   const target = join(folder, 'examples')
   mkdirSync(target, { recursive: true })
@@ -27,7 +27,10 @@ function gallery(examples) {
   return `${parts.join('\n\n')}\n`
 }
 
-/** The search of the site indexes the title, the description and the keywords. */
+/**
+ * Returns the page of an example. The title, description and keywords are on the page so that the search of the site
+ * finds them.
+ */
 function page({ name, title, description, keywords, source }) {
   const parts = [
     `---\naside: false\npageClass: example\ndescription: ${JSON.stringify(description)}\n---`,
@@ -42,7 +45,7 @@ function page({ name, title, description, keywords, source }) {
   return `${parts.join('\n\n')}\n`
 }
 
-/** Lists the modules in the folder of examples that a source imports, directly or not. */
+/** Returns the modules in the folder `examples` that a source imports, directly or indirectly. */
 function modulesOf(source, found = []) {
   for (const [, module] of source.matchAll(/from '\.\/([\w-]+\.js)'/g)) {
     if (found.includes(module)) continue

@@ -1,4 +1,5 @@
-// Makes the first page's face from faces/human.glb: removes blendshapes that neither the page nor a driver uses, quantises and compresses.
+// Makes a smaller copy of faces/human.glb for the first page of the site. Removes blendshapes that neither the page nor
+// a driver uses, shrinks textures, and compresses meshes.
 
 import { readFileSync } from 'node:fs'
 import { meshopt, prune, textureCompress } from '@gltf-transform/functions'
@@ -7,10 +8,10 @@ import sharp from 'sharp'
 import { transformFile } from '../../scripts/lib/transform.mjs'
 import { TARGETS } from '../first-page/targets.mjs'
 
-/** Largest texture side in texels: the face fills half of the screen. */
+/** Maximum width and height of textures, texels. The face fills only half of the screen. */
 const SIDE = 1024
 
-/** Writes a face of about a third of the input's size. */
+/** Writes the smaller file. It has about a third of the original size. */
 export function gatherFace(input, output) {
   return transformFile(input, output, [
     keepTargets(new Set([...TARGETS, ...driverTargets(input)])),
@@ -27,8 +28,8 @@ export function gatherFace(input, output) {
 }
 
 /**
- * Returns all words in the wrinkle extension of a .glb, which include the blendshapes that drivers read. A .glb's JSON starts at byte 20
- * (glTF 2.0, section 4.4).
+ * Returns all words in the wrinkle extension of a .glb. These include the names of the blendshapes that drivers read.
+ * The JSON of a .glb starts at byte 20 (glTF 2.0, section 4.4).
  */
 function driverTargets(path) {
   const bytes = readFileSync(path)
@@ -37,7 +38,9 @@ function driverTargets(path) {
   return JSON.stringify(wrinkles).match(/\w+/g)
 }
 
-/** Removes blendshapes that are not in `names`: they take most of the file. */
+/**
+ * Returns a transform that removes the blendshapes whose names are not in `names`. Blendshapes take most of the file.
+ */
 function keepTargets(names) {
   return (document) => {
     for (const mesh of document.getRoot().listMeshes()) {

@@ -3,7 +3,7 @@ import { join } from 'node:path'
 import { ROOT } from '../../scripts/lib/run.mjs'
 import { gatherFace } from './face.mjs'
 
-/** Writes the first page with its compressed face and the posters shown before the face loads. */
+/** Writes the first page, its compressed face, and the posters that the page shows until the face is loaded. */
 export async function gatherFirstPage(folder) {
   cpSync(join(ROOT, 'site/first-page/index.md'), join(folder, 'index.md'))
   const assets = join(folder, 'public/first-page')

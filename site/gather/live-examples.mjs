@@ -1,11 +1,12 @@
-// Bundles the examples from the built packages, because the site's server does not have the files that their import maps name.
+// Bundles the examples from the built packages. The import maps of the examples name files that the site's server does
+// not have.
 
 import { join } from 'node:path'
 import { build } from 'vite'
 import { exampleNames } from '../../scripts/lib/examples.mjs'
 import { ROOT } from '../../scripts/lib/run.mjs'
 
-/** Folder of the faces, relative to a running example. The studio's build contains them. */
+/** Path of the folder with the faces, relative to a bundled example. The build of the studio contains this folder. */
 const FACES = '../../studio/faces/'
 
 /** Writes `NAME.html` for every example. */
@@ -27,7 +28,10 @@ export function buildLiveExamples(outDir) {
   })
 }
 
-/** Removes import maps, which a bundled page does not need, and makes URLs relative, so that the site works under any path. */
+/**
+ * Removes import maps, because a bundled page does not need one. Makes URLs relative, so that the site works under any
+ * path.
+ */
 function forStatic() {
   return {
     name: 'furrow-static-examples',
@@ -36,7 +40,8 @@ function forStatic() {
       order: 'pre',
       handler: (html) => relativeFaces(html.replace(/<script type="importmap">[\s\S]*?<\/script>\n?/, '')),
     },
-    // An inline script is a virtual module, whose relative imports are resolved against the examples folder.
+    // Vite turns an inline script into a virtual module. Its relative imports are resolved here, against the folder of
+    // examples.
     resolveId(source, importer) {
       if (!source.startsWith('./') || !importer?.includes('html-proxy')) return null
       return join(ROOT, 'examples', source)

@@ -4,10 +4,10 @@ import { ROOT } from '../../scripts/lib/run.mjs'
 import { pageFiles, pageOf } from '../places.mjs'
 
 const FIGURES = ['docs/figures']
-/** Files that pages link to and the site serves unchanged. */
+/** Files that the site serves unchanged, because pages link to them. */
 const PUBLIC = ['docs/schema']
 
-/** Copies the Markdown files, their figures and the files they link to. */
+/** Copies the Markdown files that become pages, their figures, and the files in `PUBLIC`. */
 export function gatherPages(folder) {
   for (const file of pageFiles()) copy(file, join(folder, pageOf(file)))
   for (const path of FIGURES) copy(path, join(folder, path))
