@@ -5,13 +5,13 @@ import type { SampleFile, SampleLayer, SampleTarget } from './sample.ts'
 const FLOAT = 5126
 const UNSIGNED_SHORT = 5123
 
-/** Linear filter without mipmaps, clamped to the edge. */
+/** Sampler with linear filtering, without mipmaps, clamped to the edge. */
 const SAMPLER = { magFilter: 9729, minFilter: 9729, wrapS: 33071, wrapT: 33071 }
 
-/** Vertices per side of the square. Deformations need more than the corners. */
+/** Number of rows and columns of vertices in the square. Deformations need more than four corners. */
 const ROWS = 5
 
-/** Encodes a sample file as .glb. Uses no library, because a library would reject or correct samples that break rules. */
+/** Encodes a sample file as .glb. Uses no library, because a library would reject or correct files that break rules. */
 export function encodeFile(file: SampleFile): Uint8Array<ArrayBuffer> {
   const buffer = new BufferWriter()
   const images = new ImageWriter(buffer)
@@ -24,7 +24,7 @@ export function encodeFile(file: SampleFile): Uint8Array<ArrayBuffer> {
       normalTexture: { ...normalTexture, scale: file.baseScale, ...transformOf(file) },
     }),
     extensions: {
-      // No highlights, so that pictures show only diffuse shading.
+      // Turns highlights off, so that pictures show only diffuse shading.
       KHR_materials_specular: { specularFactor: 0 },
       FURROW_wrinkle_maps: {
         layers: file.layers.map((layer) => layerJson(layer, images, file)),
@@ -75,8 +75,8 @@ export function encodeFile(file: SampleFile): Uint8Array<ArrayBuffer> {
 function layerJson(layer: SampleLayer, images: ImageWriter, file: SampleFile): object {
   const info = (map: MapImage | undefined, more: object = {}) =>
     map && { ...textureInfo(images.add(map), file), ...more }
-  const { normal, normalScale, baseColor, roughness, occlusion, occlusionStrength, blood, bloodAmplitude } =
-    layer
+  const { normal, normalScale, baseColor, roughness, occlusion, occlusionStrength } = layer
+  const { blood, bloodAmplitude, onset, onsetStrength } = layer
   return {
     name: layer.name,
     kind: layer.kind,
@@ -85,6 +85,7 @@ function layerJson(layer: SampleLayer, images: ImageWriter, file: SampleFile): o
     roughnessTexture: info(roughness),
     occlusionTexture: info(occlusion, { strength: occlusionStrength }),
     bloodTexture: info(blood, { amplitude: bloodAmplitude }),
+    onsetTexture: info(onset, { strength: onsetStrength }),
   }
 }
 
@@ -97,7 +98,12 @@ function transformOf({ uvs = {} }: SampleFile): object {
   return transform ? { extensions: { KHR_texture_transform: { ...transform, texCoord: set } } } : {}
 }
 
-/** Writes a part of the square, which faces +z and spans -1..1 in x and y. `left` and `right` are 0..1. */
+/**
+ * Writes the mesh of a part of the square. The whole square faces +z and spans -1..1 in x and y.
+ *
+ * @param left left edge of the part, as a fraction of the square, 0..1.
+ * @param right right edge of the part, 0..1.
+ */
 function sheet(
   buffer: BufferWriter,
   left: number,
@@ -121,7 +127,8 @@ function sheet(
       'VEC3',
       corners.flatMap(() => [0, 0, 1]),
     ),
-    // A loader that reads set 0 by mistake gets different coordinates. Their directions agree, because engines derive tangents from set 0.
+    // TEXCOORD_0 differs from TEXCOORD_1, so that a loader that uses the wrong set gives wrong results. The coordinates u and v have the
+    // same directions in both sets, because engines derive tangents from TEXCOORD_0.
     ...(set === 1 && {
       TEXCOORD_0: buffer.floats(
         'VEC2',
@@ -145,7 +152,7 @@ function sheet(
   }
 }
 
-/** Writes the images of a file, each once. */
+/** Writes the images of a file. Stores each image once. */
 class ImageWriter {
   readonly json: { name: string; mimeType: string; bufferView: number }[] = []
   readonly #indices = new Map<MapImage, number>()
@@ -166,7 +173,6 @@ class ImageWriter {
   }
 }
 
-/** Writes the binary chunk of a file. */
 class BufferWriter {
   readonly views: object[] = []
   readonly accessors: object[] = []
@@ -182,7 +188,11 @@ class BufferWriter {
     return this.views.length - 1
   }
 
-  /** @param hasBounds whether to write `min` and `max`, which glTF requires for positions. */
+  /**
+   * Writes vectors as floats. Returns the index of the accessor.
+   *
+   * @param hasBounds whether to write `min` and `max`, which glTF requires for positions.
+   */
   floats(type: 'VEC2' | 'VEC3', values: readonly number[], hasBounds = false): number {
     const data = Float32Array.from(values)
     const size = type === 'VEC2' ? 2 : 3

@@ -3,10 +3,10 @@ import { packAreas, reference } from 'furrow/internal'
 import type { MapImage } from './map-image.ts'
 import type { Pose, Sample, SampleFile, SampleLayer } from './sample.ts'
 
-/** Side of the pictures, pixels. */
+/** Width and height of the expected pictures, pixels. */
 export const PIXELS = 32
 
-/** Pixels listed in a sample's JSON: column and row from the top left. */
+/** Pixels whose expected values are in the JSON of a sample: column and row, from the top left. */
 const LISTED = [
   [3, 3],
   [11, 5],
@@ -18,21 +18,21 @@ const LISTED = [
   [29, 30],
 ] as const
 
-/** Values that an engine must compute at a point of the square. */
+/** Values that an engine must compute at one point of a sample's square. */
 export interface Expected {
-  /** Influence per layer, 0..1. */
+  /** Influence of each layer (its areas times their activations) before onset maps are applied, 0..1. */
   influence: number[]
-  /** Unit vector in tangent space. */
+  /** Normal as a unit vector in tangent space. */
   normal: number[]
-  /** Linear. Without wrinkles: white. */
+  /** Base colour, linear. White without wrinkles. */
   baseColor: number[]
-  /** Without wrinkles: 1. */
+  /** Roughness. 1 without wrinkles. */
   roughness: number
-  /** Without wrinkles: 1. */
+  /** Occlusion. 1 without wrinkles. */
   occlusion: number
 }
 
-/** Computes the expected values at a pixel's centre with the float64 reference. */
+/** Computes the expected values at the centre of a pixel with the float64 reference. */
 export function expectedAt(file: SampleFile, pose: Pose, column: number, row: number): Expected {
   const [u, v] = uvAt(file, (column + 0.5) / PIXELS, (row + 0.5) / PIXELS)
   const weights = file.areas.map(({ weights, channel = 0 }) => channelOf(weights, channel))
@@ -41,12 +41,15 @@ export function expectedAt(file: SampleFile, pose: Pose, column: number, row: nu
     return { activation: pose.activations[name], layer, combine }
   })
   const influence = file.layers.map((_, layer) => reference.influence(areas, active, u, v, layer))
+  const delayed = file.layers.map(({ onset, onsetStrength }, i) =>
+    onset ? reference.onsetInfluence(influence[i], texel(onset, u, v, 1), onsetStrength) : influence[i],
+  )
   const mixed = (own: readonly number[], valuesOf: (layer: SampleLayer) => number[] | undefined) =>
     reference.mixValues(
       own,
       file.layers.flatMap((layer, i) => {
         const value = valuesOf(layer)
-        return value ? [{ value, influence: influence[i] }] : []
+        return value ? [{ value, influence: delayed[i] }] : []
       }),
     )
   const [blood] = mixed([0], ({ blood: map, bloodAmplitude = 0 }) => {
@@ -60,7 +63,7 @@ export function expectedAt(file: SampleFile, pose: Pose, column: number, row: nu
         file.base ? normalAt(file.base, u, v) : [0, 0, 1],
         file.layers.map(({ kind = 'replace', normal, normalScale = 1 }, i) => {
           const [x, y, z] = normalAt(normal, u, v)
-          return { kind, normal: [x * normalScale, y * normalScale, z], influence: influence[i] }
+          return { kind, normal: [x * normalScale, y * normalScale, z], influence: delayed[i] }
         }),
       ),
       file.baseScale ?? 1,
@@ -73,7 +76,7 @@ export function expectedAt(file: SampleFile, pose: Pose, column: number, row: nu
   }
 }
 
-/** Returns the JSON that accompanies a sample file. */
+/** Returns the JSON file of a sample, with its rule and the expected values. */
 export function describe(sample: Sample): object {
   const { rule, section, file, poses, isMoved } = sample
   if (poses.length === 0) return { rule, section, refused: true }
@@ -93,7 +96,7 @@ export function describe(sample: Sample): object {
   }
 }
 
-/** Renders the normals of the square: RGB = (x, y, z) / 2 + 1 / 2. */
+/** Renders the expected normals of the square as a picture: `rgb = xyz / 2 + 1 / 2`. */
 export function normalPicture(file: SampleFile, pose: Pose): MapImage {
   const data = new Uint8Array(3 * PIXELS * PIXELS)
   for (let i = 0; i < PIXELS * PIXELS; i++) {
@@ -106,7 +109,7 @@ export function normalPicture(file: SampleFile, pose: Pose): MapImage {
   return { width: PIXELS, height: PIXELS, data }
 }
 
-/** Rounds to six decimals, far below the tolerance of comparisons, to keep files readable. */
+/** Rounds to six decimals, which keeps the files short. The tolerance of comparisons is much larger. */
 function rounded(expected: Expected): Expected {
   const round = (value: number) => Math.round(value * 1e6) / 1e6
   return {
@@ -118,7 +121,12 @@ function rounded(expected: Expected): Expected {
   }
 }
 
-/** @param x from the left of the square, 0..1. @param y from the top, 0..1. */
+/**
+ * Returns the texture coordinates of a point of the square.
+ *
+ * @param x distance from the left edge, 0..1.
+ * @param y distance from the top edge, 0..1.
+ */
 function uvAt({ uvs = {} }: SampleFile, x: number, y: number): [number, number] {
   const { scale = 1, offset = [0, 0], transform = { scale: [1, 1], offset: [0, 0] } } = uvs
   const at = (value: number, axis: 0 | 1) =>
@@ -139,7 +147,7 @@ function scaled([x, y, z]: readonly number[], scale: number): number[] {
   return [(x * scale) / length, (y * scale) / length, z / length]
 }
 
-/** Decodes sRGB before interpolation, as GPUs do. */
+/** Samples a colour. Decodes sRGB before interpolation, as GPUs do. */
 function colourAt({ width, height, data }: MapImage, u: number, v: number): number[] {
   return [0, 1, 2].map((channel) =>
     reference.interpolate({ width, height }, u, v, (i, j) =>
@@ -148,7 +156,7 @@ function colourAt({ width, height, data }: MapImage, u: number, v: number): numb
   )
 }
 
-/** Decodes an sRGB value (IEC 61966-2-1). */
+/** Converts an sRGB value to linear (IEC 61966-2-1). */
 function linear(encoded: number): number {
   return encoded <= 0.04045 ? encoded / 12.92 : ((encoded + 0.055) / 1.055) ** 2.4
 }

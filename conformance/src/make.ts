@@ -3,7 +3,10 @@ import { describe, normalPicture } from './expected.ts'
 import type { Sample } from './sample.ts'
 import { storeFile } from './store.ts'
 
-/** Returns the files of a sample by name: the model, the expected values as JSON, and a picture of the normals per pose. */
+/**
+ * Returns the files of a sample by name: the model as .glb, the expected values as .json, and for each pose a .png of
+ * the normals.
+ */
 export async function filesOf(sample: Sample): Promise<Map<string, Uint8Array>> {
   const { name, file, poses, isMoved } = sample
   const files = new Map<string, Uint8Array>([

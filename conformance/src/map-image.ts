@@ -1,21 +1,23 @@
 import { seeded } from '../../test/random.ts'
 
-/** Image of a sample file: 3 channels of 8 bits. */
+/** Image of a sample file, with 3 channels of 8 bits. Row 0 is at the top. */
 export interface MapImage {
   width: number
   height: number
   data: Uint8Array
 }
 
-/** Default side of images in texels: half the side of the pictures, so that engines must interpolate. */
+/**
+ * Default width and height of images, texels. The expected pictures are twice as large, so engines must interpolate.
+ */
 export const SIDE = 16
 
-/** Returns random independent texels, the hardest case for interpolation. */
+/** Returns an image of independent random texels, in which errors of interpolation show most. */
 export function noise(seed: number, side = SIDE): MapImage {
   return { width: side, height: side, data: Uint8Array.from({ length: 3 * side * side }, seededBytes(seed)) }
 }
 
-/** Returns random unit normals within 45 degrees of the surface normal. */
+/** Returns a normal map of random unit normals, at most 45 degrees from the surface normal. */
 export function normals(seed: number, side = SIDE): MapImage {
   const random = seeded(seed)
   const data = Array.from({ length: side * side }, () => {
@@ -25,15 +27,17 @@ export function normals(seed: number, side = SIDE): MapImage {
   return { width: side, height: side, data: Uint8Array.from(data.flat()) }
 }
 
-/** Returns an image of one colour. */
 export function uniform(red: number, green: number, blue: number, side = SIDE): MapImage {
   return image(side, () => [red, green, blue])
 }
 
-/** Returns a flat normal map. */
 export const flat = (): MapImage => uniform(128, 128, 255)
 
-/** @param texel returns the three bytes at a column and row. */
+/**
+ * Returns an image with `side` x `side` texels.
+ *
+ * @param texel returns the three bytes of a texel.
+ */
 export function image(side: number, texel: (column: number, row: number) => readonly number[]): MapImage {
   const data = Array.from({ length: side * side }, (_, i) => texel(i % side, Math.floor(i / side)))
   return { width: side, height: side, data: Uint8Array.from(data.flat()) }

@@ -5,7 +5,7 @@ import { OTHER_DRIVER_SAMPLES } from './cases/other-drivers.ts'
 import { REFUSED_SAMPLES } from './cases/refused.ts'
 import type { Sample } from './sample.ts'
 
-/** All sample files, one for each rule. */
+/** All samples of the conformance suite. Each tests one rule of the specification. */
 export const SAMPLES: readonly Sample[] = [
   ...LAYER_SAMPLES,
   ...COORDINATE_SAMPLES,

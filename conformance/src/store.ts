@@ -18,7 +18,7 @@ const TRANSFORMS = {
   meshopt: () => meshopt({ encoder: MeshoptEncoder }),
 }
 
-/** Encodes a sample file, and compresses it with the tools that users have: glTF-Transform and `furrow pack`. */
+/** Encodes a sample file. Compresses it with the tools that users have: glTF-Transform and `furrow pack`. */
 export async function storeFile(file: SampleFile): Promise<Uint8Array> {
   const bytes = encodeFile(file)
   if (!file.storage) return bytes

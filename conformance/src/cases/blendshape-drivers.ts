@@ -149,7 +149,7 @@ export const BLENDSHAPE_SAMPLES: readonly Sample[] = [
   },
 ]
 
-/** Returns a square with corrections of recognised shapes. */
+/** Returns a square whose file contains corrections of automatically recognised blendshapes. */
 function withShapes(shapes: readonly unknown[]): SampleFile {
   return driven([morph('a', [link('up')]), morph('b', [link('down')])], {
     edit: (json) => {

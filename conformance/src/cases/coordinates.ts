@@ -7,7 +7,7 @@ const areas = [{ name: 'a', weights: noise(1), activation: 0.8 }]
 const poses = [{ activations: { a: 0.8 } }]
 const file: SampleFile = { base, layers: [LAYER], areas }
 
-/** Returns an image of single-coloured blocks of 4 x 4 texels, which UASTC compression preserves. */
+/** Returns an image whose blocks of 4 x 4 texels have one colour each. UASTC compression preserves such blocks. */
 const blocks = (colour: (column: number, row: number) => readonly number[]) =>
   image(SIDE, (column, row) => colour(Math.floor(column / 4), Math.floor(row / 4)))
 

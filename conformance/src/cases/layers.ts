@@ -1,4 +1,4 @@
-import { flat, image, noise, normals, SIDE, uniform } from '../map-image.ts'
+import { flat, image, type MapImage, noise, normals, SIDE, uniform } from '../map-image.ts'
 import type { Sample, SampleArea, SampleLayer } from '../sample.ts'
 
 const WEIGHTS = noise(1)
@@ -17,8 +17,19 @@ const flatLayer = (more: Partial<SampleLayer>): SampleLayer => ({
 })
 const base = normals(3)
 
-/** Red grows from left to right, green is about half. The two ways to combine by `max`, per texel or per sample, agree on these weights. */
+/**
+ * Weights that increase from left to right in red, and are 136 of 255 in green. Engines may combine areas by `max` per
+ * texel or per sample, and both give the same result for these weights.
+ */
 const RAMP = image(SIDE, (column) => [17 * column, 136, 255])
+
+/** Returns noise whose green channel is at most 100. A larger onset magnifies the rounding errors of texture filters beyond the tolerance. */
+function onsetImage(seed: number): MapImage {
+  const map = noise(seed)
+  const data = map.data.map((value, i) => (i % 3 === 1 ? Math.round((value * 100) / 255) : value))
+  return { ...map, data }
+}
+const SHARED = onsetImage(15)
 
 export const LAYER_SAMPLES: readonly Sample[] = [
   {
@@ -219,7 +230,7 @@ export const LAYER_SAMPLES: readonly Sample[] = [
     name: 'roughness',
     rule: "A layer's roughness is mixed with the material's.",
     section: 'Mixing',
-    // The surface is flat, so highlights depend on roughness alone.
+    // The surface has no normal map, so highlights depend only on roughness.
     file: {
       layers: [flatLayer({ roughness: noise(11), normalScale: 0 })],
       areas: [area('a', { activation: 1 })],
@@ -247,5 +258,33 @@ export const LAYER_SAMPLES: readonly Sample[] = [
       areas: [area('a', { activation: 1 })],
     },
     poses: [{ activations: { a: 1 } }],
+  },
+  {
+    name: 'onset',
+    rule: 'An onset map delays the influence of its layer, for normals and all other maps.',
+    section: 'Onset',
+    file: {
+      base,
+      layers: [skin({ kind: 'detail', baseColor: noise(13), onset: onsetImage(14) })],
+      areas: [area('a', { weights: uniform(255, 255, 255), activation: 0.6 })],
+    },
+    poses: [{ activations: { a: 0.6 } }],
+  },
+  {
+    name: 'onset-shared',
+    rule: 'Onset shares the image of occlusion and blood, has a strength, and does not change other layers.',
+    section: 'Onset',
+    file: {
+      base,
+      layers: [
+        skin({ occlusion: SHARED, blood: SHARED, bloodAmplitude: 1, onset: SHARED, onsetStrength: 0.7 }),
+        { name: 'age', kind: 'detail', normal: normals(4), blood: noise(12), bloodAmplitude: 1 },
+      ],
+      areas: [
+        area('a', { weights: uniform(255, 255, 255), activation: 0.5 }),
+        area('b', { layer: 1, channel: 1, activation: 0.7 }),
+      ],
+    },
+    poses: [{ activations: { a: 0.5, b: 0.7 } }],
   },
 ]

@@ -1,7 +1,7 @@
 import type { Sample } from '../sample.ts'
 import { at, driven, HALF, link, morph } from './driven-square.ts'
 
-/** Returns the quaternion of a quarter turn about x, y or z. */
+/** Returns the quaternion of a rotation by 90 degrees about x, y or z. */
 const turn = (axis: 0 | 1 | 2) => [0, 1, 2].map((i) => (i === axis ? Math.SQRT1_2 : 0)).concat(Math.SQRT1_2)
 const JOINTS = [{ name: 'head' }, { name: 'jaw', translation: [0, 0, 0.1] }]
 const QUARTER = [
@@ -9,7 +9,7 @@ const QUARTER = [
   [Math.PI, 1],
 ]
 
-/** Blendshape that compresses the square in x by 20 %. */
+/** Blendshape that compresses the square along x by 20%. */
 const SQUEEZE = { name: 'squeeze', move: (x: number) => [-0.2 * x, 0, 0] as const }
 
 export const OTHER_DRIVER_SAMPLES: readonly Sample[] = [

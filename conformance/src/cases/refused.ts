@@ -7,13 +7,15 @@ const file: SampleFile = {
   areas: ['a', 'b'].map((name) => ({ name, weights: noise(1), activation: 1 })),
 }
 
+const ROUGH = noise(7)
+
 interface WrinkleJson {
   layers: { normalTexture: Record<string, unknown>; [key: string]: unknown }[]
   areas: Record<string, unknown>[]
   [key: string]: unknown
 }
 
-/** Returns a sample whose extension breaks one rule. */
+/** Returns a sample that breaks one rule of the extension. Engines must reject it. */
 function refused(
   name: string,
   rule: string,
@@ -66,5 +68,13 @@ export const REFUSED_SAMPLES: readonly Sample[] = [
   refused('blood', 'Blood and occlusion of a layer share a texture.', 'Blood', () => {}, {
     ...file,
     layers: [{ ...file.layers[0], occlusion: noise(5), blood: noise(6), bloodAmplitude: 1 }],
+  }),
+  refused('onset', 'Onset shares the texture of occlusion or blood.', 'Onset', () => {}, {
+    ...file,
+    layers: [{ ...file.layers[0], blood: noise(5), bloodAmplitude: 1, onset: noise(6) }],
+  }),
+  refused('onset-roughness', 'Onset and roughness of a layer do not share a texture.', 'Onset', () => {}, {
+    ...file,
+    layers: [{ ...file.layers[0], roughness: ROUGH, onset: ROUGH }],
   }),
 ]
